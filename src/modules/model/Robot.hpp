@@ -1,0 +1,104 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace naocal {
+
+/// A dimension of the drawing that several links may share, such as `thigh` (one number for both sides).
+struct Length {
+  std::string name;
+  double value = 0; // [m]
+};
+
+/// A range of angles [rad].
+struct Range {
+  double lower = 0, upper = 0;
+};
+
+/// The limits of a joint as a piecewise linear function of another joint's angle, constant beyond the ends.
+struct CoupledLimits {
+  std::size_t onJoint = 0;
+  std::vector<double> angles; // of that joint, ascending [rad]
+  std::vector<Range> ranges;  // of this one
+};
+
+/// A joint: turns its link about `axis` by its angle. All frames are parallel at zero angles.
+struct Joint {
+  std::string name;
+  std::size_t link = 0;
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(); // unit vector, in the link's frame before the rotation
+  Range limits;                                    // [rad]
+  std::optional<CoupledLimits> coupled;
+  double maxSpeed = 0;                             // [rad/s]
+  std::size_t motor = 0; // the joint whose motor drives this one: itself, but for the right hip yaw-pitch
+};
+
+/// A rigid part. parentFromLink = T(constant + sum_k lengths[k].value * direction) * R(axis, angle).
+struct Link {
+  std::string name;
+  std::optional<std::size_t> parent; // absent: the root (torso)
+  Eigen::Vector3d constant = Eigen::Vector3d::Zero(); // [m]
+  struct Stretch {
+    std::size_t length = 0; // index into Robot::lengths
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+  };
+  std::vector<Stretch> stretches;
+  std::optional<std::size_t> joint; // absent: fixed to its parent
+  double mass = 0;                                        // [kg]
+  Eigen::Vector3d centreOfMass = Eigen::Vector3d::Zero(); // in the link's frame [m]
+};
+
+/// Where a camera sits: linkFromCamera = T(translation) * Ry(pitch); camera axes x forward (optical axis), y left, z up.
+struct CameraMount {
+  std::string name;
+  std::size_t link = 0;
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero(); // [m]
+  double pitch = 0;                                      // [rad]
+};
+
+/// A sole: its frame is a link (origin below the ankle, on the floor, x forward).
+struct Sole {
+  std::string name; // "left" or "right"
+  std::size_t link = 0;
+  std::vector<Eigen::Vector2d> outline;            // convex, counter-clockwise, in the sole's frame [m]
+  std::vector<Eigen::Vector2d> forceSensors;       // FL, FR, RL, RR in the sole's frame [m]
+};
+
+/// The drawing of a robot: a tree of links with masses, joints and cameras. Parents stand before their children.
+struct Robot {
+  std::string model;
+  std::vector<Length> lengths;
+  std::vector<Link> links;
+  std::vector<Joint> joints;
+  std::vector<CameraMount> cameras;
+  std::vector<Sole> soles;
+  std::map<std::string, double> restingAngles; // [rad] of joints that were not recorded (they count for masses only)
+
+  std::optional<std::size_t> jointIndex(std::string_view name) const;
+  std::optional<std::size_t> linkIndex(std::string_view name) const;
+  std::optional<std::size_t> lengthIndex(std::string_view name) const;
+  std::optional<std::size_t> cameraIndex(std::string_view name) const;
+  const Sole* sole(std::string_view name) const; // nullptr: the robot has none of that name
+};
+
+/// Reads a drawing file. Throws std::runtime_error that names the file, the place, what was expected and found.
+Robot loadRobot(const std::filesystem::path& drawing);
+
+/// The drawing of a model ("V4", "V5", "V6") in `<configuration>/drawings/`.
+Robot loadRobot(const std::filesystem::path& configuration, std::string_view model);
+
+/// Where the configuration lies: $NAOCAL_CONFIGURATION, else beside the installed program, else the source tree's home/.
+std::filesystem::path configurationDirectory();
+
+/// The limits of joint `joint` at the given angles (one per joint of the robot) [rad].
+Range limitsAt(const Robot& robot, std::size_t joint, const Eigen::VectorXd& angles);
+
+} // namespace naocal

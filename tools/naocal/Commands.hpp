@@ -1,0 +1,17 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace naocal {
+
+/// Each adds one subcommand; its callback does the work and throws InputError for bad usage or input.
+void addSimulate(CLI::App& app);
+void addDetect(CLI::App& app);
+void addSolve(CLI::App& app, int& exitCode);
+void addCompare(CLI::App& app);
+void addReport(CLI::App& app);
+void addDemo(CLI::App& app, int& exitCode);
+
+} // namespace naocal
