@@ -1,0 +1,16 @@
+#include "effects/AllEffects.hpp"
+
+namespace naocal {
+
+/// The camera sits turned in the head: nominal mount * Rx(rx) Ry(ry) Rz(rz), axes x forward, y left, z up.
+Effect cameraRotation() {
+  return {.name = "cameraRotation",
+          .formula = "headFromCamera = nominal * Rx(rx) * Ry(ry) * Rz(rz)",
+          .place = Place::camera,
+          .unknowns = {{"rx", "rad", 0.05}, {"ry", "rad", 0.05}, {"rz", "rad", 0.05}},
+          .correct = [](Belief& belief, const Instant&, std::size_t, std::span<const double> values) {
+            belief.mountRotation() += Eigen::Vector3d{values[0], values[1], values[2]};
+          }};
+}
+
+} // namespace naocal

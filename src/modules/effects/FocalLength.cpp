@@ -1,0 +1,16 @@
+#include "effects/AllEffects.hpp"
+
+namespace naocal {
+
+/// Both focal lengths are wrong by the same factor: fx, fy times (1 + s).
+Effect focalLength() {
+  return {.name = "focalLength",
+          .formula = "fx, fy -> fx (1 + s), fy (1 + s)",
+          .place = Place::camera,
+          .unknowns = {{"s", "1", 0.03}},
+          .correct = [](Belief& belief, const Instant&, std::size_t, std::span<const double> values) {
+            belief.lens().head<2>() *= 1 + values[0];
+          }};
+}
+
+} // namespace naocal

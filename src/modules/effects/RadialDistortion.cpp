@@ -1,0 +1,16 @@
+#include "effects/AllEffects.hpp"
+
+namespace naocal {
+
+/// The lens bends rays with their distance from the axis: added to the given k1, k2.
+Effect radialDistortion() {
+  return {.name = "radialDistortion",
+          .formula = "k1, k2 -> k1 + k1', k2 + k2'",
+          .place = Place::camera,
+          .unknowns = {{"k1", "1", 0.1}, {"k2", "1", 0.2}},
+          .correct = [](Belief& belief, const Instant&, std::size_t, std::span<const double> values) {
+            belief.lens().segment<2>(4) += Eigen::Vector2d{values[0], values[1]};
+          }};
+}
+
+} // namespace naocal

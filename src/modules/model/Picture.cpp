@@ -1,0 +1,180 @@
+#include "model/Picture.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace naocal {
+
+CornerBlocks cornerBlocks(const Board& board, const BoardCorners& corners) {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double squaredReach = 1;
+  if (board.pattern) {
+    const CharucoPattern& pattern = *board.pattern;
+    centre = {pattern.squaresX * pattern.squareLength / 2, -pattern.squaresY * pattern.squareLength / 2, 0};
+    squaredReach = centre.squaredNorm();
+  }
+  const std::size_t count = corners.ids.size();
+  CornerBlocks blocks((count + 3) / 4);
+  for (std::size_t i = 0; i < 4 * blocks.size(); ++i) {
+    CornerBlock& block = blocks[i / 4];
+    const auto lane = static_cast<Eigen::Index>(i % 4);
+    const std::size_t corner = i < count ? i : 0;
+    const Eigen::Vector3d& point = board.points[static_cast<std::size_t>(corners.ids[corner])];
+    block.x[lane] = point.x();
+    block.y[lane] = point.y();
+    block.z[lane] = point.z();
+    block.bulge[lane] = board.pattern ? 1 - (point - centre).squaredNorm() / squaredReach : 0;
+    block.u[lane] = corners.uv[corner].x();
+    block.v[lane] = corners.uv[corner].y();
+    block.present[lane] = i < count ? 1 : 0;
+  }
+  return blocks;
+}
+
+View::View(const Robot& robot, const Quantities& quantities, std::size_t camera, std::size_t targetLink, bool onFloor,
+           std::size_t board)
+    : quantities_{quantities}, camera_{camera}, target_{targetLink}, board_{board}, onFloor_{onFloor},
+      side_(robot.links.size(), 0) {
+  const std::size_t cameraLink = robot.cameras[camera].link;
+  links_ = linksTowards(robot, {cameraLink, targetLink});
+  for (std::optional<std::size_t> link = cameraLink; link; link = robot.links[*link].parent) {
+    side_[*link] -= 1;
+  }
+  for (std::optional<std::size_t> link = targetLink; link; link = robot.links[*link].parent) {
+    side_[*link] += 1; // links that carry both cancel
+  }
+  for (std::size_t link : links_) {
+    if (side_[link] != 0 && robot.links[link].joint) {
+      joints_.push_back(*robot.links[link].joint);
+    }
+  }
+}
+
+void View::look(const Robot& robot, const Belief& belief, const Posture& torsoFromLink) {
+  const CameraMount& mount = robot.cameras[camera_];
+  opticalFromTorso_ = (torsoFromLink[mount.link] * linkFromOptical(mount, belief)).inverse();
+  opticalFromTarget_ = opticalFromTorso_ * torsoFromLink[target_];
+  opticalFromWorld_ = opticalFromTarget_ * placed(belief.ground()).inverse();
+  opticalFromBoard_ = (onFloor_ ? opticalFromWorld_ : opticalFromTarget_) * placed(belief.boardPlacement(board_));
+}
+
+bool View::project(const Belief& belief, const CornerBlocks& corners, ProjectedBlocks& projected) const {
+  constexpr double nearest = 1e-3; // [m]: closer than that, or behind, nothing is seen
+  const Eigen::Matrix3d& r = opticalFromBoard_.rotation;
+  const Eigen::Vector3d& t = opticalFromBoard_.translation;
+  const auto lens = belief.lens();
+  const double fx = lens[0], fy = lens[1], cx = lens[2], cy = lens[3];
+  const double k1 = lens[4], k2 = lens[5], p1 = lens[6], p2 = lens[7], k3 = lens[8];
+  const double scale = 1 + belief.boardScale(board_), bow = belief.boardBow(board_);
+  projected.resize(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const CornerBlock& corner = corners[i];
+    ProjectedBlock& out = projected[i];
+    const Lane px = scale * corner.x, py = scale * corner.y, pz = scale * corner.z + bow * corner.bulge;
+    const Lane depth = r(2, 0) * px + r(2, 1) * py + r(2, 2) * pz + t.z();
+    if (depth.minCoeff() < nearest) {
+      return false;
+    }
+    const Lane inverseDepth = depth.inverse();
+    const Lane x = (r(0, 0) * px + r(0, 1) * py + r(0, 2) * pz + t.x()) * inverseDepth;
+    const Lane y = (r(1, 0) * px + r(1, 1) * py + r(1, 2) * pz + t.y()) * inverseDepth;
+    const Lane rr = x * x + y * y;
+    const Lane radial = 1 + rr * (k1 + rr * (k2 + rr * k3));
+    const Lane radialSlope = 2 * (k1 + rr * (2 * k2 + rr * (3 * k3)));
+    out.u = fx * (x * radial + 2 * p1 * x * y + p2 * (rr + 2 * x * x)) + cx;
+    out.v = fy * (y * radial + p1 * (rr + 2 * y * y) + 2 * p2 * x * y) + cy;
+    const Lane mixed = x * y * radialSlope + 2 * p1 * x + 2 * p2 * y;
+    out.slopes[0] = fx * (radial + x * x * radialSlope + 2 * p1 * y + 6 * p2 * x);
+    out.slopes[1] = fx * mixed;
+    out.slopes[2] = fy * mixed;
+    out.slopes[3] = fy * (radial + y * y * radialSlope + 6 * p1 * y + 2 * p2 * x);
+    const auto rows = [&](const Lane& a, const Lane& b, Lane* row) {
+      const Lane c = -(a * x + b * y); // the gradient in X, Y, Z is (a, b, c) / Z; the first three are p x gradient
+      row[0] = y * c - b;
+      row[1] = a - x * c;
+      row[2] = x * b - y * a;
+      row[3] = a * inverseDepth;
+      row[4] = b * inverseDepth;
+      row[5] = c * inverseDepth;
+    };
+    rows(out.slopes[0], out.slopes[1], out.rowsU);
+    rows(out.slopes[2], out.slopes[3], out.rowsV);
+    out.x = x;
+    out.y = y;
+    out.inverseDepth = inverseDepth;
+  }
+  return true;
+}
+
+void View::extraRows(std::size_t extra, const Belief& belief, const CornerBlock& corners,
+                     const ProjectedBlock& projected, Lane& du, Lane& dv) const {
+  const auto lens = belief.lens();
+  const double fx = lens[0], fy = lens[1];
+  const Lane &x = projected.x, &y = projected.y;
+  const Lane rr = x * x + y * y;
+  du.setZero();
+  dv.setZero();
+  switch (extra) {
+  case 0:
+    du = (projected.u - lens[2]) / fx;
+    return;
+  case 1:
+    dv = (projected.v - lens[3]) / fy;
+    return;
+  case 2:
+    du.setOnes();
+    return;
+  case 3:
+    dv.setOnes();
+    return;
+  case 4:
+    du = fx * x * rr;
+    dv = fy * y * rr;
+    return;
+  case 5:
+    du = fx * x * rr * rr;
+    dv = fy * y * rr * rr;
+    return;
+  case 6:
+    du = fx * 2 * x * y;
+    dv = fy * (rr + 2 * y * y);
+    return;
+  case 7:
+    du = fx * (rr + 2 * x * x);
+    dv = fy * 2 * x * y;
+    return;
+  case 8:
+    du = fx * x * rr * rr * rr;
+    dv = fy * y * rr * rr * rr;
+    return;
+  default:
+    break;
+  }
+  const Eigen::Matrix3d& r = opticalFromBoard_.rotation;
+  Lane mx = corners.x, my = corners.y, mz = corners.z; // the point's motion in the board's frame
+  if (extra == boardBowExtra) {
+    mx.setZero();
+    my.setZero();
+    mz = corners.bulge;
+  }
+  const Lane dx = r(0, 0) * mx + r(0, 1) * my + r(0, 2) * mz;
+  const Lane dy = r(1, 0) * mx + r(1, 1) * my + r(1, 2) * mz;
+  const Lane dz = r(2, 0) * mx + r(2, 1) * my + r(2, 2) * mz;
+  du = projected.rowsU[3] * dx + projected.rowsU[4] * dy + projected.rowsU[5] * dz;
+  dv = projected.rowsV[3] * dx + projected.rowsV[4] * dy + projected.rowsV[5] * dz;
+}
+
+std::optional<std::size_t> View::extra(std::size_t quantity) const {
+  if (quantity >= quantities_.lens() && quantity < quantities_.lens() + lensCount) {
+    return quantity - quantities_.lens();
+  }
+  if (quantity == quantities_.board(board_) + 6) {
+    return boardScaleExtra;
+  }
+  if (quantity == quantities_.board(board_) + 7) {
+    return boardBowExtra;
+  }
+  return std::nullopt;
+}
+
+} // namespace naocal

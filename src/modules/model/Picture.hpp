@@ -1,0 +1,100 @@
+#pragma once
+
+#include "captures/Capture.hpp"
+#include "model/Belief.hpp"
+#include "model/Kinematics.hpp"
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+namespace naocal {
+
+/// Four numbers at once: the inner loop treats corners in fours, which every processor since SSE2 does in parallel.
+using Lane = Eigen::Array<double, 4, 1>;
+
+/// Corners of one board, four to a block, padded by copies of the first one that count nothing (`present` = 0).
+struct CornerBlock {
+  Lane x, y, z; // pointInBoard as designed [m]
+  Lane bulge;   // 1 - (r / r_max)^2: how much of the board's bow is there [1]
+  Lane u, v;    // measured [px]
+  Lane present; // 1, or 0 for padding
+};
+using CornerBlocks = std::vector<CornerBlock, Eigen::aligned_allocator<CornerBlock>>;
+
+/// The corners that a capture shows of a board, ready for the inner loop.
+CornerBlocks cornerBlocks(const Board& board, const BoardCorners& corners);
+
+/// Lens (fx, fy, cx, cy, k1, k2, p1, p2, k3) and shape of the board (scale, bow): quantities that do not merely move
+/// the picture's scene rigidly. Each adds a column of its own beside the six of the picture's motion.
+constexpr std::size_t lensCount = 9;
+constexpr std::size_t boardScaleExtra = 9, boardBowExtra = 10;
+
+/// Where four corners are seen, and how that changes when the board moves in the camera's (optical) frame:
+/// d(u) = rowsU . (omega, v), d(v) = rowsV . (omega, v) for pointInOptical moving by omega x p + v.
+struct ProjectedBlock {
+  Lane u, v;               // predicted [px]
+  Lane rowsU[6], rowsV[6]; // [px/rad] x 3, [px/m] x 3
+  Lane x, y, inverseDepth; // X/Z, Y/Z [1], 1/Z [1/m]
+  Lane slopes[4];          // du/dx, du/dy, dv/dx, dv/dy of the lens [px]
+};
+using ProjectedBlocks = std::vector<ProjectedBlock, Eigen::aligned_allocator<ProjectedBlock>>;
+
+/// How one camera sees one target: the path of links between them, and what moves the one against the other.
+///
+///   pointInOptical = opticalFromLink(camera) * linkFromTorso * torsoFromLink(target) * linkFromBoard * pointInBoard
+///
+/// For a floor board the target link is the support foot's sole and linkFromBoard = inverse(worldFromSole) *
+/// worldFromBoard.
+class View {
+public:
+  View(const Robot& robot, const Quantities& quantities, std::size_t camera, std::size_t targetLink, bool onFloor,
+       std::size_t board);
+
+  /// Links whose posture `look` needs, parents first.
+  const std::vector<std::size_t>& links() const { return links_; }
+  /// Joints on the path between camera and target: the ones whose angles move the picture.
+  const std::vector<std::size_t>& joints() const { return joints_; }
+  std::size_t board() const { return board_; }
+
+  /// Takes the attitude at one instant; `torsoFromLink` must hold `links()`.
+  void look(const Robot& robot, const Belief& belief, const Posture& torsoFromLink);
+
+  const RigidTransform& opticalFromBoard() const { return opticalFromBoard_; }
+  const RigidTransform& opticalFromTorso() const { return opticalFromTorso_; }
+
+  /// Projects corners through the lens. False when one of them lies behind the camera (then it is nowhere in the
+  /// picture).
+  bool project(const Belief& belief, const CornerBlocks& corners, ProjectedBlocks& projected) const;
+
+  /// Adds to `columns` (6 + number of extras, one column per wanted quantity) the motion (omega, v) of the scene in the
+  /// optical frame per unit of each quantity in `wanted`, and 1 in the row of its extra where it is one.
+  /// `extras`: lens or board-shape numbers (0..10) in the order of the rows beyond the six.
+  void motion(const Robot& robot, const Belief& belief, const Posture& torsoFromLink,
+              const std::vector<std::size_t>& wanted, const std::vector<std::size_t>& extras,
+              Eigen::Ref<Eigen::MatrixXd> columns) const;
+
+  /// d(u), d(v) of four corners per unit of an extra.
+  void extraRows(std::size_t extra, const Belief& belief, const CornerBlock& corners, const ProjectedBlock& projected,
+                 Lane& du, Lane& dv) const;
+
+  /// The extra's number (0..10) of a quantity, if it is one.
+  std::optional<std::size_t> extra(std::size_t quantity) const;
+
+private:
+  using Twist = Eigen::Matrix<double, 6, 1>; // omega [rad], v [m], in the optical frame
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+  Twist turnAbout(const Eigen::Vector3d& axisInOptical, const Eigen::Vector3d& pivotInOptical) const;
+  Twist linkMotion(const Robot& robot, const Belief& belief, const Posture& torsoFromLink, std::size_t quantity) const;
+  Twist placementMotion(const RigidTransform& opticalFromParent, const Vector6& placement, std::size_t number) const;
+  Twist mountMotion(const Robot& robot, const Belief& belief, std::size_t number) const;
+
+  Quantities quantities_;
+  std::size_t camera_, target_, board_;
+  bool onFloor_;
+  std::vector<std::size_t> links_, cameraSide_, targetSide_, joints_;
+  std::vector<int> side_; // per link: -1 it carries the camera, +1 it carries the target, 0 it is not between them
+  RigidTransform opticalFromTorso_, opticalFromTarget_, opticalFromWorld_, opticalFromBoard_;
+};
+
+} // namespace naocal

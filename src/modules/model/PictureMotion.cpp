@@ -1,0 +1,114 @@
+#include "model/Picture.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace naocal {
+
+View::Twist View::turnAbout(const Eigen::Vector3d& axisInOptical, const Eigen::Vector3d& pivotInOptical) const {
+  Twist twist; // p moves by omega x (p - pivot) = omega x p + pivot x omega
+  twist << axisInOptical, pivotInOptical.cross(axisInOptical);
+  return twist;
+}
+
+/// Angles, axes and lengths: what lies beyond the link moves; a link that carries the camera moves the scene backwards.
+View::Twist View::linkMotion(const Robot& robot, const Belief& belief, const Posture& torsoFromLink,
+                             std::size_t quantity) const {
+  Twist sum = Twist::Zero();
+  if (quantity >= quantities_.length(0)) {
+    const std::size_t length = quantity - quantities_.length(0);
+    for (std::size_t index : links_) {
+      const Link& link = robot.links[index];
+      for (const Link::Stretch& stretch : link.stretches) {
+        if (stretch.length == length && link.parent) {
+          sum.tail<3>() +=
+              side_[index] * (opticalFromTorso_.rotation * (torsoFromLink[*link.parent].rotation * stretch.direction));
+        }
+      }
+    }
+    return sum;
+  }
+  const bool isAngle = quantity < quantities_.axis(0);
+  const std::size_t joint = isAngle ? quantity : (quantity - quantities_.axis(0)) / 3;
+  const std::size_t link = robot.joints[joint].link;
+  if (side_[link] == 0) {
+    return sum;
+  }
+  const RigidTransform& torsoFromThis = torsoFromLink[link];
+  Eigen::Vector3d turn = belief.axis(joint);
+  if (!isAngle) {
+    // exp([a q]x) with a -> a + da turns by J_l(a q) q da; seen from behind the rotation, by its transpose.
+    const auto component = static_cast<Eigen::Index>((quantity - quantities_.axis(0)) % 3);
+    const double angle = belief.angle(joint);
+    turn = angle * leftJacobian(belief.axis(joint) * angle).row(component).transpose();
+  }
+  return side_[link] * turnAbout(opticalFromTorso_.rotation * (torsoFromThis.rotation * turn),
+                                 opticalFromTorso_ * torsoFromThis.translation);
+}
+
+/// A frame placed by (x, y, z, roll, pitch, yaw) moves, and what is fixed in it, by the placement's n-th number.
+View::Twist View::placementMotion(const RigidTransform& opticalFromParent, const Vector6& placement,
+                                  std::size_t number) const {
+  Twist twist = Twist::Zero();
+  if (number < 3) {
+    twist.tail<3>() = opticalFromParent.rotation.col(static_cast<Eigen::Index>(number));
+    return twist;
+  }
+  // parentFromFrame = T Rz(yaw) Ry(pitch) Rx(roll)
+  const double pitch = placement[4], yaw = placement[5];
+  const Eigen::Vector3d axis = number == 3   ? rotationZ(yaw) * rotationY(pitch).col(0)
+                               : number == 4 ? Eigen::Vector3d{-std::sin(yaw), std::cos(yaw), 0}
+                                             : Eigen::Vector3d::UnitZ();
+  return turnAbout(opticalFromParent.rotation * axis, opticalFromParent * Eigen::Vector3d{placement.head<3>()});
+}
+
+/// The camera itself moves in its link: the scene moves the other way.
+View::Twist View::mountMotion(const Robot& robot, const Belief& belief, std::size_t number) const {
+  const CameraMount& mount = robot.cameras[camera_];
+  const Eigen::Matrix3d opticalFromLink = linkFromOptical(mount, belief).rotation.transpose();
+  Twist twist = Twist::Zero();
+  if (number < 3) {
+    twist.tail<3>() = -opticalFromLink.col(static_cast<Eigen::Index>(number));
+    return twist;
+  }
+  // linkFromCamera = Ry(pitch) Rx(rx) Ry(ry) Rz(rz)
+  const Eigen::Vector3d turn = belief.mountRotation();
+  Eigen::Matrix3d before = rotationY(mount.pitch);
+  if (number > 3) {
+    before = before * rotationX(turn.x());
+  }
+  if (number > 4) {
+    before = before * rotationY(turn.y());
+  }
+  twist.head<3>() = -opticalFromLink * before.col(static_cast<Eigen::Index>(number - 3));
+  return twist;
+}
+
+void View::motion(const Robot& robot, const Belief& belief, const Posture& torsoFromLink,
+                  const std::vector<std::size_t>& wanted, const std::vector<std::size_t>& extras,
+                  Eigen::Ref<Eigen::MatrixXd> columns) const {
+  columns.setZero();
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const std::size_t quantity = wanted[i];
+    auto column = columns.col(static_cast<Eigen::Index>(i));
+    if (quantity < quantities_.mountTranslation()) {
+      column.head<6>() = linkMotion(robot, belief, torsoFromLink, quantity);
+    } else if (quantity < quantities_.lens()) {
+      column.head<6>() = mountMotion(robot, belief, quantity - quantities_.mountTranslation());
+    } else if (const auto number = extra(quantity)) {
+      const auto row = std::find(extras.begin(), extras.end(), *number);
+      assert(row != extras.end());
+      column[6 + (row - extras.begin())] = 1;
+    } else if (quantity >= quantities_.ground() && quantity < quantities_.ground() + 6 && onFloor_) {
+      // the sole moves in the world, hence the world backwards in the sole
+      column.head<6>() = -placementMotion(opticalFromWorld_, belief.ground(), quantity - quantities_.ground());
+    } else if (quantity >= quantities_.board(board_) && quantity < quantities_.board(board_) + 6) {
+      column.head<6>() = placementMotion(onFloor_ ? opticalFromWorld_ : opticalFromTarget_,
+                                         belief.boardPlacement(board_), quantity - quantities_.board(board_));
+    }
+  }
+}
+
+} // namespace naocal
