@@ -30,13 +30,13 @@ struct Instant {
   Eigen::VectorXd temperature; // [degC]
 };
 
-/// What an effect can sit at.
-enum class Place { motor, camera };
+/// What an effect can sit at. (Stances are places of unknown placements only.)
+enum class Place { motor, camera, board, stance };
 
 /// A physical cause of a difference between drawing and picture.
 ///
 /// `correct` changes what is believed at an instant. It is called once per joint that the motor drives for
-/// Place::motor, and for Place::camera on pictures of that camera only.
+/// Place::motor, and on pictures of that camera, board or stance only for the others.
 struct Effect {
   std::string name;    // "jointOffset"
   std::string formula; // for people: "q_true = q_measured - o"

@@ -50,18 +50,22 @@ View::View(const Robot& robot, const Quantities& quantities, std::size_t camera,
   }
 }
 
-void View::look(const Robot& robot, const Belief& belief, const Posture& torsoFromLink) {
+Attitude View::attitude(const Robot& robot, const Belief& belief, const Posture& torsoFromLink) const {
   const CameraMount& mount = robot.cameras[camera_];
-  opticalFromTorso_ = (torsoFromLink[mount.link] * linkFromOptical(mount, belief)).inverse();
-  opticalFromTarget_ = opticalFromTorso_ * torsoFromLink[target_];
-  opticalFromWorld_ = opticalFromTarget_ * placed(belief.ground()).inverse();
-  opticalFromBoard_ = (onFloor_ ? opticalFromWorld_ : opticalFromTarget_) * placed(belief.boardPlacement(board_));
+  Attitude result;
+  result.opticalFromTorso = (torsoFromLink[mount.link] * linkFromOptical(mount, belief)).inverse();
+  result.opticalFromTarget = result.opticalFromTorso * torsoFromLink[target_];
+  result.opticalFromWorld = result.opticalFromTarget * placed(belief.ground()).inverse();
+  result.opticalFromBoard =
+      (onFloor_ ? result.opticalFromWorld : result.opticalFromTarget) * placed(belief.boardPlacement(board_));
+  return result;
 }
 
-bool View::project(const Belief& belief, const CornerBlocks& corners, ProjectedBlocks& projected) const {
+bool View::project(const Attitude& attitude, const Belief& belief, const CornerBlocks& corners,
+                   ProjectedBlocks& projected) const {
   constexpr double nearest = 1e-3; // [m]: closer than that, or behind, nothing is seen
-  const Eigen::Matrix3d& r = opticalFromBoard_.rotation;
-  const Eigen::Vector3d& t = opticalFromBoard_.translation;
+  const Eigen::Matrix3d& r = attitude.opticalFromBoard.rotation;
+  const Eigen::Vector3d& t = attitude.opticalFromBoard.translation;
   const auto lens = belief.lens();
   const double fx = lens[0], fy = lens[1], cx = lens[2], cy = lens[3];
   const double k1 = lens[4], k2 = lens[5], p1 = lens[6], p2 = lens[7], k3 = lens[8];
@@ -106,8 +110,8 @@ bool View::project(const Belief& belief, const CornerBlocks& corners, ProjectedB
   return true;
 }
 
-void View::extraRows(std::size_t extra, const Belief& belief, const CornerBlock& corners,
-                     const ProjectedBlock& projected, Lane& du, Lane& dv) const {
+void View::extraRows(std::size_t extra, const Attitude& attitude, const Belief& belief, const CornerBlock& corners,
+                     const ProjectedBlock& projected, Lane& du, Lane& dv) {
   const auto lens = belief.lens();
   const double fx = lens[0], fy = lens[1];
   const Lane &x = projected.x, &y = projected.y;
@@ -150,7 +154,7 @@ void View::extraRows(std::size_t extra, const Belief& belief, const CornerBlock&
   default:
     break;
   }
-  const Eigen::Matrix3d& r = opticalFromBoard_.rotation;
+  const Eigen::Matrix3d& r = attitude.opticalFromBoard.rotation;
   Lane mx = corners.x, my = corners.y, mz = corners.z; // the point's motion in the board's frame
   if (extra == boardBowExtra) {
     mx.setZero();

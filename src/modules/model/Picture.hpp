@@ -40,6 +40,11 @@ struct ProjectedBlock {
 };
 using ProjectedBlocks = std::vector<ProjectedBlock, Eigen::aligned_allocator<ProjectedBlock>>;
 
+/// Where camera, torso, target, world and board are at one instant.
+struct Attitude {
+  RigidTransform opticalFromTorso, opticalFromTarget, opticalFromWorld, opticalFromBoard;
+};
+
 /// How one camera sees one target: the path of links between them, and what moves the one against the other.
 ///
 ///   pointInOptical = opticalFromLink(camera) * linkFromTorso * torsoFromLink(target) * linkFromBoard * pointInBoard
@@ -51,50 +56,45 @@ public:
   View(const Robot& robot, const Quantities& quantities, std::size_t camera, std::size_t targetLink, bool onFloor,
        std::size_t board);
 
-  /// Links whose posture `look` needs, parents first.
+  /// Links whose posture `attitude` needs, parents first.
   const std::vector<std::size_t>& links() const { return links_; }
   /// Joints on the path between camera and target: the ones whose angles move the picture.
   const std::vector<std::size_t>& joints() const { return joints_; }
   std::size_t board() const { return board_; }
 
-  /// Takes the attitude at one instant; `torsoFromLink` must hold `links()`.
-  void look(const Robot& robot, const Belief& belief, const Posture& torsoFromLink);
-
-  const RigidTransform& opticalFromBoard() const { return opticalFromBoard_; }
-  const RigidTransform& opticalFromTorso() const { return opticalFromTorso_; }
+  /// `torsoFromLink` must hold `links()`.
+  Attitude attitude(const Robot& robot, const Belief& belief, const Posture& torsoFromLink) const;
 
   /// Projects corners through the lens. False when one of them lies behind the camera (then it is nowhere in the
   /// picture).
-  bool project(const Belief& belief, const CornerBlocks& corners, ProjectedBlocks& projected) const;
+  bool project(const Attitude& attitude, const Belief& belief, const CornerBlocks& corners,
+               ProjectedBlocks& projected) const;
 
-  /// Adds to `columns` (6 + number of extras, one column per wanted quantity) the motion (omega, v) of the scene in the
-  /// optical frame per unit of each quantity in `wanted`, and 1 in the row of its extra where it is one.
+  /// Fills `columns` (6 + number of extras rows, one column per wanted quantity) with the motion (omega, v) of the
+  /// scene in the optical frame per unit of each quantity in `wanted`, and 1 in the row of its extra where it is one.
   /// `extras`: lens or board-shape numbers (0..10) in the order of the rows beyond the six.
-  void motion(const Robot& robot, const Belief& belief, const Posture& torsoFromLink,
+  void motion(const Robot& robot, const Attitude& attitude, const Belief& belief, const Posture& torsoFromLink,
               const std::vector<std::size_t>& wanted, const std::vector<std::size_t>& extras,
               Eigen::Ref<Eigen::MatrixXd> columns) const;
 
   /// d(u), d(v) of four corners per unit of an extra.
-  void extraRows(std::size_t extra, const Belief& belief, const CornerBlock& corners, const ProjectedBlock& projected,
-                 Lane& du, Lane& dv) const;
+  static void extraRows(std::size_t extra, const Attitude& attitude, const Belief& belief, const CornerBlock& corners,
+                        const ProjectedBlock& projected, Lane& du, Lane& dv);
 
   /// The extra's number (0..10) of a quantity, if it is one.
   std::optional<std::size_t> extra(std::size_t quantity) const;
 
 private:
   using Twist = Eigen::Matrix<double, 6, 1>; // omega [rad], v [m], in the optical frame
-  using Vector6 = Eigen::Matrix<double, 6, 1>;
-  Twist turnAbout(const Eigen::Vector3d& axisInOptical, const Eigen::Vector3d& pivotInOptical) const;
-  Twist linkMotion(const Robot& robot, const Belief& belief, const Posture& torsoFromLink, std::size_t quantity) const;
-  Twist placementMotion(const RigidTransform& opticalFromParent, const Vector6& placement, std::size_t number) const;
+  Twist linkMotion(const Robot& robot, const Attitude& attitude, const Belief& belief, const Posture& torsoFromLink,
+                   std::size_t quantity) const;
   Twist mountMotion(const Robot& robot, const Belief& belief, std::size_t number) const;
 
   Quantities quantities_;
   std::size_t camera_, target_, board_;
   bool onFloor_;
-  std::vector<std::size_t> links_, cameraSide_, targetSide_, joints_;
+  std::vector<std::size_t> links_, joints_;
   std::vector<int> side_; // per link: -1 it carries the camera, +1 it carries the target, 0 it is not between them
-  RigidTransform opticalFromTorso_, opticalFromTarget_, opticalFromWorld_, opticalFromBoard_;
 };
 
 } // namespace naocal

@@ -7,15 +7,36 @@
 
 namespace naocal {
 
-View::Twist View::turnAbout(const Eigen::Vector3d& axisInOptical, const Eigen::Vector3d& pivotInOptical) const {
+namespace {
+
+using Twist = Eigen::Matrix<double, 6, 1>;
+
+Twist turnAbout(const Eigen::Vector3d& axisInOptical, const Eigen::Vector3d& pivotInOptical) {
   Twist twist; // p moves by omega x (p - pivot) = omega x p + pivot x omega
   twist << axisInOptical, pivotInOptical.cross(axisInOptical);
   return twist;
 }
 
+/// A frame placed by (x, y, z, roll, pitch, yaw) moves, and what is fixed in it, by the placement's n-th number.
+Twist placementMotion(const RigidTransform& opticalFromParent, const Twist& placement, std::size_t number) {
+  Twist twist = Twist::Zero();
+  if (number < 3) {
+    twist.tail<3>() = opticalFromParent.rotation.col(static_cast<Eigen::Index>(number));
+    return twist;
+  }
+  // parentFromFrame = T Rz(yaw) Ry(pitch) Rx(roll)
+  const double pitch = placement[4], yaw = placement[5];
+  const Eigen::Vector3d axis = number == 3   ? rotationZ(yaw) * rotationY(pitch).col(0)
+                               : number == 4 ? Eigen::Vector3d{-std::sin(yaw), std::cos(yaw), 0}
+                                             : Eigen::Vector3d::UnitZ();
+  return turnAbout(opticalFromParent.rotation * axis, opticalFromParent * Eigen::Vector3d{placement.head<3>()});
+}
+
+} // namespace
+
 /// Angles, axes and lengths: what lies beyond the link moves; a link that carries the camera moves the scene backwards.
-View::Twist View::linkMotion(const Robot& robot, const Belief& belief, const Posture& torsoFromLink,
-                             std::size_t quantity) const {
+View::Twist View::linkMotion(const Robot& robot, const Attitude& attitude, const Belief& belief,
+                             const Posture& torsoFromLink, std::size_t quantity) const {
   Twist sum = Twist::Zero();
   if (quantity >= quantities_.length(0)) {
     const std::size_t length = quantity - quantities_.length(0);
@@ -23,8 +44,8 @@ View::Twist View::linkMotion(const Robot& robot, const Belief& belief, const Pos
       const Link& link = robot.links[index];
       for (const Link::Stretch& stretch : link.stretches) {
         if (stretch.length == length && link.parent) {
-          sum.tail<3>() +=
-              side_[index] * (opticalFromTorso_.rotation * (torsoFromLink[*link.parent].rotation * stretch.direction));
+          sum.tail<3>() += side_[index] * (attitude.opticalFromTorso.rotation *
+                                           (torsoFromLink[*link.parent].rotation * stretch.direction));
         }
       }
     }
@@ -44,24 +65,8 @@ View::Twist View::linkMotion(const Robot& robot, const Belief& belief, const Pos
     const double angle = belief.angle(joint);
     turn = angle * leftJacobian(belief.axis(joint) * angle).row(component).transpose();
   }
-  return side_[link] * turnAbout(opticalFromTorso_.rotation * (torsoFromThis.rotation * turn),
-                                 opticalFromTorso_ * torsoFromThis.translation);
-}
-
-/// A frame placed by (x, y, z, roll, pitch, yaw) moves, and what is fixed in it, by the placement's n-th number.
-View::Twist View::placementMotion(const RigidTransform& opticalFromParent, const Vector6& placement,
-                                  std::size_t number) const {
-  Twist twist = Twist::Zero();
-  if (number < 3) {
-    twist.tail<3>() = opticalFromParent.rotation.col(static_cast<Eigen::Index>(number));
-    return twist;
-  }
-  // parentFromFrame = T Rz(yaw) Ry(pitch) Rx(roll)
-  const double pitch = placement[4], yaw = placement[5];
-  const Eigen::Vector3d axis = number == 3   ? rotationZ(yaw) * rotationY(pitch).col(0)
-                               : number == 4 ? Eigen::Vector3d{-std::sin(yaw), std::cos(yaw), 0}
-                                             : Eigen::Vector3d::UnitZ();
-  return turnAbout(opticalFromParent.rotation * axis, opticalFromParent * Eigen::Vector3d{placement.head<3>()});
+  return side_[link] * turnAbout(attitude.opticalFromTorso.rotation * (torsoFromThis.rotation * turn),
+                                 attitude.opticalFromTorso * torsoFromThis.translation);
 }
 
 /// The camera itself moves in its link: the scene moves the other way.
@@ -86,7 +91,7 @@ View::Twist View::mountMotion(const Robot& robot, const Belief& belief, std::siz
   return twist;
 }
 
-void View::motion(const Robot& robot, const Belief& belief, const Posture& torsoFromLink,
+void View::motion(const Robot& robot, const Attitude& attitude, const Belief& belief, const Posture& torsoFromLink,
                   const std::vector<std::size_t>& wanted, const std::vector<std::size_t>& extras,
                   Eigen::Ref<Eigen::MatrixXd> columns) const {
   columns.setZero();
@@ -94,7 +99,7 @@ void View::motion(const Robot& robot, const Belief& belief, const Posture& torso
     const std::size_t quantity = wanted[i];
     auto column = columns.col(static_cast<Eigen::Index>(i));
     if (quantity < quantities_.mountTranslation()) {
-      column.head<6>() = linkMotion(robot, belief, torsoFromLink, quantity);
+      column.head<6>() = linkMotion(robot, attitude, belief, torsoFromLink, quantity);
     } else if (quantity < quantities_.lens()) {
       column.head<6>() = mountMotion(robot, belief, quantity - quantities_.mountTranslation());
     } else if (const auto number = extra(quantity)) {
@@ -103,9 +108,9 @@ void View::motion(const Robot& robot, const Belief& belief, const Posture& torso
       column[6 + (row - extras.begin())] = 1;
     } else if (quantity >= quantities_.ground() && quantity < quantities_.ground() + 6 && onFloor_) {
       // the sole moves in the world, hence the world backwards in the sole
-      column.head<6>() = -placementMotion(opticalFromWorld_, belief.ground(), quantity - quantities_.ground());
+      column.head<6>() = -placementMotion(attitude.opticalFromWorld, belief.ground(), quantity - quantities_.ground());
     } else if (quantity >= quantities_.board(board_) && quantity < quantities_.board(board_) + 6) {
-      column.head<6>() = placementMotion(onFloor_ ? opticalFromWorld_ : opticalFromTarget_,
+      column.head<6>() = placementMotion(onFloor_ ? attitude.opticalFromWorld : attitude.opticalFromTarget,
                                          belief.boardPlacement(board_), quantity - quantities_.board(board_));
     }
   }

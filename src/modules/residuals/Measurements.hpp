@@ -1,0 +1,76 @@
+#pragma once
+
+#include "captures/Capture.hpp"
+#include "effects/Effect.hpp"
+#include "model/Picture.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// The corners of one board in one picture, with the path between camera and board.
+struct Sighting {
+  View view;
+  CornerBlocks corners;
+  std::vector<int> ids;
+};
+
+/// A target of one of the sets. `unknown`: its placement is estimated.
+struct Target {
+  std::string name; // "A", or "<set>/A" when several sets are given
+  Board board;
+  bool onFloor = true;
+  bool unknown = false;
+};
+
+/// A stance of one of the sets. `unknown`: the support foot's placement is estimated.
+struct Standing {
+  std::string name; // "0", or "<set>/0"
+  SupportFoot supportFoot = SupportFoot::none;
+  bool unknown = false;
+};
+
+/// One picture with everything that was recorded with it, in terms of the robot's joints.
+struct Picture {
+  std::size_t set = 0, capture = 0; // index into the sets given and into that set's captures
+  std::size_t camera = 0, stance = 0;
+  Instant instant; // q = measured angles [rad], resting angles where not recorded
+  Belief drawn;    // the drawing, the file's lens, measured angles, placements known or guessed
+  std::vector<Sighting> sightings;
+};
+
+/// Pictures that share one encoder reading, hence one encoder error per joint.
+struct Reading {
+  std::vector<std::size_t> pictures;
+  std::vector<std::size_t> encoderError; // per joint of the robot: which of its pose's encoder errors it has
+};
+
+/// Captures that were commanded to one attitude; they share one random deflection per joint.
+struct PoseGroup {
+  std::string name;
+  std::vector<Reading> readings;
+  std::size_t encoderErrors = 0; // how many distinct ones
+  bool repeated = false;         // was left and taken again: pose-level and reading-level noise can be told apart
+};
+
+/// All that was measured, sorted so that no order of captures and no number of threads changes a digit.
+struct Measurements {
+  Robot robot;
+  Quantities quantities{0, 0, 0};
+  std::vector<Target> targets;
+  std::vector<Standing> standings;
+  std::vector<Picture> pictures;
+  std::vector<PoseGroup> poses;
+  std::vector<std::size_t> joints; // motors of joints between some camera and some target, ascending
+  std::size_t cornerCount = 0;
+  bool repeats = false; // some pose was taken more than once
+};
+
+/// Prepares sets of one robot. `samePlace` joins boards and stances of equal ids over the sets.
+/// Throws InputError for what the robot cannot have measured (unknown link, joint needed but not recorded, other
+/// robot).
+Measurements measurementsOf(const std::vector<CaptureSet>& sets, const Robot& robot, bool samePlace = false);
+
+} // namespace naocal

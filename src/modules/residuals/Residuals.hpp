@@ -1,0 +1,111 @@
+#pragma once
+
+#include "residuals/Measurements.hpp"
+#include "residuals/Model.hpp"
+#include "residuals/Noise.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+namespace naocal {
+
+/// One pose's part of the normal equations, in pixels and radians and before any noise level is applied.
+///
+/// Columns: the unknowns that the pose depends on, and the deflections t of its joints (encoder errors and whatever
+/// else moves the true angle away from the reading: one per joint and distinct encoder error), linearised at t = 0.
+struct PoseSystem {
+  std::vector<std::size_t> unknowns;  // which ones, ascending
+  std::vector<std::size_t> joints;    // per deflection: its joint; deflections of one joint stand together
+  Eigen::MatrixXd unknownGram;        // sum of w J_x^T J_x      [px^2 / unknown^2]
+  Eigen::MatrixXd cross;              // sum of w J_x^T J_t
+  Eigen::MatrixXd deflectionGram;     // sum of w J_t^T J_t      [px^2 / rad^2]
+  Eigen::VectorXd unknownGradient;    // sum of w J_x^T r
+  Eigen::VectorXd deflectionGradient; // sum of w J_t^T r
+  double squares = 0;                 // sum of w r^2            [px^2]
+  double corners = 0;                 // with a weight above zero
+};
+
+/// t = root * z with z of unit covariance: root root^T = encoder^2 I + pose^2 1 1^T within a joint.
+Eigen::MatrixXd deflectionRoot(const PoseSystem& pose, const Noise& noise);
+
+/// A pose's deflections integrated out: Sigma = pixel^2 I + J_t S J_t^T by Woodbury on the deflections.
+struct Eliminated {
+  Eigen::LLT<Eigen::MatrixXd> inner; // I + root^T deflectionGram root / pixel^2
+  Eigen::MatrixXd cross;             // J_x^T J_t root / pixel^2
+  Eigen::VectorXd gradient;          // root^T J_t^T r / pixel^2
+  Eigen::MatrixXd hessian;           // J_x^T Sigma^-1 J_x
+  Eigen::VectorXd unknownGradient;   // J_x^T Sigma^-1 r
+  double cost = 0;                   // r^T Sigma^-1 r / 2
+};
+Eliminated eliminated(const PoseSystem& pose, const Noise& noise, const Eigen::MatrixXd& root);
+
+/// Measurement minus prediction of one sighting's corners, and how far each counts.
+struct SightingResidual {
+  std::size_t picture = 0, sighting = 0;
+  Eigen::Matrix2Xd predicted; // [px]
+  Eigen::Matrix2Xd residual;  // measured - predicted [px]
+  Eigen::VectorXd weight;     // of the loss, 0..1
+};
+
+/// All residuals of a model, whitened, with their derivative: the one place where the model meets the measurements.
+/// A problem for `levenbergMarquardt`.
+class Residuals {
+public:
+  Residuals(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss = {});
+  ~Residuals();
+
+  /// The unknowns, and each pose's deflections in units of their standard deviations.
+  struct State {
+    Eigen::VectorXd unknowns;
+    std::vector<Eigen::VectorXd> deflections;
+  };
+  /// Cost (half of chi2, priors and loss included), its gradient and Gauss-Newton Hessian, deflections eliminated.
+  struct Linear {
+    double cost = 0;
+    Eigen::VectorXd gradient;
+    Eigen::MatrixXd hessian;
+    std::vector<PoseSystem> poses;
+    std::vector<Eliminated> eliminated;
+  };
+
+  State start(const Eigen::VectorXd& unknowns) const;
+  std::optional<Linear> linearised(const State& state) const;
+  State moved(const State& state, const Linear& linear, const Eigen::VectorXd& step) const;
+
+  /// Per sighting what is seen against what was measured at a state.
+  std::vector<SightingResidual> sightings(const State& state) const;
+
+  /// Only these unknowns are free; the others stay where they are (all free by default).
+  void freeOnly(const std::vector<bool>& free) { free_ = free; }
+
+  const Measurements& measurements() const { return measurements_; }
+  const Model& model() const { return model_; }
+  const Noise& noise() const { return noise_; }
+
+private:
+  struct Prepared; // a picture's slopes and the quantities they need
+  struct Workspace;
+  Prepared prepared(const Picture& picture, std::size_t pose, const Eigen::VectorXd& unknowns) const;
+  Belief belief(const Picture& picture, const Prepared& prepared, const Reading& reading, std::size_t pose,
+                const Eigen::VectorXd& unknowns, const Eigen::VectorXd& deflections) const;
+  bool addPicture(const Picture& picture, const Prepared& prepared, const Belief& belief, const Reading& reading,
+                  std::size_t pose, Workspace& work, PoseSystem& system) const;
+  PoseSystem emptySystem(std::size_t pose);
+  SightingResidual sightingResidual(std::size_t picture, std::size_t index, const Belief& belief,
+                                    Workspace& work) const;
+
+  const Measurements& measurements_;
+  const Model& model_;
+  Noise noise_;
+  Loss loss_;
+  Eigen::VectorXd sigmas_;
+  std::vector<bool> free_;
+  std::vector<PoseSystem> empty_;            // per pose: its columns, sums zero
+  std::vector<Eigen::MatrixXd> roots_;       // per pose
+  std::vector<std::vector<int>> deflection_; // per pose and (encoder error): its number among the deflections, or -1
+  std::vector<Prepared> prepared_;           // per picture; its slopes hold everywhere where the model is linear
+};
+
+} // namespace naocal

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace naocal {
+
+struct LevenbergMarquardtOptions {
+  int maxIterations = 60;
+  double firstDamping = 1e-5;
+  double smallestFall =
+      1e-9; // stop when the quadratic model predicts a smaller fall of the cost [1 = half a chi2 unit]
+};
+
+/// Where the search ended.
+template <typename State, typename Linear> struct Minimum {
+  State state;
+  Linear linear; // cost, gradient and Hessian there
+  int iterations = 0;
+  bool converged = false;
+};
+
+/// Levenberg-Marquardt with Nielsen's damping (Madsen, Nielsen, Tingleff: Methods for non-linear least squares
+/// problems, 2nd ed. 2004, algorithm 3.16), damping scaled by the Hessian's diagonal.
+///
+/// A problem knows its state and offers
+///   std::optional<Linear> linearised(const State&)   with .cost, .gradient, .hessian (J^T J); absent where it is
+///   impossible State moved(const State&, const Linear&, const Eigen::VectorXd& step)
+/// An impossible state is never rewarded: the step that led there is refused. Absent: already the start is impossible.
+template <typename Problem, typename State>
+auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarquardtOptions& options = {})
+    -> std::optional<Minimum<State, typename decltype(problem.linearised(start))::value_type>> {
+  auto linear = problem.linearised(start);
+  if (!linear) {
+    return std::nullopt;
+  }
+  Minimum<State, typename decltype(linear)::value_type> minimum{std::move(start), *std::move(linear)};
+  double damping = options.firstDamping, growth = 2;
+  while (minimum.iterations < options.maxIterations && !minimum.converged) {
+    ++minimum.iterations;
+    const auto& here = minimum.linear;
+    Eigen::MatrixXd damped = here.hessian;
+    damped.diagonal() *= 1 + damping;
+    const Eigen::VectorXd step = damped.ldlt().solve(-here.gradient);
+    const double predictedFall = -step.dot(here.gradient) - 0.5 * step.dot(here.hessian * step);
+    if (!std::isfinite(predictedFall)) {
+      break;
+    }
+    State candidate = problem.moved(minimum.state, here, step);
+    auto there = problem.linearised(candidate);
+    const double fall = there ? here.cost - there->cost : -1;
+    // At the bottom the fall drowns in rounding: a step whose predicted fall is nothing ends the search either way.
+    minimum.converged = predictedFall < options.smallestFall && damping < 1;
+    if (fall > 0) {
+      const double gain = fall / std::max(predictedFall, 1e-300);
+      damping *= std::max(1.0 / 3, 1 - std::pow(2 * gain - 1, 3));
+      damping = std::max(damping, 1e-12);
+      growth = 2;
+      minimum.state = std::move(candidate);
+      minimum.linear = *std::move(there);
+    } else {
+      damping *= growth;
+      growth *= 2;
+      if (damping > 1e16) {
+        break;
+      }
+    }
+  }
+  return minimum;
+}
+
+} // namespace naocal
