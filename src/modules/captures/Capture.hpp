@@ -22,9 +22,9 @@ struct Placement {
 
 /// A pinhole camera with OpenCV's distortion terms k1, k2, p1, p2, k3. Pixel (0,0) is the centre of the top-left pixel.
 struct CameraIntrinsics {
-  int width = 640, height = 480;               // [px]
-  double fx = 0, fy = 0, cx = 0, cy = 0;       // [px]
-  std::array<double, 5> distortion{};          // [1]
+  int width = 640, height = 480;         // [px]
+  double fx = 0, fy = 0, cx = 0, cy = 0; // [px]
+  std::array<double, 5> distortion{};    // [1]
 };
 
 /// What is printed on a ChArUco board.
@@ -39,13 +39,13 @@ struct CharucoPattern {
 /// A target with numbered corners: a ChArUco board, or single marks when `pattern` is absent.
 struct Board {
   std::string id;
-  std::string link = "floor";            // where it is fixed: the floor or a link of the robot
+  std::string link = "floor"; // where it is fixed: the floor or a link of the robot
   std::optional<CharucoPattern> pattern;
-  std::vector<Eigen::Vector3d> points;   // pointInBoard by corner id [m]; for a pattern its inner corners
-  std::optional<Placement> placement;    // linkFromBoard, surveyed; absent: to be estimated
-  Placement placementGuess;              // where the estimate starts, with hasGuess
+  std::vector<Eigen::Vector3d> points; // pointInBoard by corner id [m]; for a pattern its inner corners
+  std::optional<Placement> placement;  // linkFromBoard, surveyed; absent: to be estimated
+  Placement placementGuess;            // where the estimate starts, with hasGuess
   bool hasGuess = false;
-  std::optional<Placement> placementSigma; // how far off the guess may be (x, y, z [m], roll, pitch, yaw [rad])
+  std::optional<Placement> placementSigma; // how far off the guess may be (1 sigma); 0 where the file does not say
 };
 
 /// Inner corner i of a pattern: ((i mod (squaresX-1)) + 1, -((i div (squaresX-1)) + 1), 0) * squareLength.
@@ -90,9 +90,9 @@ struct Capture {
   SupportFoot supportFoot = SupportFoot::left;
   int stance = 0;
   JointReadings joints;
-  std::optional<Eigen::Vector2d> imu;        // angleX, angleY [rad]
-  std::optional<std::array<double, 8>> fsr;  // left FL, FR, RL, RR, then right [kg]
-  std::string image;                         // relative to the set's folder; empty: none kept
+  std::optional<Eigen::Vector2d> imu;               // angleX, angleY [rad]
+  std::optional<std::array<double, 8>> fsr;         // left FL, FR, RL, RR, then right [kg]
+  std::string image;                                // relative to the set's folder; empty: none kept
   std::optional<std::vector<BoardCorners>> corners; // absent: not looked for yet; empty: nothing seen
   std::shared_ptr<const nlohmann::json> source;     // as read: keeps keys that are unknown here
 };

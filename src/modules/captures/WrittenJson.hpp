@@ -1,0 +1,22 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+/// Writing JSON again without losing what was read beside the known keys. (Heavy: include in .cpp files only.)
+namespace naocal {
+
+/// What was read under a key; null when nothing was.
+const nlohmann::json& child(const nlohmann::json& read, const std::string& key);
+
+/// The entry of a list that was read whose `key` has this value; null when there is none.
+const nlohmann::json& entryWith(const std::string& key, const nlohmann::json& value, const nlohmann::json& list);
+
+/// An object as it is written: of the keys in `known` those that are not null, in their order, then those keys that
+/// were read and are not in `known`.
+nlohmann::ordered_json finished(const nlohmann::ordered_json& known, const nlohmann::json& read);
+
+/// The value on one line. Numbers keep every digit; bytes that are not UTF-8 are replaced.
+std::string dumped(const nlohmann::ordered_json& value);
+
+} // namespace naocal
