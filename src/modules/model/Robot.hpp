@@ -1,10 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstddef>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,15 +17,15 @@ struct Length {
 };
 
 /// A range of angles [rad].
-struct Range {
+struct AngleRange {
   double lower = 0, upper = 0;
 };
 
 /// The limits of a joint as a piecewise linear function of another joint's angle, constant beyond the ends.
 struct CoupledLimits {
   std::size_t onJoint = 0;
-  std::vector<double> angles; // of that joint, ascending [rad]
-  std::vector<Range> ranges;  // of this one
+  std::vector<double> angles;     // of that joint, ascending [rad]
+  std::vector<AngleRange> ranges; // of this one, at each of those angles [rad]
 };
 
 /// A joint: turns its link about `axis` by its angle. All frames are parallel at zero angles.
@@ -35,28 +33,30 @@ struct Joint {
   std::string name;
   std::size_t link = 0;
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(); // unit vector, in the link's frame before the rotation
-  Range limits;                                    // [rad]
-  std::optional<CoupledLimits> coupled;
+  AngleRange limits;                               // [rad]
+  std::optional<CoupledLimits> coupled;            // holds beside `limits`
   double maxSpeed = 0;                             // [rad/s]
+  double resting = 0;                              // its angle where nobody recorded it (for masses only) [rad]
   std::size_t motor = 0; // the joint whose motor drives this one: itself, but for the right hip yaw-pitch
 };
 
 /// A rigid part. parentFromLink = T(constant + sum_k lengths[k].value * direction) * R(axis, angle).
 struct Link {
   std::string name;
-  std::optional<std::size_t> parent; // absent: the root (torso)
+  std::optional<std::size_t> parent;                  // absent: the root (torso)
   Eigen::Vector3d constant = Eigen::Vector3d::Zero(); // [m]
   struct Stretch {
     std::size_t length = 0; // index into Robot::lengths
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();
   };
   std::vector<Stretch> stretches;
-  std::optional<std::size_t> joint; // absent: fixed to its parent
+  std::optional<std::size_t> joint;                       // absent: fixed to its parent
   double mass = 0;                                        // [kg]
   Eigen::Vector3d centreOfMass = Eigen::Vector3d::Zero(); // in the link's frame [m]
 };
 
-/// Where a camera sits: linkFromCamera = T(translation) * Ry(pitch); camera axes x forward (optical axis), y left, z up.
+/// Where a camera sits: linkFromCamera = T(translation) * Ry(pitch); camera axes x forward (optical axis), y left, z
+/// up.
 struct CameraMount {
   std::string name;
   std::size_t link = 0;
@@ -68,8 +68,8 @@ struct CameraMount {
 struct Sole {
   std::string name; // "left" or "right"
   std::size_t link = 0;
-  std::vector<Eigen::Vector2d> outline;            // convex, counter-clockwise, in the sole's frame [m]
-  std::vector<Eigen::Vector2d> forceSensors;       // FL, FR, RL, RR in the sole's frame [m]
+  std::vector<Eigen::Vector2d> outline;      // convex, counter-clockwise, in the sole's frame [m]
+  std::vector<Eigen::Vector2d> forceSensors; // FL, FR, RL, RR in the sole's frame [m]
 };
 
 /// The drawing of a robot: a tree of links with masses, joints and cameras. Parents stand before their children.
@@ -80,7 +80,6 @@ struct Robot {
   std::vector<Joint> joints;
   std::vector<CameraMount> cameras;
   std::vector<Sole> soles;
-  std::map<std::string, double> restingAngles; // [rad] of joints that were not recorded (they count for masses only)
 
   std::optional<std::size_t> jointIndex(std::string_view name) const;
   std::optional<std::size_t> linkIndex(std::string_view name) const;
@@ -89,16 +88,20 @@ struct Robot {
   const Sole* sole(std::string_view name) const; // nullptr: the robot has none of that name
 };
 
-/// Reads a drawing file. Throws std::runtime_error that names the file, the place, what was expected and found.
+/// Reads a drawing file. Throws InputError that names the file, the place, what was expected and found.
+///
+/// A drawing with a "base" holds only what differs from that file beside it (a JSON merge patch, RFC 7396).
 Robot loadRobot(const std::filesystem::path& drawing);
 
-/// The drawing of a model ("V4", "V5", "V6") in `<configuration>/drawings/`.
+/// The drawing of a model ("V4", "V5", "V6"): `<configuration>/drawings/Nao<model>.json`.
 Robot loadRobot(const std::filesystem::path& configuration, std::string_view model);
 
-/// Where the configuration lies: $NAOCAL_CONFIGURATION, else beside the installed program, else the source tree's home/.
+/// Where the configuration lies: $NAOCAL_CONFIGURATION, else ../share/naocal/configuration beside the installed
+/// program, else the source tree's home/configuration.
 std::filesystem::path configurationDirectory();
 
-/// The limits of joint `joint` at the given angles (one per joint of the robot) [rad].
-Range limitsAt(const Robot& robot, std::size_t joint, const Eigen::VectorXd& angles);
+/// The limits of joint `joint` at the given angles (one per joint of the robot) [rad]: its own, narrowed by the coupled
+/// ones.
+AngleRange limitsAt(const Robot& robot, std::size_t joint, const Eigen::VectorXd& angles);
 
 } // namespace naocal

@@ -188,8 +188,7 @@ private:
     for (std::size_t joint = 0; joint < result_.robot.joints.size(); ++joint) {
       double& angle = result.instant.q[static_cast<Eigen::Index>(joint)];
       if (std::isnan(angle)) {
-        const auto resting = result_.robot.restingAngles.find(result_.robot.joints[joint].name);
-        angle = resting == result_.robot.restingAngles.end() ? 0 : resting->second;
+        angle = result_.robot.joints[joint].resting;
       }
       result.drawn.angle(joint) = angle;
     }
