@@ -316,8 +316,12 @@ SightingResidual Residuals::sightingResidual(std::size_t picture, std::size_t in
   const Sighting& sighting = measurements_.pictures[picture].sightings[index];
   const Attitude attitude = sighting.view.attitude(measurements_.robot, belief, work.torsoFromLink);
   const Eigen::Index count = at(sighting.ids.size());
-  SightingResidual result{picture, index, Eigen::Matrix2Xd(2, count), Eigen::Matrix2Xd(2, count),
-                          Eigen::VectorXd::Zero(count)};
+  SightingResidual result{picture,
+                          index,
+                          Eigen::Matrix2Xd(2, count),
+                          Eigen::Matrix2Xd(2, count),
+                          Eigen::VectorXd::Zero(count),
+                          Eigen::MatrixXd::Zero(2 * count, 6)};
   if (!sighting.view.project(attitude, belief, sighting.corners, work.projected)) {
     result.predicted.setConstant(std::numeric_limits<double>::quiet_NaN());
     result.residual = result.predicted;
@@ -328,6 +332,10 @@ SightingResidual Residuals::sightingResidual(std::size_t picture, std::size_t in
     const ProjectedBlock& seen = work.projected[static_cast<std::size_t>(i / 4)];
     result.predicted.col(i) << seen.u[i % 4], seen.v[i % 4];
     result.residual.col(i) << corner.u[i % 4] - seen.u[i % 4], corner.v[i % 4] - seen.v[i % 4];
+    for (Eigen::Index k = 0; k < 6; ++k) {
+      result.motionRows(2 * i, k) = seen.rowsU[k][i % 4];
+      result.motionRows(2 * i + 1, k) = seen.rowsV[k][i % 4];
+    }
     result.weight[i] = loss_(result.residual.col(i).squaredNorm() / (noise_.pixel * noise_.pixel)).weight;
   }
   return result;

@@ -47,6 +47,7 @@ struct SightingResidual {
   Eigen::Matrix2Xd predicted; // [px]
   Eigen::Matrix2Xd residual;  // measured - predicted [px]
   Eigen::VectorXd weight;     // of the loss, 0..1
+  Eigen::MatrixXd motionRows; // d(predicted) by (omega, v) of the board in the optical frame: u0, v0, u1, ... times 6
 };
 
 /// All residuals of a model, whitened, with their derivative: the one place where the model meets the measurements.

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "calibrate/ResultFile.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// Distances of corners from their predictions: rms = sqrt(mean(du^2 + dv^2)).
+struct Distances {
+  double rmsPx = 0, medianPx = 0;
+  std::size_t corners = 0;
+};
+
+/// How well a result predicts captures it has not seen.
+struct Comparison {
+  Distances all, nominal; // nominal: the same captures with the drawing as it is
+  std::map<std::string, Distances> byBoard, byCamera, byPose;
+  std::vector<std::string> ignored; // terms of the result that these captures do not touch
+};
+
+/// Predicts the corners of `sets` with a result's estimates. Placements of targets fixed to the robot are the result's;
+/// those of floor boards and stances are estimated anew unless `samePlace`.
+Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot, bool samePlace);
+
+nlohmann::json comparisonJson(const Comparison& comparison);
+
+} // namespace naocal

@@ -1,0 +1,29 @@
+#include "calibrate/Doubts.hpp"
+
+#include <cmath>
+
+namespace naocal {
+
+std::vector<Doubt> doubts(const Measurements& measurements, const CalibrationResult& result) {
+  constexpr double trusted = 0.7; // weights below are beyond 5 sigma: once in 200 000 good corners
+  std::vector<Doubt> all;
+  for (const SightingResidual& seen : result.sightings) {
+    const Sighting& sighting = measurements.pictures[seen.picture].sightings[seen.sighting];
+    Doubt doubt{seen.picture, seen.sighting, {}, false, 0};
+    double squares = 0;
+    for (Eigen::Index i = 0; i < seen.weight.size(); ++i) {
+      if (seen.weight[i] < trusted) {
+        doubt.corners.push_back(sighting.ids[static_cast<std::size_t>(i)]);
+        squares += seen.residual.col(i).squaredNorm();
+      }
+    }
+    if (!doubt.corners.empty()) {
+      doubt.distance = std::sqrt(squares / static_cast<double>(doubt.corners.size()));
+      doubt.whole = doubt.corners.size() >= 4 && 2 * doubt.corners.size() > sighting.ids.size();
+      all.push_back(std::move(doubt));
+    }
+  }
+  return all;
+}
+
+} // namespace naocal

@@ -1,0 +1,221 @@
+#include "calibrate/NoiseEstimate.hpp"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlopt.h>
+#include <tuple>
+
+namespace naocal {
+
+namespace {
+
+/// Squares of `residual` (u0, v0, u1, ...) left after the motion in `rows` is fitted, and their degrees of freedom.
+struct Scatter {
+  double squares = 0, freedom = 0;
+  void add(const Eigen::VectorXd& residual, const Eigen::MatrixXd& rows, double share) {
+    if (residual.size() <= rows.cols() + 2) {
+      return;
+    }
+    const Eigen::VectorXd left = residual - rows * rows.colPivHouseholderQr().solve(residual);
+    squares += share * left.squaredNorm();
+    freedom += static_cast<double>(residual.size() - rows.cols());
+  }
+  std::optional<double> level() const {
+    return freedom > 20 ? std::optional{std::sqrt(squares / freedom)} : std::nullopt;
+  }
+};
+
+/// Differences of residuals over the corners that both sightings show and neither doubts.
+void addDifference(const Measurements& measurements, const SightingResidual& a, const SightingResidual& b,
+                   Scatter& scatter) {
+  const auto& idsA = measurements.pictures[a.picture].sightings[a.sighting].ids;
+  const auto& idsB = measurements.pictures[b.picture].sightings[b.sighting].ids;
+  std::vector<std::pair<Eigen::Index, Eigen::Index>> common;
+  for (std::size_t i = 0; i < idsA.size(); ++i) {
+    const auto j = std::find(idsB.begin(), idsB.end(), idsA[i]);
+    const auto inA = static_cast<Eigen::Index>(i), inB = static_cast<Eigen::Index>(j - idsB.begin());
+    if (j != idsB.end() && a.weight[inA] > 0.5 && b.weight[inB] > 0.5) {
+      common.emplace_back(inA, inB);
+    }
+  }
+  Eigen::VectorXd difference(2 * static_cast<Eigen::Index>(common.size()));
+  Eigen::MatrixXd rows(difference.size(), 6);
+  for (std::size_t i = 0; i < common.size(); ++i) {
+    const auto row = 2 * static_cast<Eigen::Index>(i);
+    difference.segment<2>(row) = b.residual.col(common[i].second) - a.residual.col(common[i].first);
+    rows.middleRows<2>(row) = a.motionRows.middleRows<2>(2 * common[i].first);
+  }
+  scatter.add(difference, rows, 0.5);
+}
+
+} // namespace
+
+std::optional<double> pixelNoiseFromRepeats(const Measurements& measurements,
+                                            const std::vector<SightingResidual>& sightings) {
+  using Key = std::tuple<std::size_t, std::size_t, std::size_t>; // pose, camera, board
+  std::map<std::size_t, std::size_t> poseOf;
+  for (std::size_t pose = 0; pose < measurements.poses.size(); ++pose) {
+    for (const Reading& reading : measurements.poses[pose].readings) {
+      for (std::size_t picture : reading.pictures) {
+        poseOf[picture] = pose;
+      }
+    }
+  }
+  std::map<Key, const SightingResidual*> last;
+  Scatter scatter;
+  for (const SightingResidual& sighting : sightings) {
+    const Picture& picture = measurements.pictures[sighting.picture];
+    const Key key{poseOf.at(sighting.picture), picture.camera, picture.sightings[sighting.sighting].view.board()};
+    const auto [entry, isFirst] = last.try_emplace(key, &sighting);
+    if (!isFirst) {
+      addDifference(measurements, *entry->second, sighting, scatter);
+      entry->second = &sighting;
+    }
+  }
+  return scatter.level();
+}
+
+std::optional<double> pixelNoiseWithinPictures(const std::vector<SightingResidual>& sightings) {
+  Scatter scatter;
+  for (const SightingResidual& sighting : sightings) {
+    std::vector<Eigen::Index> good;
+    for (Eigen::Index i = 0; i < sighting.weight.size(); ++i) {
+      if (sighting.weight[i] > 0.5) {
+        good.push_back(i);
+      }
+    }
+    if (good.size() < 8) {
+      continue;
+    }
+    Eigen::VectorXd residual(2 * static_cast<Eigen::Index>(good.size()));
+    Eigen::MatrixXd rows(residual.size(), 6);
+    for (std::size_t i = 0; i < good.size(); ++i) {
+      residual.segment<2>(2 * static_cast<Eigen::Index>(i)) = sighting.residual.col(good[i]);
+      rows.middleRows<2>(2 * static_cast<Eigen::Index>(i)) = sighting.motionRows.middleRows<2>(2 * good[i]);
+    }
+    scatter.add(residual, rows, 1);
+  }
+  return scatter.level();
+}
+
+namespace {
+
+/// All poses and the prior at one noise level.
+struct Total {
+  Eigen::MatrixXd hessian;
+  Eigen::VectorXd gradient;
+  double cost = 0, logDeterminant = 0;
+};
+
+Total total(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& sigmas,
+            const Noise& noise) {
+  const Eigen::VectorXd information = sigmas.cwiseAbs2().cwiseInverse();
+  Total result{information.asDiagonal(), information.cwiseProduct(unknowns),
+               0.5 * unknowns.cwiseAbs2().dot(information), 0};
+  for (const PoseSystem& pose : linear.poses) {
+    const Eliminated part = eliminated(pose, noise, deflectionRoot(pose, noise));
+    for (std::size_t i = 0; i < pose.unknowns.size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(i), global = static_cast<Eigen::Index>(pose.unknowns[i]);
+      result.gradient[global] += part.unknownGradient[row];
+      for (std::size_t j = 0; j < pose.unknowns.size(); ++j) {
+        result.hessian(global, static_cast<Eigen::Index>(pose.unknowns[j])) +=
+            part.hessian(row, static_cast<Eigen::Index>(j));
+      }
+    }
+    result.cost += part.cost;
+    result.logDeterminant += 2 * part.inner.matrixLLT().diagonal().array().log().sum();
+  }
+  return result;
+}
+
+/// -2 ln of the restricted likelihood, up to a constant.
+double restrictedDeviance(const Total& all) {
+  const Eigen::LLT<Eigen::MatrixXd> factor{all.hessian};
+  return all.logDeterminant + 2 * factor.matrixLLT().diagonal().array().log().sum() + 2 * all.cost -
+         all.gradient.dot(factor.solve(all.gradient));
+}
+
+constexpr double nothing = 1e-6, everything = 0.05; // [rad]: no stiction at all, and more than any NAO has
+
+/// The search of the two levels: x = (ln encoder^2, ln pose^2).
+struct Search {
+  const Residuals::Linear& linear;
+  const Eigen::VectorXd& unknowns;
+  const Eigen::VectorXd& sigmas;
+  Noise noise;
+  bool encoderToo;
+
+  Noise at(const double* x) const {
+    Noise result = noise;
+    if (encoderToo) {
+      result.encoder = std::exp(x[1] / 2);
+    }
+    const double pose = std::exp(x[0] / 2);
+    result.pose = pose > 2 * nothing ? pose : 0;
+    return result;
+  }
+  double deviance(const double* x) const { return restrictedDeviance(total(linear, unknowns, sigmas, at(x))); }
+  static double call(unsigned, const double* x, double*, void* self) {
+    return static_cast<const Search*>(self)->deviance(x);
+  }
+};
+
+/// Inverse of half the deviance's second differences about the minimum; a level that is nothing has no spread.
+Eigen::Matrix2d spread(const Search& search, const std::vector<double>& x) {
+  const double step = 0.15;
+  const std::size_t count = x.size();
+  Eigen::Matrix2d curvature = Eigen::Matrix2d::Identity() * 1e9;
+  const auto value = [&](double i, double j) {
+    const double moved[2] = {x[0] + i * step, count > 1 ? x[1] + j * step : 0};
+    return search.deviance(moved);
+  };
+  const double here = value(0, 0);
+  const bool poseFound = search.at(x.data()).pose > 0;
+  if (poseFound) {
+    curvature(0, 0) = (value(1, 0) - 2 * here + value(-1, 0)) / (2 * step * step);
+  }
+  if (count > 1) {
+    curvature(1, 1) = (value(0, 1) - 2 * here + value(0, -1)) / (2 * step * step);
+    if (poseFound) {
+      curvature(0, 1) = (value(1, 1) - value(1, -1) - value(-1, 1) + value(-1, -1)) / (8 * step * step);
+      curvature(1, 0) = curvature(0, 1);
+    }
+  }
+  const bool sound = curvature.determinant() > 0 && curvature(0, 0) > 1e-3 && curvature(1, 1) > 1e-3;
+  Eigen::Matrix2d covariance = sound ? curvature.inverse() : Eigen::Matrix2d{Eigen::Matrix2d::Identity()};
+  return covariance.reverse().eval(); // x is (pose, encoder)
+}
+
+} // namespace
+
+JointNoise jointNoise(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& sigmas,
+                      const Noise& start, bool encoderToo) {
+  Search search{linear, unknowns, sigmas, start, encoderToo};
+  const double rounding = encoderStep / std::sqrt(12.0);
+  std::vector<double> x{2 * std::log(3e-4)}, lower{2 * std::log(nothing)}, upper{2 * std::log(everything)};
+  if (encoderToo) {
+    lower.push_back(2 * std::log(rounding));
+    upper.push_back(2 * std::log(everything));
+    x.push_back(std::max(2 * std::log(start.encoder), lower.back() + 0.1));
+  }
+  nlopt_opt optimiser = nlopt_create(x.size() > 1 ? NLOPT_LN_BOBYQA : NLOPT_LN_COBYLA, static_cast<unsigned>(x.size()));
+  nlopt_set_lower_bounds(optimiser, lower.data());
+  nlopt_set_upper_bounds(optimiser, upper.data());
+  nlopt_set_min_objective(optimiser, &Search::call, &search);
+  nlopt_set_ftol_abs(optimiser, 1e-4);
+  nlopt_set_xtol_abs1(optimiser, 1e-3);
+  nlopt_set_maxeval(optimiser, 100);
+  double best = 0;
+  nlopt_optimize(optimiser, x.data(), &best);
+  nlopt_destroy(optimiser);
+  return {search.at(x.data()), spread(search, x)};
+}
+
+Eigen::MatrixXd informationOf(const Residuals::Linear& linear, const Eigen::VectorXd& sigmas, const Noise& noise) {
+  return total(linear, Eigen::VectorXd::Zero(sigmas.size()), sigmas, noise).hessian;
+}
+
+} // namespace naocal

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "calibrate/Calibration.hpp"
+
+namespace naocal {
+
+/// Finds weak directions, predicts the error on the field and decides whether the result should be used; fills `weak`,
+/// `floorErrorAt2m`, `warnings` and `usable`.
+void judge(const Measurements& measurements, const Model& model, CalibrationResult& result);
+
+/// "left hip pitch" for LHipPitch, "top camera's rotation about y" for cameraRotation@top.ry.
+std::string inWords(const std::string& unknownName);
+
+} // namespace naocal
