@@ -1,7 +1,7 @@
 #include "captures/BoardReader.hpp"
 
 #include "captures/CaptureWords.hpp"
-#include "captures/MarkerDictionary.hpp"
+#include "captures/PatternReader.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -11,7 +11,6 @@
 namespace naocal {
 namespace {
 
-constexpr Range positiveLengthRange{1e-6, 1000, "m"};
 constexpr Range positiveAngleRange{1e-9, 2 * std::numbers::pi, "radians"};
 
 /// Which keys a placement must have; a single mark has no direction.
@@ -34,43 +33,9 @@ Placement readPlacement(const JsonPlace& place, bool onFloor, Required required,
   return placement;
 }
 
-CharucoPattern readPattern(const JsonPlace& place) {
-  CharucoPattern pattern;
-  const auto read = [&](const char* key, auto& value, auto reading) {
-    if (const auto given = place.find(key)) {
-      value = reading(*given);
-    }
-  };
-  const auto squares = [](const JsonPlace& given) { return given.integer(2, 100); };
-  const auto length = [](const JsonPlace& given) { return given.number(positiveLengthRange); };
-  read("dictionary", pattern.dictionary, [](const JsonPlace& given) { return given.text(); });
-  read("squaresX", pattern.squaresX, squares);
-  read("squaresY", pattern.squaresY, squares);
-  read("squareLength", pattern.squareLength, length);
-  read("markerLength", pattern.markerLength, length);
-  read("firstMarkerId", pattern.firstMarkerId, [](const JsonPlace& given) { return given.integer(0, 100000); });
-  read("legacyPattern", pattern.legacyPattern, [](const JsonPlace& given) { return given.boolean(); });
-  return pattern;
-}
-
-void requirePrintable(const CharucoPattern& pattern, const JsonPlace& place) {
-  const auto available = markerCount(pattern.dictionary);
-  if (!available) {
-    place.at("dictionary").refuse("the name of one of OpenCV's predefined dictionaries, such as DICT_4X4_100");
-  }
-  if (pattern.markerLength >= pattern.squareLength) {
-    place.refuse("a markerLength below the squareLength",
-                 fmt::format("{} and {} m", pattern.markerLength, pattern.squareLength));
-  }
-  const int markers = pattern.squaresX * pattern.squaresY / 2;
-  if (pattern.firstMarkerId + markers > *available) {
-    place.refuse(fmt::format("marker ids below {}, as many as {} has", *available, pattern.dictionary),
-                 fmt::format("{} markers from firstMarkerId {} on", markers, pattern.firstMarkerId));
-  }
-}
-
 std::vector<Eigen::Vector3d> readPoints(const JsonPlace& place, const JsonPlace& board) {
-  for (const char* key : {"dictionary", "squaresX", "squaresY", "squareLength", "markerLength", "firstMarkerId"}) {
+  for (const char* key :
+       {"dictionary", "squaresX", "squaresY", "squareLength", "markerLength", "firstMarkerId", "legacyPattern"}) {
     if (board.find(key)) {
       board.refuse("either `points` or the keys of a ChArUco board", fmt::format("`points` and `{}`", key));
     }
@@ -120,7 +85,6 @@ Board readBoard(const JsonPlace& place) {
     board.points = readPoints(*points, place);
   } else {
     board.pattern = readPattern(place);
-    requirePrintable(*board.pattern, place);
     board.points = innerCorners(*board.pattern);
   }
   const bool onFloor = board.link == "floor";

@@ -5,6 +5,7 @@
 #include "captures/Files.hpp"
 #include "captures/InputError.hpp"
 #include "captures/JsonText.hpp"
+#include "captures/PatternReader.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -97,32 +98,12 @@ template <typename Entry> std::vector<Entry> readList(const JsonPlace& place, En
   return entries;
 }
 
-/// Markers that two boards share could not be told apart in a picture.
-void requireDistinctMarkers(const std::vector<Board>& boards, const JsonPlace& place) {
-  const auto markers = [](const CharucoPattern& pattern) { return pattern.squaresX * pattern.squaresY / 2; };
-  for (std::size_t i = 0; i < boards.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
-      const auto &one = boards[k].pattern, &other = boards[i].pattern;
-      if (one && other && one->dictionary == other->dictionary &&
-          one->firstMarkerId < other->firstMarkerId + markers(*other) &&
-          other->firstMarkerId < one->firstMarkerId + markers(*one)) {
-        place.elements()[i].refuse(
-            fmt::format("markers of {} that no other board has (see firstMarkerId)", one->dictionary),
-            fmt::format("ids {} to {}, some of them also on board \"{}\"", other->firstMarkerId,
-                        other->firstMarkerId + markers(*other) - 1, boards[k].id));
-      }
-    }
-  }
-}
-
 /// A capture's place with the name it is refused by.
 JsonPlace named(const JsonPlace& place) {
-  std::string name;
-  for (const char* key : {"id", "pose"}) {
-    if (const auto given = place.find(key)) {
-      name += fmt::format("{}{} {}", name.empty() ? "" : ", ",
-                          name.empty() && key == std::string_view{"id"} ? "capture" : key, given->value().dump());
-    }
+  const auto id = place.find("id"), pose = place.find("pose");
+  std::string name = id && id->value().is_number() ? "capture " + id->value().dump() : "capture without id";
+  if (pose && pose->value().is_string()) {
+    name += ", pose " + pose->value().dump();
   }
   return place.about(name, "correct it or leave it out with --skip-bad");
 }

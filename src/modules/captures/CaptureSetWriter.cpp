@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 using Written = nlohmann::ordered_json;
 
-Written placementJson(const Placement& placement, bool onFloor, bool zeros, const json& read) {
+Written placementJson(const Placement& placement, bool onFloor, const json& read, bool zeros = true) {
   Written known;
   for (const PlacementKey& key : placementKeys) {
     const double value = placement.*key.value;
@@ -26,7 +26,7 @@ Written placementJson(const Placement& placement, bool onFloor, bool zeros, cons
 Written sigmaJson(const Placement& sigma, bool onFloor, const json& read) {
   const bool isNumber = sigma.x == sigma.y && (onFloor || sigma.x == sigma.z) && sigma.roll == 0 && sigma.pitch == 0 &&
                         sigma.yaw == 0 && !read.is_object();
-  return isNumber ? Written(sigma.x) : placementJson(sigma, onFloor, false, read);
+  return isNumber ? Written(sigma.x) : placementJson(sigma, onFloor, read, false);
 }
 
 Written cameraJson(const CameraIntrinsics& camera, const json& read) {
@@ -42,7 +42,7 @@ Written cameraJson(const CameraIntrinsics& camera, const json& read) {
 
 Written boardJson(const Board& board, const json& read) {
   const bool onFloor = board.link == "floor";
-  Written known{{"id", board.id}, {"link", onFloor ? Written() : Written(board.link)}};
+  Written known{{"id", board.id}, {"link", board.link}};
   const CharucoPattern pattern = board.pattern.value_or(CharucoPattern{});
   const auto ofPattern = [&](auto value) { return board.pattern ? Written(value) : Written(); };
   known["dictionary"] = ofPattern(pattern.dictionary);
@@ -58,11 +58,11 @@ Written boardJson(const Board& board, const json& read) {
       known["points"].push_back({point.x(), point.y(), point.z()});
     }
   }
-  const auto placement = [&](const char* key, const std::optional<Placement>& given, bool zeros) {
-    known[key] = given ? placementJson(*given, onFloor, zeros, child(read, key)) : Written();
+  const auto placement = [&](const char* key, const std::optional<Placement>& given) {
+    known[key] = given ? placementJson(*given, onFloor, child(read, key)) : Written();
   };
-  placement("placement", board.placement, true);
-  placement("placementGuess", board.hasGuess ? std::optional{board.placementGuess} : std::nullopt, false);
+  placement("placement", board.placement);
+  placement("placementGuess", board.hasGuess ? std::optional{board.placementGuess} : std::nullopt);
   known["placementSigma"] =
       board.placementSigma ? sigmaJson(*board.placementSigma, onFloor, child(read, "placementSigma")) : Written();
   return finished(known, read);
@@ -70,11 +70,10 @@ Written boardJson(const Board& board, const json& read) {
 
 Written stanceJson(const Stance& stance, const json& read) {
   const json& placement = child(read, "placement");
-  return finished(
-      {{"id", stance.id},
-       {"supportFoot", supportFootWords[static_cast<std::size_t>(stance.supportFoot)]},
-       {"placement", stance.placement ? placementJson(*stance.placement, true, true, placement) : Written()}},
-      read);
+  return finished({{"id", stance.id},
+                   {"supportFoot", supportFootWords[static_cast<std::size_t>(stance.supportFoot)]},
+                   {"placement", stance.placement ? placementJson(*stance.placement, true, placement) : Written()}},
+                  read);
 }
 
 Written setJson(const CaptureSet& set, const json& read) {

@@ -16,6 +16,7 @@ inline const std::vector<std::string_view> supportFootWords{"left", "right", "bo
 inline const std::vector<std::string_view> repeatKindWords{"rest", "reapproach", "restand"};
 
 inline constexpr Range lengthRange{-1000, 1000, "m"};
+inline constexpr Range positiveLengthRange{1e-6, 1000, "m"};
 inline constexpr Range angleRange{-2 * std::numbers::pi, 2 * std::numbers::pi, "radians"};
 
 /// A key of a placement; on the floor only those that keep a sheet flat on it are used.

@@ -41,12 +41,10 @@ Written cornersJson(const BoardCorners& corners, const json& read) {
 } // namespace
 
 Written captureJson(const Capture& capture, const json& read) {
-  const bool isRest = capture.repeatKind == RepeatKind::rest;
-  const auto kind = repeatKindWords[static_cast<std::size_t>(capture.repeatKind)];
   Written known{{"id", capture.id},
                 {"pose", capture.pose},
                 {"repeat", capture.repeat},
-                {"repeatKind", isRest ? Written() : Written(kind)},
+                {"repeatKind", repeatKindWords[static_cast<std::size_t>(capture.repeatKind)]},
                 {"time", capture.time.count()},
                 {"camera", capture.camera},
                 {"supportFoot", supportFootWords[static_cast<std::size_t>(capture.supportFoot)]},
