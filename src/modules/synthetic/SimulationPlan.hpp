@@ -1,0 +1,55 @@
+#pragma once
+
+#include "synthetic/SyntheticRobot.hpp"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+
+namespace naocal {
+
+/// A pose as it is sent to the robot, which does not know its offsets.
+struct CommandedPose {
+  std::string name;
+  SupportFoot supportFoot = SupportFoot::left; // not `none`: a hanging robot tells nothing about boards on the floor
+  Eigen::VectorXd angles;                      // one per joint of the drawing [rad]
+};
+
+/// How corners are measured in the pictures.
+struct CornerNoise {
+  double pixel = 0.3;        // standard deviation per axis [px]
+  bool heavyTails = false;   // Student's t with 4 degrees of freedom instead of a normal distribution
+  double grossShare = 0;     // of corners that lie grossly wrong besides [1]
+  double grossSize = 8;      // by how much [px]
+  double displacedBoard = 0; // in one picture, one board lies this far off its place [m]
+};
+
+/// Cameras that see as wide as the manufacturer says (focal length 598 px at a width of 640), without distortion.
+std::map<std::string, CameraIntrinsics> drawnCameras(int width, int height);
+
+/// Four A2 boards of 7x5 squares of 80 mm on the floor: near in front, to the left, to the right and farther in front
+/// of a robot that stands at the origin and looks along x.
+std::vector<Board> boardsAround();
+
+/// What to simulate. Ranges are drawn uniformly from [-range, range].
+struct SimulationPlan {
+  std::vector<CommandedPose> poses;
+  int samples = 3; // per pose
+  RepeatKind repeatKind = RepeatKind::rest;
+  bool images = false;                    // pictures will be rendered, so no corners are given
+  bool surveyed = false;                  // the set states the placements of boards and stances
+  double offsetRange = radians(6.5);      // per motor [rad]
+  double mountRange = radians(2);         // per camera and axis [rad]
+  double mountShiftRange = 0;             // per camera and axis [m]
+  double boardShiftRange = 0.03;          // of boards against their `placement` [m]
+  double boardTurnRange = 0.1;            // [rad]
+  double stanceShiftRange = 0.04;         // of the robot against the origin, per stance [m]
+  double stanceTurnRange = 0.1;           // [rad]
+  std::optional<std::uint64_t> robotSeed; // of offsets and mounts, where another set's robot is wanted
+  Mechanics mechanics;
+  CornerNoise corners;
+  std::map<std::string, CameraIntrinsics> cameras = drawnCameras(640, 480);
+  std::vector<Board> boards = boardsAround(); // with placements: about where they lie
+};
+
+} // namespace naocal

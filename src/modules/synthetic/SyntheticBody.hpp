@@ -1,0 +1,44 @@
+#pragma once
+
+#include "model/Robot.hpp"
+
+#include <Eigen/Geometry>
+#include <vector>
+
+namespace naocal {
+
+/// Bones and weights of the synthetic robot: a second opinion on the robot's mechanics, which shares nothing with
+/// model/ but the drawing's numbers.
+///
+/// Product of exponentials (Brockett 1984): at zero angles all frames are parallel, joint i is a screw with the axis
+/// a_i through the point p_i of the torso's frame, and
+///   torsoFromLink = prod_i exp(screw_i q_i) * T(p_link),   exp(screw q) = [R(a, q), (1 - R(a, q)) p].
+class SyntheticBody {
+public:
+  explicit SyntheticBody(const Robot& drawing);
+
+  /// torsoFromLink of every link, for one angle per joint of the drawing [rad].
+  std::vector<Eigen::Isometry3d> posture(const Eigen::VectorXd& angles) const;
+
+  double mass() const; // [kg]
+  /// In the torso's frame [m].
+  Eigen::Vector3d centreOfMass(const std::vector<Eigen::Isometry3d>& torsoFromLink) const;
+
+  /// tau_J = -(U(q_J + h) - U(q_J - h)) / 2h [Nm] per joint: how the potential energy U falls when a motor turns, with
+  /// `heldLink` still and its z axis against gravity. Both joints of one motor carry the motor's value.
+  Eigen::VectorXd gravityTorques(const Eigen::VectorXd& angles, std::size_t heldLink) const;
+
+private:
+  struct Part {
+    std::optional<std::size_t> parent, joint;
+    Eigen::Vector3d point, axis; // of the screw, in the torso's frame at zero angles [m]
+    double mass;                 // [kg]
+    Eigen::Vector3d centreOfMass;
+  };
+  double potentialEnergy(const Eigen::VectorXd& angles, std::size_t heldLink) const; // [J]
+
+  std::vector<Part> parts_;
+  std::vector<std::size_t> motors_; // per joint: the joint whose motor drives it
+};
+
+} // namespace naocal

@@ -1,0 +1,104 @@
+#include "synthetic/SyntheticRobot.hpp"
+
+#include <cassert>
+#include <numbers>
+
+namespace naocal {
+
+SyntheticRobot::SyntheticRobot(const Robot& drawing, const RobotErrors& errors, const Mechanics& mechanics)
+    : drawing_{drawing}, errors_{errors}, mechanics_{mechanics}, body_{drawing} {
+  assert(static_cast<std::size_t>(errors.jointOffsets.size()) == drawing.joints.size());
+  assert(errors.mounts.size() == drawing.cameras.size());
+}
+
+Eigen::VectorXd SyntheticRobot::scatter(double sigma, Randomness& chance) const {
+  Eigen::VectorXd result{errors_.jointOffsets.size()};
+  for (double& deflection : result) {
+    deflection = chance.normal(sigma);
+  }
+  for (std::size_t joint = 0; joint < drawing_.joints.size(); ++joint) {
+    result[static_cast<Eigen::Index>(joint)] = result[static_cast<Eigen::Index>(drawing_.joints[joint].motor)];
+  }
+  return result;
+}
+
+Attitude SyntheticRobot::approach(const Eigen::VectorXd& commanded, SupportFoot supportFoot,
+                                  const Eigen::VectorXd& poseDeflection, Randomness& chance) const {
+  assert(supportFoot != SupportFoot::none);
+  Attitude attitude;
+  attitude.supportFoot = supportFoot;
+  const Eigen::VectorXd target = commanded - errors_.jointOffsets;
+  attitude.torques = gravityTorques(target, supportFoot);
+  attitude.motors = target + mechanics_.servoDroop * attitude.torques + scatter(mechanics_.servoDeadZone, chance);
+  attitude.deflection = poseDeflection + scatter(mechanics_.approachScatter, chance);
+  attitude.velocity = scatter(mechanics_.residualSpeed, chance);
+  if (supportFoot == SupportFoot::both) {
+    settleOnBothSoles(attitude);
+  }
+  return attitude;
+}
+
+Eigen::VectorXd SyntheticRobot::jointAngles(const Attitude& attitude, Seconds since) const {
+  return attitude.motors + attitude.deflection + since.count() * attitude.velocity;
+}
+
+Eigen::VectorXd SyntheticRobot::encoderReadings(const Attitude& attitude, Seconds since, Randomness& chance) const {
+  const double step = 2 * std::numbers::pi / mechanics_.encoderSteps; // [rad]
+  const Eigen::VectorXd shown = attitude.motors + since.count() * attitude.velocity + errors_.jointOffsets +
+                                scatter(mechanics_.encoderDither, chance);
+  return step * (shown / step).array().round();
+}
+
+std::size_t SyntheticRobot::soleLink(SupportFoot supportFoot) const {
+  const Sole* sole = drawing_.sole(supportFoot == SupportFoot::right ? "right" : "left");
+  assert(sole != nullptr);
+  return sole->link;
+}
+
+Eigen::Isometry3d SyntheticRobot::soleFromTorso(const Eigen::VectorXd& joints, SupportFoot supportFoot) const {
+  return body_.posture(joints)[soleLink(supportFoot)].inverse();
+}
+
+Eigen::Isometry3d SyntheticRobot::torsoFromCamera(std::size_t camera, const Eigen::VectorXd& joints) const {
+  const CameraMount& nominal = drawing_.cameras[camera];
+  const RobotErrors::Mount& error = errors_.mounts[camera];
+  return body_.posture(joints)[nominal.link] * Eigen::Translation3d{nominal.translation + error.translation} *
+         Eigen::AngleAxisd{nominal.pitch, Eigen::Vector3d::UnitY()} *
+         Eigen::AngleAxisd{error.rotation.x(), Eigen::Vector3d::UnitX()} *
+         Eigen::AngleAxisd{error.rotation.y(), Eigen::Vector3d::UnitY()} *
+         Eigen::AngleAxisd{error.rotation.z(), Eigen::Vector3d::UnitZ()};
+}
+
+/// Height [m] and tilt (x and y of its normal) of the right sole against the left one.
+Eigen::Vector3d SyntheticRobot::rightSoleOffFloor(const Eigen::VectorXd& joints) const {
+  const std::vector<Eigen::Isometry3d> torsoFromLink = body_.posture(joints);
+  const Eigen::Isometry3d leftFromRight =
+      torsoFromLink[soleLink(SupportFoot::left)].inverse() * torsoFromLink[soleLink(SupportFoot::right)];
+  return {leftFromRight.translation().z(), leftFromRight(0, 2), leftFromRight(1, 2)};
+}
+
+/// The floor turns the legs' motors, by as little as possible, until both soles lie flat: Gauss-Newton on c(q) = 0 with
+/// the least step -J^T (J J^T)^-1 c.
+void SyntheticRobot::settleOnBothSoles(Attitude& attitude) const {
+  constexpr double step = 1e-6, flat = 1e-13; // [rad], [m or 1]
+  for (int iteration = 0; iteration < 20; ++iteration) {
+    const Eigen::VectorXd joints = jointAngles(attitude, Seconds{0});
+    const Eigen::Vector3d gap = rightSoleOffFloor(joints);
+    if (gap.norm() < flat) {
+      break;
+    }
+    Eigen::Matrix3Xd slope = Eigen::Matrix3Xd::Zero(3, joints.size());
+    for (std::size_t joint = 0; joint < drawing_.joints.size(); ++joint) {
+      Eigen::VectorXd turned = joints;
+      turned[static_cast<Eigen::Index>(joint)] += step;
+      slope.col(static_cast<Eigen::Index>(drawing_.joints[joint].motor)) += (rightSoleOffFloor(turned) - gap) / step;
+    }
+    Eigen::VectorXd turn = -slope.transpose() * (slope * slope.transpose()).inverse() * gap;
+    for (std::size_t joint = 0; joint < drawing_.joints.size(); ++joint) {
+      attitude.motors[static_cast<Eigen::Index>(joint)] +=
+          turn[static_cast<Eigen::Index>(drawing_.joints[joint].motor)];
+    }
+  }
+}
+
+} // namespace naocal

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "geometry/Angles.hpp"
+#include "synthetic/Randomness.hpp"
+#include "synthetic/RobotErrors.hpp"
+#include "synthetic/SyntheticBody.hpp"
+#include "synthetic/SyntheticCamera.hpp"
+
+#include <array>
+
+namespace naocal {
+
+/// How the parts of a robot behave; the same for every robot of the make.
+struct Mechanics {
+  int encoderSteps = 4096;               // per turn
+  double encoderDither = radians(0.007); // sigma, per reading [rad]
+  double servoDroop = 1e-3;              // motor's angle behind its target under gravity [rad/Nm]
+  double servoDeadZone = radians(0.1);   // sigma of where a motor comes to rest, per approach [rad]
+  double residualSpeed = 3e-4;           // sigma of the motion that is left at rest [rad/s]
+  double poseScatter = 0;                // sigma of the gears' deflection behind the encoder, per pose (stiction) [rad]
+  double approachScatter = 0;            // the same, drawn anew at every approach [rad]
+  double imuNoise = 5e-3;                // [rad]
+  double forceNoise = 0.02;              // [kg]
+  double currentPerTorque = 0.25;        // [A/Nm]
+  double currentNoise = 0.02;            // [A]
+  double ambientTemperature = 30;        // [degC]
+  double heatPerTorqueSquared = 1.5;     // warmer than ambient in the long run [K/(Nm)^2]
+  double thermalTimeConstant = 600;      // [s]
+};
+
+/// The robot at rest in a pose: what no sensor tells.
+struct Attitude {
+  Eigen::VectorXd motors;     // angles on the encoders' side of the gears [rad]
+  Eigen::VectorXd deflection; // of the gears: joint = motor + deflection [rad]
+  Eigen::VectorXd velocity;   // residual motion [rad/s]
+  Eigen::VectorXd torques;    // gravity's [Nm]
+  SupportFoot supportFoot = SupportFoot::left;
+};
+
+/// A robot whose truth we know: it takes a pose, its encoders and sensors report, its cameras are somewhere.
+class SyntheticRobot {
+public:
+  SyntheticRobot(const Robot& drawing, const RobotErrors& errors, const Mechanics& mechanics);
+
+  /// Moves to a commanded pose (raw space: offsets are not known to whoever commands) and comes to rest.
+  Attitude approach(const Eigen::VectorXd& commanded, SupportFoot supportFoot, const Eigen::VectorXd& poseDeflection,
+                    Randomness& chance) const;
+  /// How far the gears stand behind their encoders in a pose, one draw per motor [rad].
+  Eigen::VectorXd scatter(double sigma, Randomness& chance) const;
+
+  /// What the joints really are `since` the robot came to rest: the one place where joint and encoder differ [rad].
+  Eigen::VectorXd jointAngles(const Attitude& attitude, Seconds since) const;
+  /// What the encoders say: the motor's angle + offset, dithered, in whole steps [rad].
+  Eigen::VectorXd encoderReadings(const Attitude& attitude, Seconds since, Randomness& chance) const;
+
+  /// soleFromTorso of the (left, on both) support foot.
+  Eigen::Isometry3d soleFromTorso(const Eigen::VectorXd& joints, SupportFoot supportFoot) const;
+  Eigen::Isometry3d torsoFromCamera(std::size_t camera, const Eigen::VectorXd& joints) const;
+
+  /// Torso roll and pitch as the inertial unit reports them [rad].
+  Eigen::Vector2d imuReading(const Eigen::Matrix3d& worldFromTorso, Randomness& chance) const;
+  /// Left FL, FR, RL, RR, then right [kg].
+  std::array<double, 8> forceReadings(const Attitude& attitude, Randomness& chance) const;
+  Eigen::VectorXd currentReadings(const Attitude& attitude, Randomness& chance) const;
+  /// Warms the motors for a while under gravity's torques [degC].
+  void warm(Eigen::VectorXd& temperatures, const Eigen::VectorXd& torques, Seconds duration) const;
+
+  const Robot& drawing() const { return drawing_; }
+
+private:
+  Eigen::VectorXd gravityTorques(const Eigen::VectorXd& joints, SupportFoot supportFoot) const;
+  std::array<double, 8> forces(const Eigen::VectorXd& joints, SupportFoot supportFoot) const;
+  Eigen::Vector3d rightSoleOffFloor(const Eigen::VectorXd& joints) const;
+  void settleOnBothSoles(Attitude& attitude) const;
+  std::size_t soleLink(SupportFoot supportFoot) const;
+
+  Robot drawing_;
+  RobotErrors errors_;
+  Mechanics mechanics_;
+  SyntheticBody body_;
+};
+
+} // namespace naocal
