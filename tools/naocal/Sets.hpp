@@ -1,0 +1,26 @@
+#pragma once
+
+#include "calibrate/ResultFile.hpp"
+#include "captures/Capture.hpp"
+#include "model/Robot.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// Capture sets as a command was given them.
+struct GivenSets {
+  std::vector<CaptureSet> sets;
+  ResultInputs inputs;
+  Robot robot; // the drawing of the sets' model
+};
+
+/// Reads the sets; captures that were left out (`skipBad`) are told on standard error.
+GivenSets readSets(const std::vector<std::string>& folders, bool skipBad);
+
+/// Writes JSON to a file, or to standard output for "-".
+void writeJson(const nlohmann::json& json, const std::string& file);
+
+} // namespace naocal
