@@ -53,8 +53,8 @@ Eigen::VectorXd SyntheticRobot::gravityTorques(const Eigen::VectorXd& joints, Su
          (left + right);
 }
 
-std::array<double, 8> SyntheticRobot::forceReadings(const Attitude& attitude, Randomness& chance) const {
-  std::array<double, 8> readings = forces(jointAngles(attitude, Seconds{0}), attitude.supportFoot);
+std::array<double, 8> SyntheticRobot::forceReadings(const TakenPose& taken, Randomness& chance) const {
+  std::array<double, 8> readings = forces(jointAngles(taken, Seconds{0}), taken.supportFoot);
   for (double& reading : readings) {
     reading = std::max(reading + chance.normal(mechanics_.forceNoise), 0.0);
   }
@@ -67,8 +67,8 @@ Eigen::Vector2d SyntheticRobot::imuReading(const Eigen::Matrix3d& worldFromTorso
   return {roll + chance.normal(mechanics_.imuNoise), pitch + chance.normal(mechanics_.imuNoise)};
 }
 
-Eigen::VectorXd SyntheticRobot::currentReadings(const Attitude& attitude, Randomness& chance) const {
-  Eigen::VectorXd currents = mechanics_.currentPerTorque * attitude.torques;
+Eigen::VectorXd SyntheticRobot::currentReadings(const TakenPose& taken, Randomness& chance) const {
+  Eigen::VectorXd currents = mechanics_.currentPerTorque * taken.torques;
   for (double& current : currents) {
     current = std::abs(current + chance.normal(mechanics_.currentNoise));
   }

@@ -22,30 +22,30 @@ Eigen::VectorXd SyntheticRobot::scatter(double sigma, Randomness& chance) const 
   return result;
 }
 
-Attitude SyntheticRobot::approach(const Eigen::VectorXd& commanded, SupportFoot supportFoot,
-                                  const Eigen::VectorXd& poseDeflection, Randomness& chance) const {
+TakenPose SyntheticRobot::approach(const Eigen::VectorXd& commanded, SupportFoot supportFoot,
+                                   const Eigen::VectorXd& poseDeflection, Randomness& chance) const {
   assert(supportFoot != SupportFoot::none);
-  Attitude attitude;
-  attitude.supportFoot = supportFoot;
+  TakenPose taken;
+  taken.supportFoot = supportFoot;
   const Eigen::VectorXd target = commanded - errors_.jointOffsets;
-  attitude.torques = gravityTorques(target, supportFoot);
-  attitude.motors = target + mechanics_.servoDroop * attitude.torques + scatter(mechanics_.servoDeadZone, chance);
-  attitude.deflection = poseDeflection + scatter(mechanics_.approachScatter, chance);
-  attitude.velocity = scatter(mechanics_.residualSpeed, chance);
+  taken.torques = gravityTorques(target, supportFoot);
+  taken.motors = target + mechanics_.servoDroop * taken.torques + scatter(mechanics_.servoDeadZone, chance);
+  taken.deflection = poseDeflection + scatter(mechanics_.approachScatter, chance);
+  taken.velocity = scatter(mechanics_.residualSpeed, chance);
   if (supportFoot == SupportFoot::both) {
-    settleOnBothSoles(attitude);
+    settleOnBothSoles(taken);
   }
-  return attitude;
+  return taken;
 }
 
-Eigen::VectorXd SyntheticRobot::jointAngles(const Attitude& attitude, Seconds since) const {
-  return attitude.motors + attitude.deflection + since.count() * attitude.velocity;
+Eigen::VectorXd SyntheticRobot::jointAngles(const TakenPose& taken, Seconds since) const {
+  return taken.motors + taken.deflection + since.count() * taken.velocity;
 }
 
-Eigen::VectorXd SyntheticRobot::encoderReadings(const Attitude& attitude, Seconds since, Randomness& chance) const {
+Eigen::VectorXd SyntheticRobot::encoderReadings(const TakenPose& taken, Seconds since, Randomness& chance) const {
   const double step = 2 * std::numbers::pi / mechanics_.encoderSteps; // [rad]
-  const Eigen::VectorXd shown = attitude.motors + since.count() * attitude.velocity + errors_.jointOffsets +
-                                scatter(mechanics_.encoderDither, chance);
+  const Eigen::VectorXd shown =
+      taken.motors + since.count() * taken.velocity + errors_.jointOffsets + scatter(mechanics_.encoderDither, chance);
   return step * (shown / step).array().round();
 }
 
@@ -79,10 +79,10 @@ Eigen::Vector3d SyntheticRobot::rightSoleOffFloor(const Eigen::VectorXd& joints)
 
 /// The floor turns the legs' motors, by as little as possible, until both soles lie flat: Gauss-Newton on c(q) = 0 with
 /// the least step -J^T (J J^T)^-1 c.
-void SyntheticRobot::settleOnBothSoles(Attitude& attitude) const {
+void SyntheticRobot::settleOnBothSoles(TakenPose& taken) const {
   constexpr double step = 1e-6, flat = 1e-13; // [rad], [m or 1]
   for (int iteration = 0; iteration < 20; ++iteration) {
-    const Eigen::VectorXd joints = jointAngles(attitude, Seconds{0});
+    const Eigen::VectorXd joints = jointAngles(taken, Seconds{0});
     const Eigen::Vector3d gap = rightSoleOffFloor(joints);
     if (gap.norm() < flat) {
       break;
@@ -95,8 +95,7 @@ void SyntheticRobot::settleOnBothSoles(Attitude& attitude) const {
     }
     Eigen::VectorXd turn = -slope.transpose() * (slope * slope.transpose()).inverse() * gap;
     for (std::size_t joint = 0; joint < drawing_.joints.size(); ++joint) {
-      attitude.motors[static_cast<Eigen::Index>(joint)] +=
-          turn[static_cast<Eigen::Index>(drawing_.joints[joint].motor)];
+      taken.motors[static_cast<Eigen::Index>(joint)] += turn[static_cast<Eigen::Index>(drawing_.joints[joint].motor)];
     }
   }
 }

@@ -29,7 +29,7 @@ struct Mechanics {
 };
 
 /// The robot at rest in a pose: what no sensor tells.
-struct Attitude {
+struct TakenPose {
   Eigen::VectorXd motors;     // angles on the encoders' side of the gears [rad]
   Eigen::VectorXd deflection; // of the gears: joint = motor + deflection [rad]
   Eigen::VectorXd velocity;   // residual motion [rad/s]
@@ -43,15 +43,15 @@ public:
   SyntheticRobot(const Robot& drawing, const RobotErrors& errors, const Mechanics& mechanics);
 
   /// Moves to a commanded pose (raw space: offsets are not known to whoever commands) and comes to rest.
-  Attitude approach(const Eigen::VectorXd& commanded, SupportFoot supportFoot, const Eigen::VectorXd& poseDeflection,
-                    Randomness& chance) const;
+  TakenPose approach(const Eigen::VectorXd& commanded, SupportFoot supportFoot, const Eigen::VectorXd& poseDeflection,
+                     Randomness& chance) const;
   /// How far the gears stand behind their encoders in a pose, one draw per motor [rad].
   Eigen::VectorXd scatter(double sigma, Randomness& chance) const;
 
   /// What the joints really are `since` the robot came to rest: the one place where joint and encoder differ [rad].
-  Eigen::VectorXd jointAngles(const Attitude& attitude, Seconds since) const;
+  Eigen::VectorXd jointAngles(const TakenPose& taken, Seconds since) const;
   /// What the encoders say: the motor's angle + offset, dithered, in whole steps [rad].
-  Eigen::VectorXd encoderReadings(const Attitude& attitude, Seconds since, Randomness& chance) const;
+  Eigen::VectorXd encoderReadings(const TakenPose& taken, Seconds since, Randomness& chance) const;
 
   /// soleFromTorso of the (left, on both) support foot.
   Eigen::Isometry3d soleFromTorso(const Eigen::VectorXd& joints, SupportFoot supportFoot) const;
@@ -60,8 +60,8 @@ public:
   /// Torso roll and pitch as the inertial unit reports them [rad].
   Eigen::Vector2d imuReading(const Eigen::Matrix3d& worldFromTorso, Randomness& chance) const;
   /// Left FL, FR, RL, RR, then right [kg].
-  std::array<double, 8> forceReadings(const Attitude& attitude, Randomness& chance) const;
-  Eigen::VectorXd currentReadings(const Attitude& attitude, Randomness& chance) const;
+  std::array<double, 8> forceReadings(const TakenPose& taken, Randomness& chance) const;
+  Eigen::VectorXd currentReadings(const TakenPose& taken, Randomness& chance) const;
   /// Warms the motors for a while under gravity's torques [degC].
   void warm(Eigen::VectorXd& temperatures, const Eigen::VectorXd& torques, Seconds duration) const;
 
@@ -71,7 +71,7 @@ private:
   Eigen::VectorXd gravityTorques(const Eigen::VectorXd& joints, SupportFoot supportFoot) const;
   std::array<double, 8> forces(const Eigen::VectorXd& joints, SupportFoot supportFoot) const;
   Eigen::Vector3d rightSoleOffFloor(const Eigen::VectorXd& joints) const;
-  void settleOnBothSoles(Attitude& attitude) const;
+  void settleOnBothSoles(TakenPose& taken) const;
   std::size_t soleLink(SupportFoot supportFoot) const;
 
   Robot drawing_;

@@ -86,14 +86,14 @@ private:
       approach_[joint] = way == 0 ? approach_[joint] : std::copysign(1, way);
     }
     commanded_ = commanded;
-    attitude_ = robot_.approach(commanded, target.supportFoot, poseDeflections_[pose], motion_);
+    taken_ = robot_.approach(commanded, target.supportFoot, poseDeflections_[pose], motion_);
     wait(duration);
   }
 
   void wait(Seconds duration) {
     time_ += duration;
-    if (attitude_) {
-      robot_.warm(temperatures_, attitude_->torques, duration);
+    if (taken_) {
+      robot_.warm(temperatures_, taken_->torques, duration);
     }
   }
 
@@ -116,18 +116,18 @@ private:
   }
 
   void expose(Capture& capture, std::size_t camera, Seconds since) {
-    Exposure exposure{robot_.jointAngles(*attitude_, since), {}, worldFromBoard_};
+    Exposure exposure{robot_.jointAngles(*taken_, since), {}, worldFromBoard_};
     const Eigen::Isometry3d worldFromTorso =
         isometry(*stance_->placement) * robot_.soleFromTorso(exposure.joints, capture.supportFoot);
     exposure.worldFromCamera = worldFromTorso * robot_.torsoFromCamera(camera, exposure.joints);
-    capture.joints = {list(robot_.encoderReadings(*attitude_, since, sensors_)),
+    capture.joints = {list(robot_.encoderReadings(*taken_, since, sensors_)),
                       list(commanded_),
-                      list(attitude_->velocity),
+                      list(taken_->velocity),
                       list(approach_),
                       list(temperatures_),
-                      list(robot_.currentReadings(*attitude_, sensors_))};
+                      list(robot_.currentReadings(*taken_, sensors_))};
     capture.imu = robot_.imuReading(worldFromTorso.linear(), sensors_);
-    capture.fsr = robot_.forceReadings(*attitude_, sensors_);
+    capture.fsr = robot_.forceReadings(*taken_, sensors_);
     walk_.captures.push_back(std::move(capture));
     walk_.exposures.push_back(std::move(exposure));
   }
@@ -139,7 +139,7 @@ private:
   std::vector<Eigen::VectorXd> poseDeflections_;
   Eigen::VectorXd commanded_, approach_, temperatures_;
   std::optional<Stance> stance_;
-  std::optional<Attitude> attitude_;
+  std::optional<TakenPose> taken_;
   Seconds time_{0};
   Walk walk_;
 };
