@@ -16,9 +16,7 @@ struct RigidTransform {
     return {rotation * other.rotation, rotation * other.translation + translation};
   }
   Eigen::Vector3d operator*(const Eigen::Vector3d& point) const { return rotation * point + translation; }
-  RigidTransform inverse() const {
-    return {rotation.transpose(), -(rotation.transpose() * translation)};
-  }
+  RigidTransform inverse() const { return {rotation.transpose(), -(rotation.transpose() * translation)}; }
 };
 
 /// Right-handed rotations about the axes of a frame by an angle [rad].

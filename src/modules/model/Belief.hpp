@@ -12,14 +12,14 @@ public:
   Quantities(std::size_t jointCount, std::size_t lengthCount, std::size_t boardCount)
       : joints_{jointCount}, lengths_{lengthCount}, boards_{boardCount} {}
 
-  std::size_t angle(std::size_t joint) const { return joint; }                     // [rad]
-  std::size_t axis(std::size_t joint) const { return joints_ + 3 * joint; }        // 3 numbers
-  std::size_t length(std::size_t index) const { return 4 * joints_ + index; }      // [m]
-  std::size_t mountTranslation() const { return 4 * joints_ + lengths_; }          // x, y, z [m] in the mount's link
-  std::size_t mountRotation() const { return mountTranslation() + 3; }             // rx, ry, rz [rad] beyond nominal
-  std::size_t lens() const { return mountRotation() + 3; }                         // fx, fy, cx, cy, k1, k2, p1, p2, k3
-  std::size_t ground() const { return lens() + 9; }                                // worldFromSole: as a Placement
-  std::size_t board(std::size_t index) const { return ground() + 6 + 8 * index; }  // Placement, scale, bow [m]
+  std::size_t angle(std::size_t joint) const { return joint; }                    // [rad]
+  std::size_t axis(std::size_t joint) const { return joints_ + 3 * joint; }       // 3 numbers
+  std::size_t length(std::size_t index) const { return 4 * joints_ + index; }     // [m]
+  std::size_t mountTranslation() const { return 4 * joints_ + lengths_; }         // x, y, z [m] in the mount's link
+  std::size_t mountRotation() const { return mountTranslation() + 3; }            // rx, ry, rz [rad] beyond nominal
+  std::size_t lens() const { return mountRotation() + 3; }                        // fx, fy, cx, cy, k1, k2, p1, p2, k3
+  std::size_t ground() const { return lens() + 9; }                               // worldFromSole: as a Placement
+  std::size_t board(std::size_t index) const { return ground() + 6 + 8 * index; } // Placement, scale, bow [m]
   std::size_t size() const { return board(boards_); }
 
   std::size_t jointCount() const { return joints_; }

@@ -15,9 +15,9 @@ struct CentreOfMass {
 };
 CentreOfMass centreOfMass(const Robot& robot, const Posture& torsoFromLink);
 
-/// tau_J = -dU/dq_J [Nm] per joint: gravity's generalised force with `heldLink` (a sole, or the torso) held still and all
-/// other angles fixed; positive where gravity drives the angle positive. A motor that drives two joints feels both: the
-/// sum stands at each of them. `upInTorso`: unit vector against gravity, in the torso's frame.
+/// tau_J = -dU/dq_J [Nm] per joint: gravity's generalised force with `heldLink` (a sole, or the torso) held still and
+/// all other angles fixed; positive where gravity drives the angle positive. A motor that drives two joints feels both:
+/// the sum stands at each of them. `upInTorso`: unit vector against gravity, in the torso's frame.
 Eigen::VectorXd gravityTorques(const Robot& robot, const Belief& belief, const Posture& torsoFromLink,
                                std::size_t heldLink, const Eigen::Vector3d& upInTorso);
 
