@@ -1,0 +1,180 @@
+#include "detect/BoardSearch.hpp"
+
+#include "detect/BoardLayout.hpp"
+#include "detect/Markers.hpp"
+#include "detect/MirroredPairs.hpp"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+#include <optional>
+
+namespace naocal {
+namespace {
+
+constexpr double consistency = 0.7;     // [px] a corner against its neighbours
+constexpr double walkingDistance = 1.5; // [squares] from what is known to what is looked for
+constexpr double longestMove = 2.0;     // [px] from prediction to fit, at least
+constexpr double longestMoveInSquares = 0.1;
+constexpr double leastContrast = 10; // [grey level]
+constexpr double mostAsymmetry = 0.15;
+
+class Walk {
+public:
+  Walk(const SmoothPicture& picture, const Lens& lens, const CharucoPattern& pattern,
+       const std::vector<Sighting>& markerCorners)
+      : picture_{picture}, lens_{lens}, pattern_{pattern}, markerCorners_{markerCorners},
+        reach_{symmetricReach(pattern, int(markerCells(pattern.dictionary, pattern.firstMarkerId).rows()))} {}
+
+  BoardSearchResult result() {
+    spread();
+    refine();
+    removeMisplaced();
+    retryMissing();
+    BoardSearchResult result;
+    for (const auto& [id, corner] : found_) {
+      result.corners[id] = corner.pixel;
+    }
+    for (const auto& [id, corner] : refused_) {
+      result.refused.push_back(corner);
+    }
+    return result;
+  }
+
+private:
+  struct Found {
+    Eigen::Vector2d pixel;
+    Sighting sighting;
+  };
+
+  Eigen::Vector2d onBoard(int id) const { return cornerOnBoard(pattern_, id); }
+
+  /// What is known but for corner `id`.
+  std::vector<Sighting> others(int id) const {
+    std::vector<Sighting> sightings = markerCorners_;
+    for (const auto& [foundId, corner] : found_) {
+      if (foundId != id) {
+        sightings.push_back(corner.sighting);
+      }
+    }
+    return sightings;
+  }
+
+  Eigen::Vector2d pixel(const Eigen::Matrix3d& homography, const Eigen::Vector2d& place) const {
+    return lens_.withDistortion((homography * place.homogeneous()).hnormalized());
+  }
+
+  /// Fits corner `id` from where `homography` puts it; absent where no crossing as printed is seen.
+  std::optional<CornerFit> fitted(int id, const Eigen::Matrix3d& homography) const {
+    const int column = id % (pattern_.squaresX - 1), row = id / (pattern_.squaresX - 1);
+    const auto map = [&](const Eigen::Vector2d& place) { return pixel(homography, place); };
+    const auto pairs = mirroredPairs(map, onBoard(id), reach_, isBlack(pattern_, column, row));
+    const Eigen::Vector2d start = map(onBoard(id));
+    const double square = std::min((map(onBoard(id) + Eigen::Vector2d::UnitX()) - start).norm(),
+                                   (map(onBoard(id) + Eigen::Vector2d::UnitY()) - start).norm());
+    const auto fit = cornerFit(picture_, pairs, start, std::max(longestMove, longestMoveInSquares * square));
+    return fit && fit->contrast >= leastContrast && fit->asymmetry <= mostAsymmetry ? fit : std::nullopt;
+  }
+
+  void take(int id, const Eigen::Vector2d& place) {
+    found_[id] = {place, {onBoard(id), lens_.withoutDistortion(place), 1}};
+    refused_.erase(id);
+  }
+
+  /// Whether enough is known around a corner to look for it.
+  bool isNear(int id) const {
+    const auto sightings = others(id);
+    return std::any_of(sightings.begin(), sightings.end(),
+                       [&](const Sighting& one) { return (one.onBoard - onBoard(id)).norm() <= walkingDistance; });
+  }
+
+  void spread() {
+    for (bool grown = true; grown;) {
+      std::map<int, Eigen::Vector2d> fresh;
+      for (int id = 0; id < cornerCount(pattern_); ++id) {
+        if (found_.count(id) || !isNear(id)) {
+          continue;
+        }
+        if (const auto fit = fitted(id, *localHomography(others(id), onBoard(id)))) {
+          fresh[id] = fit->place;
+        }
+      }
+      for (const auto& [id, place] : fresh) {
+        take(id, place);
+      }
+      grown = !fresh.empty();
+    }
+  }
+
+  /// Fits all anew, now that the board's perspective is known well.
+  void refine() {
+    for (auto& [id, corner] : std::map{found_}) {
+      const auto homography = localHomography(others(id), onBoard(id));
+      if (const auto fit = fitted(id, *homography)) {
+        take(id, fit->place);
+      } else {
+        found_.erase(id);
+      }
+    }
+  }
+
+  static RefusedCorner misplaced(int id, const Eigen::Vector2d& place, double distance) {
+    return {id, place, true, fmt::format("lies {:.1f} px from where its neighbours put it", distance)};
+  }
+
+  void removeMisplaced() {
+    for (;;) {
+      double worst = consistency;
+      RefusedCorner outlier;
+      for (const auto& [id, corner] : found_) {
+        const auto homography = localHomography(others(id), onBoard(id));
+        const double distance = (corner.pixel - pixel(*homography, onBoard(id))).norm();
+        if (distance > worst) {
+          worst = distance;
+          outlier = misplaced(id, corner.pixel, distance);
+        }
+      }
+      if (worst == consistency) {
+        return;
+      }
+      found_.erase(outlier.id);
+      refused_[outlier.id] = outlier;
+    }
+  }
+
+  /// A second chance for corners that were looked for when little was known.
+  void retryMissing() {
+    for (int id = 0; id < cornerCount(pattern_); ++id) {
+      const auto homography = localHomography(others(id), onBoard(id));
+      if (found_.count(id) || !homography) {
+        continue;
+      }
+      const Eigen::Vector2d expected = pixel(*homography, onBoard(id));
+      const auto fit = fitted(id, *homography);
+      const double distance = fit ? (fit->place - expected).norm() : 0;
+      if (fit && distance <= consistency) {
+        take(id, fit->place);
+      } else if (fit) {
+        refused_[id] = misplaced(id, fit->place, distance);
+      } else if (!refused_.count(id) && picture_.holds(expected)) {
+        refused_[id] = {id, expected, false, "no crossing of four squares is seen there"};
+      }
+    }
+  }
+
+  const SmoothPicture& picture_;
+  const Lens& lens_;
+  const CharucoPattern& pattern_;
+  const std::vector<Sighting>& markerCorners_;
+  double reach_; // [squares]
+  std::map<int, Found> found_;
+  std::map<int, RefusedCorner> refused_;
+};
+
+} // namespace
+
+BoardSearchResult boardSearch(const SmoothPicture& picture, const Lens& lens, const CharucoPattern& pattern,
+                              const std::vector<Sighting>& markerCorners) {
+  return Walk{picture, lens, pattern, markerCorners}.result();
+}
+
+} // namespace naocal

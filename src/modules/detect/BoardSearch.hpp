@@ -1,0 +1,37 @@
+#pragma once
+
+#include "captures/Capture.hpp"
+#include "detect/CornerFit.hpp"
+#include "detect/Lens.hpp"
+#include "detect/LocalHomography.hpp"
+#include "detect/SmoothPicture.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// A corner that should be in the picture and was not taken.
+struct RefusedCorner {
+  int id = 0;
+  Eigen::Vector2d place; // [px] where it was seen, or else should have been
+  bool seen = false;     // whether something like a corner is there, but in the wrong place
+  std::string reason;    // "lies 2.3 px from where its neighbours put it"
+};
+
+/// The corners of one board, found by walking over it from the markers that could be read.
+struct BoardSearchResult {
+  std::map<int, Eigen::Vector2d> corners; // by id [px]
+  std::vector<RefusedCorner> refused;
+};
+
+/// Walks from the markers' corners outwards: a corner is predicted from what was found around it, fitted, and must be a
+/// crossing of four squares with black and white as printed. At the end each corner must lie within 0.7 px of where the
+/// others put it; the worst is taken out first. So far boards, of which few markers can be read, are found whole.
+///
+/// `markerCorners`: corners of markers that were read and agree with each other.
+BoardSearchResult boardSearch(const SmoothPicture& picture, const Lens& lens, const CharucoPattern& pattern,
+                              const std::vector<Sighting>& markerCorners);
+
+} // namespace naocal

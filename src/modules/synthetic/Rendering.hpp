@@ -1,0 +1,73 @@
+#pragma once
+
+#include "captures/Capture.hpp"
+#include "captures/GreyPicture.hpp"
+#include "geometry/RigidTransform.hpp"
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace naocal {
+
+/// A board in front of a camera. Optical frames have OpenCV's axes: x right, y down, z forward.
+struct RenderedBoard {
+  std::string id;
+  CharucoPattern pattern;
+  RigidTransform cameraOpticalFromBoard;
+  double margin = 0.01; // white paper around the pattern [m]
+};
+
+/// A flat thing of one grey: spans x and y of its frame by +-size/2 and hides what was listed before it.
+struct Patch {
+  RigidTransform cameraOpticalFromPatch;
+  Eigen::Vector2d size = {0.1, 0.1}; // [m]
+  double brightness = 0;             // 0 as ink, 1 as paper
+};
+
+/// What lies before the camera. Later things hide earlier ones, patches hide boards; the rest is floor.
+struct Scene {
+  std::vector<RenderedBoard> boards;
+  std::vector<Patch> patches;
+};
+
+/// How the camera sees. Grey = vignetting * (black + (white - black) * brightness), box-averaged over the pixel's area,
+/// blurred by a Gaussian, plus noise. The standard values are those of the detection benchmark.
+struct Appearance {
+  double black = 40, white = 190;                     // of ink and paper [grey level]
+  double floorBrightness = 0.45, floorTexture = 0.05; // mean and standard deviation; 0 as ink, 1 as paper
+  double blur = 0.7;                                  // sigma [px]
+  double noise = 3;                                   // sigma [grey level]
+  double vignetting = 0;                              // share of light lost in the picture's corner
+  std::optional<int> jpegQuality;                     // 1 .. 100: lossy compression
+};
+
+/// The picture that a camera takes of a scene; the same seed gives the same picture.
+///
+/// Rays through the corners of all pixels are found once, so keep one renderer for many pictures of a camera.
+/// Projection is written here for a second time, on purpose: pictures shall check the calibration's own.
+class Renderer {
+public:
+  explicit Renderer(const CameraIntrinsics& intrinsics);
+
+  GreyPicture picture(const Scene& scene, const Appearance& appearance, std::uint64_t seed) const;
+
+  const CameraIntrinsics& intrinsics() const { return intrinsics_; }
+
+private:
+  CameraIntrinsics intrinsics_;
+  std::vector<Eigen::Vector2f> rays_; // (x, y) at z = 1 through the (width+1) x (height+1) pixel corners
+};
+
+/// Where a point is seen [px]; absent behind the camera or outside of the picture.
+std::optional<Eigen::Vector2d> seenAt(const Eigen::Vector3d& pointInCameraOptical, const CameraIntrinsics& intrinsics);
+
+/// The true places of a board's inner corners that lie in the picture, hidden or not.
+BoardCorners trueCorners(const RenderedBoard& board, const CameraIntrinsics& intrinsics);
+
+/// Writes a picture in the format that the file's name ends with (.png, .jpg, .pgm). Throws InputError.
+void writePicture(const GreyPicture& picture, const std::filesystem::path& file);
+
+} // namespace naocal

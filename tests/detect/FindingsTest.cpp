@@ -1,0 +1,164 @@
+#include "Scenes.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace naocal {
+
+// Proves that boards of one dictionary are told apart by their marker ids, in both pictures' sizes, and that a board
+// that is listed but absent is not invented.
+TEST_CASE("several boards in one picture are each found under their own name") {
+  for (const int width : {640, 1280}) {
+    CharucoPattern patternA, patternB, patternC;
+    patternB.firstMarkerId = 17;
+    patternC.firstMarkerId = 34;
+    RenderedBoard a = boardOnFloor(patternA, 1, 10, 0, -0.33), b = boardOnFloor(patternB, 1, -20, 0, 0.33);
+    b.id = std::string{"B"};
+    const CameraIntrinsics camera = plainCamera(width);
+    const Detection detection =
+        detect(Renderer{camera}.picture({{a, b}, {}}, {}, 1),
+               {described("A", patternA), described("C", patternC), described("B", patternB)}, camera);
+    REQUIRE(detection.boards.size() == 2);
+    CHECK(detection.boards[0].board == "A");
+    CHECK(detection.boards[1].board == "B");
+    CHECK(detection.boards[0].ids == trueCorners(a, camera).ids);
+    CHECK(largest(errors(detection.boards[0], trueCorners(a, camera))) < 0.2);
+    CHECK(largest(errors(detection.boards[1], trueCorners(b, camera))) < 0.2);
+  }
+}
+
+// Proves that hidden corners are listed and none is invented or drawn aside by the cover's edge.
+TEST_CASE("a partly hidden board gives the corners that can be seen and names the others") {
+  const RenderedBoard board = boardOnFloor({}, 0.8, 15);
+  const CameraIntrinsics camera = plainCamera();
+  const BoardCorners truth = trueCorners(board, camera);
+  for (const double brightness : {0., 0.5, 1.}) {
+    const Patch cover = patchOn(board, 0.15, -0.2, {0.2, 0.5}, brightness); // hides columns 1 to 3 of the corners
+    const Detection detection =
+        detect(Renderer{camera}.picture({{board}, {cover}}, {}, 1), {described("A", board.pattern)}, camera);
+    REQUIRE(detection.boards.size() == 1);
+    const BoardCorners& found = detection.boards[0];
+    CHECK(largest(errors(found, truth)) < 0.2);
+    for (const int id : truth.ids) {
+      const bool hidden = id % 6 < 3;
+      CHECK((std::find(found.ids.begin(), found.ids.end(), id) == found.ids.end()) == hidden);
+      CHECK((findingAbout(detection, id) != nullptr) == hidden);
+    }
+  }
+}
+
+// Proves that a crossing that looks like a corner but lies 4 mm aside is found by geometry and reported with its place.
+TEST_CASE("a false corner is reported and not taken") {
+  const RenderedBoard board = boardOnFloor({}, 0.7, 10);
+  const double s = board.pattern.squareLength, shift = 0.004;
+  const int id = 6 * 2 + 3; // between columns 3 and 4, rows 2 and 3
+  const double x = 4 * s + shift, y = -3 * s + shift;
+  // Four small squares, printed anew around the shifted place: (column + row) even is black.
+  const Eigen::Vector2d size{0.03, 0.03};
+  std::vector<Patch> fake;
+  for (const int right : {0, 1}) {
+    for (const int up : {0, 1}) {
+      const bool black = (3 + right + 2 + (1 - up)) % 2 == 0;
+      fake.push_back(patchOn(board, x + (right - 0.5) * size.x(), y + (up - 0.5) * size.y(), size, black ? 0 : 1));
+    }
+  }
+  const CameraIntrinsics camera = plainCamera();
+  const Detection detection =
+      detect(Renderer{camera}.picture({{board}, fake}, {}, 1), {described("A", board.pattern)}, camera);
+  REQUIRE(detection.boards.size() == 1);
+  CHECK(detection.boards[0].ids.size() == 23);
+  CHECK(largest(errors(detection.boards[0], trueCorners(board, camera))) < 0.2);
+  const Finding* finding = findingAbout(detection, id);
+  REQUIRE(finding != nullptr);
+  CHECK(finding->kind == FindingKind::falseCorner);
+  const auto fakePlace = seenAt(board.cameraOpticalFromBoard * Eigen::Vector3d{x, y, 0}, camera);
+  CHECK((*finding->place - *fakePlace).norm() < 0.3);
+}
+
+// Proves that something round lying on a corner does not shift it: it is reported. Not that every blob size is noticed.
+TEST_CASE("a dark thing on a corner takes that corner away and no other") {
+  const RenderedBoard board = boardOnFloor({}, 0.7, 10);
+  const double s = board.pattern.squareLength;
+  const Patch blob = patchOn(board, 3 * s + 0.006, -2 * s - 0.003, {0.02, 0.02}, 0.1);
+  const CameraIntrinsics camera = plainCamera();
+  const Detection detection =
+      detect(Renderer{camera}.picture({{board}, {blob}}, {}, 1), {described("A", board.pattern)}, camera);
+  REQUIRE(detection.boards.size() == 1);
+  CHECK(detection.boards[0].ids.size() == 23);
+  CHECK(largest(errors(detection.boards[0], trueCorners(board, camera))) < 0.2);
+  CHECK(findingAbout(detection, 6 * 1 + 2) != nullptr);
+}
+
+// Proves that the two patterns for even row counts are told apart in both directions, far and partly hidden, and that
+// the right description of either is measured well.
+TEST_CASE("a board in the other pattern is named and not measured") {
+  const CameraIntrinsics camera = plainCamera();
+  for (const bool legacy : {false, true}) {
+    CharucoPattern printed;
+    printed.squaresX = 6;
+    printed.squaresY = 4;
+    printed.legacyPattern = legacy;
+    CharucoPattern stated = printed;
+    stated.legacyPattern = !legacy;
+    for (const double distance : {0.6, 1.2}) {
+      const RenderedBoard board = boardOnFloor(printed, distance, 20);
+      const Patch cover = patchOn(board, 0.4, -0.16, {0.2, 0.4}, 0.5);
+      for (const std::vector<Patch>& patches : {std::vector<Patch>{}, std::vector<Patch>{cover}}) {
+        const GreyPicture picture = Renderer{camera}.picture({{board}, patches}, {}, 1);
+        const Detection wrong = detect(picture, {described("A", stated)}, camera);
+        CHECK(wrong.boards.empty());
+        REQUIRE(wrong.findings.size() == 1);
+        CHECK(wrong.findings[0].kind == FindingKind::wrongPattern);
+        CHECK_THAT(wrong.findings[0].sentence, Catch::Contains(legacy ? "legacy" : "current"));
+        const Detection right = detect(picture, {described("A", printed)}, camera);
+        REQUIRE(right.boards.size() == 1);
+        CHECK(right.boards[0].ids.size() >= (patches.empty() ? 15 : 6));
+        CHECK(largest(errors(right.boards[0], trueCorners(board, camera))) < 0.3);
+      }
+    }
+  }
+}
+
+// Proves that for odd row counts, where both patterns are the same sheet, the statement does not matter.
+TEST_CASE("a board with an odd number of rows has only one pattern") {
+  CharucoPattern stated;
+  stated.legacyPattern = true;
+  const CameraIntrinsics camera = plainCamera();
+  const RenderedBoard board = boardOnFloor({}, 0.7, 0);
+  const Detection detection = detect(Renderer{camera}.picture({{board}, {}}, {}, 1), {described("A", stated)}, camera);
+  REQUIRE(detection.boards.size() == 1);
+  CHECK(detection.findings.empty());
+}
+
+// Proves that a description with another number of columns is not forced upon the picture.
+TEST_CASE("a board that is printed otherwise than described gives no corners and says so") {
+  CharucoPattern stated;
+  stated.squaresX = 6;
+  const CameraIntrinsics camera = plainCamera();
+  const RenderedBoard board = boardOnFloor({}, 0.7, 0);
+  const Detection detection = detect(Renderer{camera}.picture({{board}, {}}, {}, 1), {described("A", stated)}, camera);
+  CHECK(detection.boards.empty());
+  CHECK(contains(detection, FindingKind::otherBoard));
+}
+
+// Proves the plain cases around: nothing there, another board there, a picture of the wrong size.
+TEST_CASE("an empty picture, a stranger's board and a wrong size are each said plainly") {
+  const CameraIntrinsics camera = plainCamera();
+  const Renderer renderer{camera};
+  const Detection empty = detect(renderer.picture({}, {}, 1), {described("A", {})}, camera);
+  CHECK(empty.boards.empty());
+  CHECK(empty.findings.empty());
+
+  CharucoPattern stranger;
+  stranger.firstMarkerId = 50;
+  const GreyPicture picture = renderer.picture({{boardOnFloor(stranger, 0.7, 0)}, {}}, {}, 1);
+  const Detection unknown = detect(picture, {described("A", {})}, camera);
+  CHECK(unknown.boards.empty());
+  CHECK(contains(unknown, FindingKind::unknownMarkers));
+
+  const Detection wrongSize = detect(picture, {described("A", stranger)}, plainCamera(1280));
+  CHECK(wrongSize.boards.empty());
+  REQUIRE(wrongSize.findings.size() == 1);
+  CHECK_THAT(wrongSize.findings[0].sentence, Catch::Contains("640 x 480") && Catch::Contains("1280 x 960"));
+}
+
+} // namespace naocal
