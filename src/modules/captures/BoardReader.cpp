@@ -60,7 +60,7 @@ Placement readSigma(const JsonPlace& place, bool onFloor) {
 }
 
 std::string readLink(const JsonPlace& place) {
-  const std::string link = place.text();
+  std::string link = place.text();
   const bool isName =
       std::all_of(link.begin(), link.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
   if (!isName) {

@@ -1,0 +1,49 @@
+# shellcheck shell=sh
+# What run and test share; sourced with `root` set to the checkout.
+: "${root:?}"
+
+say() {
+  printf '\n== %s\n' "$*"
+}
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then
+    "$@"
+  elif command -v sudo > /dev/null; then
+    sudo "$@"
+  else
+    echo "Installing packages needs root or sudo, and there is neither. Please have this run: $*" >&2
+    return 1
+  fi
+}
+
+# Installs those packages of packages.txt that are missing, and says which and why.
+install_packages() {
+  packages="$(sed 's/#.*//' "$root/toolchain/packages.txt" | tr -s ' \n' ' ')"
+  if ! command -v dpkg-query > /dev/null; then
+    say "Not a Debian system: please see to the equivalents of these packages:$packages"
+    return
+  fi
+  missing=""
+  for package in $packages; do
+    if [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2> /dev/null)" != installed ]; then
+      missing="$missing $package"
+    fi
+  done
+  if [ -z "$missing" ]; then
+    say "All packages of toolchain/packages.txt are installed"
+    return
+  fi
+  say "Installing what building and testing need and this system lacks:$missing"
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get update -q
+  # shellcheck disable=SC2086 # the packages are words of their own
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing
+}
+
+# build PRESET [TARGET]: configures and builds into build/PRESET.
+build() {
+  say "Configuring build/$1"
+  (cd "$root" && cmake --preset "$1")
+  say "Building ${2:-everything} in build/$1"
+  (cd "$root" && cmake --build --preset "$1" ${2:+--target "$2"})
+}
