@@ -54,7 +54,12 @@ CalibrationResult calibrate(const Measurements& measurements, const Model& model
     found = levels(measurements, model, fit, options);
   }
   fit = onward();
-  CalibrationResult result = uncertain(measurements, model, fit, found.joint);
+  const Misfit misfit = misfitOf(fit, model.sigmas());
+  if (misfit.scale > 1) { // then priors must not be beaten by noise that is larger than it was believed
+    found.joint.noise = scaled(found.joint.noise, misfit.scale);
+    fit = onward();
+  }
+  CalibrationResult result = uncertain(measurements, model, fit, found.joint, misfit);
   result.noiseSource = found.fromRepeats ? "repeats" : "configured";
   result.restartsTried = options.restarts;
   result.doubts = doubts(measurements, result);

@@ -25,8 +25,8 @@ struct CalibrationOptions {
 
 /// One unknown's estimate.
 struct Estimate {
-  double value = 0;     // [the unknown's unit]
-  double sigma = 0;     // standard error, scaled up by `sigmaScale` of the result
+  double value = 0; // [the unknown's unit]
+  double sigma = 0; // standard error; where the model does not explain the captures, of noise scaled by `sigmaScale`
   double halfWidth = 0; // of the 95 % interval: Student's t where noise levels rest on few poses
   double freedom = 0;   // of that t
   double learned = 0;   // 1 - posterior sigma / prior sigma
@@ -53,11 +53,12 @@ struct CalibrationResult {
   std::vector<std::string> warnings;
   Eigen::VectorXd unknowns;
   std::vector<Estimate> estimates; // per unknown
-  Eigen::MatrixXd covariance;      // of the unknowns, not scaled
+  Eigen::MatrixXd covariance;      // of the unknowns
   Residuals::State state;
-  std::vector<SightingResidual> sightings; // at the estimate, the joints' deflections included
-  Noise noise;
-  std::string noiseSource; // "repeats" or "configured"
+  std::vector<SightingResidual> sightings;  // at the estimate, the joints' deflections included
+  std::vector<SightingResidual> asReported; // the same sightings with the joints' readings as they are
+  Noise noise;                              // before any scaling by `sigmaScale`
+  std::string noiseSource;                  // "repeats" or "configured"
   Loss loss;
   double rmsPx = 0, medianPx = 0; // of all corners' distances without their poses' deflections [px]
   double chi2 = 0, dof = 0, pValue = 1;

@@ -114,20 +114,24 @@ json camerasJson(const std::vector<CaptureSet>& sets) {
   return cameras;
 }
 
-/// Every corner: measured, predicted with the joints' readings as they are, and how far it counted.
+json pointsJson(const Eigen::Matrix2Xd& points) {
+  json list = json::array();
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    list.push_back({points(0, i), points(1, i)});
+  }
+  return list;
+}
+
+/// Every corner: measured; predicted with the joints' readings as they are; fitted, where the readings are moved as
+/// far as their noise allows; and how far it counted.
 json sightingsJson(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                    const CalibrationResult& result) {
   json list = json::array();
-  for (const SightingResidual& seen : result.sightings) {
+  for (std::size_t i = 0; i < result.sightings.size(); ++i) {
+    const SightingResidual& seen = result.sightings[i];
     const Picture& picture = measurements.pictures[seen.picture];
     const Sighting& sighting = picture.sightings[seen.sighting];
     const Capture& capture = sets[picture.set].captures[picture.capture];
-    json measured = json::array(), predicted = json::array();
-    for (Eigen::Index i = 0; i < seen.residual.cols(); ++i) {
-      const Eigen::Vector2d p = seen.predicted.col(i), m = p + seen.residual.col(i);
-      measured.push_back({m.x(), m.y()});
-      predicted.push_back({p.x(), p.y()});
-    }
     list.push_back({{"set", sets[picture.set].name},
                     {"capture", capture.id},
                     {"pose", capture.pose},
@@ -137,8 +141,9 @@ json sightingsJson(const std::vector<CaptureSet>& sets, const Measurements& meas
                     {"image", capture.image},
                     {"board", measurements.targets[sighting.view.board()].name},
                     {"ids", sighting.ids},
-                    {"measured", std::move(measured)},
-                    {"predicted", std::move(predicted)},
+                    {"measured", pointsJson(seen.predicted + seen.residual)},
+                    {"predicted", pointsJson(result.asReported[i].predicted)},
+                    {"fitted", pointsJson(seen.predicted)},
                     {"weight", std::vector<double>(seen.weight.begin(), seen.weight.end())}});
   }
   return list;

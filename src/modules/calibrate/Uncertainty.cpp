@@ -40,7 +40,8 @@ void measureDistances(const Measurements& measurements, const Model& model, cons
   const Residuals residuals{measurements, model, fit.noise, fit.loss};
   std::vector<double> distances;
   double squares = 0;
-  for (const SightingResidual& sighting : residuals.sightings(residuals.start(result.unknowns))) {
+  result.asReported = residuals.sightings(residuals.start(result.unknowns));
+  for (const SightingResidual& sighting : result.asReported) {
     for (Eigen::Index i = 0; i < sighting.residual.cols(); ++i) {
       distances.push_back(sighting.residual.col(i).norm());
       squares += sighting.residual.col(i).squaredNorm();
@@ -53,44 +54,52 @@ void measureDistances(const Measurements& measurements, const Model& model, cons
   result.sightings = residuals.sightings(fit.minimum.state);
 }
 
-/// chi2 = r^T Sigma^-1 r of all corners that count; dof = numbers measured - numbers learned.
-void measureMisfit(const Fit& fit, const Eigen::VectorXd& variances, const Eigen::VectorXd& sigmas,
-                   CalibrationResult& result) {
+} // namespace
+
+Misfit misfitOf(const Fit& fit, const Eigen::VectorXd& sigmas) {
+  Misfit result;
   double numbers = 0;
   for (std::size_t pose = 0; pose < fit.minimum.linear.poses.size(); ++pose) {
     result.chi2 += 2 * fit.minimum.linear.eliminated[pose].cost;
     numbers += 2 * fit.minimum.linear.poses[pose].corners;
   }
+  const Eigen::VectorXd variances = inverse(fit.minimum.linear.hessian).diagonal();
   const double learned = (1 - variances.cwiseQuotient(sigmas.cwiseAbs2()).array()).sum();
   result.dof = numbers - learned;
   if (result.dof >= 1) {
     result.pValue = boost::math::cdf(complement(boost::math::chi_squared{result.dof}, result.chi2));
   }
   if (result.pValue < 0.001) {
-    result.sigmaScale = std::sqrt(result.chi2 / result.dof);
+    result.scale = std::sqrt(result.chi2 / result.dof);
   }
+  return result;
 }
 
-} // namespace
+Noise scaled(const Noise& noise, double factor) {
+  return {noise.pixel * factor, noise.encoder * factor, noise.pose * factor};
+}
 
 CalibrationResult uncertain(const Measurements& measurements, const Model& model, const Fit& fit,
-                            const JointNoise& noise) {
+                            const JointNoise& noise, const Misfit& misfit) {
   CalibrationResult result;
   result.converged = fit.minimum.converged;
   result.iterations = fit.minimum.iterations;
   result.restartsChanged = fit.restartsChanged;
   result.state = fit.minimum.state;
   result.unknowns = fit.minimum.state.unknowns;
-  result.noise = fit.noise;
+  result.noise = scaled(fit.noise, 1 / misfit.scale);
+  result.chi2 = misfit.chi2;
+  result.dof = misfit.dof;
+  result.pValue = misfit.pValue;
+  result.sigmaScale = misfit.scale;
   result.loss = fit.loss;
   const Eigen::VectorXd sigmas = model.sigmas();
   result.covariance = inverse(fit.minimum.linear.hessian);
   const Eigen::VectorXd variances = result.covariance.diagonal();
   measureDistances(measurements, model, fit, result);
-  measureMisfit(fit, variances, sigmas, result);
   const Eigen::VectorXd freedom = freedoms(fit.minimum.linear, sigmas, noise, variances);
   for (Eigen::Index i = 0; i < sigmas.size(); ++i) {
-    const double sigma = std::sqrt(variances[i]) * result.sigmaScale;
+    const double sigma = std::sqrt(variances[i]);
     const boost::math::students_t student{freedom[i]};
     result.estimates.push_back({.value = result.unknowns[i],
                                 .sigma = sigma,

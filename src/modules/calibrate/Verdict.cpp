@@ -117,7 +117,8 @@ double floorError(const Measurements& measurements, const Model& model, const Ca
     return 0;
   }
   std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2), errors.end());
-  return errors[errors.size() / 2] * std::max(1.0, std::sqrt(result.chi2 / std::max(1.0, result.dof)));
+  const double inflation = std::sqrt(result.chi2 / std::max(1.0, result.dof)) / result.sigmaScale;
+  return errors[errors.size() / 2] * std::max(1.0, inflation);
 }
 
 } // namespace
@@ -143,7 +144,8 @@ std::string inWords(const std::string& unknownName) {
 }
 
 void judge(const Measurements& measurements, const Model& model, CalibrationResult& result) {
-  constexpr double largestFloorError = 0.05; // [m]
+  constexpr double largestFloorError = 0.05;       // [m]
+  constexpr double largestScatter = radians(0.03); // [rad]: what a NAO's stiction does at most
   result.weak = weakDirections(model, result);
   result.floorErrorAt2m = floorError(measurements, model, result);
   result.usable = result.converged;
@@ -175,6 +177,12 @@ void judge(const Measurements& measurements, const Model& model, CalibrationResu
         fmt::format("the model does not explain these captures (chi2/dof {:.2f}, p {:.1g}); error bars "
                     "are widened by {:.2f}; 'naocal diagnose' looks for what is missing",
                     result.chi2 / result.dof, result.pValue, result.sigmaScale));
+  }
+  if (result.noise.pose > largestScatter) {
+    result.warnings.push_back(
+        fmt::format("joints scatter by {:.3f}° from pose to pose beyond their encoders' noise: stiction, "
+                    "or an effect that the model misses; 'naocal diagnose' tells which",
+                    degrees(result.noise.pose)));
   }
   std::size_t corners = 0;
   for (const Doubt& doubt : result.doubts) {

@@ -74,6 +74,7 @@ public:
   State start(const Eigen::VectorXd& unknowns) const;
   std::optional<Linear> linearised(const State& state) const;
   State moved(const State& state, const Linear& linear, const Eigen::VectorXd& step) const;
+  const Eigen::VectorXd& scales() const { return sigmas_; }
 
   /// Per sighting what is seen against what was measured at a state.
   std::vector<SightingResidual> sightings(const State& state) const;

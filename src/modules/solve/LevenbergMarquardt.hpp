@@ -9,8 +9,8 @@
 namespace naocal {
 
 struct LevenbergMarquardtOptions {
-  int maxIterations = 60;
-  double firstDamping = 1e-5;
+  int maxIterations = 100;
+  double firstDamping = 1e-3; // in units of 1 / scale^2
   double smallestFall =
       1e-9; // stop when the quadratic model predicts a smaller fall of the cost [1 = half a chi2 unit]
 };
@@ -43,7 +43,7 @@ auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarq
     ++minimum.iterations;
     const auto& here = minimum.linear;
     Eigen::MatrixXd damped = here.hessian;
-    damped.diagonal() *= 1 + damping;
+    damped.diagonal() += damping * problem.scales().cwiseAbs2().cwiseInverse();
     const Eigen::VectorXd step = damped.ldlt().solve(-here.gradient);
     const double predictedFall = -step.dot(here.gradient) - 0.5 * step.dot(here.hessian * step);
     if (!std::isfinite(predictedFall)) {
@@ -52,8 +52,8 @@ auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarq
     State candidate = problem.moved(minimum.state, here, step);
     auto there = problem.linearised(candidate);
     const double fall = there ? here.cost - there->cost : -1;
-    // At the bottom the fall drowns in rounding: a step whose predicted fall is nothing ends the search either way.
-    minimum.converged = predictedFall < options.smallestFall && damping < 1;
+    // A step whose predicted fall is nothing, or drowns in the cost's rounding, ends the search either way.
+    minimum.converged = predictedFall < options.smallestFall + 1e-12 * here.cost && damping < 1e3;
     if (fall > 0) {
       const double gain = fall / std::max(predictedFall, 1e-300);
       damping *= std::max(1.0 / 3, 1 - std::pow(2 * gain - 1, 3));
