@@ -82,7 +82,7 @@ TEST_CASE("a rendered edge lies where its points project to") {
 TEST_CASE("the same seed renders the same picture and another seed does not") {
   // Proves repeatability on one machine. Not across standard libraries, whose normal distributions differ.
   const Renderer renderer{plainCamera()};
-  const Scene scene{{boardOnFloor({}, 0.7, 10)}, {}};
+  const RenderedScene scene{{boardOnFloor({}, 0.7, 10)}, {}};
   CHECK(renderer.picture(scene, {}, 7).pixels == renderer.picture(scene, {}, 7).pixels);
   CHECK(renderer.picture(scene, {}, 7).pixels != renderer.picture(scene, {}, 8).pixels);
 }

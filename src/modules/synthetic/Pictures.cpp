@@ -18,11 +18,11 @@ void makeFolder(const std::filesystem::path& folder) {
 
 } // namespace
 
-Scene sceneBefore(const Simulation& simulation, std::size_t capture) {
+RenderedScene sceneBefore(const Simulation& simulation, std::size_t capture) {
   Eigen::Matrix3d opticalFromCamera; // x right, y down, z forward from x forward, y left, z up
   opticalFromCamera << 0, -1, 0, 0, 0, -1, 1, 0, 0;
   const Exposure& exposure = simulation.exposures[capture];
-  Scene scene;
+  RenderedScene scene;
   for (std::size_t board = 0; board < simulation.set.boards.size(); ++board) {
     const Eigen::Isometry3d opticalFromBoard =
         opticalFromCamera * (exposure.worldFromCamera.inverse() * exposure.worldFromBoard[board]);

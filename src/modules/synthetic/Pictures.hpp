@@ -9,7 +9,7 @@
 namespace naocal {
 
 /// What lay before the camera at one capture of a simulation.
-Scene sceneBefore(const Simulation& simulation, std::size_t capture);
+RenderedScene sceneBefore(const Simulation& simulation, std::size_t capture);
 
 /// Takes the pictures of a simulation whose plan has `images` and writes them into the set's folder under the names
 /// that the set gives. `taken` is told after each how many there are; when it returns false no more are taken.

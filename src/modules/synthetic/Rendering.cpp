@@ -85,7 +85,7 @@ Flat flat(const RigidTransform& opticalFromFlat, const Eigen::Vector2d& lower, c
 }
 
 /// All flat things of a scene, those in front first.
-std::vector<Flat> flats(const Scene& scene, const CameraIntrinsics& camera) {
+std::vector<Flat> flats(const RenderedScene& scene, const CameraIntrinsics& camera) {
   std::vector<Flat> result;
   for (const RenderedBoard& board : scene.boards) {
     const Eigen::Vector2d outside{board.margin, board.margin};
@@ -188,7 +188,7 @@ Renderer::Renderer(const CameraIntrinsics& intrinsics) : intrinsics_{intrinsics}
   }
 }
 
-GreyPicture Renderer::picture(const Scene& scene, const Appearance& appearance, std::uint64_t seed) const {
+GreyPicture Renderer::picture(const RenderedScene& scene, const Appearance& appearance, std::uint64_t seed) const {
   std::mt19937_64 random{seed};
   cv::Mat1f image = blotches({intrinsics_.width, intrinsics_.height}, random);
   image.convertTo(image, CV_32F, appearance.floorTexture, appearance.floorBrightness);

@@ -28,7 +28,7 @@ struct Patch {
 };
 
 /// What lies before the camera. Later things hide earlier ones, patches hide boards; the rest is floor.
-struct Scene {
+struct RenderedScene {
   std::vector<RenderedBoard> boards;
   std::vector<Patch> patches;
 };
@@ -52,7 +52,7 @@ class Renderer {
 public:
   explicit Renderer(const CameraIntrinsics& intrinsics);
 
-  GreyPicture picture(const Scene& scene, const Appearance& appearance, std::uint64_t seed) const;
+  GreyPicture picture(const RenderedScene& scene, const Appearance& appearance, std::uint64_t seed) const;
 
   const CameraIntrinsics& intrinsics() const { return intrinsics_; }
 
