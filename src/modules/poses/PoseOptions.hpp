@@ -1,0 +1,40 @@
+#pragma once
+
+#include "poses/Scene.hpp"
+#include "poses/Stability.hpp"
+
+#include <cstdint>
+
+namespace naocal {
+
+/// An interval to draw from.
+struct Interval {
+  double lower, upper;
+};
+
+/// What to draw and what to accept. Defaults are for a robot of which nothing is known but that its offsets lie within
+/// 6.5 degrees: about one attitude in 300 is accepted then, one in 200 without the demand that 99 of 100 such robots
+/// stand (of those accepted without it 97 of 100 do on average, 78 at worst), one in 60 without the margin from limits
+/// either. Measured with four A2 boards around the robot.
+struct PoseOptions {
+  SupportFoot supportFoot = SupportFoot::left; // or right
+  std::size_t count = 24;
+  std::uint64_t seed = 1;
+  std::size_t choice = 10;     // candidates per pose, of which the most informative ones are taken
+  std::size_t tries = 400'000; // attitudes drawn, until it is given up
+
+  // The torso over the support sole.
+  Interval height{0.25, 0.33};                                       // [m]
+  Interval roll{-0.3, 0.3}, pitch{-0.3, 0.6}, yaw{-0.6, 0.6};        // [rad]
+  Interval centreForwards{-0.03, 0.03}, centreOutwards{-0.01, 0.01}; // centre of mass from the outline's middle [m]
+  // The other sole in the frame of the support sole.
+  Interval otherForwards{-0.08, 0.08}, otherSideways{0.09, 0.16}, otherUp{0.03, 0.09}; // [m]
+  Interval otherTilt{-0.2, 0.2};                                                       // roll and pitch [rad]
+
+  double limitMargin = radians(6.5); // of legs and head from their limits [rad]
+  Footing footing{0.02, 0.02};       // of the drawn robot
+  Stability stability{radians(6.5)}; // of robots with unknown offsets
+  SightLimits sight;
+};
+
+} // namespace naocal

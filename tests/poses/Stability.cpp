@@ -1,0 +1,98 @@
+#include "poses/Stability.hpp"
+#include "captures/InputError.hpp"
+#include "geometry/Angles.hpp"
+#include "poses/Outline.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace naocal;
+
+namespace {
+
+Robot v6() {
+  return loadRobot(std::filesystem::path{NAOCAL_SOURCE_DIR} / "home/configuration", "V6");
+}
+
+/// On the left foot, the right one drawn up; `ankleRoll` [degrees] leans the whole robot.
+Belief onLeftFoot(const Robot& robot, double ankleRoll) {
+  Belief belief = drawnBelief(robot, Quantities{robot.joints.size(), robot.lengths.size(), 0});
+  const auto set = [&](const char* joint, double angle) { belief.angle(*robot.jointIndex(joint)) = radians(angle); };
+  set("RHipPitch", -30);
+  set("RKneePitch", 60);
+  set("RAnklePitch", -30);
+  set("LAnkleRoll", ankleRoll);
+  return belief;
+}
+
+} // namespace
+
+TEST_CASE("depth inside an outline is the distance to its nearest side") {
+  // Proves it on a rectangle, inside, outside and on the edge; other shapes follow from the sides being lines.
+  const Outline rectangle{{0, 0}, {4, 0}, {4, 2}, {0, 2}};
+  CHECK(depthInside(rectangle, {1, 1.5}) == Approx(0.5));
+  CHECK(depthInside(rectangle, {2, 2}) == Approx(0).margin(1e-15));
+  CHECK(depthInside(rectangle, {5, 1}) == Approx(-1));
+}
+
+TEST_CASE("outlines are apart when a side parts them") {
+  // Proves it for triangles side by side, nested, crossing, and parted by the second one's side only.
+  const Outline triangle{{0, 0}, {2, 0}, {0, 2}};
+  const auto moved = [&](double x, double y) {
+    Outline result = triangle;
+    for (Eigen::Vector2d& corner : result) {
+      corner += Eigen::Vector2d{x, y};
+    }
+    return result;
+  };
+  CHECK(apart(triangle, moved(2.1, 0)));
+  CHECK(apart(triangle, moved(1.1, 1.1)));
+  CHECK_FALSE(apart(triangle, triangle));
+  CHECK_FALSE(apart(triangle, moved(0.9, 0.9)));
+  CHECK_FALSE(apart(triangle, moved(-0.5, 0.5)));
+  const Outline flag{{3, -1}, {3, 5}, {2.1, 2}}; // its left corner points at the triangle
+  CHECK(apart(triangle, flag));
+  CHECK(apart(flag, triangle));
+}
+
+TEST_CASE("a robot stands while its centre of mass is over the sole and the other one in the air") {
+  // Proves both conditions on one attitude that leans sideways over its ankle: the straight robot on one foot falls to
+  // the other side, leaning over the foot it stands, leaning farther it falls outwards; and the foot must be lifted.
+  const Robot robot = v6();
+  const Sole &left = supportSole(robot, SupportFoot::left), &right = otherSole(robot, SupportFoot::left);
+  const auto at = [&](double ankleRoll) { return posture(robot, onLeftFoot(robot, ankleRoll)); };
+  CHECK_FALSE(stands(robot, at(0), left, right, {}));
+  CHECK(stands(robot, at(11), left, right, {}));
+  CHECK_FALSE(stands(robot, at(25), left, right, {}));
+  CHECK_FALSE(stands(robot, at(11), left, right, {0.06, 0})); // the sole is less than 12 cm wide
+  CHECK_FALSE(stands(robot, at(11), left, right, {0, 0.2}));
+
+  Belief bothDown = onLeftFoot(robot, 11);
+  bothDown.angle(*robot.jointIndex("RHipPitch")) = 0;
+  bothDown.angle(*robot.jointIndex("RKneePitch")) = 0;
+  bothDown.angle(*robot.jointIndex("RAnklePitch")) = radians(40); // toes down
+  CHECK_FALSE(stands(robot, posture(robot, bothDown), left, right, {}));
+}
+
+TEST_CASE("the share of robots that stand despite errors falls as the errors grow") {
+  // Proves that errors are drawn and counted: without any, all stand; with small ones all do; with large ones not even
+  // half; and that a robot that does not stand by itself never passes. It does not prove the distribution.
+  const Robot robot = v6();
+  const Sole &left = supportSole(robot, SupportFoot::left), &right = otherSole(robot, SupportFoot::left);
+  std::mt19937_64 random{3};
+  const auto passes = [&](double ankleRoll, double errorDegrees, double share) {
+    return standsDespiteErrors(robot, onLeftFoot(robot, ankleRoll), left, right, {radians(errorDegrees), 200, share},
+                               random);
+  };
+  CHECK(passes(11, 0, 1));
+  CHECK(passes(11, 1, 1));
+  CHECK_FALSE(passes(11, 15, 0.99));
+  CHECK_FALSE(passes(11, 60, 0.5));
+  CHECK_FALSE(passes(0, 0, 0.01));
+}
+
+TEST_CASE("a robot without soles is refused") {
+  // Proves it for a drawing without any.
+  Robot robot = v6();
+  robot.soles.clear();
+  CHECK_THROWS_WITH(supportSole(robot, SupportFoot::left), Catch::Contains("expected a left sole"));
+}
