@@ -8,7 +8,8 @@
 
 namespace naocal {
 
-/// How captures that cannot be used are treated: refused by name, or left out and listed.
+/// How captures that cannot be used are treated: refused by name, or left out and listed (a set that lacks them must
+/// not be written over the one it was read from).
 enum class BadCaptures { refuse, skip };
 
 /// A capture set as read, with what was left out.

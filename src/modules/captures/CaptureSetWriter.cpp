@@ -24,8 +24,8 @@ Written placementJson(const Placement& placement, bool onFloor, const json& read
 }
 
 Written sigmaJson(const Placement& sigma, bool onFloor, const json& read) {
-  const bool isNumber = sigma.x == sigma.y && (onFloor || sigma.x == sigma.z) && sigma.roll == 0 && sigma.pitch == 0 &&
-                        sigma.yaw == 0 && !read.is_object();
+  const bool isNumber = sigma.x > 0 && sigma.x == sigma.y && (onFloor || sigma.x == sigma.z) && sigma.roll == 0 &&
+                        sigma.pitch == 0 && sigma.yaw == 0 && !read.is_object();
   return isNumber ? Written(sigma.x) : placementJson(sigma, onFloor, read, false);
 }
 

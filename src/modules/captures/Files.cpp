@@ -57,11 +57,12 @@ private:
 } // namespace
 
 std::string fileContent(const std::filesystem::path& file) {
+  std::error_code ignored;
+  const bool folder = std::filesystem::is_directory(file, ignored);
   errno = 0;
   const std::ifstream stream{file, std::ios::binary};
   std::ostringstream content;
   content << stream.rdbuf();
-  const bool folder = std::filesystem::is_directory(file);
   if (!stream.is_open() || content.bad() || folder) {
     throw InputError{fmt::format("{}: expected a file that can be read, found: {}; check the path", file.string(),
                                  folder ? "a folder" : std::strerror(errno))};
@@ -71,7 +72,7 @@ std::string fileContent(const std::filesystem::path& file) {
 
 void writeAtomically(const std::filesystem::path& file, std::string_view content) {
   std::error_code ignored; // a link stays: what it points to is replaced
-  const auto target = std::filesystem::weakly_canonical(std::filesystem::absolute(file), ignored);
+  const auto target = std::filesystem::weakly_canonical(std::filesystem::absolute(file, ignored), ignored);
   struct stat existing {};
   const bool exists = ::stat(target.c_str(), &existing) == 0;
   if (exists && S_ISDIR(existing.st_mode)) {

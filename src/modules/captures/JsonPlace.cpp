@@ -21,7 +21,7 @@ std::string description(const json& value) {
   case json::value_t::object:
     return "an object";
   default:
-    const std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
+    const std::string text = value.dump(-1, ' ', true); // ASCII: it may be cut anywhere
     return text.size() <= 60 ? text : text.substr(0, 60) + "...";
   }
 }
