@@ -1,0 +1,59 @@
+#include "report/Report.hpp"
+
+#include "captures/Files.hpp"
+#include "captures/InputError.hpp"
+#include "captures/JsonText.hpp"
+#include "report/PageData.hpp"
+#include "report/PageFiles.hpp"
+
+#include <cassert>
+#include <fmt/format.h>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+namespace naocal {
+
+using nlohmann::json;
+
+namespace {
+
+/// JSON that cannot end the script element it stands in, whatever names it holds.
+std::string harmless(const json& data) {
+  std::string text;
+  for (const char letter : data.dump(-1, ' ', false, json::error_handler_t::replace)) {
+    if (letter == '<') { // in JSON only within texts
+      text += "\\u003c";
+    } else {
+      text += letter;
+    }
+  }
+  return text;
+}
+
+/// The skeleton with its {{places}} filled; what is filled in is not looked at again.
+std::string filled(std::string_view skeleton, const std::map<std::string_view, std::string_view>& parts) {
+  std::string page;
+  for (std::size_t open = skeleton.find("{{"); open != skeleton.npos; open = skeleton.find("{{")) {
+    const std::size_t close = skeleton.find("}}", open);
+    assert(close != skeleton.npos);
+    page.append(skeleton.substr(0, open)).append(parts.at(skeleton.substr(open + 2, close - open - 2)));
+    skeleton.remove_prefix(close + 2);
+  }
+  return page.append(skeleton);
+}
+
+} // namespace
+
+std::string reportPage(const std::filesystem::path& resultFile) {
+  const json document = parseJson(fileContent(resultFile), resultFile.string());
+  const JsonPlace result{document, resultFile.string()};
+  if (const JsonPlace format = result.at("format"); format.text() != "naocal-result") {
+    format.refuse("\"naocal-result\", as 'naocal solve' writes it");
+  }
+  result.at("version").integer(1, 1);
+  const std::string data = harmless(pageData(result, Sources{result, resultFile}));
+  return filled(pageFiles::page, {{"style", pageFiles::style}, {"script", pageFiles::script}, {"data", data}});
+}
+
+} // namespace naocal

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "captures/JsonPlace.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// A number to remember and the sentence that says what it means.
+struct Fact {
+  std::string figure, sentence;
+};
+
+/// "This calibration can be used." or not.
+std::string headline(const JsonPlace& result);
+
+/// What a result is worth, in plain words. `drawingRms`: of the same corners with the drawing alone [px].
+std::vector<Fact> facts(const JsonPlace& result, std::optional<double> drawingRms);
+
+} // namespace naocal

@@ -1,0 +1,62 @@
+"use strict";
+// What the page shows, as flat lists of corners and of boards in pictures.
+
+const data = JSON.parse(document.getElementById("data").textContent);
+
+// Which error is shown: "reported" with the joints' readings as they are, "fitted" with readings moved within their noise.
+let layer = "reported";
+
+const doubtfulBelow = 0.7; // weight of a corner; as the result's list of doubtful corners
+
+const corners = []; // {picture, board, id, u, v, reported: [du, dv], fitted: [du, dv], weight}
+const boardViews = []; // {picture, board, corners}
+for (const picture of data.pictures) {
+  picture.corners = [];
+  for (const view of picture.boards) {
+    const seen = view.ids.map((id, i) => ({
+      picture, board: view.board, id,
+      u: view.measured[2 * i], v: view.measured[2 * i + 1],
+      reported: view.reported.slice(2 * i, 2 * i + 2), fitted: view.fitted.slice(2 * i, 2 * i + 2),
+      weight: view.weight ? view.weight[i] : 1,
+    }));
+    boardViews.push({picture, board: view.board, corners: seen});
+    picture.corners.push(...seen);
+    corners.push(...seen);
+  }
+}
+
+// Sets one after the other, each from its own first picture on.
+let laterSetsStart = 0;
+for (const set of new Set(data.pictures.map(picture => picture.set))) {
+  const own = data.pictures.filter(picture => picture.set === set);
+  const times = own.map(picture => picture.time);
+  const first = times.reduce((a, b) => Math.min(a, b)), last = times.reduce((a, b) => Math.max(a, b));
+  own.forEach(picture => { picture.when = laterSetsStart + picture.time - first; });
+  laterSetsStart += 1.05 * (last - first) + 1;
+}
+
+const severalSets = new Set(data.pictures.map(picture => picture.set)).size > 1;
+const byTime = [...data.pictures].sort((a, b) => a.when - b.when);
+
+const lengthOf = ([x, y]) => Math.hypot(x, y);
+const mean = values => values.reduce((a, b) => a + b, 0) / values.length;
+const rms = list => Math.sqrt(mean(list.map(corner => lengthOf(corner[layer]) ** 2)));
+const meanError = list => [mean(list.map(corner => corner[layer][0])), mean(list.map(corner => corner[layer][1]))];
+
+// The value that a share of the values does not exceed; 0 when there are none.
+function quantile(values, share) {
+  const sorted = Float64Array.from(values).sort();
+  return sorted.length ? sorted[Math.floor(share * (sorted.length - 1))] : 0;
+}
+
+// "LKneePitch 12" style names of a picture, for tips and captions.
+function pictureName(picture) {
+  return (severalSets ? picture.set + ", " : "") + "capture " + picture.capture + ", pose " + (picture.pose || "–") +
+    (picture.repeat ? " (repeat " + picture.repeat + ")" : "") + ", " + picture.camera + " camera";
+}
+
+const px = value => value.toFixed(Math.abs(value) < 10 ? 2 : 1) + " px";
+
+// "0.80 px to the right, 0.30 px down"
+const direction = ([x, y]) =>
+  px(Math.abs(x)) + (x < 0 ? " to the left, " : " to the right, ") + px(Math.abs(y)) + (y < 0 ? " up" : " down");

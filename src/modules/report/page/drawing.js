@@ -1,0 +1,118 @@
+// Canvases that redraw themselves, tell what is under the pointer, and share axes.
+
+const redraws = new Set();
+const redrawAll = () => redraws.forEach(redraw => redraw());
+
+function element(tag, className, text) {
+  const result = document.createElement(tag);
+  if (className) result.className = className;
+  if (text !== undefined) result.textContent = text;
+  return result;
+}
+
+// The style sheet's colours, light or dark.
+let colours = {};
+function readColours() {
+  const style = getComputedStyle(document.documentElement);
+  for (const name of ["panel", "ink", "soft", "line", "measured", "predicted", "doubtful"]) {
+    colours[name] = style.getPropertyValue("--" + name).trim();
+  }
+}
+readColours();
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { readColours(); redrawAll(); });
+
+// A canvas in `parent`. draw(context, width, height) paints it and returns what can be pointed at:
+// a list of {x, y, tip: () => text, picture}.
+function canvasFigure(parent, heightOf, draw, label) {
+  const frame = parent.appendChild(element("div", "figure"));
+  const canvas = frame.appendChild(element("canvas"));
+  const ring = frame.appendChild(element("div", "ring"));
+  const tip = document.getElementById("tip");
+  canvas.setAttribute("role", "img");
+  canvas.setAttribute("aria-label", label);
+  ring.hidden = true;
+  let targets = [], chosen;
+
+  function redraw() {
+    const width = frame.clientWidth, height = heightOf(width), scale = window.devicePixelRatio || 1;
+    if (!width) return;
+    canvas.width = Math.round(width * scale);
+    canvas.height = Math.round(height * scale);
+    canvas.style.height = height + "px";
+    const context = canvas.getContext("2d");
+    context.scale(scale, scale);
+    context.font = "12px system-ui, sans-serif";
+    leave();
+    targets = draw(context, width, height);
+  }
+  function leave() {
+    chosen = undefined;
+    ring.hidden = tip.hidden = true;
+  }
+  function point(event) {
+    const box = canvas.getBoundingClientRect();
+    const x = event.clientX - box.left, y = event.clientY - box.top;
+    let nearest = 18;
+    chosen = undefined;
+    for (const target of targets) {
+      const distance = Math.hypot(target.x - x, target.y - y);
+      if (distance < nearest) { nearest = distance; chosen = target; }
+    }
+    if (!chosen) { leave(); return; }
+    ring.hidden = tip.hidden = false;
+    ring.style.left = chosen.x + "px";
+    ring.style.top = chosen.y + "px";
+    tip.textContent = chosen.tip();
+    tip.style.left = Math.max(4, Math.min(event.clientX + 14, innerWidth - tip.offsetWidth - 8)) + "px";
+    tip.style.top = (event.clientY + 18 + tip.offsetHeight < innerHeight ? event.clientY + 18
+                                                                       : event.clientY - tip.offsetHeight - 12) + "px";
+  }
+  canvas.addEventListener("pointermove", point);
+  canvas.addEventListener("pointerdown", point);
+  canvas.addEventListener("pointerleave", leave);
+  canvas.addEventListener("click", () => { if (chosen) showPicture(chosen.picture); });
+  new ResizeObserver(redraw).observe(frame);
+  redraws.add(redraw);
+  return redraw;
+}
+
+// Round numbers from low to high, about `count` of them.
+function ticks(low, high, count) {
+  const rough = (high - low) / count, power = 10 ** Math.floor(Math.log10(rough));
+  const step = power * [1, 2, 5, 10].find(factor => factor * power >= rough);
+  const result = [];
+  for (let i = Math.ceil(low / step); i * step <= high + 1e-9 * step; ++i) result.push(Number((i * step).toPrecision(12)));
+  return result;
+}
+
+// Grid lines and numbers around `box`; returns the functions from values to pixels. Without xLabel no x numbers.
+function axes(context, box, [xLow, xHigh], [yLow, yHigh], {title, xLabel, yTicks = 5}) {
+  const x = value => box.left + (value - xLow) / (xHigh - xLow) * (box.right - box.left);
+  const y = value => box.bottom - (value - yLow) / (yHigh - yLow) * (box.bottom - box.top);
+  context.strokeStyle = colours.line;
+  context.fillStyle = colours.soft;
+  context.lineWidth = 1;
+  const line = (x0, y0, x1, y1) => { context.beginPath(); context.moveTo(x0, y0); context.lineTo(x1, y1); context.stroke(); };
+  context.textAlign = "right";
+  context.textBaseline = "middle";
+  for (const value of ticks(yLow, yHigh, yTicks)) {
+    line(box.left, y(value), box.right, y(value));
+    context.fillText(String(value).replace("-", "−"), box.left - 6, y(value));
+  }
+  context.textAlign = "center";
+  context.textBaseline = "top";
+  if (xLabel) {
+    for (const value of ticks(xLow, xHigh, (box.right - box.left) / 70)) {
+      line(x(value), box.bottom, x(value), box.bottom + 4);
+      context.fillText(String(value).replace("-", "−"), x(value), box.bottom + 6);
+    }
+    context.fillText(xLabel, (box.left + box.right) / 2, box.bottom + 22);
+  }
+  context.textAlign = "left";
+  context.fillText(title, box.left - 30, box.top - 20);
+  return {x, y, line};
+}
+
+// How often errors are enlarged so that most of them stay shorter than `longest`.
+const enlargement = (lengths, longest) =>
+  [100, 50, 20, 10, 5, 2].find(factor => factor * quantile(lengths, 0.9) <= longest) || 1;

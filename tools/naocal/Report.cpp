@@ -1,0 +1,34 @@
+#include "Commands.hpp"
+
+#include "captures/Files.hpp"
+#include "report/Report.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <memory>
+#include <string>
+
+namespace naocal {
+
+namespace {
+
+struct ReportCommand {
+  std::string result, output;
+};
+
+} // namespace
+
+void addReport(CLI::App& app) {
+  auto command = std::make_shared<ReportCommand>();
+  CLI::App* reporter = app.add_subcommand("report", "one HTML page to look at a result, readable without a network");
+  reporter->footer("Example: naocal report result.json -o report.html");
+  reporter->add_option("RESULT", command->result, "a result file of 'naocal solve'")->required();
+  reporter->add_option("-o,--output", command->output, "the page to write")->required();
+  reporter->callback([command] {
+    const std::string page = reportPage(command->result);
+    writeAtomically(command->output, page);
+    fmt::print("written to {} ({:.1f} MB): open it in any browser\n", command->output, 1e-6 * double(page.size()));
+  });
+}
+
+} // namespace naocal
