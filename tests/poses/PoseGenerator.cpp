@@ -4,7 +4,7 @@
 #include "poses/Outline.hpp"
 #include "poses/PoseSelection.hpp"
 
-#include <Eigen/LU>
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 using namespace naocal;

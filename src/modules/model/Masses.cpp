@@ -1,6 +1,7 @@
 #include "model/Masses.hpp"
 
 #include <Eigen/Geometry>
+#include <cassert>
 #include <vector>
 
 namespace naocal {
@@ -39,6 +40,7 @@ CentreOfMass centreOfMass(const Robot& robot, const Posture& torsoFromLink) {
     const double mass = robot.links[link].mass;
     whole += {mass, mass * (torsoFromLink[link] * robot.links[link].centreOfMass)};
   }
+  assert(whole.mass > 0);
   return {whole.mass, whole.first / whole.mass};
 }
 

@@ -8,7 +8,7 @@ namespace naocal {
 
 constexpr double gravity = 9.81; // [m/s^2]
 
-/// The whole robot's mass [kg] and its centre of mass in the torso's frame [m].
+/// The whole robot's mass [kg] and its centre of mass in the torso's frame [m]. Its drawing must have masses.
 struct CentreOfMass {
   double mass = 0;
   Eigen::Vector3d inTorso = Eigen::Vector3d::Zero();

@@ -22,6 +22,20 @@ CornerBlocks allCorners(const Board& board) {
   return cornerBlocks(board, all);
 }
 
+/// What pixels of the corners seen tell about the picture's six-dimensional motion.
+Eigen::Matrix<double, 6, 6> ofMotion(const ProjectedBlocks& corners, const std::vector<int>& seen) {
+  Eigen::Matrix<double, 6, 6> sum = Eigen::Matrix<double, 6, 6>::Zero();
+  for (const int corner : seen) {
+    const ProjectedBlock& block = corners[static_cast<std::size_t>(corner / 4)];
+    Eigen::Matrix<double, 6, 2> rows;
+    for (int i = 0; i < 6; ++i) {
+      rows.row(i) << block.rowsU[i][corner % 4], block.rowsV[i][corner % 4];
+    }
+    sum += rows * rows.transpose();
+  }
+  return sum;
+}
+
 } // namespace
 
 Scene::Scene(const Robot& robot, const Sole& support, const std::vector<Board>& boards,
@@ -116,16 +130,7 @@ Eigen::MatrixXd Scene::information(const Belief& belief, const Posture& torsoFro
     }
     Eigen::MatrixXd motion(6, index(quantities.size()));
     outlook.view.motion(robot_, seen.attitude, own, torsoFromLink, quantities, {}, motion);
-    Eigen::Matrix<double, 6, 6> ofMotion = Eigen::Matrix<double, 6, 6>::Zero();
-    for (const int corner : seen.seen) {
-      const ProjectedBlock& block = seen.corners[static_cast<std::size_t>(corner / 4)];
-      Eigen::Matrix<double, 6, 2> rows;
-      for (int i = 0; i < 6; ++i) {
-        rows.row(i) << block.rowsU[i][corner % 4], block.rowsV[i][corner % 4];
-      }
-      ofMotion += rows * rows.transpose();
-    }
-    const Eigen::MatrixXd ofQuantities = motion.transpose() * ofMotion * motion;
+    const Eigen::MatrixXd ofQuantities = motion.transpose() * ofMotion(seen.corners, seen.seen) * motion;
     for (std::size_t a = 0; a < unknowns.size(); ++a) {
       for (std::size_t b = 0; b < unknowns.size(); ++b) {
         information(index(unknowns[a]), index(unknowns[b])) += ofQuantities(index(a), index(b));
