@@ -75,7 +75,7 @@ CaptureSet emptySet(const Robot& drawing, const SimulationPlan& plan, std::uint6
   CaptureSet set;
   set.name = "simulated";
   set.model = drawing.model;
-  set.bodyId = set.headId = fmt::format("synthetic-{}", robotSeed);
+  set.bodyId = set.headId = fmt::format("{}{}", syntheticId, robotSeed);
   for (const Joint& joint : drawing.joints) {
     set.jointNames.push_back(joint.name);
   }

@@ -31,6 +31,9 @@ std::map<std::string, CameraIntrinsics> drawnCameras(int width, int height);
 /// of a robot that stands at the origin and looks along x.
 std::vector<Board> boardsAround();
 
+/// Half the distance between two feet that stand side by side [m].
+constexpr double halfStance = 0.05;
+
 /// What to simulate. Ranges are drawn uniformly from [-range, range].
 struct SimulationPlan {
   std::vector<CommandedPose> poses;

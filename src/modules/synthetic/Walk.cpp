@@ -63,8 +63,7 @@ private:
     if (stance_ && stance_->supportFoot == foot) {
       return;
     }
-    constexpr double halfStepWidth = 0.05; // [m]
-    const double y = foot == SupportFoot::right ? -halfStepWidth : halfStepWidth;
+    const double y = foot == SupportFoot::right ? -halfStance : halfStance;
     stance_ = Stance{static_cast<int>(walk_.stances.size()), foot, Placement{}};
     Placement& placement = *stance_->placement;
     placement.x = stanceChance_.within(plan_.stanceShiftRange);
