@@ -53,7 +53,7 @@ Eigen::VectorXd randomStart(const Measurements& measurements, const Model& model
       unknowns[static_cast<Eigen::Index>(term.first + i)] = uniform(random) * term.effect.unknowns[i].sigma;
     }
   }
-  return startingUnknowns(measurements, model, unknowns);
+  return alignedUnknowns(measurements, model, unknowns);
 }
 
 double lossScale(const std::vector<SightingResidual>& sightings, double pixelNoise) {
@@ -86,7 +86,7 @@ Fit firstFit(const Measurements& measurements, const Model& model, const Noise& 
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.unknownCount()));
     const Eigen::VectorXd start = attempt > 0     ? randomStart(measurements, model, random)
                                   : options.start ? *options.start
-                                                  : startingUnknowns(measurements, model, zero);
+                                                  : alignedUnknowns(measurements, model, zero);
     auto minimum = options.alternate ? alternated(residuals, residuals.start(start))
                                      : levenbergMarquardt(residuals, residuals.start(start));
     if (minimum && (!best || minimum->linear.cost < best->linear.cost - 1e-3)) {

@@ -1,9 +1,11 @@
 #include "calibrate/NoiseEstimate.hpp"
 
-#include <Eigen/LU>
+#include "geometry/Angles.hpp"
+
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <nlopt.h>
 #include <tuple>
@@ -163,30 +165,33 @@ struct Search {
   }
 };
 
-/// Inverse of half the deviance's second differences about the minimum; a level that is nothing has no spread.
-Eigen::Matrix2d spread(const Search& search, const std::vector<double>& x) {
-  const double step = 0.15;
-  const std::size_t count = x.size();
-  Eigen::Matrix2d curvature = Eigen::Matrix2d::Identity() * 1e9;
-  const auto value = [&](double i, double j) {
-    const double moved[2] = {x[0] + i * step, count > 1 ? x[1] + j * step : 0};
-    return search.deviance(moved);
-  };
-  const double here = value(0, 0);
-  const bool poseFound = search.at(x.data()).pose > 0;
-  if (poseFound) {
-    curvature(0, 0) = (value(1, 0) - 2 * here + value(-1, 0)) / (2 * step * step);
+/// The pose level's posterior on a grid, the encoder's level held at its peak.
+std::vector<JointNoise::Level> posterior(const Search& search, const Noise& peak) {
+  constexpr double plausible = radians(0.05);
+  constexpr int count = 16;
+  const double reach = 4 * std::max(peak.pose, plausible);
+  std::vector<JointNoise::Level> levels;
+  double least = std::numeric_limits<double>::infinity();
+  std::vector<double> deviances;
+  for (int i = 0; i < count; ++i) {
+    Noise noise = peak;
+    noise.pose = reach * std::pow(static_cast<double>(i) / (count - 1), 2); // dense near zero
+    const double ratio = noise.pose / plausible;
+    deviances.push_back(restrictedDeviance(total(search.linear, search.unknowns, search.sigmas, noise)) +
+                        2 * std::log1p(ratio * ratio));
+    least = std::min(least, deviances.back());
+    levels.push_back({noise, std::max(1, 2 * i) / static_cast<double>(count)}); // width of the grid's cell
   }
-  if (count > 1) {
-    curvature(1, 1) = (value(0, 1) - 2 * here + value(0, -1)) / (2 * step * step);
-    if (poseFound) {
-      curvature(0, 1) = (value(1, 1) - value(1, -1) - value(-1, 1) + value(-1, -1)) / (8 * step * step);
-      curvature(1, 0) = curvature(0, 1);
-    }
+  double sum = 0;
+  for (int i = 0; i < count; ++i) {
+    levels[i].weight *= std::exp((least - deviances[i]) / 2);
+    sum += levels[i].weight;
   }
-  const bool sound = curvature.determinant() > 0 && curvature(0, 0) > 1e-3 && curvature(1, 1) > 1e-3;
-  Eigen::Matrix2d covariance = sound ? curvature.inverse() : Eigen::Matrix2d{Eigen::Matrix2d::Identity()};
-  return covariance.reverse().eval(); // x is (pose, encoder)
+  for (JointNoise::Level& level : levels) {
+    level.weight /= sum;
+  }
+  std::erase_if(levels, [](const JointNoise::Level& level) { return level.weight < 1e-6; });
+  return levels;
 }
 
 } // namespace
@@ -205,17 +210,27 @@ JointNoise jointNoise(const Residuals::Linear& linear, const Eigen::VectorXd& un
   nlopt_set_lower_bounds(optimiser, lower.data());
   nlopt_set_upper_bounds(optimiser, upper.data());
   nlopt_set_min_objective(optimiser, &Search::call, &search);
-  nlopt_set_ftol_abs(optimiser, 1e-4);
-  nlopt_set_xtol_abs1(optimiser, 1e-3);
-  nlopt_set_maxeval(optimiser, 100);
+  nlopt_set_ftol_abs(optimiser, 1e-3);
+  nlopt_set_xtol_abs1(optimiser, 1e-2);
+  nlopt_set_maxeval(optimiser, 60);
   double best = 0;
   nlopt_optimize(optimiser, x.data(), &best);
   nlopt_destroy(optimiser);
-  return {search.at(x.data()), spread(search, x)};
+  JointNoise result{search.at(x.data()), {}};
+  result.levels = posterior(search, result.noise);
+  double variance = 0;
+  for (const JointNoise::Level& level : result.levels) {
+    variance += level.weight * level.noise.pose * level.noise.pose;
+  }
+  result.noise.pose = std::sqrt(variance);
+  return result;
 }
 
-Eigen::MatrixXd informationOf(const Residuals::Linear& linear, const Eigen::VectorXd& sigmas, const Noise& noise) {
-  return total(linear, Eigen::VectorXd::Zero(sigmas.size()), sigmas, noise).hessian;
+LinearMinimum linearMinimum(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns,
+                            const Eigen::VectorXd& sigmas, const Noise& noise) {
+  const Total all = total(linear, unknowns, sigmas, noise);
+  const Eigen::LLT<Eigen::MatrixXd> factor{all.hessian};
+  return {-factor.solve(all.gradient), factor.solve(Eigen::MatrixXd::Identity(all.hessian.rows(), all.hessian.cols()))};
 }
 
 } // namespace naocal

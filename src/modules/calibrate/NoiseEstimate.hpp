@@ -17,20 +17,31 @@ std::optional<double> pixelNoiseFromRepeats(const Measurements& measurements,
 /// board that is not as believed counts as noise here. Absent where no picture shows enough corners (eight) of a board.
 std::optional<double> pixelNoiseWithinPictures(const std::vector<SightingResidual>& sightings);
 
-/// How sure the estimated levels of joint noise are: the covariance of (ln encoder^2, ln pose^2).
+/// Levels of joint noise, and how sure they are.
 struct JointNoise {
-  Noise noise;
-  Eigen::Matrix2d logCovariance = Eigen::Matrix2d::Zero();
+  Noise noise; // the levels to fit with
+  struct Level {
+    Noise noise;
+    double weight = 0; // posterior probability; all levels' sum to 1
+  };
+  std::vector<Level> levels; // empty: the noise is taken as known
 };
 
-/// Encoder and pose noise that make the residuals most likely, restricted (REML) to what the unknowns leave over:
+/// Encoder and pose noise from what the unknowns leave over, by restricted likelihood (REML)
 ///   -2 l = sum_pose ln |Sigma_pose| + ln |H| + r^T Sigma^-1 (I - P) r
 /// (Patterson and Thompson, Biometrika 58 (1971) 545). Pixel noise stays as given. The encoder's level stays too unless
 /// poses were left and taken again, for only then do repeats show it, and never falls below the rounding of its steps.
+/// Few poses hardly tell the pose level, often not even whether there is one: it is therefore integrated over, with a
+/// half-Cauchy prior of 0.05 degrees (Gelman, Bayesian Analysis 1 (2006) 515), instead of being believed at its peak.
 JointNoise jointNoise(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& sigmas,
                       const Noise& start, bool encoderToo);
 
-/// Gauss-Newton Hessian of all poses and the prior under a noise level: the inverse covariance of the unknowns.
-Eigen::MatrixXd informationOf(const Residuals::Linear& linear, const Eigen::VectorXd& sigmas, const Noise& noise);
+/// The minimum under another noise level, from the linearisation at a near one: where it lies and its covariance.
+struct LinearMinimum {
+  Eigen::VectorXd step; // from the linearisation's unknowns
+  Eigen::MatrixXd covariance;
+};
+LinearMinimum linearMinimum(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns,
+                            const Eigen::VectorXd& sigmas, const Noise& noise);
 
 } // namespace naocal

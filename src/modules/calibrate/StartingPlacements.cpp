@@ -1,7 +1,9 @@
 #include "calibrate/StartingPlacements.hpp"
 
+#include "calibrate/BoardAlignment.hpp"
 #include "calibrate/BoardPose.hpp"
 #include "geometry/Angles.hpp"
+#include "solve/LevenbergMarquardt.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -135,6 +137,15 @@ Eigen::VectorXd startingUnknowns(const Measurements& measurements, const Model& 
     result.segment<3>(static_cast<Eigen::Index>(term.first)) = *placement; // unknowns x, y, yaw from a start at zero
   }
   return result;
+}
+
+Eigen::VectorXd alignedUnknowns(const Measurements& measurements, const Model& model, const Eigen::VectorXd& unknowns) {
+  const Eigen::VectorXd start = startingUnknowns(measurements, model, unknowns);
+  const BoardAlignment alignment{measurements, model};
+  if (alignment.size() == 0) {
+    return start;
+  }
+  return levenbergMarquardt(alignment, start, {.maxIterations = 30, .smallestFall = 1e-3}).value().state;
 }
 
 } // namespace naocal

@@ -13,4 +13,8 @@ namespace naocal {
 /// carried from what is known from stance to board to stance.
 Eigen::VectorXd startingUnknowns(const Measurements& measurements, const Model& model, const Eigen::VectorXd& unknowns);
 
+/// From there on all unknowns together, until boards' poses as seen and as the chain puts them agree (BoardAlignment):
+/// near enough for the corners' problem to have one minimum.
+Eigen::VectorXd alignedUnknowns(const Measurements& measurements, const Model& model, const Eigen::VectorXd& unknowns);
+
 } // namespace naocal

@@ -14,25 +14,36 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd& information) {
   return information.ldlt().solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
 }
 
-/// Degrees of freedom of each unknown's variance, given the covariance of (ln encoder^2, ln pose^2).
-Eigen::VectorXd freedoms(const Residuals::Linear& linear, const Eigen::VectorXd& sigmas, const JointNoise& noise,
-                         const Eigen::VectorXd& variances) {
-  const double step = 0.05;
-  Eigen::MatrixXd slopes(variances.size(), 2);
-  for (int level = 0; level < 2; ++level) {
-    const auto moved = [&](double by) {
-      Noise other = noise.noise;
-      (level == 0 ? other.encoder : other.pose) *= std::exp(by / 2);
-      return Eigen::VectorXd{inverse(informationOf(linear, sigmas, other)).diagonal()};
-    };
-    slopes.col(level) = (moved(step) - moved(-step)) / (2 * step);
+/// Each unknown's variance, averaged over the noise levels that are possible, and how far it varies over them.
+struct Spread {
+  Eigen::VectorXd variance;       // mean over levels of the variance there and of the estimate's own move
+  Eigen::VectorXd relativeSpread; // Var(variance) / variance^2
+};
+
+Spread spreadOver(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& sigmas,
+                  const std::vector<JointNoise::Level>& levels) {
+  Spread result{Eigen::VectorXd::Zero(sigmas.size()), Eigen::VectorXd::Zero(sigmas.size())};
+  for (const JointNoise::Level& level : levels) {
+    const LinearMinimum there = linearMinimum(linear, unknowns, sigmas, level.noise);
+    const Eigen::VectorXd variance = there.covariance.diagonal() + there.step.cwiseAbs2();
+    result.variance += level.weight * variance;
+    result.relativeSpread += level.weight * variance.cwiseAbs2();
   }
-  Eigen::VectorXd result(variances.size());
-  for (Eigen::Index i = 0; i < result.size(); ++i) {
-    const double spread = slopes.row(i) * noise.logCovariance * slopes.row(i).transpose();
-    result[i] = std::clamp(2 * variances[i] * variances[i] / std::max(spread, 1e-300), 2.0, 1e6);
-  }
+  result.relativeSpread = (result.relativeSpread.cwiseQuotient(result.variance.cwiseAbs2()).array() - 1).max(0);
   return result;
+}
+
+/// A normal distribution of uncertain variance, as the Student's t of the same variance and kurtosis:
+/// nu = 4 + 2 / (relative variance of the variance).
+Estimate estimate(double value, double variance, double relativeSpread, double priorSigma) {
+  const double freedom = std::min(4 + 2 / std::max(relativeSpread, 1e-9), 1e6);
+  const boost::math::students_t student{freedom};
+  const double sigma = std::sqrt(variance);
+  return {.value = value,
+          .sigma = sigma,
+          .halfWidth = boost::math::quantile(student, 0.975) * sigma * std::sqrt((freedom - 2) / freedom),
+          .freedom = freedom,
+          .learned = 1 - sigma / priorSigma};
 }
 
 /// Distances of corners from where the joints' readings put them, with no deflection taken out.
@@ -95,17 +106,17 @@ CalibrationResult uncertain(const Measurements& measurements, const Model& model
   result.loss = fit.loss;
   const Eigen::VectorXd sigmas = model.sigmas();
   result.covariance = inverse(fit.minimum.linear.hessian);
-  const Eigen::VectorXd variances = result.covariance.diagonal();
   measureDistances(measurements, model, fit, result);
-  const Eigen::VectorXd freedom = freedoms(fit.minimum.linear, sigmas, noise, variances);
+  std::vector<JointNoise::Level> levels = noise.levels;
+  for (JointNoise::Level& level : levels) {
+    level.noise = scaled(level.noise, misfit.scale);
+  }
+  if (levels.empty()) {
+    levels.push_back({fit.noise, 1});
+  }
+  const Spread spread = spreadOver(fit.minimum.linear, result.unknowns, sigmas, levels);
   for (Eigen::Index i = 0; i < sigmas.size(); ++i) {
-    const double sigma = std::sqrt(variances[i]);
-    const boost::math::students_t student{freedom[i]};
-    result.estimates.push_back({.value = result.unknowns[i],
-                                .sigma = sigma,
-                                .halfWidth = boost::math::quantile(student, 0.975) * sigma,
-                                .freedom = freedom[i],
-                                .learned = 1 - std::sqrt(variances[i]) / sigmas[i]});
+    result.estimates.push_back(estimate(result.unknowns[i], spread.variance[i], spread.relativeSpread[i], sigmas[i]));
   }
   return result;
 }
