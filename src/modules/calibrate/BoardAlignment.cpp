@@ -98,6 +98,11 @@ void BoardAlignment::addSeen(const Picture& picture, const Sighting& sighting, c
   seen_.push_back({&picture, &sighting, slopes, pose->opticalFromBoard, middle, covariance.inverse()});
 }
 
+bool BoardAlignment::knows(std::size_t target) const {
+  return std::any_of(seen_.begin(), seen_.end(),
+                     [&](const Seen& seen) { return seen.sighting->view.board() == target; });
+}
+
 void BoardAlignment::add(const Seen& seen, const Eigen::VectorXd& unknowns, Linear& sums) const {
   const View& view = seen.sighting->view;
   const Belief belief = believed(measurements_, model_, *seen.picture, unknowns);

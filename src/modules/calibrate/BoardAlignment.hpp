@@ -32,6 +32,8 @@ public:
   const Eigen::VectorXd& scales() const { return sigmas_; }
   /// Boards whose pose in the camera could be told.
   std::size_t size() const { return seen_.size(); }
+  /// Whether one of them is this target.
+  bool knows(std::size_t target) const;
 
 private:
   struct Seen {

@@ -46,17 +46,26 @@ OnFloor medoid(const std::vector<OnFloor>& all) {
   return best;
 }
 
-/// Where a sighting puts its board in the support sole's frame.
-std::optional<OnFloor> soleFromBoard(const Measurements& measurements, const Belief& belief, const Sighting& sighting) {
-  const auto opticalFromBoard = boardPose(sighting.corners, belief.lens());
-  if (!opticalFromBoard) {
-    return std::nullopt;
-  }
+/// Where a sighting puts its board in the support sole's frame: by the board's pose in the camera, or, with too few
+/// corners for one, where the ray through the first corner meets the floor (unturned, at most 2 m away).
+OnFloor soleFromBoard(const Measurements& measurements, const Belief& belief, const Sighting& sighting) {
   Posture torsoFromLink;
   posture(measurements.robot, belief, sighting.view.links(), torsoFromLink);
   const Attitude attitude = sighting.view.attitude(measurements.robot, belief, torsoFromLink);
-  const RigidTransform pose = attitude.opticalFromTarget.inverse() * *opticalFromBoard;
-  return OnFloor{pose.translation.x(), pose.translation.y(), std::atan2(pose.rotation(1, 0), pose.rotation(0, 0))};
+  const RigidTransform soleFromOptical = attitude.opticalFromTarget.inverse();
+  if (const auto opticalFromBoard = boardPose(sighting.corners, belief.lens())) {
+    const RigidTransform pose = soleFromOptical * *opticalFromBoard;
+    return {pose.translation.x(), pose.translation.y(), std::atan2(pose.rotation(1, 0), pose.rotation(0, 0))};
+  }
+  constexpr double farthest = 2; // [m]
+  const CornerBlock& corner = sighting.corners.front();
+  const auto lens = belief.lens();
+  const Eigen::Vector3d ray = soleFromOptical.rotation *
+                              Eigen::Vector3d{(corner.u[0] - lens[2]) / lens[0], (corner.v[0] - lens[3]) / lens[1], 1};
+  const double down = -ray.z() / soleFromOptical.translation.z(); // 1 / (how far along the ray the floor is)
+  const double reach = std::min(1 / std::max(down, 1e-9), farthest / ray.head<2>().norm());
+  const Eigen::Vector3d hit = soleFromOptical.translation + reach * ray;
+  return {hit.x() - corner.x[0], hit.y() - corner.y[0], 0};
 }
 
 using Placements = std::vector<std::optional<OnFloor>>;
@@ -91,7 +100,7 @@ void spread(const std::map<std::pair<std::size_t, std::size_t>, OnFloor>& seen, 
 
 Eigen::VectorXd startingUnknowns(const Measurements& measurements, const Model& model,
                                  const Eigen::VectorXd& unknowns) {
-  std::map<std::pair<std::size_t, std::size_t>, std::vector<OnFloor>> sightings; // (stance, board)
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<OnFloor>> sightings, glimpses; // by (stance, board)
   Placements boards(measurements.targets.size()), stances(measurements.standings.size());
   std::optional<Belief> any;
   for (const Picture& picture : measurements.pictures) {
@@ -103,13 +112,13 @@ Eigen::VectorXd startingUnknowns(const Measurements& measurements, const Model& 
     }
     for (const Sighting& sighting : picture.sightings) {
       if (measurements.targets[sighting.view.board()].onFloor) {
-        if (const auto placement = soleFromBoard(measurements, belief, sighting)) {
-          sightings[{picture.stance, sighting.view.board()}].push_back(*placement);
-        }
+        (boardPose(sighting.corners, belief.lens()) ? sightings : glimpses)[{picture.stance, sighting.view.board()}]
+            .push_back(soleFromBoard(measurements, belief, sighting));
       }
     }
   }
   std::map<std::pair<std::size_t, std::size_t>, OnFloor> seen;
+  sightings.merge(glimpses); // what was seen well at least once is not asked from glimpses
   for (const auto& [key, placements] : sightings) {
     seen[key] = medoid(placements);
   }
@@ -145,7 +154,17 @@ Eigen::VectorXd alignedUnknowns(const Measurements& measurements, const Model& m
   if (alignment.size() == 0) {
     return start;
   }
-  return levenbergMarquardt(alignment, start, {.maxIterations = 30, .smallestFall = 1e-3}).value().state;
+  Eigen::VectorXd aligned =
+      levenbergMarquardt(alignment, start, {.maxIterations = 30, .smallestFall = 1e-3}).value().state;
+  const Eigen::VectorXd placedAnew = startingUnknowns(measurements, model, aligned);
+  for (const Term& term : model.terms()) {
+    if (term.isPlacement && term.effect.place == Place::board && !alignment.knows(term.at)) {
+      const auto first = static_cast<Eigen::Index>(term.first),
+                 count = static_cast<Eigen::Index>(term.effect.unknowns.size());
+      aligned.segment(first, count) = placedAnew.segment(first, count);
+    }
+  }
+  return aligned;
 }
 
 } // namespace naocal
