@@ -19,7 +19,7 @@ std::vector<Doubt> doubts(const Measurements& measurements, const CalibrationRes
     }
     if (!doubt.corners.empty()) {
       doubt.distance = std::sqrt(squares / static_cast<double>(doubt.corners.size()));
-      doubt.whole = doubt.corners.size() >= 4 && 2 * doubt.corners.size() > sighting.ids.size();
+      doubt.whole = doubt.corners.size() >= 2 && 2 * doubt.corners.size() > sighting.ids.size();
       all.push_back(std::move(doubt));
     }
   }

@@ -1,0 +1,125 @@
+#include "Commands.hpp"
+#include "Progress.hpp"
+#include "Sets.hpp"
+#include "Story.hpp"
+
+#include "captures/CaptureSetFile.hpp"
+#include "captures/Files.hpp"
+#include "captures/InputError.hpp"
+#include "detect/SetDetection.hpp"
+#include "geometry/Angles.hpp"
+#include "report/Report.hpp"
+#include "synthetic/Pictures.hpp"
+#include "synthetic/StandingPoses.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+namespace naocal {
+
+namespace {
+
+struct DemoCommand {
+  std::string folder = (std::filesystem::temp_directory_path() / "naocal-demo").string();
+  std::uint64_t seed = 1;
+  std::size_t poses = 12;
+};
+
+unsigned threads() {
+  return std::max(1u, std::thread::hardware_concurrency());
+}
+
+/// A robot that nobody has calibrated takes pictures of four boards. Absent: a person stopped it.
+std::optional<Simulation> robotWithPictures(const DemoCommand& command, const Robot& robot, const std::string& folder) {
+  SimulationPlan plan;
+  plan.images = true;
+  plan.repeatKind = RepeatKind::reapproach;
+  plan.poses = standingPoses(robot, plan, SupportFoot::left, command.poses, command.seed);
+  Simulation simulation = simulate(robot, plan, command.seed);
+  const Progress progress{"pictures taken"};
+  const std::size_t all = simulation.set.captures.size();
+  const std::size_t taken = takePictures(simulation, Appearance{}, command.seed, folder, threads(),
+                                         [&](std::size_t done) { return progress(done, all); });
+  return taken == all ? std::optional{std::move(simulation)} : std::nullopt;
+}
+
+/// Truth against estimate; returns how many true values lie inside their 95 % interval.
+std::size_t printTruth(const Truth& truth, const Model& model, const CalibrationResult& result) {
+  fmt::print("\n  {:<26} {:>9} {:>10} {:>9} {:>9}\n", "unknown", "truth", "estimate", "error", "± 1 sigma");
+  std::size_t inside = 0;
+  for (const Term& term : model.terms()) {
+    for (std::size_t i = 0; i < term.effect.unknowns.size(); ++i) {
+      const auto value = truth.value(term.effect.name, term.place, term.effect.unknowns[i].name);
+      if (!value) {
+        continue;
+      }
+      const Estimate& estimate = result.estimates[term.first + i];
+      const double error = estimate.value - *value;
+      inside += std::abs(error) <= estimate.halfWidth;
+      const std::string name = term.effect.name == "jointOffset"
+                                   ? term.place
+                                   : fmt::format("{} camera, {}", term.place, term.effect.unknowns[i].name);
+      fmt::print("  {:<26} {:>8.3f}° {:>9.3f}° {:>8.3f}° {:>8.3f}°{}\n", name, degrees(*value), degrees(estimate.value),
+                 degrees(error), degrees(estimate.sigma),
+                 std::abs(error) <= estimate.halfWidth ? "" : "  outside 95 %");
+    }
+  }
+  return inside;
+}
+
+int demo(const DemoCommand& command) {
+  const std::filesystem::path folder{command.folder};
+  const std::string set = (folder / "captures").string();
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  fmt::print("A simulated {} with joints off by up to 6.5° and cameras by up to 2° looks at four printed boards.\n",
+             robot.model);
+  auto simulation = robotWithPictures(command, robot, set);
+  if (!simulation) {
+    fmt::print("stopped\n");
+    return 0;
+  }
+  CaptureSet captures = simulation->set;
+  {
+    const Progress progress{"pictures searched for corners"};
+    detectInSet(captures, set, threads(), [&](std::size_t done, std::size_t all) { return progress(done, all); });
+  }
+  if (Progress::interrupted()) {
+    fmt::print("stopped\n");
+    return 0;
+  }
+  writeCaptureSet(captures, set);
+  writeAtomically(truthFile(set), truthText(simulation->truth));
+
+  const GivenSets given = readSets({set}, false);
+  const Measurements measurements = measurementsOf(given.sets, given.robot);
+  const Model model = makeModel(measurements);
+  const CalibrationResult result = calibrate(measurements, model);
+  const std::string resultFile = (folder / "result.json").string(), reportFile = (folder / "report.html").string();
+  writeJson(resultJson(given.sets, measurements, model, result, given.inputs), resultFile);
+  printStory(given.sets, measurements, model, result);
+  const std::size_t inside = printTruth(simulation->truth, model, result);
+  fmt::print("\n{} of the true values lie inside their 95 % intervals.\n", inside);
+  writeAtomically(reportFile, reportPage(resultFile));
+  fmt::print("captures: {}\nresult:   {}\nreport:   {}  (open it in any browser)\n", set, resultFile, reportFile);
+  return result.usable ? 0 : 3;
+}
+
+} // namespace
+
+void addDemo(CLI::App& app, int& exitCode) {
+  auto command = std::make_shared<DemoCommand>();
+  CLI::App* demonstration =
+      app.add_subcommand("demo", "the whole way on a simulated robot: pictures, corners, offsets, truth, report");
+  demonstration->footer("Example: naocal demo --seed 7");
+  demonstration->add_option("-o,--output", command->folder, "the folder to write into")->capture_default_str();
+  demonstration->add_option("--seed", command->seed, "another robot for every seed")->capture_default_str();
+  demonstration->add_option("--poses", command->poses, "how many poses the robot takes")
+      ->check(CLI::Range(3, 100))
+      ->capture_default_str();
+  demonstration->callback([command, &exitCode] { exitCode = demo(*command); });
+}
+
+} // namespace naocal
