@@ -114,7 +114,7 @@ json pictureJson(const SeenPicture& seen, const Sources& sources) {
 
 /// The pictures, worst first, with what was photographed as long as the page stays small enough to be sent around.
 json picturesJson(const std::vector<SeenPicture>& seen, const Sources& sources) {
-  constexpr std::size_t mostPhotographs = 4'000'000; // [bytes]
+  constexpr std::size_t mostPhotographs = 3'000'000; // [bytes]
   json pictures = json::array();
   std::size_t photographs = 0;
   for (const SeenPicture& one : seen) {
@@ -152,7 +152,7 @@ json pageData(const JsonPlace& result, const Sources& sources) {
             {"pictures", picturesJson(seenPictures(result), sources)},
             {"sets", textsAt(result.at("inputs").at("sets"))},
             {"missing", sources.missing()}};
-  for (const auto& [figure, sentence] : facts(result, sources.drawingRms())) {
+  for (const auto& [figure, sentence] : facts(result, data["pictures"].size(), sources.drawingRms())) {
     data["facts"].push_back({{"figure", figure}, {"sentence", sentence}});
   }
   for (const JsonPlace& direction : result.at("weak").elements()) {

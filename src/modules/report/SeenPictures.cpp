@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <tuple>
+#include <utility>
 
 namespace naocal {
 
@@ -34,6 +34,9 @@ SeenBoard seenBoard(const JsonPlace& place) {
     board.ids.push_back(id.integer(0, largestNumber));
   }
   const std::size_t count = board.ids.size();
+  if (count == 0) {
+    place.at("ids").refuse("at least one corner");
+  }
   board.measured = points(place.at("measured"), count);
   board.predicted = points(place.at("predicted"), count);
   board.fitted = points(place.at("fitted"), count);
@@ -69,16 +72,19 @@ double SeenPicture::rms() const {
     squares += (board.predicted - board.measured).squaredNorm();
     corners += static_cast<double>(board.ids.size());
   }
-  return corners == 0 ? 0 : std::sqrt(squares / corners);
+  return std::sqrt(squares / corners);
 }
 
 std::vector<SeenPicture> seenPictures(const JsonPlace& result) {
   const JsonPlace cameras = result.at("cameras");
+  const JsonPlace sightings = result.at("sightings");
   std::map<std::pair<std::string, int>, SeenPicture> pictures;
-  for (const JsonPlace& sighting : result.at("sightings").elements()) {
+  for (const JsonPlace& sighting : sightings.elements()) {
     SeenPicture picture = seenPicture(sighting, cameras);
-    const auto [entry, isNew] = pictures.try_emplace({picture.set, picture.capture}, picture);
-    entry->second.boards.push_back(seenBoard(sighting));
+    pictures.try_emplace({picture.set, picture.capture}, picture).first->second.boards.push_back(seenBoard(sighting));
+  }
+  if (pictures.empty()) {
+    sightings.refuse("at least one board in a picture");
   }
   std::vector<SeenPicture> sorted;
   for (auto& [key, picture] : pictures) {

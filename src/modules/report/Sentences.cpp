@@ -13,11 +13,11 @@ double numberAt(const JsonPlace& place, const std::string& key) {
   return place.at(key).number({-1e15, 1e15, ""});
 }
 
-Fact cornerFact(const JsonPlace& result, std::optional<double> drawingRms) {
+Fact cornerFact(const JsonPlace& result, std::size_t pictures, std::optional<double> drawingRms) {
   const double rms = numberAt(result, "rmsPx");
   const std::string where =
-      fmt::format("rms distance between {:.0f} measured corners in {:.0f} pictures and where the result predicts them",
-                  numberAt(result, "corners"), numberAt(result, "captures"));
+      fmt::format("rms distance between {:.0f} measured corners in {} pictures and where the result predicts them",
+                  numberAt(result, "corners"), pictures);
   if (!drawingRms) {
     return {fmt::format("{:.2f} px", rms), where + fmt::format(" (median {:.2f} px).", numberAt(result, "medianPx"))};
   }
@@ -27,7 +27,7 @@ Fact cornerFact(const JsonPlace& result, std::optional<double> drawingRms) {
 
 Fact noiseFact(const JsonPlace& noise) {
   const bool told = noise.at("source").text() == "repeats";
-  return {fmt::format("{:.2f} px", numberAt(noise, "pixel")),
+  return {fmt::format("{:.2g} px", numberAt(noise, "pixel")),
           fmt::format("noise of a corner per axis; {:.3f}° of an encoder's reading; {:.3f}° of a joint from pose to "
                       "pose: {}.",
                       degrees(numberAt(noise, "encoder")), degrees(numberAt(noise, "pose")),
@@ -59,8 +59,8 @@ std::string headline(const JsonPlace& result) {
   return result.at("usable").boolean() ? "This calibration can be used." : "This calibration should not be used.";
 }
 
-std::vector<Fact> facts(const JsonPlace& result, std::optional<double> drawingRms) {
-  std::vector<Fact> all{cornerFact(result, drawingRms), misfitFact(result), noiseFact(result.at("noise"))};
+std::vector<Fact> facts(const JsonPlace& result, std::size_t pictures, std::optional<double> drawingRms) {
+  std::vector<Fact> all{cornerFact(result, pictures, drawingRms), misfitFact(result), noiseFact(result.at("noise"))};
   if (const double floor = numberAt(result, "floorErrorAt2m"); floor > 0) {
     all.insert(all.begin() + 1,
                {fmt::format("± {:.1f} mm", 1000 * floor),

@@ -16,7 +16,8 @@ struct Fact {
 /// "This calibration can be used." or not.
 std::string headline(const JsonPlace& result);
 
-/// What a result is worth, in plain words. `drawingRms`: of the same corners with the drawing alone [px].
-std::vector<Fact> facts(const JsonPlace& result, std::optional<double> drawingRms);
+/// What a result is worth, in plain words. `pictures`: how many show corners; `drawingRms`: of the same
+/// corners with the drawing alone [px].
+std::vector<Fact> facts(const JsonPlace& result, std::size_t pictures, std::optional<double> drawingRms);
 
 } // namespace naocal

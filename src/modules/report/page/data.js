@@ -3,7 +3,8 @@
 
 const data = JSON.parse(document.getElementById("data").textContent);
 
-// Which error is shown: "reported" with the joints' readings as they are, "fitted" with readings moved within their noise.
+// Which error is shown: "reported" with the joints' readings as they are, "fitted" with readings moved within their
+// noise.
 let layer = "reported";
 
 const doubtfulBelow = 0.7; // weight of a corner; as the result's list of doubtful corners
@@ -49,7 +50,7 @@ function quantile(values, share) {
   return sorted.length ? sorted[Math.floor(share * (sorted.length - 1))] : 0;
 }
 
-// "LKneePitch 12" style names of a picture, for tips and captions.
+// "capture 17, pose P05 (repeat 1), top camera"
 function pictureName(picture) {
   return (severalSets ? picture.set + ", " : "") + "capture " + picture.capture + ", pose " + (picture.pose || "–") +
     (picture.repeat ? " (repeat " + picture.repeat + ")" : "") + ", " + picture.camera + " camera";

@@ -14,7 +14,7 @@ function element(tag, className, text) {
 let colours = {};
 function readColours() {
   const style = getComputedStyle(document.documentElement);
-  for (const name of ["panel", "ink", "soft", "line", "measured", "predicted", "doubtful"]) {
+  for (const name of ["panel", "soft", "line", "blue", "orange", "pink"]) {
     colours[name] = style.getPropertyValue("--" + name).trim();
   }
 }
@@ -71,31 +71,58 @@ function canvasFigure(parent, heightOf, draw, label) {
   canvas.addEventListener("pointerdown", point);
   canvas.addEventListener("pointerleave", leave);
   canvas.addEventListener("click", () => { if (chosen) showPicture(chosen.picture); });
-  new ResizeObserver(redraw).observe(frame);
+  let drawnWidth = 0;
+  new ResizeObserver(() => requestAnimationFrame(() => {
+    if (frame.clientWidth !== drawnWidth) {
+      drawnWidth = frame.clientWidth;
+      redraw();
+    }
+  })).observe(frame);
   redraws.add(redraw);
   return redraw;
+}
+
+// A point beyond an axis lies at its end and points outwards (sign -1: up).
+function dot(context, {x, y, beyond}) {
+  context.beginPath();
+  if (beyond) {
+    context.moveTo(x - 4, y - 2 * beyond);
+    context.lineTo(x + 4, y - 2 * beyond);
+    context.lineTo(x, y + 5 * beyond);
+  } else {
+    context.arc(x, y, 2.5, 0, 7);
+  }
+  context.fill();
 }
 
 // Round numbers from low to high, about `count` of them.
 function ticks(low, high, count) {
   const rough = (high - low) / count, power = 10 ** Math.floor(Math.log10(rough));
-  const step = power * [1, 2, 5, 10].find(factor => factor * power >= rough);
+  const step = power * [1, 2, 5, 10].find(factor => factor * power >= 0.7 * rough);
   const result = [];
-  for (let i = Math.ceil(low / step); i * step <= high + 1e-9 * step; ++i) result.push(Number((i * step).toPrecision(12)));
+  for (let i = Math.ceil(low / step); i * step <= high + 1e-9 * step; ++i) {
+    result.push(Number((i * step).toPrecision(12)));
+  }
   return result;
 }
 
 // Grid lines and numbers around `box`; returns the functions from values to pixels. Without xLabel no x numbers.
-function axes(context, box, [xLow, xHigh], [yLow, yHigh], {title, xLabel, yTicks = 5}) {
+function axes(context, box, [xLow, xHigh], [yLow, yHigh], {title, xLabel}) {
   const x = value => box.left + (value - xLow) / (xHigh - xLow) * (box.right - box.left);
   const y = value => box.bottom - (value - yLow) / (yHigh - yLow) * (box.bottom - box.top);
   context.strokeStyle = colours.line;
   context.fillStyle = colours.soft;
   context.lineWidth = 1;
-  const line = (x0, y0, x1, y1) => { context.beginPath(); context.moveTo(x0, y0); context.lineTo(x1, y1); context.stroke(); };
+  const line = (x0, y0, x1, y1) => {
+    context.beginPath();
+    context.moveTo(x0, y0);
+    context.lineTo(x1, y1);
+    context.stroke();
+  };
   context.textAlign = "right";
   context.textBaseline = "middle";
-  for (const value of ticks(yLow, yHigh, yTicks)) {
+  for (const value of ticks(yLow, yHigh, 5)) {
+    context.strokeStyle = value === 0 ? colours.soft : colours.line;
     line(box.left, y(value), box.right, y(value));
     context.fillText(String(value).replace("-", "−"), box.left - 6, y(value));
   }

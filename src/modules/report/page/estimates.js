@@ -6,7 +6,7 @@ function showEstimates(parent) {
     const ends = rows.flatMap(row => [row.low, row.high, 0]);
     const low = Math.min(...ends), high = Math.max(...ends), margin = 0.04 * (high - low || 1);
     const place = value => 100 * (value - low + margin) / (high - low + 2 * margin) + "%";
-    const marks = ticks(low - margin, high + margin, 5);
+    const marks = ticks(low - margin, high + margin, 8);
     rows.forEach(row => parent.append(estimateRow(row, unit, place, marks)));
     const scale = element("div", "row");
     scale.append(element("span"), element("div", "ticks"));
@@ -34,7 +34,8 @@ function estimateRow({name, value, low, high, learned}, unit, place, marks) {
   bar.style.right = "calc(100% - " + place(high) + ")";
   axis.appendChild(element("div", "dot")).style.left = place(value);
   const share = Math.round(100 * Math.max(0, learned));
-  const told = element("span", learned < 0.5 ? "learned little" : "learned", share + " %");
+  const told = element("span", learned < 0.5 ? "learned little" : "learned");
+  told.append(element("span", "", share + " %"));
   told.style.setProperty("--share", share + "%");
   told.title = "learned from these captures";
   row.append(element("span", "", name), axis, element("span", "number", withError(value, (high - low) / 2, unit)), told);
@@ -46,7 +47,7 @@ function showWeak(parent) {
   parent.append(element("h3", "", "What these captures hardly tell"));
   const list = parent.appendChild(element("ul"));
   for (const {sentence, sigma} of data.weak) {
-    list.append(element("li", "", sentence + " (along this combination " + Math.round(100 * Math.min(1, sigma)) +
-      " % of what was unknown before is still unknown)"));
+    list.append(element("li", "", sentence + " (" + Math.round(100 * Math.min(1, sigma)) +
+      " % of the uncertainty from before is left along this combination)"));
   }
 }

@@ -21,7 +21,7 @@ function drawField(context, width, height, own, enlarged) {
   context.fillStyle = colours.panel;
   context.fillRect(0, 0, width, height);
   const targets = own.map(corner => cornerTarget(corner, width / corner.picture.width, enlarged));
-  context.strokeStyle = colours.measured;
+  context.strokeStyle = colours.blue;
   context.globalAlpha = own.length > 2000 ? 0.35 : 0.6;
   context.lineWidth = 1;
   context.beginPath();
@@ -48,7 +48,7 @@ function cells(targets, width, height) {
 }
 
 function drawMean(context, {x, y, endX, endY}) {
-  context.strokeStyle = context.fillStyle = colours.predicted;
+  context.strokeStyle = context.fillStyle = colours.orange;
   context.lineWidth = 3;
   context.beginPath();
   context.moveTo(x, y);

@@ -9,31 +9,34 @@ function showGroups(parent, members, xLabel, label) {
   }
   canvasFigure(parent, () => 280, (context, width, height) => {
     const values = members.map(member => rms(member.corners));
-    const highest = 1.08 * values.reduce((a, b) => Math.max(a, b), 1e-3);
+    const highest = Math.max(1e-3, Math.min(1.08 * quantile(values, 1), 4 * quantile(values, 0.9)));
     const box = {left: 45, right: width - 5, top: 30, bottom: height - 40};
-    const {x, y, line} = axes(context, box, [-0.5, groups.size - 0.5], [0, highest], {title: "rms error [px]"});
-    const targets = [];
-    [...groups].forEach(([name, list], place) => {
-      const half = Math.min(20, 0.4 * (x(1) - x(0)));
-      list.forEach((member, i) => {
-        const across = list.length > 1 ? (i / (list.length - 1) - 0.5) * 1.2 * half : 0;
-        targets.push({x: x(place) + across, y: y(rms(member.corners)), picture: member.picture,
-          tip: () => member.name + "\n" + px(rms(member.corners)) + " rms; all of " + name + ": " +
-            px(rms(list.flatMap(other => other.corners)))});
-      });
-      context.strokeStyle = colours.predicted;
-      context.lineWidth = 3;
-      const level = y(rms(list.flatMap(member => member.corners)));
-      line(x(place) - Math.max(half, 2), level, x(place) + Math.max(half, 2), level);
-    });
-    context.fillStyle = colours.measured;
-    context.globalAlpha = 0.65;
-    for (const target of targets) { context.beginPath(); context.arc(target.x, target.y, 2.5, 0, 7); context.fill(); }
-    context.globalAlpha = 1;
-    noiseLine(context, box, y, highest);
-    groupNames(context, [...groups.keys()], box, x, xLabel);
-    return targets;
+    const scale = axes(context, box, [-0.5, groups.size - 0.5], [0, highest], {title: "rms error [px]"});
+    noiseLine(context, box, scale.y, highest);
+    groupNames(context, [...groups.keys()], box, scale.x, xLabel);
+    return [...groups.entries()].flatMap(([name, list], place) =>
+      drawGroup(context, scale, {name, list, place, highest}));
   }, label);
+}
+
+function drawGroup(context, {x, y, line}, {name, list, place, highest}) {
+  const half = Math.min(60, 0.35 * (x(1) - x(0))), level = rms(list.flatMap(member => member.corners));
+  const targets = list.map((member, i) => {
+    const value = rms(member.corners), across = list.length > 1 ? 1.2 * half * (i / (list.length - 1) - 0.5) : 0;
+    return {
+      x: x(place) + across, y: y(Math.min(highest, value)), beyond: value > highest ? -1 : 0, picture: member.picture,
+      tip: () => member.name + "\n" + px(value) + " rms; all of " + name + ": " + px(level),
+    };
+  });
+  context.fillStyle = colours.blue;
+  context.globalAlpha = 0.65;
+  targets.forEach(target => dot(context, target));
+  context.globalAlpha = 1;
+  context.strokeStyle = colours.orange;
+  context.lineWidth = 3;
+  const height = y(Math.min(highest, level)), reach = Math.max(half, 2);
+  line(x(place) - reach, height, x(place) + reach, height);
+  return targets;
 }
 
 // What the corners' noise alone would leave.
@@ -46,11 +49,14 @@ function noiseLine(context, box, y, highest) {
   context.beginPath();
   context.moveTo(box.left, y(level));
   context.lineTo(box.right, y(level));
+  const name = "corner noise alone", nameStart = box.right - context.measureText(name).width - 8;
+  context.moveTo(nameStart - 28, box.top - 13);
+  context.lineTo(nameStart, box.top - 13);
   context.stroke();
   context.setLineDash([]);
   context.textAlign = "right";
-  context.textBaseline = "bottom";
-  context.fillText("corner noise alone", box.right, y(level) - 2);
+  context.textBaseline = "middle";
+  context.fillText(name, box.right, box.top - 13);
 }
 
 // Names where they fit, else only what stands along the axis.

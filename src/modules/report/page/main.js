@@ -14,57 +14,76 @@ function showVerdict() {
   data.warnings.forEach(warning => at("warnings").append(element("li", "", warning)));
 }
 
-// The joints that moved enough to tell anything.
+// Pictures of one pose share its joints' errors.
+const poseOf = picture => (severalSets ? picture.set + "/" : "") + picture.pose;
+
+// The joints that moved enough to tell anything, the strongest trend first.
 function movedJoints() {
   const names = new Set(data.pictures.flatMap(picture => Object.keys(picture.angles)));
-  return [...names].filter(joint => {
-    const angles = data.pictures.map(picture => picture.angles[joint]).filter(angle => angle !== undefined);
+  const joints = [...names].map(name => ({name, points: trendPoints(picture => picture.angles[name], poseOf)}));
+  return joints.filter(({points}) => {
+    const angles = points.map(point => point.x);
     return Math.max(...angles) - Math.min(...angles) > 1;
-  });
+  }).map(({name, points}) => ({name, strength: trendStrength(points)})).sort((a, b) => b.strength - a.strength);
 }
 
 function showAngles() {
-  const joints = movedJoints();
-  joints.forEach(joint => at("joint").append(element("option", "", joint)));
-  at("joint").parentElement.hidden = !joints.length;
-  if (!joints.length) {
-    at("noAngles").textContent = "No joint angles: " + (data.missing.join("; ") || "no joint moved by more than 1°") + ".";
-    return;
-  }
-  const redraw = showTrend(at("angles"), picture => picture.angles[at("joint").value], () => at("joint").value + " [°]",
-    "mean errors over a joint's angle");
-  at("joint").addEventListener("change", redraw);
+  const joints = movedJoints(), choice = at("joint");
+  joints.forEach(({name}) => choice.append(element("option", "", name)));
+  choice.parentElement.hidden = !joints.length;
+  if (data.missing.length) at("noAngles").textContent = "Joint angles are missing: " + data.missing.join("; ") + ".";
+  else if (!joints.length) at("noAngles").textContent = "No joint moved by more than 1°.";
+  if (!joints.length) return;
+  choice.addEventListener("change", showTrend(at("angles"), {
+    valueOf: picture => picture.angles[choice.value], groupOf: poseOf,
+    xLabel: () => choice.value + " [°]", label: "mean errors over a joint's angle",
+  }));
 }
 
-function showPhotographs() {
-  const kept = data.pictures.filter(picture => picture.photograph).length;
-  at("photographs").textContent = kept === data.pictures.length ? ""
+function showTimes() {
+  showTrend(at("times"), {
+    valueOf: picture => picture.when, groupOf: picture => poseOf(picture) + "/" + picture.repeat,
+    xLabel: () => severalSets ? "time [s], sets one after the other" : "time [s]", label: "mean errors over time",
+  });
+}
+
+function showPoses() {
+  const members = byTime.map(picture =>
+    ({group: poseOf(picture), corners: picture.corners, picture, name: pictureName(picture)}));
+  showGroups(at("poses"), members, "poses in the order they were first taken", "errors by pose");
+}
+
+function showBoards() {
+  const compared = (a, b) => a < b ? -1 : a > b ? 1 : 0;
+  const views = [...boardViews].sort((a, b) => compared(a.board, b.board) || a.picture.when - b.picture.when);
+  const members = views.map(({board, corners, picture}) =>
+    ({group: board, corners, picture, name: "board " + board + " in " + pictureName(picture)}));
+  showGroups(at("boards"), members, "boards", "errors by board");
+}
+
+function showPictures() {
+  const count = data.pictures.length, kept = data.pictures.filter(picture => picture.photograph).length;
+  at("photographs").textContent = kept === count ? ""
     : kept ? "Photographs of the " + kept + " worst pictures are part of this page."
-    : "No photographs were kept with these captures: the frames are empty.";
-}
-
-function showAll() {
-  showVerdict();
-  showEstimates(at("estimates"));
-  showWeak(at("weak"));
-  showPhotographs();
-  for (let i = 0; i < Math.min(picturesPerPage, data.pictures.length); ++i) slots.push(pictureSlot(at("pictures")));
+    : "No photographs are at hand: the frames are empty.";
+  for (let i = 0; i < Math.min(picturesPerPage, count); ++i) slots.push(pictureSlot(at("pictures")));
   showPage();
-  showFields(at("fields"));
-  showGroups(at("poses"), byTime.map(picture => ({group: (severalSets ? picture.set + "/" : "") + picture.pose,
-    corners: picture.corners, picture, name: pictureName(picture)})), "poses in the order they were first taken", "errors by pose");
-  showGroups(at("boards"), [...boardViews].sort((a, b) => a.board < b.board ? -1 : a.board > b.board).map(view => ({group: view.board,
-    corners: view.corners, picture: view.picture, name: "board " + view.board + " in " + pictureName(view.picture)})), "boards", "errors by board");
-  showAngles();
-  showTrend(at("times"), picture => picture.when, () => severalSets ? "time [s], sets one after the other" : "time [s]",
-    "mean errors over time");
-  at("origin").textContent = data.missing.join("; ");
 }
 
-for (const choice of document.getElementsByName("layer")) {
-  choice.addEventListener("change", () => { layer = choice.value; redrawAll(); });
-}
+at("layer").addEventListener("change", () => {
+  layer = at("layer").value;
+  showPage();
+  redrawAll();
+});
 at("order").addEventListener("change", () => { firstShown = 0; showPage(); });
 at("previous").addEventListener("click", () => turnPage(-1));
 at("next").addEventListener("click", () => turnPage(1));
-showAll();
+showVerdict();
+showEstimates(at("estimates"));
+showWeak(at("weak"));
+showPictures();
+showFields(at("fields"));
+showPoses();
+showBoards();
+showAngles();
+showTimes();

@@ -5,7 +5,7 @@ const slots = []; // {show(picture)}
 let firstShown = 0;
 
 const orderedPictures = () => document.getElementById("order").value === "time"
-  ? byTime : [...data.pictures].sort((a, b) => b.rms - a.rms);
+  ? byTime : [...data.pictures].sort((a, b) => rms(b.corners) - rms(a.corners));
 
 // A picture's place on the page: it keeps its canvas while other pictures are shown in it.
 function pictureSlot(parent) {
@@ -67,19 +67,19 @@ function cornerTip(corner) {
 // A ring where measured, a cross where predicted; first (halo) broad and pale, to stand out from a photograph.
 function drawCorner(context, {x, y, endX, endY, doubtful}, halo) {
   const stroke = (name, path) => {
-    context.strokeStyle = halo ? "rgba(255, 255, 255, 0.7)" : colours[name];
-    context.lineWidth = halo ? 4 : 1.5;
+    context.strokeStyle = halo ? "rgba(255, 255, 255, 0.6)" : colours[name];
+    context.lineWidth = halo ? 3.5 : 1.5;
     context.beginPath();
     path();
     context.stroke();
   };
-  stroke("predicted", () => {
+  stroke("orange", () => {
     context.moveTo(x, y); context.lineTo(endX, endY);
     context.moveTo(endX - 3, endY - 3); context.lineTo(endX + 3, endY + 3);
     context.moveTo(endX - 3, endY + 3); context.lineTo(endX + 3, endY - 3);
   });
-  stroke("measured", () => context.arc(x, y, 3.5, 0, 7));
-  if (doubtful) stroke("doubtful", () => context.rect(x - 8, y - 8, 16, 16));
+  stroke("blue", () => context.arc(x, y, 3.5, 0, 7));
+  if (doubtful) stroke("pink", () => context.rect(x - 8, y - 8, 16, 16));
 }
 
 function showPage() {
@@ -87,7 +87,7 @@ function showPage() {
   firstShown = Math.max(0, Math.min(firstShown, ordered.length - 1));
   slots.forEach((slot, i) => slot.show(ordered[firstShown + i]));
   const last = Math.min(firstShown + picturesPerPage, ordered.length);
-  document.getElementById("page").textContent = ordered.length ? (firstShown + 1) + "–" + last + " of " + ordered.length : "none";
+  document.getElementById("page").textContent = (firstShown + 1) + "–" + last + " of " + ordered.length;
   document.getElementById("previous").disabled = firstShown === 0;
   document.getElementById("next").disabled = last === ordered.length;
 }

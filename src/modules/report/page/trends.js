@@ -1,66 +1,80 @@
 // Mean errors against something that was recorded: to the right and down, side by side or one above the other.
 
-// valueOf(picture) is the number on the x axis, or undefined.
-function showTrend(parent, valueOf, xLabel, label) {
+// valueOf(picture) is the number on the x axis, or undefined; pictures of one groupOf(picture) are not independent.
+function showTrend(parent, {valueOf, groupOf, xLabel, label}) {
   return canvasFigure(parent, width => width > 700 ? 320 : 560, (context, width, height) => {
-    const points = boardViews.filter(view => valueOf(view.picture) !== undefined)
-      .map(view => ({view, x: valueOf(view.picture), error: meanError(view.corners)}));
+    const points = trendPoints(valueOf, groupOf);
     if (!points.length) return [];
-    const boxes = width > 700
-      ? [{left: 45, right: width / 2 - 15, top: 30, bottom: height - 45}, {left: width / 2 + 45, right: width - 5, top: 30, bottom: height - 45}]
-      : [{left: 45, right: width - 5, top: 30, bottom: height / 2 - 45}, {left: 45, right: width - 5, top: height / 2 + 30, bottom: height - 45}];
+    const beside = width > 700, [middleX, middleY] = beside ? [width / 2, 0] : [0, height / 2];
+    const boxes = [
+      {left: 45, right: beside ? middleX - 15 : width - 5, top: 30, bottom: (middleY || height) - 45},
+      {left: middleX + 45, right: width - 5, top: middleY + 30, bottom: height - 45},
+    ];
     const highest = 1.15 * Math.max(quantile(points.flatMap(point => point.error.map(Math.abs)), 0.98), 1e-3);
     return boxes.flatMap((box, side) => drawTrend(context, box, points, side, highest, xLabel()));
   }, label);
 }
 
+const trendPoints = (valueOf, groupOf) => boardViews.filter(view => valueOf(view.picture) !== undefined)
+  .map(view => ({view, x: valueOf(view.picture), group: groupOf(view.picture), error: meanError(view.corners)}));
+
 function drawTrend(context, box, points, side, highest, xLabel) {
-  const all = points.map(point => point.x), low = Math.min(...all), high = Math.max(...all), margin = 0.03 * (high - low || 1);
+  const all = points.map(point => point.x), low = Math.min(...all), high = Math.max(...all);
+  const margin = 0.03 * (high - low || 1);
   const {x, y, line} = axes(context, box, [low - margin, high + margin], [-highest, highest],
     {title: side === 0 ? "predicted too far to the right [px]" : "predicted too far down [px]", xLabel});
-  context.fillStyle = colours.measured;
+  context.fillStyle = colours.blue;
   context.globalAlpha = points.length > 1000 ? 0.4 : 0.65;
   const targets = points.map(point => {
-    const value = point.error[side], beyond = Math.abs(value) > highest;
-    const at = {x: x(point.x), y: y(Math.max(-highest, Math.min(highest, value))), picture: point.view.picture,
+    const value = point.error[side];
+    return {
+      x: x(point.x), y: y(Math.max(-highest, Math.min(highest, value))),
+      beyond: Math.abs(value) > highest ? -Math.sign(value) : 0,
+      picture: point.view.picture,
       tip: () => pictureName(point.view.picture) + "\nboard " + point.view.board + ": predicted " +
-        direction(point.error) + " on average" + (xLabel ? "\n" + xLabel + ": " + Number(point.x.toFixed(2)) : "")};
-    context.beginPath();
-    if (beyond) triangle(context, at, Math.sign(value)); else context.arc(at.x, at.y, 2.5, 0, 7);
-    context.fill();
-    return at;
+        direction(point.error) + " on average\n" + xLabel + ": " + Number(point.x.toFixed(2)),
+    };
   });
+  targets.forEach(target => dot(context, target));
   context.globalAlpha = 1;
-  context.strokeStyle = context.fillStyle = colours.predicted;
+  context.strokeStyle = context.fillStyle = colours.orange;
   context.lineWidth = 2;
-  const stretches = binned(points, side, low, high);
-  stretches.forEach((bin, i) => {
-    line(x(bin.x), y(bin.y - 2 * bin.error), x(bin.x), y(bin.y + 2 * bin.error));
-    if (i) line(x(stretches[i - 1].x), y(stretches[i - 1].y), x(bin.x), y(bin.y));
-    context.fillRect(x(bin.x) - 3, y(bin.y) - 3, 6, 6);
+  const means = stretches(points, side);
+  means.forEach((mean, i) => {
+    line(x(mean.x), y(mean.y - 2 * mean.error), x(mean.x), y(mean.y + 2 * mean.error));
+    if (i) line(x(means[i - 1].x), y(means[i - 1].y), x(mean.x), y(mean.y));
+    context.fillRect(x(mean.x) - 3, y(mean.y) - 3, 6, 6);
   });
   return targets;
 }
 
-// A point beyond the axis lies at its end and points outwards.
-function triangle(context, {x, y}, sign) {
-  context.moveTo(x - 4, y + 2 * sign);
-  context.lineTo(x + 4, y + 2 * sign);
-  context.lineTo(x, y - 5 * sign);
+// Means over stretches of x with equally many groups, and their standard errors from the spread between groups.
+// Doubtful corners are left out.
+function stretches(points, side) {
+  const groups = new Map();
+  for (const {view, x, group} of points) {
+    const trusted = view.corners.filter(corner => corner.weight >= doubtfulBelow);
+    if (!trusted.length) continue;
+    if (!groups.has(group)) groups.set(group, []);
+    groups.get(group).push({x, y: meanError(trusted)[side]});
+  }
+  const middle = list => ({x: mean(list.map(point => point.x)), y: mean(list.map(point => point.y))});
+  const means = [...groups.values()].map(middle).sort((a, b) => a.x - b.x);
+  const count = Math.max(1, Math.min(10, Math.floor(means.length / 4))), result = [];
+  for (let i = 0; i < count && means.length >= 4; ++i) {
+    const part = means.slice(Math.round(i * means.length / count), Math.round((i + 1) * means.length / count));
+    const y = mean(part.map(point => point.y));
+    const variance = part.reduce((sum, point) => sum + (point.y - y) ** 2, 0) / (part.length - 1);
+    result.push({x: mean(part.map(point => point.x)), y, error: Math.sqrt(variance / part.length)});
+  }
+  return result;
 }
 
-// Means over stretches of x and their standard errors, doubtful corners left out.
-function binned(points, side, low, high) {
-  const count = 10, bins = Array.from({length: count}, () => []);
-  for (const point of points) {
-    const trusted = point.view.corners.filter(corner => corner.weight >= doubtfulBelow);
-    if (!trusted.length) continue;
-    const bin = Math.min(count - 1, Math.floor(count * (point.x - low) / (high - low || 1)));
-    bins[bin].push({x: point.x, y: meanError(trusted)[side]});
-  }
-  return bins.filter(bin => bin.length >= 4).map(bin => {
-    const y = mean(bin.map(point => point.y));
-    const variance = mean(bin.map(point => (point.y - y) ** 2)) * bin.length / (bin.length - 1);
-    return {x: mean(bin.map(point => point.x)), y, error: Math.sqrt(variance / bin.length)};
-  });
+// How many standard errors the stretches' means lie from zero, in the mean: what a trend or a step makes large.
+function trendStrength(points) {
+  const strength = side => {
+    const means = stretches(points, side).filter(mean => mean.error > 0);
+    return means.length ? mean(means.map(({y, error}) => (y / error) ** 2)) : 0;
+  };
+  return points.length ? Math.max(strength(0), strength(1)) : 0;
 }

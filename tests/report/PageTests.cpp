@@ -1,0 +1,148 @@
+#include "Result.hpp"
+
+#include "captures/InputError.hpp"
+
+#include <catch2/catch.hpp>
+#include <map>
+#include <tuple>
+
+using namespace naocal;
+using nlohmann::json;
+
+TEST_CASE("a report shows every corner of every picture as the result has it") {
+  // Proves that no corner is lost, doubled or moved on the way to the page, in either way of showing errors. It does
+  // not prove that a browser draws them.
+  const CalibratedFolder calibrated;
+  const json pictures = shown(calibrated.page())["pictures"];
+  std::map<std::tuple<int, std::string, int>, std::pair<json, std::size_t>> corners;
+  std::size_t count = 0;
+  for (const json& picture : pictures) {
+    for (const json& board : picture["boards"]) {
+      for (std::size_t i = 0; i < board["ids"].size(); ++i, ++count) {
+        corners[{picture["capture"], board["board"], board["ids"][i]}] = {board, i};
+      }
+    }
+  }
+  REQUIRE(count == calibrated.result["corners"].get<std::size_t>());
+  REQUIRE(corners.size() == count);
+  for (const json& sighting : calibrated.result["sightings"]) {
+    for (std::size_t i = 0; i < sighting["ids"].size(); ++i) {
+      const auto& [board, place] = corners.at({sighting["capture"], sighting["board"], sighting["ids"][i]});
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        const double measured = sighting["measured"][i][axis];
+        CHECK(board["measured"][2 * place + axis].get<double>() == Approx(measured).margin(0.051));
+        CHECK(board["reported"][2 * place + axis].get<double>() ==
+              Approx(sighting["predicted"][i][axis].get<double>() - measured).margin(0.00051));
+        CHECK(board["fitted"][2 * place + axis].get<double>() ==
+              Approx(sighting["fitted"][i][axis].get<double>() - measured).margin(0.00051));
+      }
+    }
+  }
+}
+
+TEST_CASE("a report's pictures come worst first") {
+  // Proves the order in which pictures are offered, and photographs kept.
+  const CalibratedFolder calibrated;
+  double last = 1e9;
+  for (const json& picture : shown(calibrated.page())["pictures"]) {
+    double squares = 0, corners = 0;
+    for (const json& board : picture["boards"]) {
+      for (const json& error : board["reported"]) {
+        squares += error.get<double>() * error.get<double>();
+      }
+      corners += static_cast<double>(board["ids"].size());
+    }
+    CHECK(squares / corners < last + 0.01);
+    last = squares / corners;
+  }
+}
+
+TEST_CASE("estimates are shown in degrees and millimetres with their 95 percent interval") {
+  // Proves units and intervals of joint offsets and camera rotations; units that stay as they are need no proof.
+  const CalibratedFolder calibrated;
+  const json groups = shown(calibrated.page())["groups"];
+  REQUIRE(groups.size() == 2);
+  CHECK(groups[0]["title"] == "joint offset");
+  CHECK(groups[0]["unit"] == "°");
+  const json& unknown = calibrated.result["effects"][0]["unknowns"]["o"];
+  const json& row = groups[0]["rows"][0];
+  CHECK(row["name"] == calibrated.result["effects"][0]["at"]);
+  CHECK(row["value"].get<double>() == Approx(degrees(unknown["value"].get<double>())));
+  CHECK(row["low"].get<double>() == Approx(degrees(unknown["interval95"][0].get<double>())));
+  CHECK(row["high"].get<double>() == Approx(degrees(unknown["interval95"][1].get<double>())));
+  CHECK(row["learned"] == unknown["learned"]);
+  CHECK(groups[1]["rows"][0]["name"].get<std::string>().ends_with(" rx"));
+}
+
+TEST_CASE("the verdict is said in plain words") {
+  // Proves which words stand for which numbers; whether the numbers are right is the calibration's matter.
+  CalibratedFolder calibrated;
+  const auto misfit = [&] { return shown(calibrated.page())["facts"][2]["sentence"].get<std::string>(); };
+  calibrated.result["usable"] = true;
+  calibrated.result["pValue"] = 0.4;
+  CHECK(shown(calibrated.page())["headline"] == "This calibration can be used.");
+  CHECK(misfit().starts_with("the noise explains what is left"));
+  calibrated.result["pValue"] = 0.01;
+  CHECK(misfit().starts_with("what is left is larger than usual"));
+  calibrated.result["pValue"] = 0.0;
+  calibrated.result["usable"] = false;
+  CHECK(misfit().starts_with("noise alone does not explain"));
+  CHECK(shown(calibrated.page())["headline"] == "This calibration should not be used.");
+}
+
+TEST_CASE("a report loads nothing from elsewhere") {
+  // Proves that no part of the page names another place, and that the page forbids browsers to load anything.
+  const std::string page = CalibratedFolder{}.page();
+  for (const std::string reference : {"http:", "https:", "//www", "<link", "@import", "url(", "src="}) {
+    INFO(reference);
+    CHECK(occurrences(page, reference) == 0);
+  }
+  CHECK(occurrences(page, "default-src 'none'") == 1);
+}
+
+TEST_CASE("names cannot become part of the page's code") {
+  // Proves that a board's or pose's name ends no script and fills no place of the skeleton; that scripts put names into
+  // the page as text only is proved by there being no innerHTML.
+  CalibratedFolder calibrated;
+  const std::string harmless = calibrated.page();
+  const std::string name = "</script><script>alert('{{style}}')</script><!-- \" \\ \xff";
+  for (json& sighting : calibrated.result["sightings"]) {
+    sighting["board"] = sighting["pose"] = name;
+  }
+  calibrated.result["warnings"] = {name};
+  writeAtomically(calibrated.resultFile(), calibrated.result.dump(-1, ' ', false, json::error_handler_t::replace));
+  const std::string page = reportPage(calibrated.resultFile());
+  for (const std::string code : {"<script", "</script", "<!--", "<style"}) {
+    INFO(code);
+    CHECK(occurrences(page, code) == occurrences(harmless, code));
+  }
+  CHECK(shown(page)["warnings"][0].get<std::string>().starts_with("</script><script>alert('{{style}}')"));
+  CHECK(occurrences(page, "innerHTML") + occurrences(page, "document.write") == 0);
+}
+
+TEST_CASE("what is not a result file is refused with one sentence") {
+  // Proves that the sentence names the file and the place for a choice of broken files.
+  CalibratedFolder calibrated;
+  const json good = calibrated.result;
+  const auto refusal = [&](const std::string& pointer, const json& value) {
+    calibrated.result = good;
+    calibrated.result[json::json_pointer{pointer}] = value;
+    try {
+      calibrated.page();
+    } catch (const InputError& error) {
+      return std::string{error.what()};
+    }
+    return std::string{"no refusal"};
+  };
+  CHECK_THAT(refusal("/format", "naocal-captures"), Catch::Contains("result.json: format: expected \"naocal-result\""));
+  CHECK_THAT(refusal("/version", 2), Catch::Contains("version"));
+  CHECK_THAT(refusal("/sightings", json::array()), Catch::Contains("sightings: expected at least one board"));
+  CHECK_THAT(refusal("/sightings/3/camera", "side"), Catch::Contains("expected the key \"side\""));
+  CHECK_THAT(refusal("/sightings/3/ids", json::array()), Catch::Contains("sightings[3].ids"));
+  CHECK_THAT(refusal("/sightings/3/predicted/0/1", nullptr), Catch::Contains("sightings[3].predicted[0][1]"));
+  CHECK_THAT(refusal("/effects/0/unknowns/o/value", "much"), Catch::Contains("effects[0].unknowns.o.value"));
+  CHECK_THAT(refusal("/noise", 3), Catch::Contains("noise: expected an object"));
+  CHECK_THROWS_AS(reportPage(calibrated.captures() / "nothing.json"), InputError);
+  writeAtomically(calibrated.resultFile(), "{\"format\":");
+  CHECK_THROWS_AS(reportPage(calibrated.resultFile()), InputError);
+}

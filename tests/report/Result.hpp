@@ -1,0 +1,65 @@
+#pragma once
+
+#include "TemporaryFolder.hpp"
+#include "calibrate/ResultFile.hpp"
+#include "captures/CaptureSetFile.hpp"
+#include "captures/Files.hpp"
+#include "report/Report.hpp"
+#include "synthetic/HandMadePoses.hpp"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace naocal {
+
+/// A simulated robot's captures and the result of calibrating with them, on disk as a user has them.
+class CalibratedFolder {
+public:
+  /// Every picture is kept as `image` when that is given.
+  explicit CalibratedFolder(const std::string& image = "") {
+    const Robot robot = loadRobot(configurationDirectory(), "V6");
+    CaptureSet set = simulate(robot, handMadePlan(robot), 7).set;
+    for (Capture& capture : set.captures) {
+      capture.image = image;
+    }
+    writeCaptureSet(set, captures());
+    const std::vector<CaptureSet> sets{readCaptureSet(captures()).set};
+    const Measurements measurements = measurementsOf(sets, robot);
+    const Model model = makeModel(measurements, {}, {});
+    result = resultJson(sets, measurements, model, calibrate(measurements, model),
+                        {{captures().string()}, {sha256(fileContent(captures() / "captures.json"))}});
+  }
+
+  std::filesystem::path captures() const { return folder_.path() / "captures"; }
+  std::filesystem::path resultFile() const { return folder_.path() / "result.json"; }
+
+  /// The page about the result as it is now.
+  std::string page() const {
+    writeAtomically(resultFile(), result.dump());
+    return reportPage(resultFile());
+  }
+
+  nlohmann::json result;
+
+private:
+  TemporaryFolder folder_;
+};
+
+/// What a page gives its scripts to show.
+inline nlohmann::json shown(const std::string& page) {
+  const std::string before = "<script type=\"application/json\" id=\"data\">";
+  const std::size_t start = page.find(before) + before.size();
+  return nlohmann::json::parse(page.substr(start, page.find("</script>", start) - start));
+}
+
+inline std::size_t occurrences(const std::string& text, const std::string& what) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+} // namespace naocal
