@@ -11,12 +11,13 @@
 namespace naocal {
 namespace {
 
-constexpr double consistency = 0.7;     // [px] a corner against its neighbours
-constexpr double walkingDistance = 1.5; // [squares] from what is known to what is looked for
-constexpr double longestMove = 2.0;     // [px] from prediction to fit, at least
+constexpr double tightest = 0.3, loosest = 0.7; // [px] how far a corner may lie from where the others put it,
+constexpr double timesMedian = 6;               // and by how much further than half of them do
+constexpr double walkingDistance = 1.5;         // [squares] from what is known to what is looked for
+constexpr double longestMove = 2.0;             // [px] from prediction to fit, at least
 constexpr double longestMoveInSquares = 0.1;
-constexpr double leastContrast = 10; // [grey level]
-constexpr double mostAsymmetry = 0.15;
+constexpr double leastContrast = 10;   // [grey level]
+constexpr double mostAsymmetry = 0.03; // 0.001 to 0.01 where nothing lies in the window
 
 class Walk {
 public:
@@ -121,23 +122,28 @@ private:
     return {id, place, true, fmt::format("lies {:.1f} px from where its neighbours put it", distance)};
   }
 
+  /// How far a corner that was found lies from where the others put it [px].
+  double misplacement(int id) const {
+    return (found_.at(id).pixel - pixel(*localHomography(others(id), onBoard(id)), onBoard(id))).norm();
+  }
+
   void removeMisplaced() {
     for (;;) {
-      double worst = consistency;
-      RefusedCorner outlier;
+      std::vector<std::pair<double, int>> misplacements; // with the corner's id
       for (const auto& [id, corner] : found_) {
-        const auto homography = localHomography(others(id), onBoard(id));
-        const double distance = (corner.pixel - pixel(*homography, onBoard(id))).norm();
-        if (distance > worst) {
-          worst = distance;
-          outlier = misplaced(id, corner.pixel, distance);
-        }
+        misplacements.emplace_back(misplacement(id), id);
       }
-      if (worst == consistency) {
+      std::sort(misplacements.begin(), misplacements.end());
+      if (misplacements.empty()) {
         return;
       }
-      found_.erase(outlier.id);
-      refused_[outlier.id] = outlier;
+      tolerance_ = std::clamp(timesMedian * misplacements[misplacements.size() / 2].first, tightest, loosest);
+      const auto [worst, id] = misplacements.back();
+      if (worst <= tolerance_) {
+        return;
+      }
+      refused_[id] = misplaced(id, found_[id].pixel, worst);
+      found_.erase(id);
     }
   }
 
@@ -151,7 +157,7 @@ private:
       const Eigen::Vector2d expected = pixel(*homography, onBoard(id));
       const auto fit = fitted(id, *homography);
       const double distance = fit ? (fit->place - expected).norm() : 0;
-      if (fit && distance <= consistency) {
+      if (fit && distance <= tolerance_) {
         take(id, fit->place);
       } else if (fit) {
         refused_[id] = misplaced(id, fit->place, distance);
@@ -165,7 +171,8 @@ private:
   const Lens& lens_;
   const CharucoPattern& pattern_;
   const std::vector<Sighting>& markerCorners_;
-  double reach_; // [squares]
+  double reach_;               // [squares]
+  double tolerance_ = loosest; // [px]
   std::map<int, Found> found_;
   std::map<int, RefusedCorner> refused_;
 };

@@ -185,11 +185,13 @@ Detection detect(const GreyPicture& picture, const std::vector<Board>& boards, c
 }
 
 GreyPicture readPicture(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) {
+    throw InputError(fmt::format("{}: a picture was expected, but there is no such file", file.string()));
+  }
   const cv::Mat1b image = cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
   if (image.empty()) {
     throw InputError(
-        fmt::format("{}: a picture (.png, .jpg, ...) was expected, but {}", file.string(),
-                    std::filesystem::exists(file) ? "the file could not be read as one" : "there is none"));
+        fmt::format("{}: a picture (.png, .jpg, ...) was expected, but it could not be read as one", file.string()));
   }
   return {image.cols, image.rows, {image.begin(), image.end()}};
 }

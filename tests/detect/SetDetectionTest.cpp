@@ -1,0 +1,88 @@
+#include "Scenes.hpp"
+
+#include "detect/SetDetection.hpp"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <unistd.h>
+
+namespace naocal {
+namespace {
+
+/// Three pictures of one board in a folder of their own, a capture without a picture, and a mark that no picture shows.
+struct Recorded {
+  std::filesystem::path folder = std::filesystem::temp_directory_path() / ("naocal-set-" + std::to_string(getpid()));
+  CaptureSet set;
+
+  Recorded() {
+    std::filesystem::create_directories(folder);
+    const CameraIntrinsics camera = plainCamera();
+    set.cameras["bottom"] = camera;
+    set.boards = {described("A", {}), described("mark", {})};
+    set.boards[1].pattern.reset();
+    for (int i = 0; i < 4; ++i) {
+      Capture capture;
+      capture.id = i;
+      capture.camera = "bottom";
+      capture.corners = {{"A", {0}, {{1, 1}}}, {"mark", {0}, {{2, 2}}}};
+      if (i < 3) {
+        capture.image = std::to_string(i) + ".png";
+        writePicture(Renderer{camera}.picture({{boardOnFloor({}, 0.7, 20. * i)}, {}}, {}, std::uint64_t(i)),
+                     folder / capture.image);
+      }
+      set.captures.push_back(capture);
+    }
+  }
+  ~Recorded() { std::filesystem::remove_all(folder); }
+};
+
+bool always(std::size_t, std::size_t) {
+  return true;
+}
+
+} // namespace
+
+// Proves what is replaced and what stays, and that the number of threads changes nothing. Not the file's format.
+TEST_CASE("corners of a set are found anew where a picture was kept") {
+  Recorded one, several;
+  const SetDetection detection = detectInSet(one.set, one.folder, 1, always);
+  detectInSet(several.set, several.folder, 3, always);
+  CHECK(detection.pictures == 3);
+  CHECK(detection.unreadable.empty());
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& corners = *one.set.captures[i].corners;
+    REQUIRE(corners.size() == 2);
+    CHECK(corners[0].board == "mark");
+    CHECK(corners[1].board == "A");
+    CHECK(corners[1].ids.size() == 24);
+    CHECK(corners[1].uv == (*several.set.captures[i].corners)[1].uv);
+  }
+  CHECK(one.set.captures[3].corners->front().ids.size() == 1);
+}
+
+// Proves that a picture that cannot be used is named and leaves its capture alone.
+TEST_CASE("a missing, a broken and a wrongly sized picture are named and touch nothing") {
+  Recorded recorded;
+  std::filesystem::remove(recorded.folder / "0.png");
+  std::filesystem::resize_file(recorded.folder / "1.png", 10);
+  writePicture(Renderer{plainCamera(320)}.picture({}, {}, 1), recorded.folder / "2.png");
+  const SetDetection detection = detectInSet(recorded.set, recorded.folder, 2, always);
+  CHECK(detection.pictures == 0);
+  REQUIRE(detection.unreadable.size() == 3);
+  CHECK_THAT(detection.unreadable[0], Catch::Contains("capture 0") && Catch::Contains("no such file"));
+  CHECK_THAT(detection.unreadable[1], Catch::Contains("capture 1") && Catch::Contains("could not be read"));
+  CHECK_THAT(detection.unreadable[2], Catch::Contains("capture 2") && Catch::Contains("320 x 240"));
+  for (const Capture& capture : recorded.set.captures) {
+    CHECK(capture.corners->size() == 2);
+  }
+}
+
+// Proves that a stop keeps what was found so far and leaves the rest as it was.
+TEST_CASE("a search that is stopped leaves later captures as they were") {
+  Recorded recorded;
+  detectInSet(recorded.set, recorded.folder, 1, [](std::size_t, std::size_t) { return false; });
+  CHECK((*recorded.set.captures[0].corners)[1].ids.size() == 24);
+  CHECK((*recorded.set.captures[1].corners)[0].ids.size() == 1);
+}
+
+} // namespace naocal
