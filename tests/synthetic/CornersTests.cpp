@@ -155,12 +155,12 @@ TEST_CASE("a displaced board changes one picture, the one that the truth names")
 }
 
 TEST_CASE("no corner is given outside the picture, behind the camera or on squares too flat to be found") {
-  // Proves the limits of what a detector is said to find, with the robot's true geometry; four corners at least.
+  // Proves the limits of what a detector is said to find, with the robot's true geometry; six corners at least.
   SimulationPlan plan = handMadePlan(v6(), 24);
   plan.corners.pixel = 0;
   for (const Capture& capture : simulate(v6(), plan, 1).set.captures) {
     for (const BoardCorners& board : *capture.corners) {
-      REQUIRE(board.ids.size() >= 4);
+      REQUIRE(board.ids.size() >= 6);
       for (const Eigen::Vector2d& uv : board.uv) {
         REQUIRE((uv.x() >= 0 && uv.x() <= 639 && uv.y() >= 0 && uv.y() <= 479));
       }

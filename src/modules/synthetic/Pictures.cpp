@@ -2,7 +2,9 @@
 
 #include "captures/InputError.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <future>
 
 namespace naocal {
 
@@ -33,22 +35,31 @@ RenderedScene sceneBefore(const Simulation& simulation, std::size_t capture) {
   return scene;
 }
 
-void takePictures(const Simulation& simulation, const Appearance& appearance, std::uint64_t seed,
-                  const std::filesystem::path& setFolder, const std::function<bool(std::size_t)>& taken) {
+std::size_t takePictures(const Simulation& simulation, const Appearance& appearance, std::uint64_t seed,
+                         const std::filesystem::path& setFolder, std::size_t threads,
+                         const std::function<bool(std::size_t)>& proceed) {
   std::map<std::string, Renderer> renderers;
   for (const auto& [name, intrinsics] : simulation.set.cameras) {
     renderers.emplace(name, intrinsics);
   }
-  makeFolder(setFolder / "images");
-  for (std::size_t i = 0; i < simulation.set.captures.size(); ++i) {
-    const Capture& capture = simulation.set.captures[i];
+  const std::vector<Capture>& captures = simulation.set.captures;
+  const auto take = [&](std::size_t i) {
     const GreyPicture picture =
-        renderers.at(capture.camera).picture(sceneBefore(simulation, i), appearance, seed ^ (i << 32U));
-    writePicture(picture, setFolder / capture.image);
-    if (!taken(i + 1)) {
-      return;
+        renderers.at(captures[i].camera).picture(sceneBefore(simulation, i), appearance, seed ^ (i << 32U));
+    writePicture(picture, setFolder / captures[i].image);
+  };
+  makeFolder(setFolder / "images");
+  std::size_t done = 0;
+  while (done < captures.size() && proceed(done)) {
+    std::vector<std::future<void>> together;
+    for (const std::size_t end = std::min(done + threads, captures.size()); done < end; ++done) {
+      together.push_back(std::async(std::launch::async, take, done));
+    }
+    for (std::future<void>& picture : together) {
+      picture.get();
     }
   }
+  return done;
 }
 
 } // namespace naocal

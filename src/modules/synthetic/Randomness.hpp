@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <random>
 #include <string_view>
 

@@ -61,14 +61,19 @@ Placement resultWorld(const SimulationPlan& plan, const std::vector<Placement>& 
 }
 
 std::map<std::string, TrueUnknown> noiseLevels(const SimulationPlan& plan) {
-  const double step = 2 * std::numbers::pi / plan.mechanics.encoderSteps; // [rad]
-  const auto level = [](const char* name, double value, const char* unit) {
-    return std::pair{name, TrueUnknown{name, value, unit}};
+  std::map<std::string, TrueUnknown> levels;
+  const auto add = [&](const std::string& name, double value, const std::string& unit) {
+    levels[name] = {name, value, unit};
   };
-  return {level("pixel", plan.corners.pixel, "px"),
-          level("encoder", std::hypot(plan.mechanics.encoderDither, step / std::sqrt(12.0)), "rad"),
-          level("pose", plan.mechanics.poseScatter, "rad"), level("approach", plan.mechanics.approachScatter, "rad"),
-          level("grossShare", plan.corners.grossShare, "1")};
+  const double step = 2 * std::numbers::pi / plan.mechanics.encoderSteps; // [rad]
+  add("encoder", std::hypot(plan.mechanics.encoderDither, step / std::sqrt(12.0)), "rad");
+  add("pose", plan.mechanics.poseScatter, "rad");
+  add("approach", plan.mechanics.approachScatter, "rad");
+  if (!plan.images) { // else it is what a detector makes of the pictures
+    add("pixel", plan.corners.pixel, "px");
+    add("grossShare", plan.corners.grossShare, "1");
+  }
+  return levels;
 }
 
 CaptureSet emptySet(const Robot& drawing, const SimulationPlan& plan, std::uint64_t robotSeed) {

@@ -48,7 +48,7 @@ double squareHeight(const CameraIntrinsics& camera, const Eigen::Isometry3d& cam
 BoardCorners visibleCorners(const CameraIntrinsics& camera, const Board& board,
                             const Eigen::Isometry3d& cameraFromBoard) {
   constexpr double margin = 3; // a corner is found by its surroundings [px]
-  constexpr std::size_t fewest = 4;
+  constexpr std::size_t fewest = 6;
   BoardCorners seen{board.id, {}, {}};
   const Eigen::Isometry3d boardFromCamera = cameraFromBoard.inverse();
   if (boardFromCamera.translation().z() <= 0) { // from behind

@@ -17,12 +17,12 @@ Eigen::Isometry3d isometry(const Placement& placement);
 /// Absent behind the camera and where the lens folds its picture over (d(r g)/dr <= 0).
 std::optional<Eigen::Vector2d> pixel(const CameraIntrinsics& camera, const Eigen::Vector3d& pointInCamera);
 
+/// Below this the detector loses most corners of a board [px].
+constexpr double smallestSquare = 12;
+
 /// The corners of a board that a detector would find, without noise: inside the picture, on squares that are at least
-/// `smallestSquare` pixels high however foreshortened, and at least four of them. The robot's own body hides nothing.
+/// `smallestSquare` pixels high however foreshortened, and at least six of them. The robot's own body hides nothing.
 BoardCorners visibleCorners(const CameraIntrinsics& camera, const Board& board,
                             const Eigen::Isometry3d& cameraFromBoard);
-
-/// Below this, detection loses most of the corners (see tests/benchmark: corners found over distance) [px].
-constexpr double smallestSquare = 12;
 
 } // namespace naocal

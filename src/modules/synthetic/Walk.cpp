@@ -1,5 +1,6 @@
 #include "synthetic/Walk.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 
 namespace naocal {

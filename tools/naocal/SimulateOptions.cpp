@@ -1,0 +1,115 @@
+#include "SimulateOptions.hpp"
+
+#include "captures/InputError.hpp"
+#include "geometry/Angles.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fmt/core.h>
+
+namespace naocal {
+
+namespace {
+
+const std::map<std::string, SupportFoot> feet{
+    {"left", SupportFoot::left}, {"right", SupportFoot::right}, {"both", SupportFoot::both}};
+const std::map<std::string, RepeatKind> kinds{
+    {"rest", RepeatKind::rest}, {"reapproach", RepeatKind::reapproach}, {"restand", RepeatKind::restand}};
+
+std::map<std::string, CameraIntrinsics> cameras(const std::string& size) {
+  int width = 0, height = 0;
+  char end = 0;
+  if (std::sscanf(size.c_str(), "%dx%d%c", &width, &height, &end) != 2 || width < 64 || height < 48 || width > 8192 ||
+      height > 8192) {
+    throw InputError{fmt::format("--size: expected WIDTHxHEIGHT in pixels such as 640x480, found {}", size)};
+  }
+  return drawnCameras(width, height);
+}
+
+void addNoise(CLI::App& simulator, SimulateOptions& options) {
+  simulator.add_option("--offset-degrees", options.offsetDegrees, "joint offsets lie within this, both ways")
+      ->check(CLI::Range(0.0, 45.0))
+      ->capture_default_str();
+  simulator.add_option("--mount-degrees", options.mountDegrees, "camera rotations, per axis")
+      ->check(CLI::Range(0.0, 45.0))
+      ->capture_default_str();
+  simulator.add_option("--mount-millimetres", options.mountMillimetres, "camera shifts, per axis")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  simulator.add_option("--pixel-noise", options.plan.corners.pixel, "of corners, per axis [px]")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  simulator.add_flag("--heavy-tails", options.plan.corners.heavyTails, "corner noise after Student's t4, not normal");
+  simulator.add_option("--gross-share", options.plan.corners.grossShare, "of corners that are grossly wrong")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  simulator.add_option("--gross-pixels", options.plan.corners.grossSize, "how wrong those are [px]")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str();
+  simulator.add_flag("--displaced-board", options.displacedBoard, "a board lies 3 cm off its place in one picture");
+  simulator.add_option("--stiction-degrees", options.poseDegrees, "gears stick differently in every pose (1 sigma)")
+      ->check(CLI::Range(0.0, 10.0))
+      ->capture_default_str();
+  simulator.add_option("--approach-stiction-degrees", options.approachDegrees, "and differently at every approach")
+      ->check(CLI::Range(0.0, 10.0))
+      ->capture_default_str();
+}
+
+void addPictures(CLI::App& simulator, SimulateOptions& options) {
+  simulator.add_flag("--images", options.plan.images, "render pictures instead of giving corners");
+  simulator.add_option("--size", options.size, "of the pictures, WIDTHxHEIGHT [px]")->capture_default_str();
+  simulator.add_option("--blur", options.appearance.blur, "of the pictures (sigma) [px]")
+      ->check(CLI::Range(0.0, 20.0))
+      ->capture_default_str();
+  simulator.add_option("--grey-noise", options.appearance.noise, "of the pictures (sigma) [grey levels]")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  simulator.add_option("--vignetting", options.appearance.vignetting, "share of light lost in the corners")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  simulator.add_option("--jpeg-quality", options.appearance.jpegQuality, "compress with losses, 1 to 100")
+      ->check(CLI::Range(1, 100));
+}
+
+} // namespace
+
+void addOptions(CLI::App& simulator, SimulateOptions& options) {
+  simulator.add_option("OUT", options.output, "the folder to write; the truth goes to OUT/../<name>.truth.json")
+      ->required();
+  simulator.add_option("--robot", options.robot, "its model")->capture_default_str();
+  simulator.add_option("--support", options.support, "the foot it stands on")
+      ->check(CLI::IsMember(feet))
+      ->capture_default_str();
+  simulator.add_option("--poses", options.poses, "how many")->check(CLI::Range(1, 1000))->capture_default_str();
+  simulator.add_option("--samples", options.plan.samples, "per pose")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  simulator.add_option("--repeat-kind", options.repeatKind, "what happens between the samples of a pose")
+      ->check(CLI::IsMember(kinds))
+      ->capture_default_str();
+  simulator.add_flag("--surveyed", options.plan.surveyed, "the set states where boards and feet are");
+  simulator.add_option("--seed", options.seed, "the same seed gives the same set")->capture_default_str();
+  simulator.add_option("--robot-seed", options.plan.robotSeed, "takes the robot of another set, by that set's seed");
+  simulator.add_option("--json", options.json, "what was written, as JSON to a file or - for standard output");
+  addNoise(simulator, options);
+  addPictures(simulator, options);
+}
+
+SupportFoot supportFoot(const SimulateOptions& options) {
+  return feet.at(options.support);
+}
+
+SimulationPlan planOf(const SimulateOptions& options) {
+  SimulationPlan plan = options.plan;
+  plan.repeatKind = kinds.at(options.repeatKind);
+  plan.offsetRange = radians(options.offsetDegrees);
+  plan.mountRange = radians(options.mountDegrees);
+  plan.mountShiftRange = options.mountMillimetres / 1000;
+  plan.mechanics.poseScatter = radians(options.poseDegrees);
+  plan.mechanics.approachScatter = radians(options.approachDegrees);
+  plan.corners.displacedBoard = options.displacedBoard ? 0.03 : 0;
+  plan.cameras = cameras(options.size);
+  return plan;
+}
+
+} // namespace naocal
