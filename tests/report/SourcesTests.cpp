@@ -65,15 +65,24 @@ TEST_CASE("a report is made without the captures and says that they are gone") {
   CHECK_THAT(after["missing"][0].get<std::string>(), Catch::Contains("no longer there"));
 }
 
-TEST_CASE("joint angles of captures that have changed are not shown") {
-  // Proves that a report never mixes a result with other captures' readings.
-  const CalibratedFolder calibrated;
+TEST_CASE("angles and photographs of captures that have changed are not shown") {
+  // Proves that a report never mixes a result with other captures, such as another folder of the same name.
+  const CalibratedFolder calibrated{"images/one.png"};
+  writePicture(calibrated.captures() / "images/one.png", 64, 48);
   CaptureSet set = readCaptureSet(calibrated.captures()).set;
   set.captures.front().joints.measured.front() += 0.1;
   writeCaptureSet(set, calibrated.captures());
   const json data = shown(calibrated.page());
   CHECK_THAT(data["missing"][0].get<std::string>(), Catch::Contains("has changed"));
   CHECK(data["pictures"][0]["angles"].empty());
+  CHECK_FALSE(hasPhotograph(data["pictures"][0]));
+}
+
+TEST_CASE("captures are also looked for beside the result file") {
+  // Proves that a folder that was copied as a whole still gives a whole report.
+  CalibratedFolder calibrated;
+  calibrated.result["inputs"]["sets"] = {"captures"};
+  CHECK(shown(calibrated.page())["missing"].empty());
 }
 
 TEST_CASE("photographs are embedded, made smaller, and none where there is no picture") {

@@ -43,16 +43,14 @@ Sources::Sources(const JsonPlace& result, const fs::path& resultFile) {
       missing_.push_back(fmt::format("the captures {} are no longer there", given));
       continue;
     }
-    Source& source = byName_[fs::canonical(*folder).filename().string()];
-    source.folder = *folder;
     try {
-      const std::string text = fileContent(*folder / "captures.json");
-      if (sha256(text) == sums[i].text()) {
-        source.unchanged = readCaptureSet(*folder, BadCaptures::skip).set;
-      } else {
-        missing_.push_back(
-            fmt::format("{} has changed since the result was made", (*folder / "captures.json").string()));
+      const fs::path file = *folder / "captures.json";
+      if (sha256(fileContent(file)) != sums[i].text()) {
+        missing_.push_back(fmt::format("{} has changed since the result was made", file.string()));
+        continue;
       }
+      const CaptureSet set = readCaptureSet(*folder, BadCaptures::skip).set;
+      unchanged_[set.name] = {*folder, set};
     } catch (const InputError& error) {
       missing_.push_back(error.what());
     }
@@ -61,11 +59,11 @@ Sources::Sources(const JsonPlace& result, const fs::path& resultFile) {
 
 std::map<std::string, double> Sources::angles(const SeenPicture& picture) const {
   std::map<std::string, double> result;
-  const auto source = byName_.find(picture.set);
-  if (source == byName_.end() || !source->second.unchanged) {
+  const auto source = unchanged_.find(picture.set);
+  if (source == unchanged_.end()) {
     return result;
   }
-  const CaptureSet& set = *source->second.unchanged;
+  const CaptureSet& set = source->second.set;
   const auto capture = std::find_if(set.captures.begin(), set.captures.end(),
                                     [&](const Capture& candidate) { return candidate.id == picture.capture; });
   for (std::size_t i = 0; capture != set.captures.end() && i < set.jointNames.size(); ++i) {
@@ -77,9 +75,9 @@ std::map<std::string, double> Sources::angles(const SeenPicture& picture) const 
 }
 
 std::optional<fs::path> Sources::image(const SeenPicture& picture) const {
-  const auto source = byName_.find(picture.set);
+  const auto source = unchanged_.find(picture.set);
   const fs::path inside = picture.image;
-  if (source == byName_.end() || inside.empty() || inside.is_absolute() ||
+  if (source == unchanged_.end() || inside.empty() || inside.is_absolute() ||
       std::find(inside.begin(), inside.end(), "..") != inside.end()) {
     return std::nullopt;
   }
@@ -90,10 +88,8 @@ std::optional<fs::path> Sources::image(const SeenPicture& picture) const {
 
 std::optional<double> Sources::drawingRms() const {
   std::vector<CaptureSet> sets;
-  for (const auto& [name, source] : byName_) {
-    if (source.unchanged) {
-      sets.push_back(*source.unchanged);
-    }
+  for (const auto& [name, source] : unchanged_) {
+    sets.push_back(source.set);
   }
   if (sets.empty() || !missing_.empty()) {
     return std::nullopt;

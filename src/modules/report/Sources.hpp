@@ -21,7 +21,7 @@ public:
   /// Joint readings of a picture by joint name [rad]; empty when its set is gone or has changed.
   std::map<std::string, double> angles(const SeenPicture& picture) const;
 
-  /// The file of a picture that was kept.
+  /// The file of a picture that was kept; absent when its set is gone or has changed.
   std::optional<std::filesystem::path> image(const SeenPicture& picture) const;
 
   /// Rms distance of the corners from what the drawing alone predicts, floor boards where they fit best [px].
@@ -34,9 +34,9 @@ public:
 private:
   struct Source {
     std::filesystem::path folder;
-    std::optional<CaptureSet> unchanged;
+    CaptureSet set;
   };
-  std::map<std::string, Source> byName_;
+  std::map<std::string, Source> unchanged_; // by the set's name
   std::vector<std::string> missing_;
 };
 

@@ -143,3 +143,4 @@ function axes(context, box, [xLow, xHigh], [yLow, yHigh], {title, xLabel}) {
 // How often errors are enlarged so that most of them stay shorter than `longest`.
 const enlargement = (lengths, longest) =>
   [100, 50, 20, 10, 5, 2].find(factor => factor * quantile(lengths, 0.9) <= longest) || 1;
+const enlargedWords = factor => factor === 1 ? "not enlarged" : "enlarged " + factor + " times";

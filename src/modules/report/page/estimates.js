@@ -6,7 +6,7 @@ function showEstimates(parent) {
     const ends = rows.flatMap(row => [row.low, row.high, 0]);
     const low = Math.min(...ends), high = Math.max(...ends), margin = 0.04 * (high - low || 1);
     const place = value => 100 * (value - low + margin) / (high - low + 2 * margin) + "%";
-    const marks = ticks(low - margin, high + margin, 8);
+    const marks = ticks(low - margin, high + margin, 6);
     rows.forEach(row => parent.append(estimateRow(row, unit, place, marks)));
     const scale = element("div", "row");
     scale.append(element("span"), element("div", "ticks"));

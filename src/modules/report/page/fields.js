@@ -10,7 +10,7 @@ function showFields(parent) {
       const lengths = own.map(corner => lengthOf(corner[layer]) * width / corner.picture.width);
       const enlarged = enlargement(lengths, 0.05 * width);
       caption.replaceChildren(element("b", "", camera + " camera"), ": " + own.length + " corners, " + px(rms(own)) +
-        " rms, enlarged " + enlarged + " times");
+        " rms, " + enlargedWords(enlarged));
       return drawField(context, width, height, own, enlarged);
     }, "errors over the image of the " + camera + " camera");
     figure.append(caption);

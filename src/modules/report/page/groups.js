@@ -35,7 +35,7 @@ function drawGroup(context, {x, y, line}, {name, list, place, highest}) {
   context.strokeStyle = colours.orange;
   context.lineWidth = 3;
   const height = y(Math.min(highest, level)), reach = Math.max(half, 2);
-  line(x(place) - reach, height, x(place) + reach, height);
+  if (list.length > 1) line(x(place) - reach, height, x(place) + reach, height);
   return targets;
 }
 

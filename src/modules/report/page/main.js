@@ -65,7 +65,7 @@ function showPictures() {
   const count = data.pictures.length, kept = data.pictures.filter(picture => picture.photograph).length;
   at("photographs").textContent = kept === count ? ""
     : kept ? "Photographs of the " + kept + " worst pictures are part of this page."
-    : "No photographs are at hand: the frames are empty.";
+    : "The frames are empty: " + (data.missing.join("; ") || "no photographs were kept with the captures") + ".";
   for (let i = 0; i < Math.min(picturesPerPage, count); ++i) slots.push(pictureSlot(at("pictures")));
   showPage();
 }

@@ -26,8 +26,7 @@ function pictureSlot(parent) {
     enlarged = enlargement(lengths, 0.06 * width);
     const targets = picture.corners.map(corner => cornerTarget(corner, scale, enlarged));
     for (const halo of [true, false]) targets.forEach(target => drawCorner(context, target, halo && photograph));
-    context.setLineDash([]);
-    caption.replaceChildren(element("b", "", px(rms(picture.corners)) + " rms"), ", enlarged " + enlarged + " times: " +
+    caption.replaceChildren(element("b", "", px(rms(picture.corners)) + " rms"), ", " + enlargedWords(enlarged) + ": " +
       pictureName(picture) + ", " + (picture.boards.length === 1 ? "board " : "boards ") +
       picture.boards.map(view => view.board).join(", "));
     return targets;
