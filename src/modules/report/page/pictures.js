@@ -10,7 +10,7 @@ const orderedPictures = () => document.getElementById("order").value === "time"
 // A picture's place on the page: it keeps its canvas while other pictures are shown in it.
 function pictureSlot(parent) {
   const figure = parent.appendChild(element("figure"));
-  let picture, photograph, enlarged = 1;
+  let picture, photograph;
   const redraw = canvasFigure(figure, width => picture ? width * picture.height / picture.width : 0,
     (context, width) => picture ? drawPicture(context, width) : [], "a picture with measured and predicted corners");
   const caption = figure.appendChild(element("figcaption"));
@@ -23,9 +23,10 @@ function pictureSlot(parent) {
     context.strokeStyle = colours.line;
     context.strokeRect(0.5, 0.5, width - 1, height - 1);
     const lengths = picture.corners.map(corner => scale * lengthOf(corner[layer]));
-    enlarged = enlargement(lengths, 0.06 * width);
+    const enlarged = enlargement(lengths, 0.06 * width);
     const targets = picture.corners.map(corner => cornerTarget(corner, scale, enlarged));
-    for (const halo of [true, false]) targets.forEach(target => drawCorner(context, target, halo && photograph));
+    if (photograph) targets.forEach(target => drawCorner(context, target, true));
+    targets.forEach(target => drawCorner(context, target, false));
     caption.replaceChildren(element("b", "", px(rms(picture.corners)) + " rms"), ", " + enlargedWords(enlarged) + ": " +
       pictureName(picture) + ", " + (picture.boards.length === 1 ? "board " : "boards ") +
       picture.boards.map(view => view.board).join(", "));
@@ -63,7 +64,7 @@ function cornerTip(corner) {
     direction(corner[layer]) + weight;
 }
 
-// A ring where measured, a cross where predicted; first (halo) broad and pale, to stand out from a photograph.
+// A ring where measured, a cross where predicted; as a halo broad and pale, to make it stand out from a photograph.
 function drawCorner(context, {x, y, endX, endY, doubtful}, halo) {
   const stroke = (name, path) => {
     context.strokeStyle = halo ? "rgba(255, 255, 255, 0.6)" : colours[name];
