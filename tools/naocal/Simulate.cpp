@@ -1,4 +1,5 @@
 #include "Commands.hpp"
+#include "Progress.hpp"
 #include "Sets.hpp"
 #include "SimulateOptions.hpp"
 
@@ -9,17 +10,13 @@
 #include "synthetic/StandingPoses.hpp"
 
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 #include <thread>
-#include <unistd.h>
 
 namespace naocal {
 
 namespace {
-
-volatile std::sig_atomic_t interrupted = 0;
 
 /// Only an empty folder, or a set that was simulated before, may be written over.
 void refuseForeignFolder(const std::filesystem::path& folder) {
@@ -48,21 +45,12 @@ void refuseForeignFolder(const std::filesystem::path& folder) {
 
 /// Takes the pictures; after Ctrl-C the set keeps the captures whose picture was taken.
 void takePictures(const SimulateOptions& options, Simulation& simulation) {
-  const bool onTerminal = isatty(STDERR_FILENO) != 0;
+  const Progress progress{"pictures"};
   const std::size_t all = simulation.set.captures.size();
-  std::signal(SIGINT, [](int) { interrupted = 1; });
-  const std::size_t taken = takePictures(simulation, options.appearance, options.seed, options.output,
-                                         std::max(1U, std::thread::hardware_concurrency()), [&](std::size_t done) {
-                                           if (onTerminal) {
-                                             fmt::print(stderr, "\r{} of {} pictures", done, all);
-                                           }
-                                           return interrupted == 0;
-                                         });
-  std::signal(SIGINT, SIG_DFL);
-  if (onTerminal) {
-    fmt::print(stderr, "\r{} of {} pictures\n", taken, all);
-  }
-  simulation.set.captures.resize(taken);
+  const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
+  const auto proceed = [&](std::size_t done) { return progress(done, all); };
+  simulation.set.captures.resize(
+      takePictures(simulation, options.appearance, options.seed, options.output, threads, proceed));
 }
 
 std::size_t cornerCount(const CaptureSet& set) {
@@ -103,7 +91,7 @@ void simulateSet(const SimulateOptions& options) {
                plan.images ? "with pictures (naocal detect finds their corners)"
                            : fmt::format("{} corners", cornerCount(simulation.set)));
     fmt::print("set:   {}\ntruth: {}\n", options.output, truth.string());
-    if (interrupted != 0) {
+    if (Progress::interrupted()) {
       fmt::print("stopped: the set holds the captures whose picture was taken\n");
     }
   }

@@ -50,7 +50,7 @@ std::size_t takePictures(const Simulation& simulation, const Appearance& appeara
   };
   makeFolder(setFolder / "images");
   std::size_t done = 0;
-  while (done < captures.size() && proceed(done)) {
+  for (bool going = true; going && done < captures.size(); going = proceed(done)) {
     std::vector<std::future<void>> together;
     for (const std::size_t end = std::min(done + threads, captures.size()); done < end; ++done) {
       together.push_back(std::async(std::launch::async, take, done));
