@@ -276,11 +276,11 @@ void Collector::group() {
   result_.joints.assign(motors.begin(), motors.end());
 }
 
-/// Pictures of one pose: those with the same stance, repeat and measured angles share a reading. At rest a joint whose
-/// reading did not change keeps its rounding error over the repeats; after a re-approach every joint has a new one.
+/// Pictures of one pose: those with the same stance, repeat and measured angles share a reading. As long as the robot
+/// rests, a joint whose reading does not change keeps its rounding error; every approach gives every joint a new one.
 void Collector::groupPose(PoseGroup& pose, const std::vector<std::size_t>& members) {
   const Robot& robot = result_.robot;
-  std::map<std::tuple<std::size_t, double, int>, std::size_t> known; // motor, angle or reading, stance -> error
+  std::map<std::tuple<std::size_t, double, int, int>, std::size_t> known; // motor, angle, stance, approach -> error
   const Picture* previous = nullptr;
   for (std::size_t index : members) {
     const Picture& picture = result_.pictures[index];
@@ -298,9 +298,8 @@ void Collector::groupPose(PoseGroup& pose, const std::vector<std::size_t>& membe
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
       const std::size_t motor = robot.joints[joint].motor;
       const double angle = picture.instant.q[static_cast<Eigen::Index>(joint)];
-      const bool fresh = capture.repeatKind != RepeatKind::rest;
-      const double distinct = fresh ? static_cast<double>(pose.readings.size()) : angle;
-      const auto [entry, isNew] = known.try_emplace({motor, distinct, fresh ? -1 : capture.stance}, pose.encoderErrors);
+      const int approach = capture.repeatKind == RepeatKind::rest ? -1 : capture.repeat;
+      const auto [entry, isNew] = known.try_emplace({motor, angle, capture.stance, approach}, pose.encoderErrors);
       pose.encoderErrors += isNew;
       reading.encoderError[joint] = entry->second;
     }

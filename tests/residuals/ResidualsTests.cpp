@@ -1,0 +1,168 @@
+#include "residuals/Residuals.hpp"
+
+#include "synthetic/HandMadePoses.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <random>
+#include <set>
+
+namespace naocal {
+namespace {
+
+struct Problem {
+  explicit Problem(int poses = 3, RepeatKind kind = RepeatKind::reapproach)
+      : robot{loadRobot(configurationDirectory(), "V6")} {
+    SimulationPlan plan = handMadePlan(robot, poses);
+    plan.samples = 2;
+    plan.repeatKind = kind;
+    plan.surveyed = true;
+    plan.offsetRange = 0.01;
+    plan.mountRange = 0.01;
+    set = simulate(robot, plan, 5).set;
+    measurements = measurementsOf({set}, robot);
+    model = makeModel(measurements, {"cameraTranslation@*", "radialDistortion@top"});
+  }
+  Robot robot;
+  CaptureSet set;
+  Measurements measurements;
+  Model model;
+};
+
+/// All predicted corners of one pose, stacked, at given unknowns and deflections of the readings' angles.
+Eigen::VectorXd stacked(const Residuals& residuals, const Residuals::State& state, std::size_t pose) {
+  std::vector<double> all;
+  std::set<std::size_t> pictures;
+  for (const Reading& reading : residuals.measurements().poses[pose].readings) {
+    pictures.insert(reading.pictures.begin(), reading.pictures.end());
+  }
+  for (const SightingResidual& seen : residuals.sightings(state)) {
+    if (pictures.contains(seen.picture)) {
+      for (Eigen::Index i = 0; i < seen.residual.size(); ++i) {
+        all.push_back(-seen.residual(i % 2, i / 2)); // predicted - measured
+      }
+    }
+  }
+  return Eigen::Map<Eigen::VectorXd>{all.data(), static_cast<Eigen::Index>(all.size())};
+}
+
+} // namespace
+
+TEST_CASE("integrating out deflections equals the full covariance of all corners") {
+  // Proves Woodbury, the slot-wise sums and the chain rule at once: hessian, gradient and cost of every pose against a
+  // dense Sigma = pixel^2 I + J S J^T built from differences of predictions. Independent of the twist factoring.
+  const Problem problem{3, GENERATE(RepeatKind::rest, RepeatKind::reapproach)};
+  const Noise noise{0.4, 6e-4, 9e-4};
+  const Residuals residuals{problem.measurements, problem.model, noise};
+  const Residuals::State state = residuals.start(0.05 * problem.model.sigmas());
+  const auto linear = residuals.linearised(state);
+  REQUIRE(linear);
+  for (std::size_t pose = 0; pose < linear->poses.size(); ++pose) {
+    const PoseSystem& system = linear->poses[pose];
+    const Eigen::MatrixXd root = deflectionRoot(system, noise);
+    const Eigen::VectorXd r = stacked(residuals, state, pose);
+    Eigen::MatrixXd byUnknown(r.size(), static_cast<Eigen::Index>(system.unknowns.size()));
+    Eigen::MatrixXd byDeflection(r.size(), root.cols());
+    for (Eigen::Index k = 0; k < byUnknown.cols(); ++k) {
+      const auto unknown = static_cast<Eigen::Index>(system.unknowns[static_cast<std::size_t>(k)]);
+      const double h = 1e-4 * problem.model.sigmas()[unknown];
+      Residuals::State above = state, below = state;
+      above.unknowns[unknown] += h;
+      below.unknowns[unknown] -= h;
+      byUnknown.col(k) = (stacked(residuals, above, pose) - stacked(residuals, below, pose)) / (2 * h);
+    }
+    for (Eigen::Index k = 0; k < root.cols(); ++k) { // z -> root z
+      Residuals::State above = state, below = state;
+      above.deflections[pose][k] += 0.01;
+      below.deflections[pose][k] -= 0.01;
+      byDeflection.col(k) = (stacked(residuals, above, pose) - stacked(residuals, below, pose)) / 0.02;
+    }
+    Eigen::MatrixXd sigma = byDeflection * byDeflection.transpose();
+    sigma.diagonal().array() += noise.pixel * noise.pixel;
+    const Eigen::LLT<Eigen::MatrixXd> factor{sigma};
+    const Eigen::MatrixXd hessian = byUnknown.transpose() * factor.solve(byUnknown);
+    const Eigen::VectorXd gradient = byUnknown.transpose() * factor.solve(r);
+    const Eliminated& part = linear->eliminated[pose];
+    CHECK((part.hessian - hessian).norm() < 1e-5 * hessian.norm());
+    CHECK((part.unknownGradient - gradient).norm() < 1e-5 * gradient.norm());
+    CHECK(part.cost == Approx(0.5 * r.dot(factor.solve(r))).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("a deflection root squares to encoder and pose noise") {
+  // Proves the covariance that a pose's readings are believed to have: own errors, and one shared by the joint.
+  PoseSystem system;
+  system.joints = {3, 3, 3, 7, 7};
+  const Eigen::MatrixXd root = deflectionRoot(system, {0.3, 2e-3, 1e-3});
+  const Eigen::MatrixXd covariance = root * root.transpose();
+  CHECK(covariance(0, 0) == Approx(5e-6));
+  CHECK(covariance(0, 2) == Approx(1e-6));
+  CHECK(covariance(2, 3) == Approx(0).margin(1e-18));
+  CHECK(covariance(3, 4) == Approx(1e-6));
+}
+
+TEST_CASE("readings at rest share their rounding error, readings after an approach do not") {
+  // Proves the grouping of readings that all statistics rest on.
+  const Problem rest{3, RepeatKind::rest}, anew{3, RepeatKind::reapproach};
+  const auto repeatOf = [](const Problem& problem, const Reading& reading) {
+    return problem.set.captures[problem.measurements.pictures[reading.pictures.front()].capture].repeat;
+  };
+  const auto angleOf = [](const Problem& problem, const Reading& reading) {
+    return problem.measurements.pictures[reading.pictures.front()].instant.q[0];
+  };
+  int unchanged = 0;
+  for (const Problem* problem : {&rest, &anew}) {
+    for (const PoseGroup& pose : problem->measurements.poses) {
+      CHECK(pose.repeated == (problem == &anew));
+      for (const Reading& a : pose.readings) {
+        for (const Reading& b : pose.readings) {
+          const bool rested = problem == &rest || repeatOf(*problem, a) == repeatOf(*problem, b);
+          const bool same = angleOf(*problem, a) == angleOf(*problem, b);
+          CHECK((a.encoderError[0] == b.encoderError[0]) == (rested && same));
+          unchanged += &a != &b && same;
+        }
+      }
+    }
+  }
+  CHECK(unchanged > 0);
+}
+
+TEST_CASE("no order of captures changes a digit") {
+  // Proves that sums are formed in an order of their own: bitwise equality of the linearisation.
+  Problem problem;
+  CaptureSet shuffled = problem.set;
+  std::shuffle(shuffled.captures.begin(), shuffled.captures.end(), std::mt19937{11});
+  const Measurements other = measurementsOf({shuffled}, problem.robot);
+  const Residuals a{problem.measurements, problem.model, {}}, b{other, problem.model, {}};
+  const Eigen::VectorXd unknowns = 0.1 * problem.model.sigmas();
+  const auto left = a.linearised(a.start(unknowns)), right = b.linearised(b.start(unknowns));
+  REQUIRE(left);
+  REQUIRE(right);
+  CHECK(left->cost == right->cost);
+  CHECK(left->gradient == right->gradient);
+  CHECK(left->hessian == right->hessian);
+}
+
+TEST_CASE("the loss is quadratic for good corners, constant for false ones and smooth between") {
+  // Proves that the weight is the slope of rho, which the accept test of the search relies on.
+  const Loss loss{1.5};
+  for (double s = 0.5; s < 200; s += 0.37) {
+    const double h = 1e-5;
+    CHECK((loss(s + h).rho - loss(s - h).rho) / (2 * h) == Approx(loss(s).weight).margin(1e-5));
+  }
+  CHECK(loss(1.0).weight == 1);
+  CHECK(loss(1e6).weight == 0);
+  CHECK(loss(1e6).rho == loss(1e9).rho);
+}
+
+TEST_CASE("a hip yaw-pitch motor is one unknown under both of its names") {
+  // Proves that neither name adds a second unknown and the right one is accepted.
+  const Problem problem;
+  const Model model = makeModel(problem.measurements, {"jointOffset@RHipYawPitch"});
+  CHECK(std::count_if(model.terms().begin(), model.terms().end(),
+                      [](const Term& term) { return term.place.find("HipYawPitch") != std::string::npos; }) == 1);
+  CHECK(makeModel(problem.measurements, {}, {"jointOffset@RHipYawPitch"}).unknownCount() == model.unknownCount() - 1);
+}
+
+} // namespace naocal

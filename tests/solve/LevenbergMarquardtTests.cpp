@@ -1,0 +1,54 @@
+#include "solve/LevenbergMarquardt.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace naocal {
+namespace {
+
+/// Rosenbrock's valley as a sum of squares: r = (10 (y - x^2), 1 - x), with a forbidden half plane x < -1.5.
+struct Valley {
+  struct Linear {
+    double cost = 0;
+    Eigen::VectorXd gradient;
+    Eigen::MatrixXd hessian;
+  };
+  std::optional<Linear> linearised(const Eigen::VectorXd& p) const {
+    if (p[0] < -1.5) {
+      return std::nullopt;
+    }
+    const Eigen::Vector2d r{10 * (p[1] - p[0] * p[0]), 1 - p[0]};
+    const Eigen::Matrix2d j = (Eigen::Matrix2d{} << -20 * p[0], 10, -1, 0).finished();
+    return Linear{0.5 * r.squaredNorm(), j.transpose() * r, j.transpose() * j};
+  }
+  Eigen::VectorXd moved(const Eigen::VectorXd& p, const Linear&, const Eigen::VectorXd& step) const { return p + step; }
+  const Eigen::VectorXd& scales() const { return scale; }
+  Eigen::VectorXd scale = Eigen::Vector2d{1, 1};
+};
+
+} // namespace
+
+TEST_CASE("the search finds the bottom of a curved valley") {
+  // Proves convergence on Rosenbrock's function from its usual start.
+  const auto minimum = levenbergMarquardt(Valley{}, Eigen::VectorXd{Eigen::Vector2d{-1.2, 1}});
+  REQUIRE(minimum);
+  CHECK(minimum->converged);
+  CHECK((minimum->state - Eigen::Vector2d{1, 1}).norm() < 1e-4);
+}
+
+TEST_CASE("an impossible start is absent and an impossible step is refused") {
+  // Proves that what cannot be is neither a result nor a way to one.
+  CHECK_FALSE(levenbergMarquardt(Valley{}, Eigen::VectorXd{Eigen::Vector2d{-2, 1}}));
+  const auto minimum = levenbergMarquardt(Valley{}, Eigen::VectorXd{Eigen::Vector2d{-1.4999, 30}});
+  REQUIRE(minimum);
+  CHECK(minimum->state[0] >= -1.5);
+  CHECK(minimum->converged);
+}
+
+TEST_CASE("too few iterations are not called converged") {
+  // Proves the flag that a result's usability rests on.
+  const auto minimum = levenbergMarquardt(Valley{}, Eigen::VectorXd{Eigen::Vector2d{-1.2, 1}}, {.maxIterations = 3});
+  REQUIRE(minimum);
+  CHECK_FALSE(minimum->converged);
+}
+
+} // namespace naocal
