@@ -167,7 +167,7 @@ struct Search {
 
 /// The pose level's posterior on a grid, the encoder's level held at its peak.
 std::vector<JointNoise::Level> posterior(const Search& search, const Noise& peak) {
-  constexpr double plausible = radians(0.05);
+  constexpr double plausible = radians(0.02);
   constexpr int count = 16;
   const double reach = 4 * std::max(peak.pose, plausible);
   std::vector<JointNoise::Level> levels;

@@ -32,7 +32,7 @@ struct JointNoise {
 /// (Patterson and Thompson, Biometrika 58 (1971) 545). Pixel noise stays as given. The encoder's level stays too unless
 /// poses were left and taken again, for only then do repeats show it, and never falls below the rounding of its steps.
 /// Few poses hardly tell the pose level, often not even whether there is one: it is therefore integrated over, with a
-/// half-Cauchy prior of 0.05 degrees (Gelman, Bayesian Analysis 1 (2006) 515), instead of being believed at its peak.
+/// half-Cauchy prior of 0.02 degrees (Gelman, Bayesian Analysis 1 (2006) 515), instead of being believed at its peak.
 JointNoise jointNoise(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& sigmas,
                       const Noise& start, bool encoderToo);
 

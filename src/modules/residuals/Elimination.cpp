@@ -1,5 +1,7 @@
 #include "residuals/Residuals.hpp"
 
+#include <cmath>
+
 namespace naocal {
 
 Eigen::MatrixXd deflectionRoot(const PoseSystem& pose, const Noise& noise) {
@@ -11,7 +13,9 @@ Eigen::MatrixXd deflectionRoot(const PoseSystem& pose, const Noise& noise) {
       ++size;
     }
     Eigen::MatrixXd covariance = Eigen::MatrixXd::Constant(size, size, noise.pose * noise.pose);
-    covariance.diagonal().array() += noise.encoder * noise.encoder;
+    for (Eigen::Index i = 0; i < size; ++i) {
+      covariance(i, i) += std::pow(noise.encoder * pose.errorScales[first + i], 2);
+    }
     root.block(first, first, size, size) = covariance.llt().matrixL();
     first += size;
   }

@@ -277,10 +277,13 @@ void Collector::group() {
 }
 
 /// Pictures of one pose: those with the same stance, repeat and measured angles share a reading. As long as the robot
-/// rests, a joint whose reading does not change keeps its rounding error; every approach gives every joint a new one.
+/// rests, a joint keeps its rounding error, and readings that flip between two steps tell that it stands at the edge
+/// between them; every approach gives every joint a new error.
 void Collector::groupPose(PoseGroup& pose, const std::vector<std::size_t>& members) {
+  constexpr double atEdge = 0.3; // of the rounding error's size: what the encoder's dither leaves
   const Robot& robot = result_.robot;
-  std::map<std::tuple<std::size_t, double, int, int>, std::size_t> known; // motor, angle, stance, approach -> error
+  std::map<std::tuple<std::size_t, int, int>, std::size_t> known; // motor, stance, approach -> error
+  std::map<std::size_t, std::set<double>> angles;                 // per error, the readings seen
   const Picture* previous = nullptr;
   for (std::size_t index : members) {
     const Picture& picture = result_.pictures[index];
@@ -293,17 +296,33 @@ void Collector::groupPose(PoseGroup& pose, const std::vector<std::size_t>& membe
       pose.readings.back().pictures.push_back(index);
       continue;
     }
-    pose.repeated |= last && capture.repeatKind != RepeatKind::rest;
+    pose.repeated |= last && last->repeat != capture.repeat && capture.repeatKind != RepeatKind::rest;
     Reading reading{.pictures = {index}, .encoderError = std::vector<std::size_t>(robot.joints.size())};
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-      const std::size_t motor = robot.joints[joint].motor;
-      const double angle = picture.instant.q[static_cast<Eigen::Index>(joint)];
       const int approach = capture.repeatKind == RepeatKind::rest ? -1 : capture.repeat;
-      const auto [entry, isNew] = known.try_emplace({motor, angle, capture.stance, approach}, pose.encoderErrors);
-      pose.encoderErrors += isNew;
+      const auto [entry, isNew] =
+          known.try_emplace({robot.joints[joint].motor, capture.stance, approach}, pose.encoderErrors.size());
+      if (isNew) {
+        pose.encoderErrors.push_back(1);
+      }
       reading.encoderError[joint] = entry->second;
+      angles[entry->second].insert(picture.instant.q[static_cast<Eigen::Index>(joint)]);
     }
     pose.readings.push_back(std::move(reading));
+  }
+  for (const Reading& reading : pose.readings) {
+    for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+      const std::set<double>& seen = angles.at(reading.encoderError[joint]);
+      if (seen.size() == 1) {
+        continue;
+      }
+      pose.encoderErrors[reading.encoderError[joint]] = atEdge;
+      const double edge = std::accumulate(seen.begin(), seen.end(), 0.0) / static_cast<double>(seen.size());
+      for (std::size_t index : reading.pictures) {
+        result_.pictures[index].instant.q[static_cast<Eigen::Index>(joint)] = edge;
+        result_.pictures[index].drawn.angle(joint) = edge;
+      }
+    }
   }
 }
 

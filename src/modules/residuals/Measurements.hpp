@@ -51,8 +51,8 @@ struct Reading {
 struct PoseGroup {
   std::string name;
   std::vector<Reading> readings;
-  std::size_t encoderErrors = 0; // how many distinct ones
-  bool repeated = false;         // was left and taken again: pose-level and reading-level noise can be told apart
+  std::vector<double> encoderErrors; // the distinct ones: how large each is against the encoder's noise
+  bool repeated = false;             // was left and taken again: pose-level and reading-level noise can be told apart
 };
 
 /// All that was measured, sorted so that no order of captures and no number of threads changes a digit.

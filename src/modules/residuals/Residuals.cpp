@@ -52,7 +52,7 @@ Residuals::Residuals(const Measurements& measurements, const Model& model, const
     : measurements_{measurements}, model_{model}, noise_{noise}, loss_{loss}, sigmas_{model.sigmas()},
       free_(model.unknownCount(), true) {
   for (std::size_t pose = 0; pose < measurements.poses.size(); ++pose) {
-    deflection_.emplace_back(measurements.poses[pose].encoderErrors, -1);
+    deflection_.emplace_back(measurements.poses[pose].encoderErrors.size(), -1);
     empty_.push_back(emptySystem(pose));
     roots_.push_back(deflectionRoot(empty_.back(), noise_));
   }
@@ -92,6 +92,7 @@ PoseSystem Residuals::emptySystem(std::size_t poseIndex) {
     for (const auto& [motor, error] : errors) {
       deflection_[poseIndex][error] = static_cast<int>(system.joints.size());
       system.joints.push_back(motor);
+      system.errorScales.push_back(pose.encoderErrors[error]);
     }
   }
   const Eigen::Index rows = at(system.unknowns.size()), deflections = at(system.joints.size());

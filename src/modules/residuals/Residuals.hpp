@@ -18,6 +18,7 @@ namespace naocal {
 struct PoseSystem {
   std::vector<std::size_t> unknowns;  // which ones, ascending
   std::vector<std::size_t> joints;    // per deflection: its joint; deflections of one joint stand together
+  std::vector<double> errorScales;    // per deflection: its encoder error\'s size against the noise level
   Eigen::MatrixXd unknownGram;        // sum of w J_x^T J_x      [px^2 / unknown^2]
   Eigen::MatrixXd cross;              // sum of w J_x^T J_t
   Eigen::MatrixXd deflectionGram;     // sum of w J_t^T J_t      [px^2 / rad^2]
@@ -27,7 +28,7 @@ struct PoseSystem {
   double corners = 0;                 // with a weight above zero
 };
 
-/// t = root * z with z of unit covariance: root root^T = encoder^2 I + pose^2 1 1^T within a joint.
+/// t = root * z with z of unit covariance: root root^T = encoder^2 diag(scales^2) + pose^2 1 1^T within a joint.
 Eigen::MatrixXd deflectionRoot(const PoseSystem& pose, const Noise& noise);
 
 /// A pose's deflections integrated out: Sigma = pixel^2 I + J_t S J_t^T by Woodbury on the deflections.
