@@ -6,13 +6,16 @@
 #include "detect/SetDetection.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <fmt/core.h>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <thread>
 #include <unistd.h>
+#include <vector>
 
 namespace naocal {
 
@@ -72,21 +75,39 @@ nlohmann::json detectionJson(const CaptureSet& set, const SetDetection& detectio
   return json;
 }
 
-/// A few findings of each kind; all of them are in the JSON.
+/// Captures about which the same is to be said.
+struct Remark {
+  std::string sentence;
+  std::vector<int> captures;
+};
+
+/// A few findings of each kind, those that say the same together; all of them are in the JSON.
 void printFindings(const SetDetection& detection) {
   constexpr std::size_t shown = 5;
-  std::map<FindingKind, std::size_t> counts;
+  std::map<FindingKind, std::vector<Remark>> remarks;
   for (const auto& [capture, finding] : detection.findings) {
-    const std::size_t count = ++counts[finding.kind];
-    if (finding.kind != FindingKind::hiddenCorner && count <= shown) {
-      fmt::print("  capture {}: {}\n", capture, finding.sentence);
+    auto& ofKind = remarks[finding.kind];
+    auto same = std::find_if(ofKind.begin(), ofKind.end(),
+                             [&](const Remark& remark) { return remark.sentence == finding.sentence; });
+    if (same == ofKind.end()) {
+      same = ofKind.insert(same, {finding.sentence, {}});
     }
+    same->captures.push_back(capture);
   }
-  for (const auto& [kind, count] : counts) {
+  for (const auto& [kind, ofKind] : remarks) {
     if (kind == FindingKind::hiddenCorner) {
-      fmt::print("  {} corners of boards that were found are hidden or too blurred\n", count);
-    } else if (count > shown) {
-      fmt::print("  {} more of kind {} (--json lists all)\n", count - shown, name(kind));
+      fmt::print("  {} corners of boards that were found are hidden or too blurred\n", ofKind.size());
+      continue;
+    }
+    for (std::size_t i = 0; i < std::min(shown, ofKind.size()); ++i) {
+      const auto& [sentence, captures] = ofKind[i];
+      fmt::print("  {}: {}\n",
+                 captures.size() == 1 ? fmt::format("capture {}", captures.front())
+                                      : fmt::format("{} captures", captures.size()),
+                 sentence);
+    }
+    if (ofKind.size() > shown) {
+      fmt::print("  {} more of kind {} (--json lists all)\n", ofKind.size() - shown, name(kind));
     }
   }
 }

@@ -5,6 +5,8 @@
 #include "detect/MirroredPairs.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <optional>
 
@@ -68,8 +70,11 @@ private:
   std::optional<CornerFit> fitted(int id, const Eigen::Matrix3d& homography) const {
     const int column = id % (pattern_.squaresX - 1), row = id / (pattern_.squaresX - 1);
     const auto map = [&](const Eigen::Vector2d& place) { return pixel(homography, place); };
-    const auto pairs = mirroredPairs(map, onBoard(id), reach_, isBlack(pattern_, column, row));
     const Eigen::Vector2d start = map(onBoard(id));
+    if (!picture_.holds(start)) {
+      return std::nullopt;
+    }
+    const auto pairs = mirroredPairs(map, onBoard(id), reach_, isBlack(pattern_, column, row));
     const double square = std::min((map(onBoard(id) + Eigen::Vector2d::UnitX()) - start).norm(),
                                    (map(onBoard(id) + Eigen::Vector2d::UnitY()) - start).norm());
     const auto fit = cornerFit(picture_, pairs, start, std::max(longestMove, longestMoveInSquares * square));
@@ -118,13 +123,24 @@ private:
     }
   }
 
-  static RefusedCorner misplaced(int id, const Eigen::Vector2d& place, double distance) {
-    return {id, place, true, fmt::format("lies {:.1f} px from where its neighbours put it", distance)};
+  /// Takes a misplaced corner out.
+  void refuse(int id, double distance) {
+    refused_[id] = {id, found_.at(id).pixel, true,
+                    fmt::format("lies {:.1f} px from where its neighbours put it", distance)};
+    found_.erase(id);
   }
 
-  /// How far a corner that was found lies from where the others put it [px].
+  /// How far a corner that was found lies from where the board has it [px]: the geometric mean of its distances from
+  /// two predictions, one with and one without itself. In least squares it scatters equally for all corners, those in
+  /// the middle and those that the others hardly determine.
   double misplacement(int id) const {
-    return (found_.at(id).pixel - pixel(*localHomography(others(id), onBoard(id)), onBoard(id))).norm();
+    const auto distance = [&](const std::vector<Sighting>& sightings) {
+      return (found_.at(id).pixel - pixel(*localHomography(sightings, onBoard(id)), onBoard(id))).norm();
+    };
+    auto sightings = others(id);
+    const double without = distance(sightings);
+    sightings.push_back(found_.at(id).sighting);
+    return std::sqrt(without * distance(sightings));
   }
 
   void removeMisplaced() {
@@ -142,8 +158,7 @@ private:
       if (worst <= tolerance_) {
         return;
       }
-      refused_[id] = misplaced(id, found_[id].pixel, worst);
-      found_.erase(id);
+      refuse(id, worst);
     }
   }
 
@@ -155,12 +170,11 @@ private:
         continue;
       }
       const Eigen::Vector2d expected = pixel(*homography, onBoard(id));
-      const auto fit = fitted(id, *homography);
-      const double distance = fit ? (fit->place - expected).norm() : 0;
-      if (fit && distance <= tolerance_) {
+      if (const auto fit = fitted(id, *homography)) {
         take(id, fit->place);
-      } else if (fit) {
-        refused_[id] = misplaced(id, fit->place, distance);
+        if (const double distance = misplacement(id); distance > tolerance_) {
+          refuse(id, distance);
+        }
       } else if (!refused_.count(id) && picture_.holds(expected)) {
         refused_[id] = {id, expected, false, "no crossing of four squares is seen there"};
       }

@@ -28,8 +28,8 @@ struct BoardSearchResult {
 
 /// Walks from the markers' corners outwards: a corner is predicted from what was found around it, fitted, and must be a
 /// crossing of four squares with black and white as printed. At the end each corner must lie within 0.3 to 0.7 px
-/// (six times the median) of where the others put it; the worst is taken out first. So far boards, of which few markers
-/// can be read, are found whole.
+/// (six times the median) of where the others put it; the worst is taken out first. Thus distant boards, of which few
+/// markers can be read, are found whole.
 ///
 /// `markerCorners`: corners of markers that were read and agree with each other.
 BoardSearchResult boardSearch(const SmoothPicture& picture, const Lens& lens, const CharucoPattern& pattern,

@@ -25,9 +25,9 @@ enum class FindingKind {
 struct Finding {
   FindingKind kind;
   std::string sentence;
-  std::string board;                    // empty where it is about no board
-  std::optional<int> corner;            // falseCorner, hiddenCorner
-  std::optional<Eigen::Vector2d> place; // of that corner [px]
+  std::string board = {};                    // empty where it is about no board
+  std::optional<int> corner = {};            // falseCorner, hiddenCorner
+  std::optional<Eigen::Vector2d> place = {}; // of that corner [px]
 };
 
 struct Detection {

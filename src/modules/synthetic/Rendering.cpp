@@ -1,15 +1,14 @@
 #include "synthetic/Rendering.hpp"
 
 #include "captures/InputError.hpp"
-#include "synthetic/RenderingSheet.hpp"
+#include "synthetic/RenderingFlats.hpp"
+#include "synthetic/RenderingLens.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
-#include <cassert>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <functional>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <random>
@@ -18,94 +17,6 @@ namespace naocal {
 namespace {
 
 constexpr int samplesPerPixel = 16; // one in each of 16 rows and 16 columns of the pixel
-
-/// OpenCV's five-term distortion of a point at z = 1.
-Eigen::Vector2d distorted(const Eigen::Vector2d& p, const std::array<double, 5>& distortion) {
-  const auto& [k1, k2, p1, p2, k3] = distortion;
-  const double r2 = p.squaredNorm();
-  const double radial = 1 + r2 * (k1 + r2 * (k2 + r2 * k3));
-  return {p.x() * radial + 2 * p1 * p.x() * p.y() + p2 * (r2 + 2 * p.x() * p.x()),
-          p.y() * radial + p1 * (r2 + 2 * p.y() * p.y()) + 2 * p2 * p.x() * p.y()};
-}
-
-/// The point at z = 1 whose distorted place is given: p <- p + (given - distorted(p)).
-Eigen::Vector2d undistorted(const Eigen::Vector2d& given, const std::array<double, 5>& distortion) {
-  Eigen::Vector2d p = given;
-  for (int i = 0; i < 50; ++i) {
-    const Eigen::Vector2d step = given - distorted(p, distortion);
-    p += step;
-    if (step.squaredNorm() < 1e-18) {
-      break;
-    }
-  }
-  return p;
-}
-
-Eigen::Vector2d pixel(const Eigen::Vector3d& pointInCameraOptical, const CameraIntrinsics& camera) {
-  const Eigen::Vector2d p = distorted(pointInCameraOptical.hnormalized(), camera.distortion);
-  return {camera.fx * p.x() + camera.cx, camera.fy * p.y() + camera.cy};
-}
-
-/// A flat thing made ready: where a ray meets its plane, what is painted there, and which pixels it may touch.
-struct Flat {
-  Eigen::Matrix3f planeFromRay;                  // (x, y, 1) / distance = planeFromRay * ray
-  std::function<float(float, float)> brightness; // at x, y of its frame [m]; negative: beyond its edge
-  int left, right, top, bottom;                  // [px], inclusive
-};
-
-/// `lower` and `upper` are opposite corners of its outline in its own frame.
-Flat flat(const RigidTransform& opticalFromFlat, const Eigen::Vector2d& lower, const Eigen::Vector2d& upper,
-          const CameraIntrinsics& camera, std::function<float(float, float)> brightness) {
-  Eigen::Matrix3d rayFromPlane;
-  rayFromPlane << opticalFromFlat.rotation.leftCols<2>(), opticalFromFlat.translation;
-  Flat result{rayFromPlane.inverse().cast<float>(), std::move(brightness), camera.width, -1, camera.height, -1};
-  const bool back = opticalFromFlat.rotation.col(2).dot(opticalFromFlat.translation) > 0;
-  if (back) {
-    result.brightness = [front = result.brightness](float x, float y) { return front(x, y) < 0 ? -1.f : 1.f; };
-  }
-  constexpr int steps = 16; // along a side: distortion bends it
-  for (int i = 0; i < 4 * steps; ++i) {
-    const double share = double(i % steps) / steps;
-    const Eigen::Vector2d along[4] = {{share, 0}, {1, share}, {1 - share, 1}, {0, 1 - share}};
-    const Eigen::Vector2d p = lower + along[i / steps].cwiseProduct(upper - lower);
-    const Eigen::Vector3d seen = opticalFromFlat * Eigen::Vector3d{p.x(), p.y(), 0};
-    if (seen.z() < 0.01 || seen.head<2>().norm() > 2 * seen.z()) { // too far aside to tell: look everywhere
-      result.left = result.top = 0;
-      result.right = camera.width - 1;
-      result.bottom = camera.height - 1;
-      break;
-    }
-    const Eigen::Vector2d uv = pixel(seen, camera);
-    result.left = std::max(0, std::min(result.left, int(uv.x()) - 3));
-    result.right = std::min(camera.width - 1, std::max(result.right, int(uv.x()) + 3));
-    result.top = std::max(0, std::min(result.top, int(uv.y()) - 3));
-    result.bottom = std::min(camera.height - 1, std::max(result.bottom, int(uv.y()) + 3));
-  }
-  return result;
-}
-
-/// All flat things of a scene, those in front first.
-std::vector<Flat> flats(const RenderedScene& scene, const CameraIntrinsics& camera) {
-  std::vector<Flat> result;
-  for (const RenderedBoard& board : scene.boards) {
-    const Eigen::Vector2d outside{board.margin, board.margin};
-    const Eigen::Vector2d size{board.pattern.squaresX * board.pattern.squareLength,
-                               board.pattern.squaresY * board.pattern.squareLength};
-    const RenderingSheet sheet{board.pattern, board.margin};
-    result.push_back(flat(board.cameraOpticalFromBoard, Eigen::Vector2d{0, -size.y()} - outside,
-                          Eigen::Vector2d{size.x(), 0} + outside, camera,
-                          [sheet](float x, float y) { return sheet.brightness(x, -y); }));
-  }
-  for (const Patch& patch : scene.patches) {
-    const Eigen::Vector2d half = patch.size / 2;
-    result.push_back(flat(patch.cameraOpticalFromPatch, -half, half, camera,
-                          [half = half.cast<float>().eval(), grey = float(patch.brightness)](float x, float y) {
-                            return std::abs(x) <= half.x() && std::abs(y) <= half.y() ? grey : -1.f;
-                          }));
-  }
-  std::reverse(result.begin(), result.end());
-  return result;
-}
 
 /// Blotches of several sizes with mean 0 and standard deviation about 1, fixed to the picture.
 cv::Mat1f blotches(cv::Size size, std::mt19937_64& random) {
@@ -137,7 +48,7 @@ float pixelBrightness(const std::vector<const Flat*>& candidates, const std::arr
   float sum = 0;
   for (int i = 0; i < samplesPerPixel; ++i) {
     constexpr std::array<int, samplesPerPixel> rows{0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15};
-    float u = (float(i) + shift) / samplesPerPixel, v = (float(rows[std::size_t(i)]) + shift) / samplesPerPixel;
+    const float u = (float(i) + shift) / samplesPerPixel, v = (float(rows[std::size_t(i)]) + shift) / samplesPerPixel;
     const Eigen::Vector2f ray = rays[0] + u * (rays[1] - rays[0]) + v * (rays[2] - rays[0]);
     float seen = -1;
     for (std::size_t k = 0; k < candidates.size() && seen < 0; ++k) {
@@ -181,9 +92,7 @@ Renderer::Renderer(const CameraIntrinsics& intrinsics) : intrinsics_{intrinsics}
   rays_.reserve(std::size_t(intrinsics.width + 1) * std::size_t(intrinsics.height + 1));
   for (int y = 0; y <= intrinsics.height; ++y) {
     for (int x = 0; x <= intrinsics.width; ++x) {
-      const Eigen::Vector2d corner{(x - 0.5 - intrinsics.cx) / intrinsics.fx,
-                                   (y - 0.5 - intrinsics.cy) / intrinsics.fy};
-      rays_.push_back(undistorted(corner, intrinsics.distortion).cast<float>());
+      rays_.push_back(renderedRay({x - 0.5, y - 0.5}, intrinsics).cast<float>());
     }
   }
 }
@@ -217,10 +126,12 @@ std::optional<Eigen::Vector2d> seenAt(const Eigen::Vector3d& pointInCameraOptica
   if (pointInCameraOptical.z() <= 0) {
     return std::nullopt;
   }
-  const Eigen::Vector2d uv = pixel(pointInCameraOptical, intrinsics);
+  const Eigen::Vector2d uv = renderedPixel(pointInCameraOptical, intrinsics);
+  // Far outside of what the lens was described for, its polynomial folds back into the picture.
+  const bool folded = (renderedRay(uv, intrinsics) - pointInCameraOptical.hnormalized()).norm() > 1e-6;
   const bool inside =
       uv.x() >= -0.5 && uv.y() >= -0.5 && uv.x() < intrinsics.width - 0.5 && uv.y() < intrinsics.height - 0.5;
-  return inside ? std::optional{uv} : std::nullopt;
+  return inside && !folded ? std::optional{uv} : std::nullopt;
 }
 
 BoardCorners trueCorners(const RenderedBoard& board, const CameraIntrinsics& intrinsics) {

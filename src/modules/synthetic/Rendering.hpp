@@ -20,7 +20,8 @@ struct RenderedBoard {
   double margin = 0.01; // white paper around the pattern [m]
 };
 
-/// A flat thing of one grey: spans x and y of its frame by +-size/2 and hides what was listed before it.
+/// A flat thing of one grey (white from behind): spans x and y of its frame by +-size/2 and hides what was listed
+/// before it.
 struct Patch {
   RigidTransform cameraOpticalFromPatch;
   Eigen::Vector2d size = {0.1, 0.1}; // [m]
