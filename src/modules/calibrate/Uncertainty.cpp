@@ -72,7 +72,7 @@ Misfit misfitOf(const Fit& fit, const Eigen::VectorXd& sigmas) {
   double numbers = 0;
   for (std::size_t pose = 0; pose < fit.minimum.linear.poses.size(); ++pose) {
     result.chi2 += 2 * fit.minimum.linear.eliminated[pose].cost;
-    numbers += 2 * fit.minimum.linear.poses[pose].corners;
+    numbers += fit.minimum.linear.poses[pose].numbers;
   }
   const Eigen::VectorXd variances = inverse(fit.minimum.linear.hessian).diagonal();
   const double learned = (1 - variances.cwiseQuotient(sigmas.cwiseAbs2()).array()).sum();

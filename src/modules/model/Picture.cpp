@@ -33,11 +33,18 @@ CornerBlocks cornerBlocks(const Board& board, const BoardCorners& corners) {
 
 View::View(const Robot& robot, const Quantities& quantities, std::size_t camera, std::size_t targetLink, bool onFloor,
            std::size_t board)
-    : quantities_{quantities}, camera_{camera}, target_{targetLink}, board_{board}, onFloor_{onFloor},
+    : View{robot, quantities, camera, robot.cameras[camera].link, targetLink, onFloor, board} {}
+
+View View::betweenLinks(const Robot& robot, const Quantities& quantities, std::size_t eyeLink, std::size_t sole) {
+  return {robot, quantities, std::nullopt, eyeLink, sole, true, 0};
+}
+
+View::View(const Robot& robot, const Quantities& quantities, std::optional<std::size_t> camera, std::size_t eyeLink,
+           std::size_t targetLink, bool onFloor, std::size_t board)
+    : quantities_{quantities}, camera_{camera}, eye_{eyeLink}, target_{targetLink}, board_{board}, onFloor_{onFloor},
       side_(robot.links.size(), 0) {
-  const std::size_t cameraLink = robot.cameras[camera].link;
-  links_ = linksTowards(robot, {cameraLink, targetLink});
-  for (std::optional<std::size_t> link = cameraLink; link; link = robot.links[*link].parent) {
+  links_ = linksTowards(robot, {eyeLink, targetLink});
+  for (std::optional<std::size_t> link = eyeLink; link; link = robot.links[*link].parent) {
     side_[*link] -= 1;
   }
   for (std::optional<std::size_t> link = targetLink; link; link = robot.links[*link].parent) {
@@ -51,11 +58,14 @@ View::View(const Robot& robot, const Quantities& quantities, std::size_t camera,
 }
 
 Attitude View::attitude(const Robot& robot, const Belief& belief, const Posture& torsoFromLink) const {
-  const CameraMount& mount = robot.cameras[camera_];
+  const RigidTransform linkFromEye = camera_ ? linkFromOptical(robot.cameras[*camera_], belief) : RigidTransform{};
   Attitude result;
-  result.opticalFromTorso = (torsoFromLink[mount.link] * linkFromOptical(mount, belief)).inverse();
+  result.opticalFromTorso = (torsoFromLink[eye_] * linkFromEye).inverse();
   result.opticalFromTarget = result.opticalFromTorso * torsoFromLink[target_];
   result.opticalFromWorld = result.opticalFromTarget * placed(belief.ground()).inverse();
+  if (!camera_) {
+    return result;
+  }
   result.opticalFromBoard =
       (onFloor_ ? result.opticalFromWorld : result.opticalFromTarget) * placed(belief.boardPlacement(board_));
   return result;

@@ -49,12 +49,16 @@ struct Attitude {
 ///
 ///   pointInOptical = opticalFromLink(camera) * linkFromTorso * torsoFromLink(target) * linkFromBoard * pointInBoard
 ///
+/// A link may take the camera's place (`betweenLinks`): then "optical" is that link's frame.
 /// For a floor board the target link is the support foot's sole and linkFromBoard = inverse(worldFromSole) *
 /// worldFromBoard.
 class View {
 public:
   View(const Robot& robot, const Quantities& quantities, std::size_t camera, std::size_t targetLink, bool onFloor,
        std::size_t board);
+
+  /// How a link sees the floor on which a sole stands.
+  static View betweenLinks(const Robot& robot, const Quantities& quantities, std::size_t eyeLink, std::size_t sole);
 
   /// Links whose posture `attitude` needs, parents first.
   const std::vector<std::size_t>& links() const { return links_; }
@@ -85,13 +89,16 @@ public:
   std::optional<std::size_t> extra(std::size_t quantity) const;
 
 private:
+  View(const Robot& robot, const Quantities& quantities, std::optional<std::size_t> camera, std::size_t eyeLink,
+       std::size_t targetLink, bool onFloor, std::size_t board);
   using Twist = Eigen::Matrix<double, 6, 1>; // omega [rad], v [m], in the optical frame
   Twist linkMotion(const Robot& robot, const Attitude& attitude, const Belief& belief, const Posture& torsoFromLink,
                    std::size_t quantity) const;
   Twist mountMotion(const Robot& robot, const Belief& belief, std::size_t number) const;
 
   Quantities quantities_;
-  std::size_t camera_, target_, board_;
+  std::optional<std::size_t> camera_; // absent: a link is the eye
+  std::size_t eye_, target_, board_;  // links, and the target's number
   bool onFloor_;
   std::vector<std::size_t> links_, joints_;
   std::vector<int> side_; // per link: -1 it carries the camera, +1 it carries the target, 0 it is not between them

@@ -71,7 +71,7 @@ View::Twist View::linkMotion(const Robot& robot, const Attitude& attitude, const
 
 /// The camera itself moves in its link: the scene moves the other way.
 View::Twist View::mountMotion(const Robot& robot, const Belief& belief, std::size_t number) const {
-  const CameraMount& mount = robot.cameras[camera_];
+  const CameraMount& mount = robot.cameras[*camera_];
   const Eigen::Matrix3d opticalFromLink = linkFromOptical(mount, belief).rotation.transpose();
   Twist twist = Twist::Zero();
   if (number < 3) {
@@ -100,16 +100,16 @@ void View::motion(const Robot& robot, const Attitude& attitude, const Belief& be
     auto column = columns.col(static_cast<Eigen::Index>(i));
     if (quantity < quantities_.mountTranslation()) {
       column.head<6>() = linkMotion(robot, attitude, belief, torsoFromLink, quantity);
-    } else if (quantity < quantities_.lens()) {
+    } else if (quantity < quantities_.lens() && camera_) {
       column.head<6>() = mountMotion(robot, belief, quantity - quantities_.mountTranslation());
-    } else if (const auto number = extra(quantity)) {
+    } else if (const auto number = camera_ ? extra(quantity) : std::nullopt) {
       const auto row = std::find(extras.begin(), extras.end(), *number);
       assert(row != extras.end());
       column[6 + (row - extras.begin())] = 1;
     } else if (quantity >= quantities_.ground() && quantity < quantities_.ground() + 6 && onFloor_) {
       // the sole moves in the world, hence the world backwards in the sole
       column.head<6>() = -placementMotion(attitude.opticalFromWorld, belief.ground(), quantity - quantities_.ground());
-    } else if (quantity >= quantities_.board(board_) && quantity < quantities_.board(board_) + 6) {
+    } else if (camera_ && quantity >= quantities_.board(board_) && quantity < quantities_.board(board_) + 6) {
       column.head<6>() = placementMotion(onFloor_ ? attitude.opticalFromWorld : attitude.opticalFromTarget,
                                          belief.boardPlacement(board_), quantity - quantities_.board(board_));
     }

@@ -232,6 +232,15 @@ private:
     }
   }
 
+  /// On both feet the right sole lies flat on the floor too: one more measurement, told once per pose.
+  void addFloorContact(Picture& picture) const {
+    const Robot& robot = result_.robot;
+    if (picture.instant.supportFoot == SupportFoot::both) {
+      picture.otherSole =
+          View::betweenLinks(robot, result_.quantities, robot.sole("right")->link, robot.sole("left")->link);
+    }
+  }
+
   void group();
   void groupPose(PoseGroup& pose, const std::vector<std::size_t>& pictures);
 
@@ -264,13 +273,20 @@ void Collector::group() {
     pose.name = name.second;
     groupPose(pose, members);
     result_.repeats |= pose.readings.size() > 1;
+    addFloorContact(result_.pictures[pose.readings.front().pictures.front()]);
     result_.poses.push_back(std::move(pose));
   }
+  const auto use = [&](const View& view) {
+    for (std::size_t joint : view.joints()) {
+      motors.insert(result_.robot.joints[joint].motor);
+    }
+  };
   for (const Picture& picture : pictures) {
     for (const Sighting& sighting : picture.sightings) {
-      for (std::size_t joint : sighting.view.joints()) {
-        motors.insert(result_.robot.joints[joint].motor);
-      }
+      use(sighting.view);
+    }
+    if (picture.otherSole) {
+      use(*picture.otherSole);
     }
   }
   result_.joints.assign(motors.begin(), motors.end());

@@ -39,6 +39,7 @@ struct Picture {
   Instant instant; // q = measured angles [rad], resting angles where not recorded
   Belief drawn;    // the drawing, the file's lens, measured angles, placements known or guessed
   std::vector<Sighting> sightings;
+  std::optional<View> otherSole; // standing on both feet, once per pose: how the right sole sees the left one's floor
 };
 
 /// Pictures that share one encoder reading, hence one encoder error per joint.

@@ -15,6 +15,12 @@ struct Noise {
   double pose = 0; // of a deflection that all captures of a pose share (stiction), per joint [rad]
 };
 
+/// How flat soles and floor are, where the robot stands on both feet.
+struct FloorContact {
+  static constexpr double height = 0.001; // of one sole over the other's floor [m]
+  static constexpr double tilt = 0.005;   // [rad]
+};
+
 /// What a corner's distance from its prediction costs: half its square near, nothing more when it is beyond doubt
 /// false.
 ///

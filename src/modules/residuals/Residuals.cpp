@@ -37,6 +37,17 @@ Eigen::Index at(std::size_t i) {
   return static_cast<Eigen::Index>(i);
 }
 
+std::vector<const View*> viewsOf(const Picture& picture) {
+  std::vector<const View*> views;
+  for (const Sighting& sighting : picture.sightings) {
+    views.push_back(&sighting.view);
+  }
+  if (picture.otherSole) {
+    views.push_back(&*picture.otherSole);
+  }
+  return views;
+}
+
 /// A point in general position: no derivative vanishes there by accident.
 Eigen::VectorXd generic(const Eigen::VectorXd& sigmas) {
   Eigen::VectorXd result = sigmas;
@@ -79,8 +90,8 @@ PoseSystem Residuals::emptySystem(std::size_t poseIndex) {
       for (const Slope& slope : slopes(measurements_, model_, picture, generic(sigmas_))) {
         unknowns.insert(slope.unknown);
       }
-      for (const Sighting& sighting : picture.sightings) {
-        for (std::size_t joint : sighting.view.joints()) {
+      for (const View* view : viewsOf(picture)) {
+        for (std::size_t joint : view->joints()) {
           errors.emplace(measurements_.robot.joints[joint].motor, reading.encoderError[joint]);
         }
       }
@@ -108,9 +119,9 @@ Residuals::Prepared Residuals::prepared(const Picture& picture, std::size_t pose
                                         const Eigen::VectorXd& unknowns) const {
   Prepared result;
   std::set<std::size_t> links, joints, others;
-  for (const Sighting& sighting : picture.sightings) {
-    links.insert(sighting.view.links().begin(), sighting.view.links().end());
-    joints.insert(sighting.view.joints().begin(), sighting.view.joints().end());
+  for (const View* view : viewsOf(picture)) {
+    links.insert(view->links().begin(), view->links().end());
+    joints.insert(view->joints().begin(), view->joints().end());
   }
   result.links.assign(links.begin(), links.end());
   result.joints.assign(joints.begin(), joints.end());
@@ -161,15 +172,11 @@ Belief Residuals::belief(const Picture& picture, const Prepared& prepared, const
   return result;
 }
 
-/// Adds one picture's sums to its pose's, its quantities mapped to unknowns and deflections. False: a corner is
-/// nowhere.
-bool Residuals::addPicture(const Picture& picture, const Prepared& prepared, const Belief& belief,
-                           const Reading& reading, std::size_t pose, Workspace& work, PoseSystem& system) const {
+/// Sums over the corners of all boards in a picture, per quantity. False: a corner is nowhere.
+bool Residuals::addSightings(const Picture& picture, const Prepared& prepared, const Belief& belief, Workspace& work,
+                             PoseSystem& system) const {
   const Robot& robot = measurements_.robot;
   const Eigen::Index slots = at(prepared.quantities.size());
-  posture(robot, belief, prepared.links, work.torsoFromLink);
-  work.gram.setZero(slots, slots);
-  work.gradient.setZero(slots);
   for (std::size_t i = 0; i < picture.sightings.size(); ++i) {
     const Sighting& sighting = picture.sightings[i];
     const std::vector<std::size_t>& extras = prepared.extras[i];
@@ -191,7 +198,49 @@ bool Residuals::addPicture(const Picture& picture, const Prepared& prepared, con
     work.gradient.noalias() += work.columns.transpose() * work.sums.gradient;
     work.cost += work.sums.cost;
     system.squares += work.sums.squares;
-    system.corners += work.sums.corners;
+    system.numbers += 2 * work.sums.corners;
+  }
+  return true;
+}
+
+/// The other sole's height over the floor and its tilt are zero but for `FloorContact`; in units of pixels, as all sums
+/// are.
+///   height = -n . t, d(height) = -n . v;  n = the floor's normal in the sole, d(n) = omega x n
+void Residuals::addFloorContact(const Picture& picture, const Prepared& prepared, const Belief& belief, Workspace& work,
+                                PoseSystem& system) const {
+  const Attitude attitude = picture.otherSole->attitude(measurements_.robot, belief, work.torsoFromLink);
+  const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
+  work.columns.resize(6, at(prepared.quantities.size()));
+  picture.otherSole->motion(measurements_.robot, attitude, belief, work.torsoFromLink, prepared.quantities, {},
+                            work.columns);
+  const Eigen::Vector3d scale =
+      noise_.pixel * Eigen::Vector3d{1 / FloorContact::height, 1 / FloorContact::tilt, 1 / FloorContact::tilt};
+  Eigen::Matrix<double, 3, 6> byMotion = Eigen::Matrix<double, 3, 6>::Zero();
+  byMotion.row(0).tail<3>() = -normal.transpose();
+  byMotion.bottomLeftCorner<2, 3>() = -crossMatrix(normal).topRows<2>();
+  const Eigen::Vector3d residual =
+      scale.cwiseProduct(Eigen::Vector3d{-normal.dot(attitude.opticalFromWorld.translation), normal.x(), normal.y()});
+  const Eigen::MatrixXd rows = scale.asDiagonal() * (byMotion * work.columns);
+  work.gram.noalias() += rows.transpose() * rows;
+  work.gradient.noalias() += rows.transpose() * residual;
+  work.cost += residual.squaredNorm() / (noise_.pixel * noise_.pixel);
+  system.squares += residual.squaredNorm();
+  system.numbers += 3;
+}
+
+/// Adds one picture's sums to its pose's, its quantities mapped to unknowns and deflections. False: a corner is
+/// nowhere.
+bool Residuals::addPicture(const Picture& picture, const Prepared& prepared, const Belief& belief,
+                           const Reading& reading, std::size_t pose, Workspace& work, PoseSystem& system) const {
+  const Eigen::Index slots = at(prepared.quantities.size());
+  posture(measurements_.robot, belief, prepared.links, work.torsoFromLink);
+  work.gram.setZero(slots, slots);
+  work.gradient.setZero(slots);
+  if (!addSightings(picture, prepared, belief, work, system)) {
+    return false;
+  }
+  if (picture.otherSole) {
+    addFloorContact(picture, prepared, belief, work, system);
   }
   for (const Prepared::Entry& a : prepared.entries) {
     if (a.slot < 0) {

@@ -25,7 +25,7 @@ struct PoseSystem {
   Eigen::VectorXd unknownGradient;    // sum of w J_x^T r
   Eigen::VectorXd deflectionGradient; // sum of w J_t^T r
   double squares = 0;                 // sum of w r^2            [px^2]
-  double corners = 0;                 // with a weight above zero
+  double numbers = 0; // that count: two per corner with a weight above zero, three per sole on the floor
 };
 
 /// t = root * z with z of unit covariance: root root^T = encoder^2 diag(scales^2) + pose^2 1 1^T within a joint.
@@ -95,6 +95,10 @@ private:
                 const Eigen::VectorXd& unknowns, const Eigen::VectorXd& deflections) const;
   bool addPicture(const Picture& picture, const Prepared& prepared, const Belief& belief, const Reading& reading,
                   std::size_t pose, Workspace& work, PoseSystem& system) const;
+  bool addSightings(const Picture& picture, const Prepared& prepared, const Belief& belief, Workspace& work,
+                    PoseSystem& system) const;
+  void addFloorContact(const Picture& picture, const Prepared& prepared, const Belief& belief, Workspace& work,
+                       PoseSystem& system) const;
   PoseSystem emptySystem(std::size_t pose);
   SightingResidual sightingResidual(std::size_t picture, std::size_t index, const Belief& belief,
                                     Workspace& work) const;
