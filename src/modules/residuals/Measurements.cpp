@@ -1,15 +1,14 @@
 #include "residuals/Measurements.hpp"
 
 #include "captures/InputError.hpp"
+#include "residuals/Grouping.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
-#include <tuple>
 
 namespace naocal {
 
@@ -34,7 +33,7 @@ public:
     for (std::size_t set = 0; set < sets_.size(); ++set) {
       addPictures(set);
     }
-    group();
+    groupReadings(sets_, result_);
     return std::move(result_);
   }
 
@@ -232,115 +231,12 @@ private:
     }
   }
 
-  /// On both feet the right sole lies flat on the floor too: one more measurement, told once per pose.
-  void addFloorContact(Picture& picture) const {
-    const Robot& robot = result_.robot;
-    if (picture.instant.supportFoot == SupportFoot::both) {
-      picture.otherSole =
-          View::betweenLinks(robot, result_.quantities, robot.sole("right")->link, robot.sole("left")->link);
-    }
-  }
-
-  void group();
-  void groupPose(PoseGroup& pose, const std::vector<std::size_t>& pictures);
-
   const std::vector<CaptureSet>& sets_;
   bool samePlace_;
   Measurements result_;
   std::map<std::string, std::size_t> targetIndex_, standingIndex_;
   std::vector<Placement> standingPlacement_;
 };
-
-/// Sorts the pictures, joins those of one reading, and readings of one pose.
-void Collector::group() {
-  auto& pictures = result_.pictures;
-  const auto key = [&](const Picture& picture) {
-    const Capture& capture = sets_[picture.set].captures[picture.capture];
-    return std::tuple{picture.set,          capture.pose,   capture.stance, capture.repeat,
-                      capture.time.count(), capture.camera, capture.id};
-  };
-  std::stable_sort(pictures.begin(), pictures.end(),
-                   [&](const Picture& a, const Picture& b) { return key(a) < key(b); });
-  std::map<std::pair<std::size_t, std::string>, std::vector<std::size_t>> poses;
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    if (!pictures[i].sightings.empty()) {
-      poses[{pictures[i].set, sets_[pictures[i].set].captures[pictures[i].capture].pose}].push_back(i);
-    }
-  }
-  std::set<std::size_t> motors;
-  for (const auto& [name, members] : poses) {
-    PoseGroup pose;
-    pose.name = name.second;
-    groupPose(pose, members);
-    result_.repeats |= pose.readings.size() > 1;
-    addFloorContact(result_.pictures[pose.readings.front().pictures.front()]);
-    result_.poses.push_back(std::move(pose));
-  }
-  const auto use = [&](const View& view) {
-    for (std::size_t joint : view.joints()) {
-      motors.insert(result_.robot.joints[joint].motor);
-    }
-  };
-  for (const Picture& picture : pictures) {
-    for (const Sighting& sighting : picture.sightings) {
-      use(sighting.view);
-    }
-    if (picture.otherSole) {
-      use(*picture.otherSole);
-    }
-  }
-  result_.joints.assign(motors.begin(), motors.end());
-}
-
-/// Pictures of one pose: those with the same stance, repeat and measured angles share a reading. As long as the robot
-/// rests, a joint keeps its rounding error, and readings that flip between two steps tell that it stands at the edge
-/// between them; every approach gives every joint a new error.
-void Collector::groupPose(PoseGroup& pose, const std::vector<std::size_t>& members) {
-  constexpr double atEdge = 0.3; // of the rounding error's size: what the encoder's dither leaves
-  const Robot& robot = result_.robot;
-  std::map<std::tuple<std::size_t, int, int>, std::size_t> known; // motor, stance, approach -> error
-  std::map<std::size_t, std::set<double>> angles;                 // per error, the readings seen
-  const Picture* previous = nullptr;
-  for (std::size_t index : members) {
-    const Picture& picture = result_.pictures[index];
-    const Capture& capture = sets_[picture.set].captures[picture.capture];
-    const Capture* last = previous ? &sets_[previous->set].captures[previous->capture] : nullptr;
-    const bool sameReading = last && last->stance == capture.stance && last->repeat == capture.repeat &&
-                             previous->instant.q == picture.instant.q;
-    previous = &picture;
-    if (sameReading) {
-      pose.readings.back().pictures.push_back(index);
-      continue;
-    }
-    pose.repeated |= last && last->repeat != capture.repeat && capture.repeatKind != RepeatKind::rest;
-    Reading reading{.pictures = {index}, .encoderError = std::vector<std::size_t>(robot.joints.size())};
-    for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-      const int approach = capture.repeatKind == RepeatKind::rest ? -1 : capture.repeat;
-      const auto [entry, isNew] =
-          known.try_emplace({robot.joints[joint].motor, capture.stance, approach}, pose.encoderErrors.size());
-      if (isNew) {
-        pose.encoderErrors.push_back(1);
-      }
-      reading.encoderError[joint] = entry->second;
-      angles[entry->second].insert(picture.instant.q[static_cast<Eigen::Index>(joint)]);
-    }
-    pose.readings.push_back(std::move(reading));
-  }
-  for (const Reading& reading : pose.readings) {
-    for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-      const std::set<double>& seen = angles.at(reading.encoderError[joint]);
-      if (seen.size() == 1) {
-        continue;
-      }
-      pose.encoderErrors[reading.encoderError[joint]] = atEdge;
-      const double edge = std::accumulate(seen.begin(), seen.end(), 0.0) / static_cast<double>(seen.size());
-      for (std::size_t index : reading.pictures) {
-        result_.pictures[index].instant.q[static_cast<Eigen::Index>(joint)] = edge;
-        result_.pictures[index].drawn.angle(joint) = edge;
-      }
-    }
-  }
-}
 
 } // namespace
 

@@ -1,35 +1,11 @@
 #include "residuals/Residuals.hpp"
 
-#include "residuals/PictureGram.hpp"
+#include "residuals/ResidualsParts.hpp"
 
 #include <algorithm>
 #include <set>
 
 namespace naocal {
-
-/// What a picture needs: quantities (the angles on its paths first) and the unknowns that move them.
-struct Residuals::Prepared {
-  struct Entry {
-    std::size_t quantity, unknown;
-    Eigen::Index slot, local; // place among the picture's quantities, and among its pose's unknowns
-    double value;
-  };
-  std::vector<std::size_t> links;
-  std::vector<std::size_t> quantities;
-  std::vector<std::size_t> joints; // of the first quantities
-  std::vector<Entry> entries;
-  std::vector<std::vector<std::size_t>> extras; // per sighting
-};
-
-struct Residuals::Workspace {
-  Posture torsoFromLink;
-  ProjectedBlocks projected;
-  std::vector<Lane, Eigen::aligned_allocator<Lane>> extraRows;
-  PictureGram sums;
-  Eigen::MatrixXd columns, gram;
-  Eigen::VectorXd gradient;
-  double cost = 0; // sum of rho
-};
 
 namespace {
 
@@ -172,106 +148,6 @@ Belief Residuals::belief(const Picture& picture, const Prepared& prepared, const
   return result;
 }
 
-/// Sums over the corners of all boards in a picture, per quantity. False: a corner is nowhere.
-bool Residuals::addSightings(const Picture& picture, const Prepared& prepared, const Belief& belief, Workspace& work,
-                             PoseSystem& system) const {
-  const Robot& robot = measurements_.robot;
-  const Eigen::Index slots = at(prepared.quantities.size());
-  for (std::size_t i = 0; i < picture.sightings.size(); ++i) {
-    const Sighting& sighting = picture.sightings[i];
-    const std::vector<std::size_t>& extras = prepared.extras[i];
-    const Attitude attitude = sighting.view.attitude(robot, belief, work.torsoFromLink);
-    if (!sighting.view.project(attitude, belief, sighting.corners, work.projected)) {
-      return false;
-    }
-    work.extraRows.resize(2 * extras.size() * sighting.corners.size());
-    for (std::size_t e = 0, row = 0; e < extras.size(); ++e) {
-      for (std::size_t block = 0; block < sighting.corners.size(); ++block, row += 2) {
-        View::extraRows(extras[e], attitude, belief, sighting.corners[block], work.projected[block],
-                        work.extraRows[row], work.extraRows[row + 1]);
-      }
-    }
-    sumUp(sighting.corners, work.projected, work.extraRows, extras.size(), noise_.pixel, loss_, work.sums);
-    work.columns.resize(at(6 + extras.size()), slots);
-    sighting.view.motion(robot, attitude, belief, work.torsoFromLink, prepared.quantities, extras, work.columns);
-    work.gram.noalias() += work.columns.transpose() * (work.sums.gram * work.columns);
-    work.gradient.noalias() += work.columns.transpose() * work.sums.gradient;
-    work.cost += work.sums.cost;
-    system.squares += work.sums.squares;
-    system.numbers += 2 * work.sums.corners;
-  }
-  return true;
-}
-
-/// The other sole's height over the floor and its tilt are zero but for `FloorContact`; in units of pixels, as all sums
-/// are.
-///   height = -n . t, d(height) = -n . v;  n = the floor's normal in the sole, d(n) = omega x n
-void Residuals::addFloorContact(const Picture& picture, const Prepared& prepared, const Belief& belief, Workspace& work,
-                                PoseSystem& system) const {
-  const Attitude attitude = picture.otherSole->attitude(measurements_.robot, belief, work.torsoFromLink);
-  const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
-  work.columns.resize(6, at(prepared.quantities.size()));
-  picture.otherSole->motion(measurements_.robot, attitude, belief, work.torsoFromLink, prepared.quantities, {},
-                            work.columns);
-  const Eigen::Vector3d scale =
-      noise_.pixel * Eigen::Vector3d{1 / FloorContact::height, 1 / FloorContact::tilt, 1 / FloorContact::tilt};
-  Eigen::Matrix<double, 3, 6> byMotion = Eigen::Matrix<double, 3, 6>::Zero();
-  byMotion.row(0).tail<3>() = -normal.transpose();
-  byMotion.bottomLeftCorner<2, 3>() = -crossMatrix(normal).topRows<2>();
-  const Eigen::Vector3d residual =
-      scale.cwiseProduct(Eigen::Vector3d{-normal.dot(attitude.opticalFromWorld.translation), normal.x(), normal.y()});
-  const Eigen::MatrixXd rows = scale.asDiagonal() * (byMotion * work.columns);
-  work.gram.noalias() += rows.transpose() * rows;
-  work.gradient.noalias() += rows.transpose() * residual;
-  work.cost += residual.squaredNorm() / (noise_.pixel * noise_.pixel);
-  system.squares += residual.squaredNorm();
-  system.numbers += 3;
-}
-
-/// Adds one picture's sums to its pose's, its quantities mapped to unknowns and deflections. False: a corner is
-/// nowhere.
-bool Residuals::addPicture(const Picture& picture, const Prepared& prepared, const Belief& belief,
-                           const Reading& reading, std::size_t pose, Workspace& work, PoseSystem& system) const {
-  const Eigen::Index slots = at(prepared.quantities.size());
-  posture(measurements_.robot, belief, prepared.links, work.torsoFromLink);
-  work.gram.setZero(slots, slots);
-  work.gradient.setZero(slots);
-  if (!addSightings(picture, prepared, belief, work, system)) {
-    return false;
-  }
-  if (picture.otherSole) {
-    addFloorContact(picture, prepared, belief, work, system);
-  }
-  for (const Prepared::Entry& a : prepared.entries) {
-    if (a.slot < 0) {
-      continue;
-    }
-    system.unknownGradient[a.local] += a.value * work.gradient[a.slot];
-    for (const Prepared::Entry& b : prepared.entries) {
-      if (b.slot >= 0) {
-        system.unknownGram(a.local, b.local) += a.value * b.value * work.gram(a.slot, b.slot);
-      }
-    }
-  }
-  for (std::size_t j = 0; j < prepared.joints.size(); ++j) {
-    const int deflection = deflection_[pose][reading.encoderError[prepared.joints[j]]];
-    if (deflection < 0) {
-      continue;
-    }
-    system.deflectionGradient[deflection] += work.gradient[at(j)];
-    for (const Prepared::Entry& a : prepared.entries) {
-      if (a.slot >= 0) {
-        system.cross(a.local, deflection) += a.value * work.gram(a.slot, at(j));
-      }
-    }
-    for (std::size_t k = 0; k < prepared.joints.size(); ++k) {
-      const int other = deflection_[pose][reading.encoderError[prepared.joints[k]]];
-      system.deflectionGram(deflection, other) += work.gram(at(j), at(k));
-    }
-  }
-  return true;
-}
-
 Residuals::State Residuals::start(const Eigen::VectorXd& unknowns) const {
   State state{unknowns, {}};
   for (const PoseSystem& pose : empty_) {
@@ -338,55 +214,6 @@ Residuals::State Residuals::moved(const State& state, const Linear& linear, cons
       local[at(i)] = step[at(empty_[pose].unknowns[i])];
     }
     result.deflections.push_back(-part.inner.solve(part.gradient + part.cross.transpose() * local));
-  }
-  return result;
-}
-
-std::vector<SightingResidual> Residuals::sightings(const State& state) const {
-  std::vector<SightingResidual> result;
-  Workspace work;
-  for (std::size_t pose = 0; pose < empty_.size(); ++pose) {
-    const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
-    for (const Reading& reading : measurements_.poses[pose].readings) {
-      for (std::size_t index : reading.pictures) {
-        const Picture& picture = measurements_.pictures[index];
-        const Belief here = belief(picture, prepared_[index], reading, pose, state.unknowns, deflections);
-        posture(measurements_.robot, here, prepared_[index].links, work.torsoFromLink);
-        for (std::size_t i = 0; i < picture.sightings.size(); ++i) {
-          result.push_back(sightingResidual(index, i, here, work));
-        }
-      }
-    }
-  }
-  return result;
-}
-
-SightingResidual Residuals::sightingResidual(std::size_t picture, std::size_t index, const Belief& belief,
-                                             Workspace& work) const {
-  const Sighting& sighting = measurements_.pictures[picture].sightings[index];
-  const Attitude attitude = sighting.view.attitude(measurements_.robot, belief, work.torsoFromLink);
-  const Eigen::Index count = at(sighting.ids.size());
-  SightingResidual result{picture,
-                          index,
-                          Eigen::Matrix2Xd(2, count),
-                          Eigen::Matrix2Xd(2, count),
-                          Eigen::VectorXd::Zero(count),
-                          Eigen::MatrixXd::Zero(2 * count, 6)};
-  if (!sighting.view.project(attitude, belief, sighting.corners, work.projected)) {
-    result.predicted.setConstant(std::numeric_limits<double>::quiet_NaN());
-    result.residual = result.predicted;
-    return result;
-  }
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const CornerBlock& corner = sighting.corners[static_cast<std::size_t>(i / 4)];
-    const ProjectedBlock& seen = work.projected[static_cast<std::size_t>(i / 4)];
-    result.predicted.col(i) << seen.u[i % 4], seen.v[i % 4];
-    result.residual.col(i) << corner.u[i % 4] - seen.u[i % 4], corner.v[i % 4] - seen.v[i % 4];
-    for (Eigen::Index k = 0; k < 6; ++k) {
-      result.motionRows(2 * i, k) = seen.rowsU[k][i % 4];
-      result.motionRows(2 * i + 1, k) = seen.rowsV[k][i % 4];
-    }
-    result.weight[i] = loss_(result.residual.col(i).squaredNorm() / (noise_.pixel * noise_.pixel)).weight;
   }
   return result;
 }

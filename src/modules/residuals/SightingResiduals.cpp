@@ -1,0 +1,62 @@
+#include "residuals/ResidualsParts.hpp"
+
+#include <limits>
+
+namespace naocal {
+
+namespace {
+Eigen::Index at(std::size_t i) {
+  return static_cast<Eigen::Index>(i);
+}
+} // namespace
+
+std::vector<SightingResidual> Residuals::sightings(const State& state) const {
+  std::vector<SightingResidual> result;
+  Workspace work;
+  for (std::size_t pose = 0; pose < empty_.size(); ++pose) {
+    const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
+    for (const Reading& reading : measurements_.poses[pose].readings) {
+      for (std::size_t index : reading.pictures) {
+        const Picture& picture = measurements_.pictures[index];
+        const Belief here = belief(picture, prepared_[index], reading, pose, state.unknowns, deflections);
+        posture(measurements_.robot, here, prepared_[index].links, work.torsoFromLink);
+        for (std::size_t i = 0; i < picture.sightings.size(); ++i) {
+          result.push_back(sightingResidual(index, i, here, work));
+        }
+      }
+    }
+  }
+  return result;
+}
+
+SightingResidual Residuals::sightingResidual(std::size_t picture, std::size_t index, const Belief& belief,
+                                             Workspace& work) const {
+  const Sighting& sighting = measurements_.pictures[picture].sightings[index];
+  const Attitude attitude = sighting.view.attitude(measurements_.robot, belief, work.torsoFromLink);
+  const Eigen::Index count = at(sighting.ids.size());
+  SightingResidual result{picture,
+                          index,
+                          Eigen::Matrix2Xd(2, count),
+                          Eigen::Matrix2Xd(2, count),
+                          Eigen::VectorXd::Zero(count),
+                          Eigen::MatrixXd::Zero(2 * count, 6)};
+  if (!sighting.view.project(attitude, belief, sighting.corners, work.projected)) {
+    result.predicted.setConstant(std::numeric_limits<double>::quiet_NaN());
+    result.residual = result.predicted;
+    return result;
+  }
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const CornerBlock& corner = sighting.corners[static_cast<std::size_t>(i / 4)];
+    const ProjectedBlock& seen = work.projected[static_cast<std::size_t>(i / 4)];
+    result.predicted.col(i) << seen.u[i % 4], seen.v[i % 4];
+    result.residual.col(i) << corner.u[i % 4] - seen.u[i % 4], corner.v[i % 4] - seen.v[i % 4];
+    for (Eigen::Index k = 0; k < 6; ++k) {
+      result.motionRows(2 * i, k) = seen.rowsU[k][i % 4];
+      result.motionRows(2 * i + 1, k) = seen.rowsV[k][i % 4];
+    }
+    result.weight[i] = loss_(result.residual.col(i).squaredNorm() / (noise_.pixel * noise_.pixel)).weight;
+  }
+  return result;
+}
+
+} // namespace naocal
