@@ -5,7 +5,7 @@
 namespace naocal {
 
 RenderingSheet::RenderingSheet(const CharucoPattern& pattern, double margin)
-    : squaresX_{pattern.squaresX}, squareLength_{float(pattern.squareLength)},
+    : squaresX_{pattern.squaresX}, squaresY_{pattern.squaresY}, squareLength_{float(pattern.squareLength)},
       width_{float(pattern.squaresX * pattern.squareLength)}, height_{float(pattern.squaresY * pattern.squareLength)},
       margin_{float(margin)}, gap_{float((1 - pattern.markerLength / pattern.squareLength) / 2)} {
   const bool firstIsWhite = pattern.legacyPattern && pattern.squaresY % 2 == 0;

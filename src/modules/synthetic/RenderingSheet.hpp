@@ -2,7 +2,7 @@
 
 #include "captures/Capture.hpp"
 
-#include <Eigen/Core>
+#include <algorithm>
 #include <vector>
 
 namespace naocal {
@@ -24,7 +24,7 @@ public:
       return 1;
     }
     const float column = x / squareLength_, row = down / squareLength_;
-    const int squareX = int(column), squareY = int(row);
+    const int squareX = std::min(int(column), squaresX_ - 1), squareY = std::min(int(row), squaresY_ - 1); // rounding
     const int marker = markers_[std::size_t(squareY * squaresX_ + squareX)];
     if (marker < 0) {
       return 0;
@@ -38,7 +38,7 @@ public:
   }
 
 private:
-  int squaresX_;
+  int squaresX_, squaresY_;
   float squareLength_, width_, height_, margin_; // [m]
   std::size_t cellCount_ = 0;                    // along a marker's side, black border included
   float gap_;                                    // between a square's edge and its marker, in squares
