@@ -16,7 +16,7 @@ GivenSets readSets(const std::vector<std::string>& folders, bool skipBad) {
     for (const std::string& sentence : read.skipped) {
       fmt::print(stderr, "left out: {}\n", sentence);
     }
-    given.inputs.sets.push_back(folder);
+    given.inputs.sets.push_back(std::filesystem::weakly_canonical(folder).string()); // found from anywhere
     given.inputs.sha256.push_back(sha256(fileContent(std::filesystem::path{folder} / "captures.json")));
     given.sets.push_back(std::move(read.set));
   }

@@ -2,15 +2,21 @@
 
 #include "calibrate/Doubts.hpp"
 #include "calibrate/Fit.hpp"
+#include "calibrate/PixelNoise.hpp"
 #include "calibrate/Uncertainty.hpp"
 #include "calibrate/Verdict.hpp"
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace naocal {
 
 namespace {
+
+/// What a corner's fit is off by in every picture of a pose alike, and repeats cannot show: its place between the
+/// pixels stays (rendered pictures: 0.02 px where boards are near) [px].
+constexpr double repeatedCornerError = 0.02;
 
 /// Noise levels that the captures themselves tell; the others stay as configured.
 struct Levels {
@@ -28,7 +34,7 @@ Levels levels(const Measurements& measurements, const Model& model, const Fit& f
   const std::vector<SightingResidual> sightings = residuals.sightings(fit.minimum.state);
   if (const auto repeats = pixelNoiseFromRepeats(measurements, sightings)) {
     result.fromRepeats = true;
-    noise.pixel = *repeats;
+    noise.pixel = std::hypot(*repeats, repeatedCornerError);
     const bool encoderToo = std::any_of(measurements.poses.begin(), measurements.poses.end(),
                                         [](const PoseGroup& pose) { return pose.repeated; });
     result.joint = jointNoise(fit.minimum.linear, fit.minimum.state.unknowns, model.sigmas(), noise, encoderToo);

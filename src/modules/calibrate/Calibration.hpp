@@ -1,6 +1,6 @@
 #pragma once
 
-#include "calibrate/NoiseEstimate.hpp"
+#include "calibrate/JointNoise.hpp"
 #include "residuals/Residuals.hpp"
 
 #include <Eigen/Core>

@@ -174,9 +174,10 @@ void judge(const Measurements& measurements, const Model& model, CalibrationResu
   }
   if (result.pValue < 0.001) {
     result.warnings.push_back(
-        fmt::format("the model does not explain these captures (chi2/dof {:.2f}, p {:.1g}); error bars "
+        fmt::format("the model does not explain these captures (chi2/dof {:.2f}, p {}); error bars "
                     "are widened by {:.2f}; 'naocal diagnose' looks for what is missing",
-                    result.chi2 / result.dof, result.pValue, result.sigmaScale));
+                    result.chi2 / result.dof,
+                    result.pValue < 1e-9 ? "below 1e-9" : fmt::format("{:.1g}", result.pValue), result.sigmaScale));
   }
   if (result.noise.pose > largestScatter) {
     result.warnings.push_back(
@@ -190,9 +191,8 @@ void judge(const Measurements& measurements, const Model& model, CalibrationResu
   }
   if (corners > 0) {
     result.warnings.push_back(
-        fmt::format("{} corners in {} places do not fit the rest and were given little or no weight; "
-                    "they are listed under doubtful",
-                    corners, result.doubts.size()));
+        fmt::format("{} not fit the rest and got little or no weight: listed under doubtful",
+                    corners == 1 ? std::string{"1 corner does"} : fmt::format("{} corners do", corners)));
   }
 }
 

@@ -1,0 +1,62 @@
+#include "effects/AllEffects.hpp"
+
+#include "model/Kinematics.hpp"
+
+#include <catch2/catch.hpp>
+#include <set>
+
+namespace naocal {
+namespace {
+
+struct Instance {
+  Instance()
+      : robot{loadRobot(configurationDirectory(), "V6")}, drawn{drawnBelief(
+                                                              robot, {robot.joints.size(), robot.lengths.size(), 1})} {
+    drawn.lens() << 590, 600, 320, 240, 0.01, 0, 0, 0, 0;
+    const auto joints = static_cast<Eigen::Index>(robot.joints.size());
+    instant.q = Eigen::VectorXd::Constant(joints, 0.3);
+    instant.velocity = instant.approach = instant.temperature = instant.q;
+  }
+  Eigen::VectorXd corrected(const Effect& effect, const std::vector<double>& values) const {
+    Belief belief = drawn;
+    effect.correct(belief, instant, 0, values);
+    return belief.values;
+  }
+  Robot robot;
+  Belief drawn;
+  Instant instant;
+};
+
+} // namespace
+
+TEST_CASE("every effect keeps the contract of effects") {
+  // Proves for all members of the list: absent at zero, each unknown moves what is believed, linear where it says so,
+  // known units, unique names. Formulas and signs are proved by calibrations against independent simulators.
+  const Instance instance;
+  std::set<std::string> names;
+  for (const Effect& effect : allEffects()) {
+    INFO(effect.name);
+    CHECK(names.insert(effect.name).second);
+    CHECK_FALSE(effect.formula.empty());
+    REQUIRE_FALSE(effect.unknowns.empty());
+    std::vector<double> values(effect.unknowns.size(), 0);
+    const Eigen::VectorXd atZero = instance.corrected(effect, values);
+    CHECK(atZero == instance.drawn.values);
+    std::set<std::string> unknowns;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const Unknown& unknown = effect.unknowns[i];
+      CHECK(unknowns.insert(unknown.name).second);
+      CHECK(std::set<std::string>{"rad", "m", "1", "px"}.contains(unknown.unit));
+      CHECK(unknown.sigma > 0);
+      values[i] = unknown.sigma;
+      const Eigen::VectorXd once = instance.corrected(effect, values) - atZero;
+      CHECK(once.cwiseAbs().maxCoeff() > 0);
+      values[i] = 2 * unknown.sigma;
+      const Eigen::VectorXd twice = instance.corrected(effect, values) - atZero;
+      CHECK((!effect.linear || (twice - 2 * once).cwiseAbs().maxCoeff() < 1e-9 * (1 + once.cwiseAbs().maxCoeff())));
+      values[i] = 0;
+    }
+  }
+}
+
+} // namespace naocal
