@@ -32,10 +32,12 @@ struct Estimate {
   double learned = 0;   // 1 - posterior sigma / prior sigma
 };
 
-/// A combination of unknowns that the captures hardly tell.
+/// A combination of unknowns that the captures hardly tell: a direction of unit length, and the standard error along
+/// it. In radians where all that takes part are angles, else counted in units of the priors' sigmas.
 struct WeakDirection {
-  std::vector<std::pair<std::string, double>> parts; // unknown, share; unit length in units of the priors' sigmas
-  double sigma = 0;                                  // along it, in units of the priors' sigmas
+  std::vector<std::pair<std::string, double>> parts; // unknown, share
+  double sigma = 0;
+  std::string unit; // "rad" or "prior sigmas"
   std::string sentence;
 };
 

@@ -82,7 +82,7 @@ json weakJson(const CalibrationResult& result) {
     }
     weak.push_back({{"direction", std::move(parts)},
                     {"sigma", direction.sigma},
-                    {"unit", "prior sigmas"},
+                    {"unit", direction.unit},
                     {"sentence", direction.sentence}});
   }
   return weak;

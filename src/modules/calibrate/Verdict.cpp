@@ -45,11 +45,25 @@ std::vector<WeakDirection> weakDirections(const Model& model, const CalibrationR
       break;
     }
     std::vector<std::string> words;
+    Eigen::VectorXd turn = Eigen::VectorXd::Zero(sigmas.size()); // the direction in radians
+    direction.unit = "rad";
     for (std::size_t i = 0; i < physical.size(); ++i) {
       const double share = eigen.eigenvectors()(at(i), k);
       if (std::abs(share) > shared) {
-        direction.parts.emplace_back(names[physical[i]], share);
-        words.push_back(inWords(names[physical[i]]));
+        const std::size_t unknown = physical[i];
+        direction.parts.emplace_back(names[unknown], share);
+        words.push_back(inWords(names[unknown]));
+        turn[at(unknown)] = share * sigmas[at(unknown)];
+        if (model.units()[unknown] != "rad") {
+          direction.unit = "prior sigmas";
+        }
+      }
+    }
+    if (direction.unit == "rad") {
+      turn.normalize();
+      direction.sigma = std::sqrt(turn.dot(result.covariance * turn));
+      for (auto& [name, share] : direction.parts) {
+        share = turn[std::find(names.begin(), names.end(), name) - names.begin()];
       }
     }
     direction.sentence = words.size() == 1

@@ -30,6 +30,16 @@ std::vector<std::string> Model::names() const {
   return result;
 }
 
+std::vector<std::string> Model::units() const {
+  std::vector<std::string> result;
+  for (const Term& term : terms_) {
+    for (const Unknown& unknown : term.effect.unknowns) {
+      result.push_back(unknown.unit);
+    }
+  }
+  return result;
+}
+
 namespace {
 
 bool concerns(const Term& term, const Measurements& measurements, const Picture& picture) {

@@ -34,6 +34,8 @@ public:
   Eigen::VectorXd sigmas() const;
   /// "jointOffset@LKneePitch.o" of each unknown.
   std::vector<std::string> names() const;
+  /// "rad", "m", ... of each unknown.
+  std::vector<std::string> units() const;
 
 private:
   std::vector<Term> terms_;
