@@ -8,7 +8,4 @@ namespace naocal {
 /// `floorErrorAt2m`, `warnings` and `usable`.
 void judge(const Measurements& measurements, const Model& model, CalibrationResult& result);
 
-/// "left hip pitch" for LHipPitch, "top camera's rotation about y" for cameraRotation@top.ry.
-std::string inWords(const std::string& unknownName);
-
 } // namespace naocal

@@ -1,0 +1,97 @@
+#include "calibrate/WeakDirections.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace naocal {
+
+namespace {
+
+Eigen::Index at(std::size_t i) {
+  return static_cast<Eigen::Index>(i);
+}
+
+} // namespace
+
+std::string inWords(const std::string& unknownName) {
+  const std::size_t atSign = unknownName.find('@'), dot = unknownName.rfind('.');
+  const std::string effect = unknownName.substr(0, atSign);
+  const std::string place = unknownName.substr(atSign + 1, dot - atSign - 1);
+  const std::string unknown = unknownName.substr(dot + 1);
+  if (effect != "jointOffset") {
+    return fmt::format("the {} camera's {} ({})", place, effect, unknown);
+  }
+  std::string words = place.size() > 1 && place[0] == 'L' && std::isupper(place[1])   ? "the left"
+                      : place.size() > 1 && place[0] == 'R' && std::isupper(place[1]) ? "the right"
+                                                                                      : "the";
+  for (std::size_t i = words == "the" ? 0 : 1; i < place.size(); ++i) {
+    if (std::isupper(place[i])) {
+      words += ' ';
+    }
+    words += static_cast<char>(std::tolower(place[i]));
+  }
+  return words;
+}
+
+std::vector<WeakDirection> weakDirections(const Model& model, const CalibrationResult& result) {
+  constexpr double wide = 0.3;    // of the prior's sigma
+  constexpr double shared = 0.25; // smallest share worth naming
+  std::vector<std::size_t> physical;
+  for (const Term& term : model.terms()) {
+    for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement; ++i) {
+      physical.push_back(term.first + i);
+    }
+  }
+  const Eigen::VectorXd sigmas = model.sigmas();
+  Eigen::MatrixXd relative(at(physical.size()), at(physical.size()));
+  for (std::size_t i = 0; i < physical.size(); ++i) {
+    for (std::size_t j = 0; j < physical.size(); ++j) {
+      relative(at(i), at(j)) =
+          result.covariance(at(physical[i]), at(physical[j])) / (sigmas[at(physical[i])] * sigmas[at(physical[j])]);
+    }
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen{relative};
+  const std::vector<std::string> names = model.names();
+  std::vector<WeakDirection> weak;
+  for (Eigen::Index k = relative.rows() - 1; k >= 0; --k) {
+    WeakDirection direction;
+    direction.sigma = std::sqrt(std::max(0.0, eigen.eigenvalues()[k]));
+    if (direction.sigma < wide) {
+      break;
+    }
+    std::vector<std::string> words;
+    Eigen::VectorXd turn = Eigen::VectorXd::Zero(sigmas.size()); // the direction in radians
+    direction.unit = "rad";
+    for (std::size_t i = 0; i < physical.size(); ++i) {
+      const double share = eigen.eigenvectors()(at(i), k);
+      if (std::abs(share) > shared) {
+        const std::size_t unknown = physical[i];
+        direction.parts.emplace_back(names[unknown], share);
+        words.push_back(inWords(names[unknown]));
+        turn[at(unknown)] = share * sigmas[at(unknown)];
+        if (model.units()[unknown] != "rad") {
+          direction.unit = "prior sigmas";
+        }
+      }
+    }
+    if (direction.unit == "rad") {
+      turn.normalize();
+      direction.sigma = std::sqrt(turn.dot(result.covariance * turn));
+      for (auto& [name, share] : direction.parts) {
+        share = turn[std::find(names.begin(), names.end(), name) - names.begin()];
+      }
+    }
+    direction.sentence = words.size() == 1
+                             ? fmt::format("these captures hardly tell {}", words.front())
+                             : fmt::format("{} can be traded against each other: these captures hardly tell them apart",
+                                           fmt::join(words, " and "));
+    weak.push_back(std::move(direction));
+  }
+  return weak;
+}
+
+} // namespace naocal
