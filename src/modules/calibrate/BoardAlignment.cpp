@@ -28,14 +28,13 @@ Eigen::Vector3d rotationVector(const Eigen::Matrix3d& rotation) {
 }
 
 Eigen::Vector3d middleOf(const CornerBlocks& corners) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::Vector3d total = Eigen::Vector3d::Zero();
   double count = 0;
   for (const CornerBlock& block : corners) {
-    sum += Eigen::Vector3d{(block.x * block.present).sum(), (block.y * block.present).sum(),
-                           (block.z * block.present).sum()};
-    count += block.present.sum();
+    total += Eigen::Vector3d{sum(block.x * block.present), sum(block.y * block.present), sum(block.z * block.present)};
+    count += sum(block.present);
   }
-  return sum / count;
+  return total / count;
 }
 
 /// A board's pose in the camera improved on its corners (Gauss-Newton), and the information that they hold about its
@@ -57,13 +56,14 @@ std::optional<SeenPose> seenPose(const Sighting& sighting, const Belief& belief)
     if (!sighting.view.project(attitude, belief, sighting.corners, projected)) {
       return std::nullopt;
     }
-    sumUp(sighting.corners, projected, {}, 0, cornerNoise, {}, sums);
-    const Eigen::VectorXd step = -sums.gram.ldlt().solve(sums.gradient);
+    sums.clear();
+    sums.add(sighting.corners, projected, {}, cornerNoise, {});
+    const Eigen::VectorXd step = -sums.gram().ldlt().solve(sums.gradient());
     const Eigen::Vector3d omega = step.head<3>(), v = step.tail<3>();
     attitude.opticalFromBoard = RigidTransform{rotationAbout(omega), v} * attitude.opticalFromBoard;
   }
-  const bool fits = std::isfinite(sums.squares) && sums.squares < 25 * sums.corners * cornerNoise * cornerNoise;
-  return fits ? std::optional{SeenPose{attitude.opticalFromBoard, sums.gram / (cornerNoise * cornerNoise)}}
+  const bool fits = std::isfinite(sums.squares()) && sums.squares() < 25 * sums.corners() * cornerNoise * cornerNoise;
+  return fits ? std::optional{SeenPose{attitude.opticalFromBoard, sums.gram() / (cornerNoise * cornerNoise)}}
               : std::nullopt;
 }
 

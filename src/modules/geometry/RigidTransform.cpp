@@ -1,20 +1,24 @@
 #include "geometry/RigidTransform.hpp"
 
-#include <Eigen/Geometry>
+#include "geometry/Angles.hpp"
+
 #include <cmath>
 
 namespace naocal {
 
 Eigen::Matrix3d rotationX(double angle) {
-  return Eigen::AngleAxisd{angle, Eigen::Vector3d::UnitX()}.toRotationMatrix();
+  const auto [s, c] = SineCosine{angle};
+  return Eigen::Matrix3d{{1, 0, 0}, {0, c, -s}, {0, s, c}};
 }
 
 Eigen::Matrix3d rotationY(double angle) {
-  return Eigen::AngleAxisd{angle, Eigen::Vector3d::UnitY()}.toRotationMatrix();
+  const auto [s, c] = SineCosine{angle};
+  return Eigen::Matrix3d{{c, 0, s}, {0, 1, 0}, {-s, 0, c}};
 }
 
 Eigen::Matrix3d rotationZ(double angle) {
-  return Eigen::AngleAxisd{angle, Eigen::Vector3d::UnitZ()}.toRotationMatrix();
+  const auto [s, c] = SineCosine{angle};
+  return Eigen::Matrix3d{{c, -s, 0}, {s, c, 0}, {0, 0, 1}};
 }
 
 Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v) {

@@ -1,5 +1,7 @@
 #include "model/Kinematics.hpp"
 
+#include "geometry/Angles.hpp"
+
 #include <algorithm>
 #include <numeric>
 
@@ -45,10 +47,11 @@ std::vector<std::size_t> linksTowards(const Robot& robot, const std::vector<std:
 }
 
 void posture(const Robot& robot, const Belief& belief, const std::vector<std::size_t>& links, Posture& torsoFromLink) {
+  const RigidTransform torso;
   torsoFromLink.resize(robot.links.size());
   for (std::size_t index : links) {
     const Link& link = robot.links[index];
-    const RigidTransform parent = link.parent ? torsoFromLink[*link.parent] : RigidTransform{};
+    const RigidTransform& parent = link.parent ? torsoFromLink[*link.parent] : torso;
     RigidTransform& torsoFromThis = torsoFromLink[index];
     torsoFromThis.translation = parent * origin(link, belief);
     if (link.joint) {
@@ -75,7 +78,13 @@ Posture posture(const Robot& robot, const Eigen::VectorXd& angles) {
 }
 
 RigidTransform placed(const Eigen::Ref<const Eigen::Matrix<double, 6, 1>>& placement) {
-  return {rotationZ(placement[5]) * rotationY(placement[4]) * rotationX(placement[3]), placement.head<3>()};
+  const auto [sr, cr] = SineCosine{placement[3]};
+  const auto [sp, cp] = SineCosine{placement[4]};
+  const auto [sy, cy] = SineCosine{placement[5]};
+  return {Eigen::Matrix3d{{cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr},
+                          {sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr},
+                          {-sp, cp * sr, cp * cr}},
+          placement.head<3>()};
 }
 
 RigidTransform linkFromCamera(const CameraMount& mount, const Belief& belief) {
@@ -85,9 +94,9 @@ RigidTransform linkFromCamera(const CameraMount& mount, const Belief& belief) {
 }
 
 RigidTransform linkFromOptical(const CameraMount& mount, const Belief& belief) {
-  const Eigen::Matrix3d cameraFromOptical = (Eigen::Matrix3d{} << 0, 0, 1, -1, 0, 0, 0, -1, 0).finished();
-  RigidTransform result = linkFromCamera(mount, belief);
-  result.rotation = result.rotation * cameraFromOptical;
+  const RigidTransform camera = linkFromCamera(mount, belief);
+  RigidTransform result{Eigen::Matrix3d{}, camera.translation};
+  result.rotation << -camera.rotation.col(1), -camera.rotation.col(2), camera.rotation.col(0);
   return result;
 }
 

@@ -57,67 +57,70 @@ View::View(const Robot& robot, const Quantities& quantities, std::optional<std::
   }
 }
 
-Attitude View::attitude(const Robot& robot, const Belief& belief, const Posture& torsoFromLink) const {
+Attitude View::pathAttitude(const Robot& robot, const Belief& belief, const Posture& torsoFromLink) const {
   const RigidTransform linkFromEye = camera_ ? linkFromOptical(robot.cameras[*camera_], belief) : RigidTransform{};
   Attitude result;
   result.opticalFromTorso = (torsoFromLink[eye_] * linkFromEye).inverse();
   result.opticalFromTarget = result.opticalFromTorso * torsoFromLink[target_];
   result.opticalFromWorld = result.opticalFromTarget * placed(belief.ground()).inverse();
-  if (!camera_) {
-    return result;
-  }
-  result.opticalFromBoard =
-      (onFloor_ ? result.opticalFromWorld : result.opticalFromTarget) * placed(belief.boardPlacement(board_));
+  return result;
+}
+
+void View::placeBoard(const RigidTransform& linkFromBoard, Attitude& attitude) const {
+  attitude.opticalFromBoard = (onFloor_ ? attitude.opticalFromWorld : attitude.opticalFromTarget) * linkFromBoard;
+}
+
+Attitude View::attitude(const Robot& robot, const Belief& belief, const Posture& torsoFromLink) const {
+  Attitude result = pathAttitude(robot, belief, torsoFromLink);
+  placeBoard(placed(belief.boardPlacement(board_)), result);
   return result;
 }
 
 bool View::project(const Attitude& attitude, const Belief& belief, const CornerBlocks& corners,
                    ProjectedBlocks& projected) const {
   constexpr double nearest = 1e-3; // [m]: closer than that, or behind, nothing is seen
-  const Eigen::Matrix3d& r = attitude.opticalFromBoard.rotation;
-  const Eigen::Vector3d& t = attitude.opticalFromBoard.translation;
-  const auto lens = belief.lens();
+  const Eigen::Matrix3d r = attitude.opticalFromBoard.rotation;
+  const Eigen::Vector3d t = attitude.opticalFromBoard.translation;
+  const Eigen::Matrix<double, 9, 1> lens = belief.lens();
   const double fx = lens[0], fy = lens[1], cx = lens[2], cy = lens[3];
   const double k1 = lens[4], k2 = lens[5], p1 = lens[6], p2 = lens[7], k3 = lens[8];
   const double scale = 1 + belief.boardScale(board_), bow = belief.boardBow(board_);
   projected.resize(corners.size());
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const CornerBlock& corner = corners[i];
-    ProjectedBlock& out = projected[i];
-    const Lane px = scale * corner.x, py = scale * corner.y, pz = scale * corner.z + bow * corner.bulge;
-    const Lane depth = r(2, 0) * px + r(2, 1) * py + r(2, 2) * pz + t.z();
-    if (depth.minCoeff() < nearest) {
-      return false;
+  Lane least = Lane{} + 1;
+  withWidestVectors([ =, &corners, &projected, &least ]() __attribute__((always_inline)) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const CornerBlock& corner = corners[i];
+      ProjectedBlock& out = projected[i];
+      const Lane px = scale * corner.x, py = scale * corner.y, pz = scale * corner.z + bow * corner.bulge;
+      const Lane depth = r(2, 0) * px + r(2, 1) * py + r(2, 2) * pz + t[2];
+      least = depth < least ? depth : least;
+      const Lane inverseDepth = 1 / depth;
+      const Lane x = (r(0, 0) * px + r(0, 1) * py + r(0, 2) * pz + t[0]) * inverseDepth;
+      const Lane y = (r(1, 0) * px + r(1, 1) * py + r(1, 2) * pz + t[1]) * inverseDepth;
+      const Lane rr = x * x + y * y;
+      const Lane radial = 1 + rr * (k1 + rr * (k2 + rr * k3));
+      const Lane radialSlope = 2 * (k1 + rr * (2 * k2 + rr * (3 * k3)));
+      out.x = x;
+      out.y = y;
+      out.u = fx * (x * radial + 2 * p1 * x * y + p2 * (rr + 2 * x * x)) + cx;
+      out.v = fy * (y * radial + p1 * (rr + 2 * y * y) + 2 * p2 * x * y) + cy;
+      const Lane mixed = x * y * radialSlope + 2 * p1 * x + 2 * p2 * y;
+      const Lane slopes[2][2] = {{fx * (radial + x * x * radialSlope + 2 * p1 * y + 6 * p2 * x), fx * mixed},
+                                 {fy * mixed, fy * (radial + y * y * radialSlope + 6 * p1 * y + 2 * p2 * x)}};
+      Lane* rows[2] = {out.rowsU, out.rowsV};
+      for (int axis = 0; axis < 2; ++axis) {
+        const Lane a = slopes[axis][0], b = slopes[axis][1], c = -(a * x + b * y);
+        Lane* row = rows[axis]; // the gradient in X, Y, Z is (a, b, c) / Z; the first three are p x gradient
+        row[0] = y * c - b;
+        row[1] = a - x * c;
+        row[2] = x * b - y * a;
+        row[3] = a * inverseDepth;
+        row[4] = b * inverseDepth;
+        row[5] = c * inverseDepth;
+      }
     }
-    const Lane inverseDepth = depth.inverse();
-    const Lane x = (r(0, 0) * px + r(0, 1) * py + r(0, 2) * pz + t.x()) * inverseDepth;
-    const Lane y = (r(1, 0) * px + r(1, 1) * py + r(1, 2) * pz + t.y()) * inverseDepth;
-    const Lane rr = x * x + y * y;
-    const Lane radial = 1 + rr * (k1 + rr * (k2 + rr * k3));
-    const Lane radialSlope = 2 * (k1 + rr * (2 * k2 + rr * (3 * k3)));
-    out.u = fx * (x * radial + 2 * p1 * x * y + p2 * (rr + 2 * x * x)) + cx;
-    out.v = fy * (y * radial + p1 * (rr + 2 * y * y) + 2 * p2 * x * y) + cy;
-    const Lane mixed = x * y * radialSlope + 2 * p1 * x + 2 * p2 * y;
-    out.slopes[0] = fx * (radial + x * x * radialSlope + 2 * p1 * y + 6 * p2 * x);
-    out.slopes[1] = fx * mixed;
-    out.slopes[2] = fy * mixed;
-    out.slopes[3] = fy * (radial + y * y * radialSlope + 6 * p1 * y + 2 * p2 * x);
-    const auto rows = [&](const Lane& a, const Lane& b, Lane* row) {
-      const Lane c = -(a * x + b * y); // the gradient in X, Y, Z is (a, b, c) / Z; the first three are p x gradient
-      row[0] = y * c - b;
-      row[1] = a - x * c;
-      row[2] = x * b - y * a;
-      row[3] = a * inverseDepth;
-      row[4] = b * inverseDepth;
-      row[5] = c * inverseDepth;
-    };
-    rows(out.slopes[0], out.slopes[1], out.rowsU);
-    rows(out.slopes[2], out.slopes[3], out.rowsV);
-    out.x = x;
-    out.y = y;
-    out.inverseDepth = inverseDepth;
-  }
-  return true;
+  });
+  return std::min({least[0], least[1], least[2], least[3]}) >= nearest;
 }
 
 void View::extraRows(std::size_t extra, const Attitude& attitude, const Belief& belief, const CornerBlock& corners,
@@ -126,8 +129,7 @@ void View::extraRows(std::size_t extra, const Attitude& attitude, const Belief& 
   const double fx = lens[0], fy = lens[1];
   const Lane &x = projected.x, &y = projected.y;
   const Lane rr = x * x + y * y;
-  du.setZero();
-  dv.setZero();
+  du = dv = Lane{};
   switch (extra) {
   case 0:
     du = (projected.u - lens[2]) / fx;
@@ -136,10 +138,10 @@ void View::extraRows(std::size_t extra, const Attitude& attitude, const Belief& 
     dv = (projected.v - lens[3]) / fy;
     return;
   case 2:
-    du.setOnes();
+    du = Lane{} + 1;
     return;
   case 3:
-    dv.setOnes();
+    dv = Lane{} + 1;
     return;
   case 4:
     du = fx * x * rr;
@@ -167,8 +169,7 @@ void View::extraRows(std::size_t extra, const Attitude& attitude, const Belief& 
   const Eigen::Matrix3d& r = attitude.opticalFromBoard.rotation;
   Lane mx = corners.x, my = corners.y, mz = corners.z; // the point's motion in the board's frame
   if (extra == boardBowExtra) {
-    mx.setZero();
-    my.setZero();
+    mx = my = Lane{};
     mz = corners.bulge;
   }
   const Lane dx = r(0, 0) * mx + r(0, 1) * my + r(0, 2) * mz;

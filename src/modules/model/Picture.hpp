@@ -3,15 +3,13 @@
 #include "captures/Capture.hpp"
 #include "model/Belief.hpp"
 #include "model/Kinematics.hpp"
+#include "model/Lane.hpp"
 
 #include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
 namespace naocal {
-
-/// Four numbers at once: the inner loop treats corners in fours, which every processor since SSE2 does in parallel.
-using Lane = Eigen::Array<double, 4, 1>;
 
 /// Corners of one board, four to a block, padded by copies of the first one that count nothing (`present` = 0).
 struct CornerBlock {
@@ -20,7 +18,7 @@ struct CornerBlock {
   Lane u, v;    // measured [px]
   Lane present; // 1, or 0 for padding
 };
-using CornerBlocks = std::vector<CornerBlock, Eigen::aligned_allocator<CornerBlock>>;
+using CornerBlocks = std::vector<CornerBlock>;
 
 /// The corners that a capture shows of a board, ready for the inner loop.
 CornerBlocks cornerBlocks(const Board& board, const BoardCorners& corners);
@@ -28,17 +26,16 @@ CornerBlocks cornerBlocks(const Board& board, const BoardCorners& corners);
 /// Lens (fx, fy, cx, cy, k1, k2, p1, p2, k3) and shape of the board (scale, bow): quantities that do not merely move
 /// the picture's scene rigidly. Each adds a column of its own beside the six of the picture's motion.
 constexpr std::size_t lensCount = 9;
-constexpr std::size_t boardScaleExtra = 9, boardBowExtra = 10;
+constexpr std::size_t boardScaleExtra = 9, boardBowExtra = 10, extraCount = 11;
 
 /// Where four corners are seen, and how that changes when the board moves in the camera's (optical) frame:
 /// d(u) = rowsU . (omega, v), d(v) = rowsV . (omega, v) for pointInOptical moving by omega x p + v.
 struct ProjectedBlock {
   Lane u, v;               // predicted [px]
   Lane rowsU[6], rowsV[6]; // [px/rad] x 3, [px/m] x 3
-  Lane x, y, inverseDepth; // X/Z, Y/Z [1], 1/Z [1/m]
-  Lane slopes[4];          // du/dx, du/dy, dv/dx, dv/dy of the lens [px]
+  Lane x, y;               // X/Z, Y/Z [1]
 };
-using ProjectedBlocks = std::vector<ProjectedBlock, Eigen::aligned_allocator<ProjectedBlock>>;
+using ProjectedBlocks = std::vector<ProjectedBlock>;
 
 /// Where camera, torso, target, world and board are at one instant.
 struct Attitude {
@@ -65,9 +62,17 @@ public:
   /// Joints on the path between camera and target: the ones whose angles move the picture.
   const std::vector<std::size_t>& joints() const { return joints_; }
   std::size_t board() const { return board_; }
+  /// From the same camera to the same link: what moves the one picture moves the other in the same way, but for what
+  /// moves the boards themselves.
+  bool sharesPath(const View& other) const {
+    return camera_ == other.camera_ && target_ == other.target_ && onFloor_ == other.onFloor_;
+  }
 
   /// `torsoFromLink` must hold `links()`.
   Attitude attitude(const Robot& robot, const Belief& belief, const Posture& torsoFromLink) const;
+  /// The same in two steps, for several boards along one path: all but opticalFromBoard, and only that.
+  Attitude pathAttitude(const Robot& robot, const Belief& belief, const Posture& torsoFromLink) const;
+  void placeBoard(const RigidTransform& linkFromBoard, Attitude& attitude) const;
 
   /// Projects corners through the lens. False when one of them lies behind the camera (then it is nowhere in the
   /// picture).

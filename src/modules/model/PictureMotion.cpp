@@ -11,9 +11,10 @@ namespace {
 
 using Twist = Eigen::Matrix<double, 6, 1>;
 
-Twist turnAbout(const Eigen::Vector3d& axisInOptical, const Eigen::Vector3d& pivotInOptical) {
+inline Twist turnAbout(const Eigen::Vector3d& axisInOptical, const Eigen::Vector3d& pivotInOptical) {
   Twist twist; // p moves by omega x (p - pivot) = omega x p + pivot x omega
-  twist << axisInOptical, pivotInOptical.cross(axisInOptical);
+  twist.head<3>() = axisInOptical;
+  twist.tail<3>() = pivotInOptical.cross(axisInOptical);
   return twist;
 }
 
@@ -37,8 +38,8 @@ Twist placementMotion(const RigidTransform& opticalFromParent, const Twist& plac
 /// Angles, axes and lengths: what lies beyond the link moves; a link that carries the camera moves the scene backwards.
 View::Twist View::linkMotion(const Robot& robot, const Attitude& attitude, const Belief& belief,
                              const Posture& torsoFromLink, std::size_t quantity) const {
-  Twist sum = Twist::Zero();
   if (quantity >= quantities_.length(0)) {
+    Twist sum = Twist::Zero();
     const std::size_t length = quantity - quantities_.length(0);
     for (std::size_t index : links_) {
       const Link& link = robot.links[index];
@@ -55,7 +56,7 @@ View::Twist View::linkMotion(const Robot& robot, const Attitude& attitude, const
   const std::size_t joint = isAngle ? quantity : (quantity - quantities_.axis(0)) / 3;
   const std::size_t link = robot.joints[joint].link;
   if (side_[link] == 0) {
-    return sum;
+    return Twist::Zero();
   }
   const RigidTransform& torsoFromThis = torsoFromLink[link];
   Eigen::Vector3d turn = belief.axis(joint);
@@ -65,8 +66,9 @@ View::Twist View::linkMotion(const Robot& robot, const Attitude& attitude, const
     const double angle = belief.angle(joint);
     turn = angle * leftJacobian(belief.axis(joint) * angle).row(component).transpose();
   }
-  return side_[link] * turnAbout(attitude.opticalFromTorso.rotation * (torsoFromThis.rotation * turn),
-                                 attitude.opticalFromTorso * torsoFromThis.translation);
+  const Eigen::Vector3d turnInTorso = torsoFromThis.rotation * (side_[link] * turn);
+  return turnAbout(attitude.opticalFromTorso.rotation * turnInTorso,
+                   attitude.opticalFromTorso * torsoFromThis.translation);
 }
 
 /// The camera itself moves in its link: the scene moves the other way.

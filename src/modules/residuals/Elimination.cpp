@@ -4,9 +4,9 @@
 
 namespace naocal {
 
-Eigen::MatrixXd deflectionRoot(const PoseSystem& pose, const Noise& noise) {
+DeflectionRoot deflectionRoot(const PoseSystem& pose, const Noise& noise) {
   const auto count = static_cast<Eigen::Index>(pose.joints.size());
-  Eigen::MatrixXd root = Eigen::MatrixXd::Zero(count, count);
+  DeflectionRoot root(count, count);
   for (Eigen::Index first = 0; first < count;) {
     Eigen::Index size = 1;
     while (first + size < count && pose.joints[first + size] == pose.joints[first]) {
@@ -16,26 +16,43 @@ Eigen::MatrixXd deflectionRoot(const PoseSystem& pose, const Noise& noise) {
     for (Eigen::Index i = 0; i < size; ++i) {
       covariance(i, i) += std::pow(noise.encoder * pose.errorScales[first + i], 2);
     }
-    root.block(first, first, size, size) = covariance.llt().matrixL();
+    const Eigen::MatrixXd block = covariance.llt().matrixL();
+    for (Eigen::Index column = 0; column < size; ++column) {
+      root.startVec(first + column);
+      for (Eigen::Index row = column; row < size; ++row) {
+        root.insertBack(first + row, first + column) = block(row, column);
+      }
+    }
     first += size;
   }
+  root.finalize();
   return root;
 }
 
-Eliminated eliminated(const PoseSystem& pose, const Noise& noise, const Eigen::MatrixXd& root) {
+Eliminated eliminated(const PoseSystem& pose, const Noise& noise, const DeflectionRoot& root) {
   const double information = 1 / (noise.pixel * noise.pixel);
-  const Eigen::MatrixXd spread = pose.deflectionGram * root;
+  const Eigen::Index unknowns = pose.unknownGradient.size(), joints = root.cols();
   Eliminated result;
-  Eigen::MatrixXd inner = information * root.transpose() * spread;
-  inner.diagonal().array() += 1;
-  result.inner.compute(inner);
-  result.cross = information * pose.cross * root;
-  result.gradient = information * root.transpose() * pose.deflectionGradient;
-  const Eigen::MatrixXd half = result.inner.matrixL().solve(result.cross.transpose());
-  const Eigen::VectorXd halfGradient = result.inner.matrixL().solve(result.gradient);
-  result.hessian = information * pose.unknownGram - half.transpose() * half;
-  result.unknownGradient = information * pose.unknownGradient - half.transpose() * halfGradient;
-  result.cost = 0.5 * (information * pose.squares - halfGradient.squaredNorm());
+  result.hessian = information * pose.unknownGram;
+  result.unknownGradient = information * pose.unknownGradient;
+  result.cost = 0.5 * information * pose.squares;
+  if (joints == 0) {
+    return result;
+  }
+  result.half.resize(joints, unknowns + 1); // the residual goes along as one more unknown
+  result.half.leftCols(unknowns) = root.transpose() * pose.cross.transpose();
+  result.half.col(unknowns) = root.transpose() * pose.deflectionGradient;
+  result.half *= information;
+  Eigen::MatrixXd spread = pose.deflectionGram * root;
+  spread = (information * (root.transpose() * spread)).eval();
+  spread.diagonal().array() += 1;
+  result.inner.compute(spread);
+  result.inner.matrixL().solveInPlace(result.half);
+  const auto byUnknown = result.half.leftCols(unknowns);
+  const auto byResidual = result.half.col(unknowns);
+  result.hessian.noalias() -= byUnknown.transpose() * byUnknown;
+  result.unknownGradient.noalias() -= byUnknown.transpose() * byResidual;
+  result.cost -= 0.5 * byResidual.squaredNorm();
   return result;
 }
 

@@ -1,5 +1,7 @@
 #include "residuals/Model.hpp"
 
+#include <algorithm>
+
 namespace naocal {
 
 void Model::add(Effect effect, std::size_t at, std::string place, bool isPlacement) {
@@ -70,41 +72,61 @@ void apply(const Term& term, const Measurements& measurements, const Instant& in
   }
 }
 
+/// Offsets act first: every other effect sees q = measured - o and none sees another's correction.
+void correct(std::span<const Term> terms, const Measurements& measurements, const Picture& picture,
+             const Eigen::VectorXd& unknowns, Belief& belief) {
+  const auto isOffset = [](const Term& term) { return term.effect.name == "jointOffset"; };
+  belief.values = picture.drawn.values;
+  for (const Term& term : terms) {
+    if (isOffset(term)) {
+      apply(term, measurements, picture.instant, unknowns, belief);
+    }
+  }
+  if (std::all_of(terms.begin(), terms.end(), isOffset)) {
+    return;
+  }
+  Instant instant = picture.instant;
+  instant.q = belief.values.head(instant.q.size());
+  for (const Term& term : terms) {
+    if (!isOffset(term) && concerns(term, measurements, picture)) {
+      apply(term, measurements, instant, unknowns, belief);
+    }
+  }
+}
+
 } // namespace
 
-/// Offsets act first: every other effect sees q = measured - o and none sees another's correction.
 Belief believed(const Measurements& measurements, const Model& model, const Picture& picture,
                 const Eigen::VectorXd& unknowns) {
-  Belief belief = picture.drawn;
-  Instant instant = picture.instant;
-  for (const bool offsets : {true, false}) {
-    for (const Term& term : model.terms()) {
-      if ((term.effect.name == "jointOffset") == offsets && concerns(term, measurements, picture)) {
-        apply(term, measurements, instant, unknowns, belief);
-      }
-    }
-    instant.q = belief.values.head(instant.q.size());
-  }
+  Belief belief{measurements.quantities};
+  correct(model.terms(), measurements, picture, unknowns, belief);
   return belief;
 }
 
 std::vector<Slope> slopes(const Measurements& measurements, const Model& model, const Picture& picture,
                           const Eigen::VectorXd& unknowns) {
   const Eigen::VectorXd sigmas = model.sigmas();
+  const bool linear = model.linear(); // then every correction stands by itself and is nothing at zero
   std::vector<Slope> result;
-  Eigen::VectorXd moved = unknowns;
+  result.reserve(model.unknownCount());
+  Eigen::VectorXd moved = linear ? Eigen::VectorXd::Zero(unknowns.size()) : unknowns;
+  Belief above{measurements.quantities}, below = picture.drawn;
   for (const Term& term : model.terms()) {
     if (!concerns(term, measurements, picture)) {
       continue;
     }
+    const std::span<const Term> terms = linear ? std::span{&term, 1} : std::span{model.terms()};
     for (std::size_t unknown = term.first; unknown < term.first + term.effect.unknowns.size(); ++unknown) {
       const auto i = static_cast<Eigen::Index>(unknown);
-      const double step = 1e-3 * sigmas[i];
-      moved[i] = unknowns[i] + step;
-      const Eigen::VectorXd above = believed(measurements, model, picture, moved).values;
-      moved[i] = unknowns[i] - step;
-      const Eigen::VectorXd change = (above - believed(measurements, model, picture, moved).values) / (2 * step);
-      moved[i] = unknowns[i];
+      const double here = moved[i], step = 1e-3 * sigmas[i];
+      moved[i] = here + step;
+      correct(terms, measurements, picture, moved, above);
+      if (!linear) {
+        moved[i] = here - step;
+        correct(terms, measurements, picture, moved, below);
+      }
+      moved[i] = here;
+      const Eigen::VectorXd change = (above.values - below.values) / (linear ? step : 2 * step);
       for (Eigen::Index quantity = 0; quantity < change.size(); ++quantity) {
         if (change[quantity] != 0) {
           result.push_back({static_cast<std::size_t>(quantity), unknown, change[quantity]});

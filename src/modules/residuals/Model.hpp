@@ -59,7 +59,8 @@ struct Slope {
   double value;
 };
 
-/// By central differences of `believed` over 1e-3 of each unknown's sigma; exact for linear effects.
+/// By central differences of `believed` over 1e-3 of each unknown's sigma; of a linear model by the same step from
+/// zero.
 std::vector<Slope> slopes(const Measurements& measurements, const Model& model, const Picture& picture,
                           const Eigen::VectorXd& unknowns);
 

@@ -8,19 +8,37 @@
 
 namespace naocal {
 
-/// Sums over a sighting's corners, in the six numbers of the picture's motion and the extras: every derivative of the
-/// sighting by any quantity is a column of `View::motion` times these, so their cost does not grow with the joints.
-struct PictureGram {
-  Eigen::MatrixXd gram;     // sum of w L^T L, (6 + extras) square
-  Eigen::VectorXd gradient; // sum of w L^T r, r = predicted - measured
-  double squares = 0;       // sum of w |r|^2 [px^2]
-  double cost = 0;          // sum of rho     [1], in units of the pixel noise squared
-  double corners = 0;       // with w > 0
+/// d(u), d(v) of four corners per unit of an extra (`View::extraRows`).
+struct ExtraRow {
+  Lane u, v;
 };
 
-/// `extraRows`: per extra and block, d(u) and d(v) (two lanes), extra after extra.
-void sumUp(const CornerBlocks& corners, const ProjectedBlocks& projected,
-           const std::vector<Lane, Eigen::aligned_allocator<Lane>>& extraRows, std::size_t extras, double pixelNoise,
-           const Loss& loss, PictureGram& sums);
+/// Sums over corners, in the six numbers of the picture's motion and the extras: every derivative by any quantity is a
+/// column of `View::motion` times these, so their cost does not grow with the joints.
+class PictureGram {
+public:
+  static constexpr int most = 6 + static_cast<int>(extraCount);
+  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
+  using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1>;
+
+  /// Forgets all corners.
+  void clear(std::size_t extras = 0);
+
+  /// Adds a sighting's corners. `extraRows`: extra after extra, each block after block.
+  void add(const CornerBlocks& corners, const ProjectedBlocks& projected, const std::vector<ExtraRow>& extraRows,
+           double pixelNoise, const Loss& loss);
+
+  Square gram() const;                             // sum of w L^T L, 6 + extras
+  Column gradient() const;                         // sum of w L^T r, r = predicted - measured
+  double squares() const { return sum(squares_); } // sum of w |r|^2 [px^2]
+  double cost() const { return sum(cost_); }       // sum of rho [1], in units of the pixel noise squared
+  double corners() const { return sum(corners_); } // with w > 0
+
+private:
+  std::size_t width_ = 0;                // 6 + extras
+  Lane products_[most * (most + 1) / 2]; // the gram's lower triangle, row after row
+  Lane gradient_[most];
+  Lane squares_, cost_, corners_;
+};
 
 } // namespace naocal

@@ -1,9 +1,9 @@
 #include "residuals/Residuals.hpp"
 
-#include "residuals/ResidualsParts.hpp"
+#include "residuals/Workspace.hpp"
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 namespace naocal {
 
@@ -11,17 +11,6 @@ namespace {
 
 Eigen::Index at(std::size_t i) {
   return static_cast<Eigen::Index>(i);
-}
-
-std::vector<const View*> viewsOf(const Picture& picture) {
-  std::vector<const View*> views;
-  for (const Sighting& sighting : picture.sightings) {
-    views.push_back(&sighting.view);
-  }
-  if (picture.otherSole) {
-    views.push_back(&*picture.otherSole);
-  }
-  return views;
 }
 
 /// A point in general position: no derivative vanishes there by accident.
@@ -33,119 +22,163 @@ Eigen::VectorXd generic(const Eigen::VectorXd& sigmas) {
   return result;
 }
 
+/// Takes a pose's normal equations apart, expressed at zero deflection.
+void takeSums(const NormalEquations& sums, const Eigen::VectorXd& deflections, PoseSystem& system) {
+  const Eigen::Index unknowns = at(system.unknowns.size()), joints = deflections.size();
+  const Eigen::MatrixXd& gram = sums.gram();
+  system.unknownGram = gram.topLeftCorner(unknowns, unknowns);
+  system.unknownGradient = sums.gradient().head(unknowns);
+  system.cross = gram.topRightCorner(unknowns, joints);
+  system.deflectionGram = gram.bottomRightCorner(joints, joints);
+  system.deflectionGradient = sums.gradient().tail(joints);
+  if (joints == 0) {
+    return;
+  }
+  const Eigen::VectorXd drop = system.deflectionGram * deflections;
+  system.squares += deflections.dot(drop - 2 * system.deflectionGradient);
+  system.deflectionGradient -= drop;
+  system.unknownGradient -= system.cross * deflections;
+}
+
 } // namespace
 
 Residuals::Residuals(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss)
     : measurements_{measurements}, model_{model}, noise_{noise}, loss_{loss}, sigmas_{model.sigmas()},
-      free_(model.unknownCount(), true) {
-  for (std::size_t pose = 0; pose < measurements.poses.size(); ++pose) {
-    deflection_.emplace_back(measurements.poses[pose].encoderErrors.size(), -1);
+      free_(model.unknownCount(), true), prepared_(measurements.pictures.size()) {
+  for (std::size_t i = 0; i < prepared_.size(); ++i) {
+    prepared_[i].slopes = visibleSlopes(measurements, model, measurements.pictures[i], generic(sigmas_));
+  }
+  for (const PoseGroup& pose : measurements.poses) {
     empty_.push_back(emptySystem(pose));
     roots_.push_back(deflectionRoot(empty_.back(), noise_));
-  }
-  prepared_.resize(measurements.pictures.size());
-  for (std::size_t pose = 0; pose < measurements.poses.size(); ++pose) {
-    for (const Reading& reading : measurements.poses[pose].readings) {
-      for (std::size_t picture : reading.pictures) {
-        prepared_[picture] = prepared(measurements.pictures[picture], pose, generic(sigmas_));
+    for (const Reading& reading : pose.readings) {
+      for (std::size_t index : reading.pictures) {
+        prepare(measurements, measurements.pictures[index], empty_.back().unknowns, prepared_[index]);
       }
     }
   }
 }
 
-Residuals::~Residuals() = default;
-
-/// A pose's columns: the unknowns it depends on, and a deflection per joint on its paths and encoder error.
-PoseSystem Residuals::emptySystem(std::size_t poseIndex) {
-  const PoseGroup& pose = measurements_.poses[poseIndex];
-  std::set<std::size_t> unknowns;
-  std::set<std::pair<std::size_t, std::size_t>> errors; // motor, encoder error
+/// The unknowns that a pose depends on, and a deflection per joint on its paths and encoder error.
+PoseSystem Residuals::emptySystem(const PoseGroup& pose) {
+  PoseSystem system;
+  std::vector<bool> moves(model_.unknownCount(), false);
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> deflections; // of motor and encoder error
+  const bool latent = noise_.encoder > 0 || noise_.pose > 0;
   for (const Reading& reading : pose.readings) {
     for (std::size_t index : reading.pictures) {
-      const Picture& picture = measurements_.pictures[index];
-      for (const Slope& slope : slopes(measurements_, model_, picture, generic(sigmas_))) {
-        unknowns.insert(slope.unknown);
+      PreparedPicture& picture = prepared_[index];
+      for (const Slope& slope : picture.slopes) {
+        moves[slope.unknown] = true;
       }
-      for (const View* view : viewsOf(picture)) {
-        for (std::size_t joint : view->joints()) {
-          errors.emplace(measurements_.robot.joints[joint].motor, reading.encoderError[joint]);
-        }
+      if (latent) {
+        picture.joints = jointsBetween(measurements_.robot, measurements_.pictures[index]);
+      }
+      for (std::size_t joint : picture.joints) {
+        deflections[{measurements_.robot.joints[joint].motor, reading.encoderError[joint]}];
       }
     }
   }
-  PoseSystem system;
-  system.unknowns.assign(unknowns.begin(), unknowns.end());
-  if (noise_.encoder > 0 || noise_.pose > 0) {
-    for (const auto& [motor, error] : errors) {
-      deflection_[poseIndex][error] = static_cast<int>(system.joints.size());
-      system.joints.push_back(motor);
-      system.errorScales.push_back(pose.encoderErrors[error]);
+  for (auto& [joint, number] : deflections) {
+    number = system.joints.size();
+    system.joints.push_back(joint.first);
+    system.errorScales.push_back(pose.encoderErrors[joint.second]);
+  }
+  for (const Reading& reading : pose.readings) {
+    for (std::size_t index : reading.pictures) {
+      for (std::size_t joint : prepared_[index].joints) {
+        prepared_[index].deflections.push_back(
+            deflections.at({measurements_.robot.joints[joint].motor, reading.encoderError[joint]}));
+      }
     }
   }
-  const Eigen::Index rows = at(system.unknowns.size()), deflections = at(system.joints.size());
-  system.unknownGram.setZero(rows, rows);
-  system.cross.setZero(rows, deflections);
-  system.deflectionGram.setZero(deflections, deflections);
-  system.unknownGradient.setZero(rows);
-  system.deflectionGradient.setZero(deflections);
+  for (std::size_t unknown = 0; unknown < moves.size(); ++unknown) {
+    if (moves[unknown]) {
+      system.unknowns.push_back(unknown);
+    }
+  }
   return system;
 }
 
-Residuals::Prepared Residuals::prepared(const Picture& picture, std::size_t pose,
-                                        const Eigen::VectorXd& unknowns) const {
-  Prepared result;
-  std::set<std::size_t> links, joints, others;
-  for (const View* view : viewsOf(picture)) {
-    links.insert(view->links().begin(), view->links().end());
-    joints.insert(view->joints().begin(), view->joints().end());
-  }
-  result.links.assign(links.begin(), links.end());
-  result.joints.assign(joints.begin(), joints.end());
-  const Quantities& quantities = measurements_.quantities;
-  const std::vector<Slope> all = slopes(measurements_, model_, picture, unknowns);
-  for (const Slope& slope : all) {
-    if (slope.quantity >= quantities.axis(0)) {
-      others.insert(slope.quantity);
+void Residuals::believe(const Picture& picture, const PreparedPicture& prepared, const Eigen::VectorXd& unknowns,
+                        const Eigen::VectorXd& deflections, Belief& belief) const {
+  if (model_.linear()) {
+    belief = picture.drawn;
+    for (const Slope& slope : prepared.slopes) {
+      belief.values[at(slope.quantity)] += slope.value * unknowns[at(slope.unknown)];
     }
+  } else {
+    belief = believed(measurements_, model_, picture, unknowns);
   }
-  for (std::size_t joint : joints) {
-    result.quantities.push_back(quantities.angle(joint));
+  for (std::size_t i = 0; i < prepared.joints.size(); ++i) {
+    belief.angle(prepared.joints[i]) += deflections[at(prepared.deflections[i])];
   }
-  result.quantities.insert(result.quantities.end(), others.begin(), others.end());
-  const std::vector<std::size_t>& local = empty_[pose].unknowns;
-  for (const Slope& slope : all) {
-    const auto slot = std::find(result.quantities.begin(), result.quantities.end(), slope.quantity);
-    const auto column = std::lower_bound(local.begin(), local.end(), slope.unknown);
-    result.entries.push_back({slope.quantity, slope.unknown,
-                              slot == result.quantities.end() ? -1 : slot - result.quantities.begin(),
-                              column - local.begin(), slope.value});
-  }
-  for (const Sighting& sighting : picture.sightings) {
-    result.extras.emplace_back();
-    for (std::size_t quantity : others) {
-      if (const auto extra = sighting.view.extra(quantity)) {
-        result.extras.back().push_back(*extra);
-      }
-    }
-  }
-  return result;
 }
 
-Belief Residuals::belief(const Picture& picture, const Prepared& prepared, const Reading& reading, std::size_t pose,
-                         const Eigen::VectorXd& unknowns, const Eigen::VectorXd& deflections) const {
-  Belief result = model_.linear() ? picture.drawn : believed(measurements_, model_, picture, unknowns);
-  if (model_.linear()) {
-    for (const Prepared::Entry& entry : prepared.entries) {
-      result.values[at(entry.quantity)] += entry.value * unknowns[at(entry.unknown)];
-    }
+/// Adds the sums over a picture's corners to those of its pose. False: a corner is nowhere.
+bool Residuals::addPicture(const Picture& picture, const PreparedPicture& prepared, Workspace& work,
+                           PoseSystem& system) const {
+  posture(measurements_.robot, work.belief, prepared.links, work.torsoFromLink);
+  if (picture.otherSole) {
+    addFloorContact(picture, prepared, work, system);
   }
-  for (std::size_t joint : prepared.joints) {
-    const int deflection = deflection_[pose][reading.encoderError[joint]];
-    if (deflection >= 0) {
-      result.angle(joint) += deflections[deflection];
+  return std::all_of(prepared.groups.begin(), prepared.groups.end(),
+                     [&](const PreparedPicture::Group& group) { return addGroup(picture, group, work, system); });
+}
+
+bool Residuals::addGroup(const Picture& picture, const PreparedPicture::Group& group, Workspace& work,
+                         PoseSystem& system) const {
+  const View& path = picture.sightings[group.sightings.front()].view;
+  Attitude attitude = path.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
+  work.corners.clear(group.extras.size());
+  for (std::size_t index : group.sightings) {
+    const Sighting& sighting = picture.sightings[index];
+    sighting.view.placeBoard(work.linkFromBoard(sighting.view.board()), attitude);
+    if (!sighting.view.project(attitude, work.belief, sighting.corners, work.projected)) {
+      return false;
     }
+    work.extraRows.clear();
+    for (std::size_t extra : group.extras) {
+      for (std::size_t block = 0; block < sighting.corners.size(); ++block) {
+        ExtraRow& row = work.extraRows.emplace_back();
+        View::extraRows(extra, attitude, work.belief, sighting.corners[block], work.projected[block], row.u, row.v);
+      }
+    }
+    work.corners.add(sighting.corners, work.projected, work.extraRows, noise_.pixel, loss_);
   }
-  return result;
+  work.motion.resize(at(6 + group.extras.size()), at(group.quantities.size()));
+  path.motion(measurements_.robot, attitude, work.belief, work.torsoFromLink, group.quantities, group.extras,
+              work.motion);
+  work.sums.add(work.corners.gram(), work.corners.gradient(), work.motion, group);
+  work.cost += work.corners.cost();
+  system.squares += work.corners.squares();
+  system.numbers += 2 * work.corners.corners();
+  return true;
+}
+
+/// The other sole's height over the floor and its tilt are zero but for `FloorContact`; in units of pixels, as all sums
+/// are.
+///   height = -n . t, d(height) = -n . v;  n = the floor's normal in the sole, d(n) = omega x n
+void Residuals::addFloorContact(const Picture& picture, const PreparedPicture& prepared, Workspace& work,
+                                PoseSystem& system) const {
+  const View& sole = *picture.otherSole;
+  const Attitude attitude = sole.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
+  const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
+  const Eigen::Vector3d scale =
+      noise_.pixel * Eigen::Vector3d{1 / FloorContact::height, 1 / FloorContact::tilt, 1 / FloorContact::tilt};
+  Eigen::Matrix<double, 3, 6> byMotion = Eigen::Matrix<double, 3, 6>::Zero();
+  byMotion.row(0).tail<3>() = -normal.transpose();
+  byMotion.bottomLeftCorner<2, 3>() = -crossMatrix(normal).topRows<2>();
+  byMotion = scale.asDiagonal() * byMotion;
+  const Eigen::Vector3d residual =
+      scale.cwiseProduct(Eigen::Vector3d{-normal.dot(attitude.opticalFromWorld.translation), normal.x(), normal.y()});
+  work.motion.resize(6, at(prepared.floor.quantities.size()));
+  sole.motion(measurements_.robot, attitude, work.belief, work.torsoFromLink, prepared.floor.quantities, {},
+              work.motion);
+  work.sums.add(byMotion.transpose() * byMotion, byMotion.transpose() * residual, work.motion, prepared.floor);
+  work.cost += residual.squaredNorm() / (noise_.pixel * noise_.pixel);
+  system.squares += residual.squaredNorm();
+  system.numbers += 3;
 }
 
 Residuals::State Residuals::start(const Eigen::VectorXd& unknowns) const {
@@ -158,40 +191,44 @@ Residuals::State Residuals::start(const Eigen::VectorXd& unknowns) const {
 
 std::optional<Residuals::Linear> Residuals::linearised(const State& state) const {
   Linear result;
-  Workspace work;
+  Workspace& work = Workspace::ofThisThread(measurements_);
   const Eigen::VectorXd inPrior = state.unknowns.cwiseQuotient(sigmas_);
   result.cost = 0.5 * inPrior.squaredNorm();
   result.gradient = inPrior.cwiseQuotient(sigmas_);
   result.hessian = sigmas_.cwiseAbs2().cwiseInverse().asDiagonal();
   result.poses = empty_;
+  result.eliminated.reserve(empty_.size());
   for (std::size_t pose = 0; pose < empty_.size(); ++pose) {
     PoseSystem& system = result.poses[pose];
     const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
+    work.sums.clear(at(system.unknowns.size() + system.joints.size()));
     for (const Reading& reading : measurements_.poses[pose].readings) {
       for (std::size_t index : reading.pictures) {
         const Picture& picture = measurements_.pictures[index];
-        const Prepared fresh = model_.linear() ? Prepared{} : prepared(picture, pose, state.unknowns);
-        const Prepared& ready = model_.linear() ? prepared_[index] : fresh;
-        if (!addPicture(picture, ready, belief(picture, ready, reading, pose, state.unknowns, deflections), reading,
-                        pose, work, system)) {
+        PreparedPicture fresh; // slopes of a model that is not linear
+        if (!model_.linear()) {
+          fresh = prepared_[index];
+          fresh.slopes = visibleSlopes(measurements_, model_, picture, state.unknowns);
+          prepare(measurements_, picture, system.unknowns, fresh);
+        }
+        const PreparedPicture& ready = model_.linear() ? prepared_[index] : fresh;
+        believe(picture, ready, state.unknowns, deflections, work.belief);
+        if (!addPicture(picture, ready, work, system)) {
           return std::nullopt;
         }
       }
     }
-    // expressed at zero deflection
-    const Eigen::VectorXd drop = system.deflectionGram * deflections;
-    system.squares += deflections.dot(drop - 2 * system.deflectionGradient);
-    system.deflectionGradient -= drop;
-    system.unknownGradient -= system.cross * deflections;
+    takeSums(work.sums, deflections, system);
     result.cost += 0.5 * state.deflections[pose].squaredNorm();
     result.eliminated.push_back(eliminated(system, noise_, roots_[pose]));
-    const Eliminated& part = result.eliminated.back();
+    Eliminated& part = result.eliminated.back();
     for (std::size_t i = 0; i < system.unknowns.size(); ++i) {
       result.gradient[at(system.unknowns[i])] += part.unknownGradient[at(i)];
       for (std::size_t j = 0; j < system.unknowns.size(); ++j) {
         result.hessian(at(system.unknowns[i]), at(system.unknowns[j])) += part.hessian(at(i), at(j));
       }
     }
+    part.hessian.resize(0, 0); // it went into the sum
   }
   result.cost += 0.5 * work.cost;
   for (std::size_t i = 0; i < free_.size(); ++i) {
@@ -208,12 +245,16 @@ std::optional<Residuals::Linear> Residuals::linearised(const State& state) const
 Residuals::State Residuals::moved(const State& state, const Linear& linear, const Eigen::VectorXd& step) const {
   State result{state.unknowns + step, {}};
   for (std::size_t pose = 0; pose < empty_.size(); ++pose) {
-    const Eliminated& part = linear.eliminated[pose];
-    Eigen::VectorXd local(at(empty_[pose].unknowns.size()));
-    for (std::size_t i = 0; i < empty_[pose].unknowns.size(); ++i) {
-      local[at(i)] = step[at(empty_[pose].unknowns[i])];
+    if (empty_[pose].joints.empty()) {
+      result.deflections.emplace_back();
+      continue;
     }
-    result.deflections.push_back(-part.inner.solve(part.gradient + part.cross.transpose() * local));
+    const Eliminated& part = linear.eliminated[pose];
+    Eigen::VectorXd& deflections = result.deflections.emplace_back(-part.half.rightCols<1>());
+    for (std::size_t i = 0; i < empty_[pose].unknowns.size(); ++i) {
+      deflections -= step[at(empty_[pose].unknowns[i])] * part.half.col(at(i));
+    }
+    part.inner.matrixU().solveInPlace(deflections);
   }
   return result;
 }

@@ -3,9 +3,11 @@
 #include "residuals/Measurements.hpp"
 #include "residuals/Model.hpp"
 #include "residuals/Noise.hpp"
+#include "residuals/PreparedPicture.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <optional>
 #include <vector>
 
@@ -18,7 +20,7 @@ namespace naocal {
 struct PoseSystem {
   std::vector<std::size_t> unknowns;  // which ones, ascending
   std::vector<std::size_t> joints;    // per deflection: its joint; deflections of one joint stand together
-  std::vector<double> errorScales;    // per deflection: its encoder error\'s size against the noise level
+  std::vector<double> errorScales;    // per deflection: its encoder error's size against the noise level
   Eigen::MatrixXd unknownGram;        // sum of w J_x^T J_x      [px^2 / unknown^2]
   Eigen::MatrixXd cross;              // sum of w J_x^T J_t
   Eigen::MatrixXd deflectionGram;     // sum of w J_t^T J_t      [px^2 / rad^2]
@@ -29,18 +31,18 @@ struct PoseSystem {
 };
 
 /// t = root * z with z of unit covariance: root root^T = encoder^2 diag(scales^2) + pose^2 1 1^T within a joint.
-Eigen::MatrixXd deflectionRoot(const PoseSystem& pose, const Noise& noise);
+using DeflectionRoot = Eigen::SparseMatrix<double>;
+DeflectionRoot deflectionRoot(const PoseSystem& pose, const Noise& noise);
 
 /// A pose's deflections integrated out: Sigma = pixel^2 I + J_t S J_t^T by Woodbury on the deflections.
 struct Eliminated {
-  Eigen::LLT<Eigen::MatrixXd> inner; // I + root^T deflectionGram root / pixel^2
-  Eigen::MatrixXd cross;             // J_x^T J_t root / pixel^2
-  Eigen::VectorXd gradient;          // root^T J_t^T r / pixel^2
+  Eigen::LLT<Eigen::MatrixXd> inner; // I + root^T deflectionGram root / pixel^2 = L L^T
+  Eigen::MatrixXd half;              // L^-1 root^T J_t^T [J_x r] / pixel^2
   Eigen::MatrixXd hessian;           // J_x^T Sigma^-1 J_x
   Eigen::VectorXd unknownGradient;   // J_x^T Sigma^-1 r
   double cost = 0;                   // r^T Sigma^-1 r / 2
 };
-Eliminated eliminated(const PoseSystem& pose, const Noise& noise, const Eigen::MatrixXd& root);
+Eliminated eliminated(const PoseSystem& pose, const Noise& noise, const DeflectionRoot& root);
 
 /// Measurement minus prediction of one sighting's corners, and how far each counts.
 struct SightingResidual {
@@ -56,7 +58,6 @@ struct SightingResidual {
 class Residuals {
 public:
   Residuals(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss = {});
-  ~Residuals();
 
   /// The unknowns, and each pose's deflections in units of their standard deviations.
   struct State {
@@ -88,20 +89,15 @@ public:
   const Noise& noise() const { return noise_; }
 
 private:
-  struct Prepared; // a picture's slopes and the quantities they need
   struct Workspace;
-  Prepared prepared(const Picture& picture, std::size_t pose, const Eigen::VectorXd& unknowns) const;
-  Belief belief(const Picture& picture, const Prepared& prepared, const Reading& reading, std::size_t pose,
-                const Eigen::VectorXd& unknowns, const Eigen::VectorXd& deflections) const;
-  bool addPicture(const Picture& picture, const Prepared& prepared, const Belief& belief, const Reading& reading,
-                  std::size_t pose, Workspace& work, PoseSystem& system) const;
-  bool addSightings(const Picture& picture, const Prepared& prepared, const Belief& belief, Workspace& work,
-                    PoseSystem& system) const;
-  void addFloorContact(const Picture& picture, const Prepared& prepared, const Belief& belief, Workspace& work,
+  PoseSystem emptySystem(const PoseGroup& pose);
+  void believe(const Picture& picture, const PreparedPicture& prepared, const Eigen::VectorXd& unknowns,
+               const Eigen::VectorXd& deflections, Belief& belief) const;
+  bool addPicture(const Picture& picture, const PreparedPicture& prepared, Workspace& work, PoseSystem& system) const;
+  void addFloorContact(const Picture& picture, const PreparedPicture& prepared, Workspace& work,
                        PoseSystem& system) const;
-  PoseSystem emptySystem(std::size_t pose);
-  SightingResidual sightingResidual(std::size_t picture, std::size_t index, const Belief& belief,
-                                    Workspace& work) const;
+  bool addGroup(const Picture& picture, const PreparedPicture::Group& group, Workspace& work, PoseSystem& system) const;
+  SightingResidual sightingResidual(std::size_t picture, std::size_t index, Workspace& work) const;
 
   const Measurements& measurements_;
   const Model& model_;
@@ -109,10 +105,9 @@ private:
   Loss loss_;
   Eigen::VectorXd sigmas_;
   std::vector<bool> free_;
-  std::vector<PoseSystem> empty_;            // per pose: its columns, sums zero
-  std::vector<Eigen::MatrixXd> roots_;       // per pose
-  std::vector<std::vector<int>> deflection_; // per pose and (encoder error): its number among the deflections, or -1
-  std::vector<Prepared> prepared_;           // per picture; its slopes hold everywhere where the model is linear
+  std::vector<PreparedPicture> prepared_; // per picture; its slopes hold everywhere where the model is linear
+  std::vector<PoseSystem> empty_;         // per pose: its columns, no sums
+  std::vector<DeflectionRoot> roots_;     // per pose
 };
 
 } // namespace naocal

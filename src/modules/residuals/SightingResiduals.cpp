@@ -1,4 +1,4 @@
-#include "residuals/ResidualsParts.hpp"
+#include "residuals/Workspace.hpp"
 
 #include <limits>
 
@@ -12,16 +12,16 @@ Eigen::Index at(std::size_t i) {
 
 std::vector<SightingResidual> Residuals::sightings(const State& state) const {
   std::vector<SightingResidual> result;
-  Workspace work;
+  Workspace& work = Workspace::ofThisThread(measurements_);
   for (std::size_t pose = 0; pose < empty_.size(); ++pose) {
     const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
     for (const Reading& reading : measurements_.poses[pose].readings) {
       for (std::size_t index : reading.pictures) {
         const Picture& picture = measurements_.pictures[index];
-        const Belief here = belief(picture, prepared_[index], reading, pose, state.unknowns, deflections);
-        posture(measurements_.robot, here, prepared_[index].links, work.torsoFromLink);
+        believe(picture, prepared_[index], state.unknowns, deflections, work.belief);
+        posture(measurements_.robot, work.belief, prepared_[index].links, work.torsoFromLink);
         for (std::size_t i = 0; i < picture.sightings.size(); ++i) {
-          result.push_back(sightingResidual(index, i, here, work));
+          result.push_back(sightingResidual(index, i, work));
         }
       }
     }
@@ -29,10 +29,9 @@ std::vector<SightingResidual> Residuals::sightings(const State& state) const {
   return result;
 }
 
-SightingResidual Residuals::sightingResidual(std::size_t picture, std::size_t index, const Belief& belief,
-                                             Workspace& work) const {
+SightingResidual Residuals::sightingResidual(std::size_t picture, std::size_t index, Workspace& work) const {
   const Sighting& sighting = measurements_.pictures[picture].sightings[index];
-  const Attitude attitude = sighting.view.attitude(measurements_.robot, belief, work.torsoFromLink);
+  const Attitude attitude = sighting.view.attitude(measurements_.robot, work.belief, work.torsoFromLink);
   const Eigen::Index count = at(sighting.ids.size());
   SightingResidual result{picture,
                           index,
@@ -40,7 +39,7 @@ SightingResidual Residuals::sightingResidual(std::size_t picture, std::size_t in
                           Eigen::Matrix2Xd(2, count),
                           Eigen::VectorXd::Zero(count),
                           Eigen::MatrixXd::Zero(2 * count, 6)};
-  if (!sighting.view.project(attitude, belief, sighting.corners, work.projected)) {
+  if (!sighting.view.project(attitude, work.belief, sighting.corners, work.projected)) {
     result.predicted.setConstant(std::numeric_limits<double>::quiet_NaN());
     result.residual = result.predicted;
     return result;

@@ -39,6 +39,7 @@ auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarq
   }
   Minimum<State, typename decltype(linear)::value_type> minimum{std::move(start), *std::move(linear)};
   double damping = options.firstDamping, growth = 2;
+  bool arrived = false; // by a step, not by the start
   while (minimum.iterations < options.maxIterations && !minimum.converged) {
     ++minimum.iterations;
     const auto& here = minimum.linear;
@@ -49,12 +50,16 @@ auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarq
     if (!std::isfinite(predictedFall)) {
       break;
     }
+    // A step whose predicted fall is nothing, or drowns in the cost's rounding, ends the search, taken or not.
+    minimum.converged = predictedFall < options.smallestFall + 1e-12 * here.cost && damping < 1e3;
+    if (minimum.converged && arrived) {
+      break;
+    }
     State candidate = problem.moved(minimum.state, here, step);
     auto there = problem.linearised(candidate);
     const double fall = there ? here.cost - there->cost : -1;
-    // A step whose predicted fall is nothing, or drowns in the cost's rounding, ends the search either way.
-    minimum.converged = predictedFall < options.smallestFall + 1e-12 * here.cost && damping < 1e3;
-    if (fall > 0) {
+    arrived = fall > 0;
+    if (arrived) {
       const double gain = fall / std::max(predictedFall, 1e-300);
       damping *= std::max(1.0 / 3, 1 - std::pow(2 * gain - 1, 3));
       damping = std::max(damping, 1e-12);

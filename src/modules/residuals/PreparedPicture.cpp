@@ -1,0 +1,134 @@
+#include "residuals/PreparedPicture.hpp"
+
+#include <algorithm>
+
+namespace naocal {
+
+namespace {
+
+/// Numbers below `end`, each once, ascending.
+class Numbers {
+public:
+  explicit Numbers(std::size_t end) : has_(end, 0) {}
+  void add(const std::vector<std::size_t>& numbers) {
+    for (std::size_t number : numbers) {
+      has_[number] = 1;
+    }
+  }
+  std::vector<std::size_t> list() const {
+    std::vector<std::size_t> result;
+    result.reserve(has_.size());
+    for (std::size_t number = 0; number < has_.size(); ++number) {
+      if (has_[number] != 0) {
+        result.push_back(number);
+      }
+    }
+    return result;
+  }
+
+private:
+  std::vector<char> has_;
+};
+
+/// Where `item` stands in `list`, to which it is added where it is new.
+template <typename Item> Eigen::Index place(std::vector<Item>& list, Item item) {
+  const auto known = std::find(list.begin(), list.end(), item);
+  const Eigen::Index result = known - list.begin();
+  if (known == list.end()) {
+    list.push_back(item);
+  }
+  return result;
+}
+
+/// The board whose placement or shape a quantity is, if it is one.
+std::optional<std::size_t> boardOf(const Quantities& quantities, std::size_t quantity) {
+  const std::size_t first = quantities.board(0);
+  return quantity >= first ? std::optional{(quantity - first) / (quantities.board(1) - first)} : std::nullopt;
+}
+
+/// What moves the corners that `view` sees.
+PreparedPicture::Group groupOf(const View& view, const Quantities& quantities, const std::vector<std::size_t>& unknowns,
+                               const PreparedPicture& prepared) {
+  PreparedPicture::Group group;
+  const std::size_t most = prepared.slopes.size() + prepared.joints.size();
+  group.quantities.reserve(most);
+  group.columns.reserve(most);
+  group.shares.reserve(most);
+  const auto add = [&](Eigen::Index column, std::size_t quantity, double slope) {
+    const auto board = boardOf(quantities, quantity);
+    if (!board || *board == view.board()) {
+      group.shares.push_back({place(group.columns, column), place(group.quantities, quantity), slope});
+    }
+  };
+  for (const Slope& slope : prepared.slopes) {
+    add(std::lower_bound(unknowns.begin(), unknowns.end(), slope.unknown) - unknowns.begin(), slope.quantity,
+        slope.value);
+  }
+  for (std::size_t i = 0; i < prepared.joints.size(); ++i) {
+    add(static_cast<Eigen::Index>(unknowns.size() + prepared.deflections[i]), quantities.angle(prepared.joints[i]), 1);
+  }
+  for (std::size_t quantity : group.quantities) {
+    if (const auto extra = view.extra(quantity)) {
+      group.extras.push_back(*extra);
+    }
+  }
+  return group;
+}
+
+} // namespace
+
+std::vector<std::size_t> jointsBetween(const Robot& robot, const Picture& picture) {
+  Numbers joints{robot.joints.size()};
+  for (const Sighting& sighting : picture.sightings) {
+    joints.add(sighting.view.joints());
+  }
+  if (picture.otherSole) {
+    joints.add(picture.otherSole->joints());
+  }
+  return joints.list();
+}
+
+std::vector<Slope> visibleSlopes(const Measurements& measurements, const Model& model, const Picture& picture,
+                                 const Eigen::VectorXd& unknowns) {
+  const Quantities& quantities = measurements.quantities;
+  const std::vector<std::size_t> joints = jointsBetween(measurements.robot, picture);
+  std::vector<Slope> result = slopes(measurements, model, picture, unknowns);
+  std::erase_if(result, [&](const Slope& slope) {
+    if (slope.quantity < quantities.axis(0)) {
+      return !std::binary_search(joints.begin(), joints.end(), slope.quantity); // an angle has its joint's number
+    }
+    const auto board = boardOf(quantities, slope.quantity);
+    return board && std::none_of(picture.sightings.begin(), picture.sightings.end(),
+                                 [&](const Sighting& sighting) { return sighting.view.board() == *board; });
+  });
+  return result;
+}
+
+void prepare(const Measurements& measurements, const Picture& picture, const std::vector<std::size_t>& unknowns,
+             PreparedPicture& prepared) {
+  Numbers links{measurements.robot.links.size()};
+  const bool boardsMove = std::any_of(prepared.slopes.begin(), prepared.slopes.end(), [&](const Slope& slope) {
+    return boardOf(measurements.quantities, slope.quantity).has_value();
+  });
+  prepared.groups.clear();
+  for (std::size_t i = 0; i < picture.sightings.size(); ++i) {
+    const View& view = picture.sightings[i].view;
+    links.add(view.links());
+    const auto known = std::find_if(prepared.groups.begin(), prepared.groups.end(), [&](const auto& group) {
+      return !boardsMove && picture.sightings[group.sightings.front()].view.sharesPath(view);
+    });
+    PreparedPicture::Group& group =
+        known != prepared.groups.end()
+            ? *known
+            : prepared.groups.emplace_back(groupOf(view, measurements.quantities, unknowns, prepared));
+    group.sightings.push_back(i);
+  }
+  if (picture.otherSole) {
+    links.add(picture.otherSole->links());
+    prepared.floor = groupOf(*picture.otherSole, measurements.quantities, unknowns, prepared);
+    prepared.floor.extras.clear();
+  }
+  prepared.links = links.list();
+}
+
+} // namespace naocal

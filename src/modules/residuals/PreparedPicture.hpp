@@ -1,0 +1,45 @@
+#pragma once
+
+#include "residuals/Measurements.hpp"
+#include "residuals/Model.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace naocal {
+
+/// What a picture's residuals need that stays while the slopes do: links to walk, and which quantities move what in the
+/// normal equations of its pose. Their columns are the pose's unknowns, then the deflections of its joints.
+struct PreparedPicture {
+  /// Sightings that the same quantities move in the same way: their corners are summed up together.
+  struct Group {
+    std::vector<std::size_t> sightings;
+    std::vector<std::size_t> quantities;
+    std::vector<std::size_t> extras;   // among the quantities (`View::extra`)
+    std::vector<Eigen::Index> columns; // that move them
+    struct Share {
+      Eigen::Index column, quantity; // places in the two lists above
+      double slope;                  // d(quantity)/d(column)
+    };
+    std::vector<Share> shares;
+  };
+  std::vector<std::size_t> links;
+  std::vector<std::size_t> joints;      // between camera and boards, that have a deflection
+  std::vector<std::size_t> deflections; // theirs, among the pose's
+  std::vector<Slope> slopes;            // of what the picture shows
+  std::vector<Group> groups;
+  Group floor; // what moves the other sole, where the robot stands on both
+};
+
+/// Those slopes whose quantities move something that the picture shows.
+std::vector<Slope> visibleSlopes(const Measurements& measurements, const Model& model, const Picture& picture,
+                                 const Eigen::VectorXd& unknowns);
+
+/// Joints between the picture's camera and what it shows, ascending.
+std::vector<std::size_t> jointsBetween(const Robot& robot, const Picture& picture);
+
+/// Finds links and groups, given joints, deflections and slopes. `unknowns`: of the picture's pose, ascending.
+void prepare(const Measurements& measurements, const Picture& picture, const std::vector<std::size_t>& unknowns,
+             PreparedPicture& prepared);
+
+} // namespace naocal
