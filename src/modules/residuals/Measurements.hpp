@@ -30,6 +30,7 @@ struct Standing {
   std::string name; // "0", or "<set>/0"
   SupportFoot supportFoot = SupportFoot::none;
   bool unknown = false;
+  Placement placement; // as surveyed, else zero
 };
 
 /// One picture with everything that was recorded with it, in terms of the robot's joints.

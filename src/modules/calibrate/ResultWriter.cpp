@@ -1,9 +1,7 @@
 #include "calibrate/ResultFile.hpp"
 
-#include "captures/Files.hpp"
-#include "captures/InputError.hpp"
+#include "calibrate/ResultEvidence.hpp"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace naocal {
@@ -88,67 +86,6 @@ json weakJson(const CalibrationResult& result) {
   return weak;
 }
 
-json doubtfulJson(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                  const CalibrationResult& result) {
-  json list = json::array();
-  for (const Doubt& doubt : result.doubts) {
-    const Picture& picture = measurements.pictures[doubt.picture];
-    const CaptureSet& set = sets[picture.set];
-    list.push_back({{"set", set.name},
-                    {"capture", set.captures[picture.capture].id},
-                    {"board", measurements.targets[picture.sightings[doubt.sighting].view.board()].name},
-                    {"corners", doubt.corners},
-                    {"whole", doubt.whole},
-                    {"distancePx", doubt.distance}});
-  }
-  return list;
-}
-
-json camerasJson(const std::vector<CaptureSet>& sets) {
-  json cameras;
-  for (const CaptureSet& set : sets) {
-    for (const auto& [name, camera] : set.cameras) {
-      cameras[set.name][name] = {{"width", camera.width}, {"height", camera.height}};
-    }
-  }
-  return cameras;
-}
-
-json pointsJson(const Eigen::Matrix2Xd& points) {
-  json list = json::array();
-  for (Eigen::Index i = 0; i < points.cols(); ++i) {
-    list.push_back({points(0, i), points(1, i)});
-  }
-  return list;
-}
-
-/// Every corner: measured; predicted with the joints' readings as they are; fitted, where the readings are moved as
-/// far as their noise allows; and how far it counted.
-json sightingsJson(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                   const CalibrationResult& result) {
-  json list = json::array();
-  for (std::size_t i = 0; i < result.sightings.size(); ++i) {
-    const SightingResidual& seen = result.sightings[i];
-    const Picture& picture = measurements.pictures[seen.picture];
-    const Sighting& sighting = picture.sightings[seen.sighting];
-    const Capture& capture = sets[picture.set].captures[picture.capture];
-    list.push_back({{"set", sets[picture.set].name},
-                    {"capture", capture.id},
-                    {"pose", capture.pose},
-                    {"repeat", capture.repeat},
-                    {"time", capture.time.count()},
-                    {"camera", capture.camera},
-                    {"image", capture.image},
-                    {"board", measurements.targets[sighting.view.board()].name},
-                    {"ids", sighting.ids},
-                    {"measured", pointsJson(seen.predicted + seen.residual)},
-                    {"predicted", pointsJson(result.asReported[i].predicted)},
-                    {"fitted", pointsJson(seen.predicted)},
-                    {"weight", std::vector<double>(seen.weight.begin(), seen.weight.end())}});
-  }
-  return list;
-}
-
 } // namespace
 
 json resultJson(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& model,
@@ -191,45 +128,6 @@ json resultJson(const std::vector<CaptureSet>& sets, const Measurements& measure
           {"model", {{"robot", measurements.robot.model}, {"terms", std::move(terms)}}},
           {"cameras", camerasJson(sets)},
           {"sightings", sightingsJson(sets, measurements, result)}};
-}
-
-namespace {
-
-Placement placementFrom(const json& value) {
-  return {value.value("x", 0.0),    value.value("y", 0.0),     value.value("z", 0.0),
-          value.value("roll", 0.0), value.value("pitch", 0.0), value.value("yaw", 0.0)};
-}
-
-} // namespace
-
-StoredResult readResult(const std::filesystem::path& file) {
-  try {
-    const json all = json::parse(fileContent(file));
-    if (all.value("format", "") != "naocal-result" || all.value("version", 0) != 1) {
-      throw InputError{
-          fmt::format("{}: format: expected \"naocal-result\" version 1, as 'naocal solve' writes it, found {} "
-                      "version {}",
-                      file.string(), all.value("format", "none"), all.value("version", 0))};
-    }
-    StoredResult result;
-    result.usable = all.at("usable").get<bool>();
-    for (const json& effect : all.at("effects")) {
-      const std::string label = effect.at("effect").get<std::string>() + "@" + effect.at("at").get<std::string>();
-      result.terms.push_back(label);
-      for (const auto& [name, unknown] : effect.at("unknowns").items()) {
-        result.values[label + "." + name] = unknown.at("value").get<double>();
-      }
-    }
-    for (const auto& [name, placement] : all.at("placements").at("boards").items()) {
-      result.boards[name] = placementFrom(placement);
-    }
-    for (const auto& [name, placement] : all.at("placements").at("stances").items()) {
-      result.stances[name] = placementFrom(placement);
-    }
-    return result;
-  } catch (const json::exception& error) {
-    throw InputError{fmt::format("{}: not a result file as 'naocal solve' writes it: {}", file.string(), error.what())};
-  }
 }
 
 } // namespace naocal
