@@ -2,6 +2,7 @@
 
 #include "calibrate/FloorError.hpp"
 #include "calibrate/WeakDirections.hpp"
+#include "calibrate/Words.hpp"
 #include "geometry/Angles.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +19,6 @@ void judge(const Measurements& measurements, const Model& model, CalibrationResu
     result.warnings.push_back(
         "the search did not converge: try --restarts 20, and check the robot's model and the boards");
   }
-  const std::vector<std::string> names = model.names();
   for (const Term& term : model.terms()) {
     const Estimate& estimate = result.estimates[term.first];
     if (term.effect.name == "jointOffset" && estimate.learned < 0.5) {
@@ -26,7 +26,7 @@ void judge(const Measurements& measurements, const Model& model, CalibrationResu
       result.warnings.push_back(fmt::format("{} cannot be learned from these captures ({:.0f} % learned, ±{:.1f}°): "
                                             "add poses that move it, or leave it out "
                                             "with --without {}",
-                                            inWords(names[term.first]), 100 * std::max(0.0, estimate.learned),
+                                            inWords(term, 0), 100 * std::max(0.0, estimate.learned),
                                             degrees(estimate.sigma), term.label()));
     }
   }

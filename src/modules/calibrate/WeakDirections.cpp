@@ -1,11 +1,11 @@
 #include "calibrate/WeakDirections.hpp"
 
+#include "calibrate/Words.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace naocal {
 
@@ -17,33 +17,15 @@ Eigen::Index at(std::size_t i) {
 
 } // namespace
 
-std::string inWords(const std::string& unknownName) {
-  const std::size_t atSign = unknownName.find('@'), dot = unknownName.rfind('.');
-  const std::string effect = unknownName.substr(0, atSign);
-  const std::string place = unknownName.substr(atSign + 1, dot - atSign - 1);
-  const std::string unknown = unknownName.substr(dot + 1);
-  if (effect != "jointOffset") {
-    return fmt::format("the {} camera's {} ({})", place, effect, unknown);
-  }
-  std::string words = place.size() > 1 && place[0] == 'L' && std::isupper(place[1])   ? "the left"
-                      : place.size() > 1 && place[0] == 'R' && std::isupper(place[1]) ? "the right"
-                                                                                      : "the";
-  for (std::size_t i = words == "the" ? 0 : 1; i < place.size(); ++i) {
-    if (std::isupper(place[i])) {
-      words += ' ';
-    }
-    words += static_cast<char>(std::tolower(place[i]));
-  }
-  return words;
-}
-
 std::vector<WeakDirection> weakDirections(const Model& model, const CalibrationResult& result) {
-  constexpr double wide = 0.3;    // of the prior's sigma
-  constexpr double shared = 0.25; // smallest share worth naming
+  constexpr double wide = 0.3;   // of the prior's sigma
+  constexpr double shared = 0.4; // smallest share worth naming, of the largest
   std::vector<std::size_t> physical;
+  std::vector<std::string> spoken;
   for (const Term& term : model.terms()) {
     for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement; ++i) {
       physical.push_back(term.first + i);
+      spoken.push_back(inWords(term, i));
     }
   }
   const Eigen::VectorXd sigmas = model.sigmas();
@@ -66,12 +48,13 @@ std::vector<WeakDirection> weakDirections(const Model& model, const CalibrationR
     std::vector<std::string> words;
     Eigen::VectorXd turn = Eigen::VectorXd::Zero(sigmas.size()); // the direction in radians
     direction.unit = "rad";
+    const double least = shared * eigen.eigenvectors().col(k).cwiseAbs().maxCoeff();
     for (std::size_t i = 0; i < physical.size(); ++i) {
       const double share = eigen.eigenvectors()(at(i), k);
-      if (std::abs(share) > shared) {
+      if (std::abs(share) >= least) {
         const std::size_t unknown = physical[i];
         direction.parts.emplace_back(names[unknown], share);
-        words.push_back(inWords(names[unknown]));
+        words.push_back(spoken[i]);
         turn[at(unknown)] = share * sigmas[at(unknown)];
         if (model.units()[unknown] != "rad") {
           direction.unit = "prior sigmas";
@@ -88,7 +71,7 @@ std::vector<WeakDirection> weakDirections(const Model& model, const CalibrationR
     direction.sentence = words.size() == 1
                              ? fmt::format("these captures hardly tell {}", words.front())
                              : fmt::format("{} can be traded against each other: these captures hardly tell them apart",
-                                           fmt::join(words, " and "));
+                                           enumerated(words));
     weak.push_back(std::move(direction));
   }
   return weak;

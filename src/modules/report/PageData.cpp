@@ -157,7 +157,8 @@ json pageData(const JsonPlace& result, const Sources& sources) {
   }
   for (const JsonPlace& direction : result.at("weak").elements()) {
     data["weak"].push_back({{"sentence", direction.at("sentence").text()},
-                            {"sigma", direction.at("sigma").number({0, 1e15, "prior sigmas"})}});
+                            {"sigma", direction.at("sigma").number({0, 1e15, ""})},
+                            {"unit", direction.at("unit").text()}});
   }
   return data;
 }

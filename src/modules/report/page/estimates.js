@@ -46,8 +46,9 @@ function showWeak(parent) {
   if (!data.weak.length) return;
   parent.append(element("h3", "", "What these captures hardly tell"));
   const list = parent.appendChild(element("ul"));
-  for (const {sentence, sigma} of data.weak) {
-    list.append(element("li", "", sentence + " (" + Math.round(100 * Math.min(1, sigma)) +
-      " % of the uncertainty from before is left along this combination)"));
+  for (const {sentence, sigma, unit} of data.weak) {
+    const left = unit === "rad" ? "± " + (sigma * 180 / Math.PI).toPrecision(2) + "° along this combination"
+      : Math.round(100 * Math.min(1, sigma)) + " % of the uncertainty from before is left along this combination";
+    list.append(element("li", "", sentence + " (" + left + ")"));
   }
 }
