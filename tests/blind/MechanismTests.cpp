@@ -1,0 +1,134 @@
+#include "writer/Mechanism.hpp"
+#include "writer/Pictures.hpp"
+#include "writer/Question.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace blind {
+namespace {
+
+const Drawing& naoV6() {
+  static const Drawing drawing =
+      readDrawing(std::string{NAOCAL_SOURCE_DIR} + "/home/configuration/drawings/NaoV6.json");
+  return drawing;
+}
+
+Question soundRobot(int poses = 8) {
+  Chance chance{7, "mechanism"};
+  return ask(naoV6(), {"control", "", 0, poses, "clean"}, chance);
+}
+
+} // namespace
+
+TEST_CASE("a link in a gap stays until it is pushed, and a load drives it to the gap's end") {
+  // Proves the play operator: memory within the gap, pushing at its ends, gravity against friction.
+  Play play{0.02};
+  play.start(0);
+  play.pushTo(0.005);
+  CHECK(play.link() == 0);
+  play.pushTo(0.015);
+  CHECK(play.link() == Approx(0.005));
+  play.pushTo(0.0);
+  CHECK(play.link() == Approx(0.005));
+  play.pushTo(-0.02);
+  CHECK(play.link() == Approx(-0.01));
+  play.load(-0.02, 0.01); // weaker than friction
+  CHECK(play.link() == Approx(-0.01));
+  play.load(-0.02, -1);
+  CHECK(play.link() == Approx(-0.03));
+}
+
+TEST_CASE("an encoder's displaced magnet errs by a sin q + b cos q to first order") {
+  // Proves that the geometry has the contract's signs; its second order is what a formula misses.
+  JointFlaws flaws;
+  flaws.magnetX = 0.004;
+  flaws.magnetY = -0.006;
+  for (const double read : {-1.2, -0.3, 0.0, 0.8, 2.0}) {
+    const double expected = read + 0.004 * std::sin(read) + 0.006 * std::cos(read);
+    CHECK(turnedAngle(read, flaws) == Approx(expected).margin(1e-4));
+    const double angle = turnedAngle(read, flaws);
+    CHECK(std::atan2(std::sin(angle) - 0.006, std::cos(angle) + 0.004) == Approx(read).margin(1e-12));
+  }
+}
+
+TEST_CASE("a spring carries the torque of the posture that it sagged to") {
+  // Proves the balance itself, not its first order: the sag equals c tau at the sagged posture.
+  const Question question = soundRobot();
+  Robot soft = question.robot;
+  const int knee = naoV6().joint(question.plan.mainSide == 0 ? "LKneePitch" : "RKneePitch");
+  soft.flaws.joints[knee].compliance = 0.01;
+  const Skeleton skeleton{naoV6(), soft.flaws};
+  const auto stiffAngles = trueAngles(question.robot, question.session, skeleton);
+  const auto softAngles = trueAngles(soft, question.session, skeleton);
+  for (std::size_t i = 0; i < softAngles.size(); ++i) {
+    const int side = question.session.stances[question.session.readings[i].stance].side;
+    const Skeleton::Posture posture = skeleton.posture(softAngles[i]);
+    const Eigen::VectorXd torques = skeleton.torques(posture, side, skeleton.torsoFromSole(posture, side).turn.col(2));
+    CHECK(softAngles[i][knee] - stiffAngles[i][knee] == Approx(0.01 * torques[knee]).margin(1e-6));
+  }
+}
+
+TEST_CASE("friction's play leaves a joint half a gap short of where it came to") {
+  // Proves the sign of hysteresis against the approach that the file records.
+  const Question question = soundRobot();
+  Robot lagging = question.robot;
+  const int hip = naoV6().joint("LHipYawPitch");
+  lagging.flaws.joints[hip].lag = 0.01;
+  const Skeleton skeleton{naoV6(), lagging.flaws};
+  const auto angles = trueAngles(question.robot, question.session, skeleton);
+  const auto behind = trueAngles(lagging, question.session, skeleton);
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const double approach = question.session.readings[i].excursion[hip] > 0 ? -1 : 1;
+    CHECK(behind[i][hip] - angles[i][hip] == Approx(-0.005 * approach));
+  }
+}
+
+TEST_CASE("a bent sheet keeps the length of its radii and bends as high as it is told") {
+  // Proves that bending is no stretching, and its height against the contract's h.
+  BoardFlaws flaws;
+  flaws.bow = 0.01;
+  const Eigen::Vector3d middle = sheetPoint(flaws, 3.5, 2.5), corner = sheetPoint(flaws, 0, 0);
+  CHECK(middle.z() - corner.z() == Approx(0.01).epsilon(1e-9));
+  CHECK(corner.z() == Approx(0).margin(1e-12));
+  double length = 0;
+  Eigen::Vector3d before = middle;
+  constexpr int pieces = 2000;
+  for (int i = 1; i <= pieces; ++i) {
+    const double share = static_cast<double>(i) / pieces;
+    const Eigen::Vector3d point = sheetPoint(flaws, 3.5 * (1 - share), 2.5 * (1 - share));
+    length += (point - before).norm();
+    before = point;
+  }
+  CHECK(length == Approx(std::hypot(3.5, 2.5) * Sheet::square).epsilon(1e-7));
+  CHECK(sheetPoint({}, 2, 3) == Eigen::Vector3d{0.16, -0.24, 0});
+}
+
+TEST_CASE("a soft sole tips until it carries the weight where it then is") {
+  // Proves the balance of the sole and the contract's signs: pitch +c x, roll -c y.
+  SoleFlaws flaws;
+  flaws.compliance = 0.2;
+  const Eigen::Vector3d centre{0.04, 0.01, 0.25};
+  const Eigen::Matrix3d tilt = soleTilt(flaws, centre);
+  const Eigen::Vector3d moved = tilt * centre;
+  const double pitch = std::asin(-tilt(2, 0)), roll = std::atan2(tilt(2, 1), tilt(2, 2));
+  CHECK(pitch == Approx(0.2 * moved.x()).margin(1e-6));
+  CHECK(roll == Approx(-0.2 * moved.y()).margin(1e-6));
+  CHECK(pitch > 0.2 * centre.x()); // tipping forward brings the weight further forward
+}
+
+TEST_CASE("every planned attitude stands: its centre of mass lies over the sole") {
+  // Proves that poses are physical for the true robot; joint limits are asked while they are drawn.
+  const Question question = soundRobot(20);
+  const Pictures pictures{question.robot, question.session};
+  for (std::size_t i = 0; i < question.session.readings.size(); ++i) {
+    const int side = question.session.stances[question.session.readings[i].stance].side;
+    const Skeleton::Posture posture = pictures.skeleton().posture(pictures.angles(static_cast<int>(i)));
+    const Eigen::Vector3d centre =
+        pictures.skeleton().torsoFromSole(posture, side).inverse() * pictures.skeleton().centreOfMass(posture);
+    CHECK(centre.x() > -0.04);
+    CHECK(centre.x() < 0.085);
+    CHECK(std::abs(centre.y()) < 0.034);
+  }
+}
+
+} // namespace blind

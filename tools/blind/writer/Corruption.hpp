@@ -1,0 +1,22 @@
+#pragma once
+
+#include "writer/Staging.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace blind {
+
+/// Effects that the poses cannot test: what makes them so is planned into the session.
+const std::vector<std::string>& absorbedKinds();
+
+/// Mistakes of people and wiring. Each changes the finished set, but for what moves during the session.
+const std::vector<std::string>& corruptions();
+
+/// A kicked board or a robot that slips: decided before the pictures are taken.
+void corruptSession(const std::string& kind, Session& session, Chance& chance);
+/// Everything else: done to the capture set's JSON. Returns what was done, for the truth.
+std::string corruptFile(const std::string& kind, int side, nlohmann::json& set, Chance& chance);
+
+} // namespace blind

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "writer/Session.hpp"
+#include "writer/Skeleton.hpp"
+
+namespace blind {
+
+/// A corner, or any point of the sheet given in squares from its top left outer corner (x right, y down), in the
+/// board's frame: the printed sheet bent to a cap of constant curvature whose radii keep their length [m].
+Eigen::Vector3d sheetPoint(const BoardFlaws& flaws, double squaresRight, double squaresDown);
+
+/// Where a point of the camera's frame (x forward, y left, z up) is seen [px]; NaN behind the camera.
+Eigen::Vector2d seenAt(const Eigen::Vector3d& inCamera, const CameraFlaws& flaws);
+
+/// What a robot's cameras see during a session, without noise.
+class Pictures {
+public:
+  Pictures(const Robot& robot, const Session& session);
+
+  std::vector<Eigen::Vector2d> corners(const Sight& sight) const;
+  /// Any points of a board, given in squares.
+  std::vector<Eigen::Vector2d> points(const Sight& sight, const std::vector<Eigen::Vector2d>& inSquares) const;
+  /// Of a board at a reading's time.
+  Motion floorFromBoard(int board, double time) const;
+  /// At the reading's time, the angles given.
+  Motion cameraFromFloor(int reading, int camera, const Eigen::VectorXd& angles) const;
+  const Eigen::VectorXd& angles(int reading) const { return angles_[reading]; }
+  const Skeleton& skeleton() const { return skeleton_; }
+
+private:
+  Eigen::Vector2d exposed(const Sight& sight, const Eigen::Vector3d& inFloor) const;
+
+  const Robot& robot_;
+  const Session& session_;
+  Skeleton skeleton_;
+  std::vector<Eigen::VectorXd> angles_; // by reading, at the middle of the exposure
+  std::vector<std::array<Motion, 2>> cameraFromFloor_;
+};
+
+} // namespace blind

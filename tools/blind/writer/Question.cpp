@@ -1,0 +1,208 @@
+#include "writer/Question.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <numbers>
+#include <stdexcept>
+
+namespace blind {
+
+namespace {
+
+constexpr double radiansPerDegree = std::numbers::pi / 180;
+constexpr double mostPhysicalSizes = 6; // a flaw larger than so many of its physical sizes is drawn anew
+
+SessionPlan planFor(const Item& item, Chance& chance) {
+  SessionPlan plan;
+  plan.poses = item.poses;
+  plan.boards = 3 + chance.below(2);
+  plan.mainSide = chance.below(2);
+  plan.bothSides = item.poses >= 12 && item.group != "absorbed" && chance.uniform() < 0.5;
+  plan.rests = chance.uniform() < 0.15;
+  plan.restands = chance.uniform() < 0.25;
+  plan.warmAnyhow = item.kind == "idle temperature";
+  plan.sortedByKnee = item.kind == "sorted poses";
+  plan.sameTemperature = item.kind == "constant temperature";
+  plan.noise = noiseRegime(item.noise);
+  if (item.pictures) {
+    constexpr double foundCorners = 0.1; // what a good detector leaves [px]
+    plan.noise.pixel = foundCorners;
+  }
+  return plan;
+}
+
+Robot drawnRobot(const Drawing& drawing, std::size_t boards, Chance& chance) {
+  Robot robot;
+  robot.drawing = &drawing;
+  robot.offsets.resize(static_cast<Eigen::Index>(drawing.joints.size()));
+  for (double& offset : robot.offsets) {
+    offset = chance.within(6.5 * radiansPerDegree);
+  }
+  for (std::size_t i = 0; i < drawing.joints.size(); ++i) {
+    if (!drawing.joints[i].drivenBy.empty()) {
+      robot.offsets[static_cast<Eigen::Index>(i)] = robot.offsets[drawing.joint(drawing.joints[i].drivenBy)];
+    }
+  }
+  for (Eigen::Vector3d& turns : robot.mountTurns) {
+    for (double& turn : turns) {
+      turn = chance.within(2 * radiansPerDegree);
+    }
+  }
+  robot.flaws.joints.resize(drawing.joints.size());
+  robot.flaws.boards.resize(boards);
+  return robot;
+}
+
+const Family& familyNamed(const std::string& effect) {
+  for (const std::vector<Family>* families : {&catalogue(), &outside()}) {
+    for (const Family& family : *families) {
+      if (family.effect == effect) {
+        return family;
+      }
+    }
+  }
+  throw std::runtime_error{fmt::format("no effect is named {}", effect)};
+}
+
+std::string somePlace(const Family& family, const SessionPlan& plan, Chance& chance) {
+  const std::vector<std::string> places = placesFor(family, plan.mainSide, static_cast<std::size_t>(plan.boards));
+  return places[chance.below(static_cast<int>(places.size()))];
+}
+
+/// Which effect nobody can see in a session that was planned so.
+std::pair<const Family*, std::string> absorbedEffect(const std::string& kind, const SessionPlan& plan) {
+  const std::string letter = plan.mainSide == 0 ? "L" : "R";
+  if (kind == "one-sided gap") {
+    return {&familyNamed("backlash"), letter + "HipRoll"};
+  }
+  if (kind == "one-sided approach") {
+    return {&familyNamed("hysteresis"), letter + "KneePitch"};
+  }
+  if (kind == "constant temperature") {
+    return {&familyNamed("thermalDrift"), letter + "KneePitch"};
+  }
+  if (kind == "constant angle") {
+    return {&familyNamed("encoderGain"), "LHipYawPitch"};
+  }
+  return {&familyNamed("soleTilt"), plan.mainSide == 0 ? "left" : "right"};
+}
+
+std::vector<double> physicalSize(const Family& family, Chance& chance) {
+  std::vector<double> values = randomShape(family, chance);
+  const double size = chance.between(0.7, 1.5);
+  for (double& value : values) {
+    value *= size;
+  }
+  return values;
+}
+
+bool hide(const Item& item, Question& question, Chance& chance) {
+  const Noncentrality noncentrality{question.robot, question.session, question.plan.noise};
+  const Hiding hiding{question.robot, question.session, noncentrality};
+  const auto sized = [&](const Family& family, double wanted) {
+    return hiding.sized(family, somePlace(family, question.plan, chance), randomShape(family, chance), wanted,
+                        mostPhysicalSizes);
+  };
+  if (item.group == "absorbed") {
+    constexpr double untestable = 1e-4; // of the evidence
+    const auto [family, place] = absorbedEffect(item.kind, question.plan);
+    std::vector<double> shape = physicalSize(*family, chance);
+    if (item.kind == "sole roll") {
+      shape[1] = 0;
+    }
+    question.hidden.push_back(hiding.given(*family, place, std::move(shape)));
+    return question.hidden.front().kept < untestable;
+  }
+  if (item.group == "pair") {
+    const auto& families = catalogue();
+    const auto first = sized(families[chance.below(static_cast<int>(families.size()))], item.noncentrality);
+    const auto second = sized(families[chance.below(static_cast<int>(families.size()))], item.noncentrality);
+    if (!first || !second || first->family == second->family || hiding.correlation(*first, *second) >= 0.5) {
+      return false;
+    }
+    question.hidden = {*first, *second};
+    return true;
+  }
+  const Family& family = familyNamed(item.kind);
+  if (item.noncentrality == 0) {
+    auto values = item.group == "outside" ? std::vector<double>{chance.sign() * family.unknowns[0].physical}
+                                          : physicalSize(family, chance);
+    question.hidden.push_back(hiding.given(family, somePlace(family, question.plan, chance), std::move(values)));
+    return true;
+  }
+  if (const auto hidden = sized(family, item.noncentrality)) {
+    question.hidden.push_back(*hidden);
+    return true;
+  }
+  return false;
+}
+
+} // namespace
+
+NoiseRegime noiseRegime(const std::string& name) {
+  NoiseRegime regime;
+  regime.name = name;
+  regime.heavyTails = name == "heavy tails";
+  regime.foreshortened = name == "foreshortening";
+  regime.pictureBias = name == "picture bias" ? 0.1 : 0;
+  regime.quantised = name == "quantised" || name.starts_with("stiction");
+  if (name.starts_with("stiction")) {
+    regime.stiction = std::stod(name.substr(9)) * radiansPerDegree;
+  }
+  return regime;
+}
+
+Question ask(const Drawing& drawing, const Item& item, Chance& chance) {
+  constexpr int tries = 60;
+  for (int attempt = 0; attempt < tries; ++attempt) {
+    Question question;
+    question.plan = planFor(item, chance);
+    const std::string letter = question.plan.mainSide == 0 ? "L" : "R";
+    if (item.kind == "one-sided approach") {
+      question.plan.sameApproach = drawing.joint(letter + "KneePitch");
+    }
+    if (item.kind == "constant angle") {
+      question.plan.hipYawPitch = -0.25;
+    }
+    question.robot = drawnRobot(drawing, static_cast<std::size_t>(question.plan.boards), chance);
+    question.session = staged(question.robot, question.plan, layOut(question.plan.boards, chance), chance);
+    for (JointFlaws& joint : question.robot.flaws.joints) {
+      const auto& readings = question.session.readings;
+      joint.slipTime = readings[readings.size() * (30 + chance.below(40)) / 100].time; // when it slips at all
+    }
+    const bool harmless = item.group == "control" || item.group == "decoy" || item.group == "corrupted";
+    if (harmless || hide(item, question, chance)) {
+      for (const Hidden& hidden : question.hidden) {
+        apply(hidden, question.robot);
+      }
+      return question;
+    }
+  }
+  throw std::runtime_error{fmt::format("no robot and session were found in which {} of size {} can be hidden",
+                                       item.kind, item.noncentrality)};
+}
+
+Session lockedSession(const Question& question, Chance& chance) {
+  SessionPlan plan = question.plan;
+  plan.poses = 6 + chance.below(3);
+  plan.samples = 2;
+  plan.rests = plan.restands = plan.sortedByKnee = false;
+  plan.sameApproach = std::nullopt;
+  plan.hipYawPitch = std::nullopt;
+  Robot sound = question.robot; // poses are drawn and boards seen without the flaw
+  sound.flaws = {};
+  sound.flaws.joints.resize(question.robot.flaws.joints.size());
+  sound.flaws.boards.resize(question.robot.flaws.boards.size());
+  return staged(sound, plan, question.session.boards, chance);
+}
+
+std::vector<std::string> driversAt(const Hidden& hidden) {
+  std::vector<std::string> drivers = hidden.family->drivers;
+  const std::string side = hidden.place.starts_with("Head") ? "" : hidden.place.substr(0, 1);
+  for (std::string& driver : drivers) {
+    driver = driver.ends_with("Pitch") ? side + driver : driver;
+  }
+  return drivers;
+}
+
+} // namespace blind

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "writer/Corruption.hpp"
+#include "writer/Design.hpp"
+#include "writer/Hiding.hpp"
+#include "writer/Staging.hpp"
+
+namespace blind {
+
+/// A robot with its hidden flaws, and the session in which they are to be found.
+struct Question {
+  SessionPlan plan;
+  Robot robot;
+  Session session;
+  std::vector<Hidden> hidden;
+};
+
+/// Draws robots, places of the flaw and sessions until the flaw of the item has its size there without being absurdly
+/// large. Throws when that never happens.
+Question ask(const Drawing& drawing, const Item& item, Chance& chance);
+
+/// Six to eight further poses of the same robot with the same flaws.
+Session lockedSession(const Question& question, Chance& chance);
+
+/// What the misfit of a flaw outside the catalogue varies with, with the side's letter.
+std::vector<std::string> driversAt(const Hidden& hidden);
+
+NoiseRegime noiseRegime(const std::string& name);
+
+} // namespace blind

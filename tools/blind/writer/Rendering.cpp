@@ -1,0 +1,150 @@
+#include "writer/Rendering.hpp"
+
+#include "writer/Pictures.hpp"
+#include "writer/SetFile.hpp"
+
+#include <algorithm>
+#include <opencv2/aruco.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+namespace blind {
+
+namespace {
+
+constexpr int finer = 3;                                 // pixels of the canvas per pixel of the picture and side
+constexpr int printed = 64;                              // pixels of the printed sheet per square
+constexpr double paper = 0.25;                           // margin round the squares [squares]
+constexpr double floorGrey = 105, ink = 40, white = 190; // grey levels
+
+/// The sheet as it comes from the printer, margin and all: black at the top left, markers on white in reading order.
+cv::Mat printedSheet(int firstMarker) {
+  const int margin = static_cast<int>(paper * printed);
+  cv::Mat sheet(Sheet::squaresY * printed + 2 * margin, Sheet::squaresX * printed + 2 * margin, CV_8U,
+                cv::Scalar{white});
+  const cv::Ptr<cv::aruco::Dictionary> dictionary = cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_100);
+  const int size = static_cast<int>(printed * Sheet::marker / Sheet::square), border = (printed - size) / 2;
+  int marker = firstMarker;
+  for (int row = 0; row < Sheet::squaresY; ++row) {
+    for (int column = 0; column < Sheet::squaresX; ++column) {
+      const cv::Rect square{margin + column * printed, margin + row * printed, printed, printed};
+      if ((row + column) % 2 == 0) {
+        sheet(square).setTo(ink);
+      } else {
+        cv::Mat bits;
+        dictionary->drawMarker(marker++, size, bits, 1);
+        bits.convertTo(sheet(cv::Rect{square.x + border, square.y + border, size, size}), CV_8U, (white - ink) / 255,
+                       ink);
+      }
+    }
+  }
+  return sheet;
+}
+
+/// The lines between cells, in squares: the sheet's edges and the squares'.
+std::vector<double> cellLines(int squares) {
+  std::vector<double> lines{-paper};
+  for (int i = 0; i <= squares; ++i) {
+    lines.push_back(i);
+  }
+  lines.push_back(squares + paper);
+  return lines;
+}
+
+/// A place of the picture on the canvas, whose pixel (0, 0) has its centre there too.
+cv::Point2f onCanvas(const Eigen::Vector2d& seen) {
+  return {static_cast<float>(finer * (seen.x() + 0.5) - 0.5), static_cast<float>(finer * (seen.y() + 0.5) - 0.5)};
+}
+
+/// A place of the sheet (in squares) in the printed picture.
+cv::Point2f onPrint(double right, double down) {
+  return {static_cast<float>((right + paper) * printed - 0.5), static_cast<float>((down + paper) * printed - 0.5)};
+}
+
+void paintCell(const cv::Mat& sheet, const std::array<cv::Point2f, 4>& from, const std::array<cv::Point2f, 4>& to,
+               cv::Mat& canvas) {
+  const std::vector<cv::Point2f> outline(to.begin(), to.end());
+  const cv::Rect room = cv::boundingRect(outline) & cv::Rect{0, 0, canvas.cols, canvas.rows};
+  if (room.empty() || cv::contourArea(outline) < 1) {
+    return;
+  }
+  std::array<cv::Point2f, 4> inRoom = to;
+  std::vector<cv::Point> polygon;
+  constexpr int fraction = 4; // bits behind the point
+  for (cv::Point2f& point : inRoom) {
+    point -= cv::Point2f{static_cast<float>(room.x), static_cast<float>(room.y)};
+    polygon.emplace_back(cvRound(point.x * (1 << fraction)), cvRound(point.y * (1 << fraction)));
+  }
+  cv::Mat warped, mask = cv::Mat::zeros(room.size(), CV_8U);
+  cv::warpPerspective(sheet, warped, cv::getPerspectiveTransform(from.data(), inRoom.data()), room.size(),
+                      cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  cv::fillConvexPoly(mask, polygon, 255, cv::LINE_8, fraction);
+  warped.copyTo(canvas(room), mask);
+}
+
+void paintBoard(const Pictures& pictures, const Sight& sight, const cv::Mat& sheet, cv::Mat& canvas) {
+  const std::vector<double> columns = cellLines(Sheet::squaresX), rows = cellLines(Sheet::squaresY);
+  std::vector<Eigen::Vector2d> grid;
+  for (const double down : rows) {
+    for (const double right : columns) {
+      grid.emplace_back(right, down);
+    }
+  }
+  const std::vector<Eigen::Vector2d> seen = pictures.points(sight, grid);
+  for (std::size_t row = 0; row + 1 < rows.size(); ++row) {
+    for (std::size_t column = 0; column + 1 < columns.size(); ++column) {
+      const std::size_t at = row * columns.size() + column, below = at + columns.size();
+      const std::array<std::size_t, 4> corners{at, at + 1, below + 1, below};
+      std::array<cv::Point2f, 4> from, to;
+      bool inFront = true;
+      for (std::size_t i = 0; i < 4; ++i) {
+        from[i] = onPrint(grid[corners[i]].x(), grid[corners[i]].y());
+        to[i] = onCanvas(seen[corners[i]]);
+        inFront = inFront && seen[corners[i]].cwiseAbs().maxCoeff() < 4 * Lens::width; // not for NaN
+      }
+      if (inFront) {
+        paintCell(sheet, from, to, canvas);
+      }
+    }
+  }
+}
+
+cv::Mat developed(const cv::Mat& canvas, Chance& chance) {
+  constexpr double blur = 0.7, noise = 3; // [px], [grey levels]
+  cv::Mat blurred, picture;
+  cv::GaussianBlur(canvas, blurred, {}, blur * finer);
+  cv::resize(blurred, picture, {Lens::width, Lens::height}, 0, 0, cv::INTER_AREA);
+  for (int row = 0; row < picture.rows; ++row) {
+    for (int column = 0; column < picture.cols; ++column) {
+      auto& grey = picture.at<unsigned char>(row, column);
+      grey = cv::saturate_cast<unsigned char>(grey + chance.normal(noise));
+    }
+  }
+  return picture;
+}
+
+} // namespace
+
+void renderSession(const Robot& robot, const Session& session, Chance& chance, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder / "images");
+  const Pictures pictures{robot, session};
+  std::vector<cv::Mat> sheets;
+  for (std::size_t board = 0; board < session.boards.size(); ++board) {
+    sheets.push_back(printedSheet(static_cast<int>(board) * (Sheet::squaresX * Sheet::squaresY / 2)));
+  }
+  for (int reading = 0; reading < static_cast<int>(session.readings.size()); ++reading) {
+    for (int camera = 0; camera < 2; ++camera) {
+      cv::Mat canvas(finer * Lens::height, finer * Lens::width, CV_8U, cv::Scalar{floorGrey});
+      for (int board = 0; board < static_cast<int>(sheets.size()); ++board) {
+        paintBoard(pictures, {reading, camera, board, {}, 0}, sheets[board], canvas);
+      }
+      const std::string file = (folder / imageName(reading, camera)).string();
+      if (!cv::imwrite(file, developed(canvas, chance))) {
+        throw std::runtime_error{file + ": cannot be written"};
+      }
+    }
+  }
+}
+
+} // namespace blind

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "writer/Pictures.hpp"
+#include "writer/Staging.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace blind {
+
+/// What a detector would report: true corners and noise, by sight.
+using SeenCorners = std::vector<std::vector<Eigen::Vector2d>>;
+
+SeenCorners noisyCorners(const Pictures& pictures, const Session& session, const NoiseRegime& noise, Chance& chance);
+
+/// The capture set as contracts/captures.md has it; no placement is told. With pictures the captures name images and
+/// hold no corners.
+nlohmann::json captureSet(const Drawing& drawing, const Session& session, const SeenCorners& seen, bool pictures,
+                          const std::string& robotName);
+
+/// Where a capture's picture lies inside the set's folder.
+std::string imageName(int reading, int camera);
+
+/// How far corners lie from their predictions by someone who knows the robot with all its flaws but reads the angles
+/// with the encoders' errors and does not know where friction held the links: rms of distances [px].
+double noiseFloor(const Robot& robot, const Session& session, const SeenCorners& seen);
+
+} // namespace blind

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "writer/Drawing.hpp"
+#include "writer/Flaws.hpp"
+
+namespace blind {
+
+/// A rotation about the origin, then a shift.
+struct Motion {
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+
+  Eigen::Vector3d operator*(const Eigen::Vector3d& point) const { return turn * point + shift; }
+  Motion operator*(const Motion& other) const { return {turn * other.turn, turn * other.shift + shift}; }
+  Motion inverse() const { return {turn.transpose(), -(turn.transpose() * shift)}; }
+};
+
+Eigen::Matrix3d turnAbout(const Eigen::Vector3d& axis, double angle); // Rodrigues' formula
+Motion placed(double x, double y, double yaw);                        // on the floor
+Eigen::Matrix3d tipped(double roll, double pitch);                    // Ry(pitch) * Rx(roll)
+
+/// A robot's links as one product of exponentials: at angles q the point that lies at p in the torso's frame at zero
+/// angles lies at exp(screw_1 q_1) ... exp(screw_n q_n) p (Brockett 1984).
+class Skeleton {
+public:
+  Skeleton(const Drawing& drawing, const Flaws& flaws);
+
+  using Posture = std::vector<Motion>; // by joint: where its link went from its place at zero angles
+  Posture posture(const Eigen::VectorXd& angles) const;
+
+  Motion torsoFromSole(const Posture& posture, int side) const;
+  /// x forward along the optical axis; `mountTurn` after the nominal mount, `shift` in the head's frame.
+  Motion torsoFromCamera(const Posture& posture, int camera, const Eigen::Matrix3d& mountTurn,
+                         const Eigen::Vector3d& shift) const;
+  Eigen::Vector3d centreOfMass(const Posture& posture) const; // in the torso's frame [m]
+  /// What gravity does to each joint with one sole held still, `up` in the torso's frame [Nm]. Both hip yaw-pitch
+  /// joints get their motor's sum.
+  Eigen::VectorXd torques(const Posture& posture, int side, const Eigen::Vector3d& up) const;
+  double mass() const { return mass_; }
+
+private:
+  struct Screw {
+    int parent;
+    Eigen::Vector3d axis, point; // at zero angles in the torso's frame
+  };
+  struct Weight {
+    int joint;
+    double kilograms;
+    Eigen::Vector3d point;
+  };
+  Eigen::Vector3d centre(const Posture& posture, const Weight& weight) const;
+
+  const Drawing& drawing_;
+  std::vector<Screw> screws_;
+  std::vector<Weight> weights_;
+  std::array<Eigen::Vector3d, 2> soles_;
+  std::array<std::vector<bool>, 2> inLeg_; // between torso and that sole
+  double mass_ = 0;
+};
+
+} // namespace blind

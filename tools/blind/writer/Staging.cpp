@@ -1,0 +1,242 @@
+#include "writer/Staging.hpp"
+
+#include "writer/Poses.hpp"
+#include "writer/Sighting.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace blind {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+class Stage {
+public:
+  Stage(const Robot& robot, const SessionPlan& plan, Chance& chance)
+      : robot_{robot}, plan_{plan}, chance_{chance}, skeleton_{*robot.drawing, robot.flaws} {}
+
+  Session session(const std::vector<FloorPlace>& boards) {
+    session_.boards = boards;
+    session_.stances.push_back(stance(plan_.mainSide));
+    if (plan_.bothSides) {
+      session_.stances.push_back(stance(1 - plan_.mainSide));
+    }
+    drawPoses();
+    const auto joints = static_cast<Index>(robot_.drawing->joints.size());
+    temperature_.resize(joints);
+    for (double& degrees : temperature_) {
+      degrees = plan_.sameTemperature ? 38 : chance_.between(28, 44);
+    }
+    time_ = chance_.between(3, 8);
+    for (std::size_t pose = 0; pose < poses_.size(); ++pose) {
+      take(static_cast<int>(pose));
+    }
+    const Pictures pictures{robot_, session_};
+    session_.sights = allSights(pictures, session_);
+    for (Sight& sight : session_.sights) {
+      const double worse = plan_.noise.foreshortened ? slantFactor(pictures, session_, sight) : 1;
+      sight.sigma = worse * plan_.noise.pixel;
+    }
+    return std::move(session_);
+  }
+
+private:
+  Stance stance(int side) {
+    const double halfWidth = robot_.drawing->lengths.at("hipY");
+    return {side, {chance_.within(0.02), (side == 0 ? 1 : -1) * halfWidth + chance_.within(0.02), chance_.within(0.1)}};
+  }
+
+  void drawPoses() {
+    const Poses poses{*robot_.drawing, skeleton_};
+    for (int pose = 0; pose < plan_.poses; ++pose) {
+      const int stance = plan_.bothSides ? pose % 2 : 0;
+      const auto worth = [&](const VectorXd& angles) {
+        return cornersInView(skeleton_, session_.stances[stance], session_.boards, angles);
+      };
+      constexpr double enough = 14;
+      VectorXd angles = poses.stable(session_.stances[stance].side, chance_, targets(session_.stances[stance]), enough,
+                                     worth, plan_.hipYawPitch);
+      poses_.push_back({std::move(angles), stance});
+    }
+    if (plan_.sortedByKnee) {
+      const int knee = robot_.drawing->joint(plan_.mainSide == 0 ? "LKneePitch" : "RKneePitch");
+      std::sort(poses_.begin(), poses_.end(),
+                [&](const Planned& a, const Planned& b) { return a.angles[knee] < b.angles[knee]; });
+    } else {
+      for (std::size_t i = poses_.size(); i > 1; --i) {
+        std::swap(poses_[i - 1], poses_[chance_.below(static_cast<int>(i))]);
+      }
+    }
+  }
+
+  /// The boards' middles.
+  std::vector<Eigen::Vector3d> targets(const Stance& stance) const {
+    const Motion soleFromFloor = placed(stance.place.x, stance.place.y, stance.place.yaw).inverse();
+    std::vector<Eigen::Vector3d> middles;
+    for (const FloorPlace& board : session_.boards) {
+      middles.push_back(soleFromFloor * (placed(board.x, board.y, board.yaw) *
+                                         sheetPoint({}, Sheet::squaresX / 2.0, Sheet::squaresY / 2.0)));
+    }
+    return middles;
+  }
+
+  /// All samples of a pose.
+  void take(int pose) {
+    const VectorXd& angles = poses_[pose].angles;
+    const Index joints = angles.size();
+    const VectorXd commanded = angles + robot_.offsets;
+    VectorXd sticking{joints};
+    for (Index i = 0; i < joints; ++i) {
+      sticking[i] = chance_.boxed(plan_.noise.stiction / std::sqrt(2.0));
+    }
+    pass(chance_.between(5, 14), angles, poses_[pose].stance);
+    for (int repeat = 0; repeat < plan_.samples; ++repeat) {
+      Reading reading;
+      reading.pose = pose;
+      reading.repeat = repeat;
+      reading.stance = poses_[pose].stance;
+      reading.kind = kindOf(pose, repeat);
+      if (reading.kind == RepeatKind::restand) {
+        session_.stances.push_back(stance(session_.stances[reading.stance].side));
+        reading.stance = static_cast<int>(session_.stances.size()) - 1;
+      }
+      const bool moved = repeat == 0 || reading.kind != RepeatKind::rest;
+      pass(moved ? chance_.between(2, 4) : 0.5, angles, reading.stance);
+      reading.time = time_;
+      reading.commanded = commanded;
+      if (moved) {
+        ++approaches_;
+        approach(reading, sticking);
+      } else {
+        const Reading& before = session_.readings.back();
+        reading.measured = before.measured;
+        reading.unread = before.unread;
+        reading.stuck = before.stuck;
+        reading.excursion = before.excursion;
+      }
+      reading.approachNumber = approaches_;
+      reading.velocity.resize(joints);
+      for (double& velocity : reading.velocity) {
+        velocity = chance_.normal(plan_.speed);
+      }
+      reading.temperature = temperature_;
+      oneMotor(reading);
+      session_.readings.push_back(std::move(reading));
+    }
+  }
+
+  RepeatKind kindOf(int pose, int repeat) const {
+    if (plan_.restands && repeat == plan_.samples - 1 && pose % 5 == 0 && repeat > 0) {
+      return RepeatKind::restand;
+    }
+    return plan_.rests && repeat == 1 && pose % 3 == 0 ? RepeatKind::rest : RepeatKind::reapproach;
+  }
+
+  /// The servo stops where its dead zone begins or friction holds it, and the encoder reads that in its steps.
+  void approach(Reading& reading, const VectorXd& sticking) {
+    constexpr double deadZone = 0.0015, least = 0.08, most = 0.2; // [rad]
+    const Index joints = reading.commanded.size();
+    reading.measured.resize(joints);
+    reading.unread.resize(joints);
+    reading.stuck.resize(joints);
+    reading.excursion.resize(joints);
+    for (Index i = 0; i < joints; ++i) {
+      const double stopped = reading.commanded[i] + chance_.within(deadZone);
+      const double noise = chance_.normal(encoderStep / std::sqrt(12.0));
+      reading.measured[i] = plan_.noise.quantised ? std::round(stopped / encoderStep) * encoderStep : stopped + noise;
+      reading.unread[i] = stopped - reading.measured[i];
+      reading.stuck[i] = sticking[i] + chance_.boxed(plan_.noise.stiction / std::sqrt(2.0));
+      reading.excursion[i] = chance_.sign() * chance_.between(least, most);
+    }
+    if (plan_.sameApproach) {
+      reading.excursion[*plan_.sameApproach] = -std::abs(reading.excursion[*plan_.sameApproach]);
+    }
+  }
+
+  /// Both hip yaw-pitch joints are one motor with one encoder.
+  void oneMotor(Reading& reading) const {
+    const auto& joints = robot_.drawing->joints;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      if (!joints[i].drivenBy.empty()) {
+        const int motor = robot_.drawing->joint(joints[i].drivenBy);
+        for (VectorXd* list : {&reading.measured, &reading.unread, &reading.stuck, &reading.excursion,
+                               &reading.velocity, &reading.temperature}) {
+          (*list)[static_cast<Index>(i)] = (*list)[motor];
+        }
+      }
+    }
+  }
+
+  /// Time goes by; motors warm with the square of what they carry and cool towards the room.
+  void pass(double duration, const VectorXd& angles, int stance) {
+    constexpr double slowness = 150, room = 30, heat = 3; // [s], [degrees Celsius], [K/(Nm)^2]
+    time_ += duration;
+    const double share = 1 - std::exp(-duration / slowness);
+    const int side = session_.stances[stance].side;
+    const Skeleton::Posture posture = skeleton_.posture(angles);
+    const VectorXd load =
+        skeleton_.torques(posture, side, skeleton_.torsoFromSole(posture, side).turn * Eigen::Vector3d::UnitZ());
+    for (Index i = 0; i < load.size() && !plan_.sameTemperature; ++i) {
+      const double target = plan_.warmAnyhow ? chance_.between(-40, 130) : room + heat * load[i] * load[i];
+      temperature_[i] += share * (target - temperature_[i]);
+    }
+  }
+
+  struct Planned {
+    VectorXd angles;
+    int stance;
+  };
+
+  const Robot& robot_;
+  const SessionPlan& plan_;
+  Chance& chance_;
+  Skeleton skeleton_;
+  Session session_;
+  std::vector<Planned> poses_;
+  VectorXd temperature_;
+  double time_ = 0;
+  int approaches_ = 0;
+};
+
+} // namespace
+
+std::vector<int> chainOf(const Drawing& drawing, int side) {
+  std::vector<int> chain;
+  for (const Drawing::Camera& camera : drawing.cameras) {
+    for (int joint = camera.joint; joint >= 0 && chain.size() < 2; joint = drawing.joints[joint].parent) {
+      chain.push_back(joint);
+    }
+  }
+  for (int joint = drawing.soles[side].joint; joint >= 0; joint = drawing.joints[joint].parent) {
+    const std::string& motor = drawing.joints[joint].drivenBy;
+    chain.push_back(motor.empty() ? joint : drawing.joint(motor));
+  }
+  std::sort(chain.begin(), chain.end());
+  return chain;
+}
+
+Session staged(const Robot& robot, const SessionPlan& plan, const std::vector<FloorPlace>& boards, Chance& chance) {
+  return Stage{robot, plan, chance}.session(boards);
+}
+
+std::vector<FloorPlace> layOut(int boards, Chance& chance) {
+  std::vector<FloorPlace> places;
+  const double spread = 2.9, between = spread / (boards - 1); // [rad]
+  for (int board = 0; board < boards; ++board) {
+    const double bearing = -spread / 2 + board * between + chance.within(0.05);
+    const double distance = chance.between(0.5, 0.66);
+    const double yaw = bearing - 1.5707963267948966 + chance.within(0.3); // the sheet's upper edge away from the robot
+    const Motion turned = placed(0, 0, yaw);
+    const Eigen::Vector3d middle{0.5 * Sheet::squaresX * Sheet::square, -0.5 * Sheet::squaresY * Sheet::square, 0};
+    const Eigen::Vector3d corner =
+        Eigen::Vector3d{distance * std::cos(bearing), distance * std::sin(bearing), 0} - turned * middle;
+    places.push_back({corner.x(), corner.y(), yaw});
+  }
+  return places;
+}
+
+} // namespace blind

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "writer/Chance.hpp"
+#include "writer/Pictures.hpp"
+
+#include <optional>
+#include <string>
+
+namespace blind {
+
+constexpr double encoderStep = 6.283185307179586 / 4096; // [rad]
+
+/// What is random in a measurement.
+struct NoiseRegime {
+  std::string name = "clean";
+  double pixel = 0.3;         // of a corner, per axis [px]
+  bool heavyTails = false;    // corners by Student's t with 4 degrees of freedom instead of Gauss, of the same sigma
+  bool quantised = false;     // readings rounded to the encoder's steps instead of Gauss, of the same sigma
+  double stiction = 0;        // [rad]; half of its variance is common to all approaches of a pose
+  double pictureBias = 0;     // a shift common to a picture's corners, per axis [px]
+  bool foreshortened = false; // corners of slanted boards are worse
+};
+
+/// How a session is to be held.
+struct SessionPlan {
+  int poses = 20, samples = 3, boards = 4;
+  int mainSide = 0;                     // of the foot that carries; the other one stands idle
+  bool bothSides = false;               // half of the poses on either foot
+  bool rests = false, restands = false; // some samples are repeated without moving, some after standing up anew
+  bool sortedByKnee = false;            // instead of a random order
+  bool sameTemperature = false;         // the motors keep 38 degrees
+  bool warmAnyhow = false;              // recorded temperatures wander with nothing that matters
+  std::optional<int> sameApproach;      // a joint always approached from below
+  std::optional<double> hipYawPitch;    // kept at one angle [rad]
+  double speed = 0.03;                  // rms of the residual motion when a picture is taken [rad/s]
+  NoiseRegime noise;
+};
+
+/// The joints that move a camera over the standing sole: head and standing leg, hip yaw-pitch by its motor's name.
+std::vector<int> chainOf(const Drawing& drawing, int side);
+
+/// Lets a robot without flaws but with its offsets stand in front of boards as planned.
+Session staged(const Robot& robot, const SessionPlan& plan, const std::vector<FloorPlace>& boards, Chance& chance);
+
+/// Places of A2 boards round the robot on which no two overlap.
+std::vector<FloorPlace> layOut(int boards, Chance& chance);
+
+} // namespace blind
