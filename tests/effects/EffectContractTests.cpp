@@ -1,4 +1,5 @@
 #include "effects/AllEffects.hpp"
+#include "effects/Units.hpp"
 
 #include "model/Kinematics.hpp"
 
@@ -9,13 +10,19 @@ namespace naocal {
 namespace {
 
 struct Instance {
-  Instance()
-      : robot{loadRobot(configurationDirectory(), "V6")}, drawn{drawnBelief(
-                                                              robot, {robot.joints.size(), robot.lengths.size(), 1})} {
+  explicit Instance(const std::string& model)
+      : robot{loadRobot(configurationDirectory(), model)}, drawn{drawnBelief(
+                                                               robot, {robot.joints.size(), robot.lengths.size(), 1})} {
     drawn.lens() << 590, 600, 320, 240, 0.01, 0, 0, 0, 0;
     const auto joints = static_cast<Eigen::Index>(robot.joints.size());
-    instant.q = Eigen::VectorXd::Constant(joints, 0.3);
-    instant.velocity = instant.approach = instant.temperature = instant.q;
+    instant.time = Seconds{100};
+    instant.supportFoot = SupportFoot::left;
+    instant.q = Eigen::VectorXd::LinSpaced(joints, 0.2, 0.4);
+    instant.velocity = instant.approach = instant.temperature = instant.current = instant.q;
+    instant.torque = 0.1 * instant.q;
+    instant.com = {0.02, 0.03};
+    instant.imu = {0.01, -0.02};
+    instant.leftLoad = 1;
   }
   Eigen::VectorXd corrected(const Effect& effect, const std::vector<double>& values) const {
     Belief belief = drawn;
@@ -32,12 +39,13 @@ struct Instance {
 TEST_CASE("every effect keeps the contract of effects") {
   // Proves for all members of the list: absent at zero, each unknown moves what is believed, linear where it says so,
   // known units, unique names. Formulas and signs are proved by calibrations against independent simulators.
-  const Instance instance;
+  const Instance instance{GENERATE("V4", "V5", "V6")};
   std::set<std::string> names;
   for (const Effect& effect : allEffects()) {
     INFO(effect.name);
     CHECK(names.insert(effect.name).second);
     CHECK_FALSE(effect.formula.empty());
+    CHECK_FALSE(effect.what.empty());
     REQUIRE_FALSE(effect.unknowns.empty());
     std::vector<double> values(effect.unknowns.size(), 0);
     const Eigen::VectorXd atZero = instance.corrected(effect, values);
@@ -46,7 +54,7 @@ TEST_CASE("every effect keeps the contract of effects") {
     for (std::size_t i = 0; i < values.size(); ++i) {
       const Unknown& unknown = effect.unknowns[i];
       CHECK(unknowns.insert(unknown.name).second);
-      CHECK(std::set<std::string>{"rad", "m", "1", "px"}.contains(unknown.unit));
+      CHECK(isUnit(unknown.unit));
       CHECK(unknown.sigma > 0);
       values[i] = unknown.sigma;
       const Eigen::VectorXd once = instance.corrected(effect, values) - atZero;

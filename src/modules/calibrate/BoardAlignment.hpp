@@ -1,7 +1,7 @@
 #pragma once
 
 #include "residuals/Measurements.hpp"
-#include "residuals/Model.hpp"
+#include "residuals/Slopes.hpp"
 
 #include <Eigen/Core>
 #include <optional>

@@ -12,11 +12,14 @@ namespace {
 
 /// Joints and cameras in turns, placements along with both, until a whole round changes nothing (the thesis's way).
 std::optional<FitMinimum> alternated(Residuals& residuals, Residuals::State state) {
+  const auto ofJoint = [](const Term& term) {
+    return term.effect.place == Place::motor || term.effect.place == Place::joint;
+  };
   std::vector<bool> joints(residuals.model().unknownCount(), true), others = joints;
   for (const Term& term : residuals.model().terms()) {
     for (std::size_t i = term.first; i < term.first + term.effect.unknowns.size(); ++i) {
-      joints[i] = term.isPlacement || term.effect.place == Place::motor;
-      others[i] = term.isPlacement || term.effect.place != Place::motor;
+      joints[i] = term.isPlacement || ofJoint(term);
+      others[i] = term.isPlacement || !ofJoint(term);
     }
   }
   std::optional<FitMinimum> minimum;

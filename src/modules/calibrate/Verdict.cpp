@@ -21,7 +21,7 @@ void judge(const Measurements& measurements, const Model& model, CalibrationResu
   }
   for (const Term& term : model.terms()) {
     const Estimate& estimate = result.estimates[term.first];
-    if (term.effect.name == "jointOffset" && estimate.learned < 0.5) {
+    if (term.effect.name == "jointOffset" && term.asked && estimate.learned < 0.5) {
       result.usable = false;
       result.warnings.push_back(fmt::format("{} cannot be learned from these captures ({:.0f} % learned, ±{:.1f}°): "
                                             "add poses that move it, or leave it out "

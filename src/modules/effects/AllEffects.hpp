@@ -7,14 +7,29 @@
 namespace naocal {
 
 Effect jointOffset();
+Effect encoderGain();
+Effect encoderEccentricity();
+Effect thermalDrift();
+Effect timeDrift();
+Effect backlash();
+Effect hysteresis();
+Effect elasticity();
+Effect timeOffset();
+Effect axisTilt();
+Effect linkLength();
+Effect soleCompliance();
+Effect soleTilt();
 Effect cameraRotation();
 Effect cameraTranslation();
 Effect focalLength();
 Effect principalPoint();
 Effect radialDistortion();
 Effect tangentialDistortion();
+Effect boardScale();
+Effect boardBow();
+Effect boardTilt();
 
-/// Every effect, in the order in which causes act: joints, mounts, lens.
+/// Every effect, in the order in which causes act: encoders, gears, links, soles, mounts, lenses, boards.
 const std::vector<Effect>& allEffects();
 
 } // namespace naocal

@@ -5,6 +5,7 @@ namespace naocal {
 /// The camera sits turned in the head: nominal mount * Rx(rx) Ry(ry) Rz(rz), axes x forward, y left, z up.
 Effect cameraRotation() {
   return {.name = "cameraRotation",
+          .what = "the camera sits turned in the head",
           .formula = "headFromCamera = nominal * Rx(rx) * Ry(ry) * Rz(rz)",
           .place = Place::camera,
           .unknowns = {{"rx", "rad", 0.05}, {"ry", "rad", 0.05}, {"rz", "rad", 0.05}},

@@ -5,6 +5,7 @@ namespace naocal {
 /// The camera sits shifted in the head frame.
 Effect cameraTranslation() {
   return {.name = "cameraTranslation",
+          .what = "the camera sits shifted in the head",
           .formula = "headFromCamera = T(x, y, z) * nominal",
           .place = Place::camera,
           .unknowns = {{"x", "m", 0.005}, {"y", "m", 0.005}, {"z", "m", 0.005}},

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,29 +21,55 @@ struct Unknown {
       0; // how far from zero it plausibly lies: prior, solver's scale, step of differences, yardstick of learning
 };
 
-/// What drives effects at one instant, per joint of the robot; NaN where it was not recorded.
+/// What drives effects at one instant: per joint of the robot where it is a list; NaN where it was not recorded.
 struct Instant {
-  Seconds time{0};
+  static constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+  Seconds time{0}; // since the set's earliest capture
   SupportFoot supportFoot = SupportFoot::none;
-  Eigen::VectorXd q;           // measured - o [rad]
-  Eigen::VectorXd velocity;    // [rad/s]
-  Eigen::VectorXd approach;    // -1, 0, +1
-  Eigen::VectorXd temperature; // [degC]
+  Eigen::VectorXd q;                                        // measured - o [rad]
+  Eigen::VectorXd velocity;                                 // [rad/s]
+  Eigen::VectorXd approach;                                 // -1, 0, +1
+  Eigen::VectorXd temperature;                              // [degC]
+  Eigen::VectorXd current;                                  // [A]
+  Eigen::VectorXd torque;                                   // gravity's, positive where it drives the angle up [Nm]
+  Eigen::Vector2d com = Eigen::Vector2d::Constant(nothing); // centre of mass over the support foot's sole: x, y [m]
+  Eigen::Vector2d imu = Eigen::Vector2d::Constant(nothing); // the torso's roll, pitch as reported [rad]
+  double leftLoad = nothing;                                // the left foot's share of the weight [1]
 };
 
-/// What an effect can sit at. (Stances are places of unknown placements only.)
-enum class Place { motor, camera, board, stance };
+/// What an effect can look at. The first three follow from the angles, hence from the offsets; the others are recorded.
+enum class Driver { angle, torque, com, approach, temperature, velocity, current, time, imu };
+
+/// What an effect can sit at. A motor drives one joint, or both hip yaw-pitch joints. (Stances are places of unknown
+/// placements only.)
+enum class Place { motor, joint, camera, board, sole, length, all, stance };
+
+/// As the place of a board's effect: one set of unknowns for all boards.
+constexpr std::size_t everywhere = std::numeric_limits<std::size_t>::max();
+
+/// A driver at a joint other than the effect's own.
+struct Elsewhere {
+  Driver driver;
+  std::size_t joint;
+};
 
 /// A physical cause of a difference between drawing and picture.
 ///
 /// `correct` changes what is believed at an instant. It is called once per joint that the motor drives for
-/// Place::motor, and on pictures of that camera, board or stance only for the others.
+/// Place::motor, once per board for a board's effect that sits everywhere, and on pictures of that camera, board or
+/// stance, or on that sole, only for the others.
 struct Effect {
   std::string name;    // "jointOffset"
+  std::string what;    // one plain sentence for people
   std::string formula; // for people: "q_true = q_measured - o"
   Place place = Place::motor;
   std::vector<Unknown> unknowns;
-  bool linear = true; // the correction is linear in the unknowns and depends on no other unknown
+  std::vector<Driver> needs = {};        // at the joint that is corrected
+  std::vector<Elsewhere> elsewhere = {}; // and at others
+  bool linear = true;                    // the correction is linear in the unknowns
+  bool kink = false;                     // not smooth in what drives it
+  bool shared = false;                   // a board's effect that may be one for all boards
   std::function<void(Belief&, const Instant&, std::size_t at, std::span<const double> values)> correct;
 };
 

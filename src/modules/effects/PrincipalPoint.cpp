@@ -5,6 +5,7 @@ namespace naocal {
 /// The optical axis meets the sensor elsewhere: cx, cy shifted.
 Effect principalPoint() {
   return {.name = "principalPoint",
+          .what = "the optical axis meets the sensor elsewhere than the file says",
           .formula = "cx, cy -> cx + x, cy + y",
           .place = Place::camera,
           .unknowns = {{"x", "px", 20}, {"y", "px", 20}},

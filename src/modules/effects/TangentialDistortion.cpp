@@ -5,6 +5,7 @@ namespace naocal {
 /// The lens sits tilted over the sensor: added to the given p1, p2.
 Effect tangentialDistortion() {
   return {.name = "tangentialDistortion",
+          .what = "the lens sits tilted over the sensor",
           .formula = "p1, p2 -> p1 + p1', p2 + p2'",
           .place = Place::camera,
           .unknowns = {{"p1", "1", 0.01}, {"p2", "1", 0.01}},

@@ -18,7 +18,9 @@ public:
   std::size_t mountTranslation() const { return 4 * joints_ + lengths_; }         // x, y, z [m] in the mount's link
   std::size_t mountRotation() const { return mountTranslation() + 3; }            // rx, ry, rz [rad] beyond nominal
   std::size_t lens() const { return mountRotation() + 3; }                        // fx, fy, cx, cy, k1, k2, p1, p2, k3
-  std::size_t ground() const { return lens() + 9; }                               // worldFromSole: as a Placement
+  std::size_t rowTime() const { return lens() + 9; }                              // between rows of the picture [s]
+  std::size_t imuTilt() const { return rowTime() + 1; }                           // roll, pitch of the IMU [rad]
+  std::size_t ground() const { return imuTilt() + 2; }                            // worldFromSole: as a Placement
   std::size_t board(std::size_t index) const { return ground() + 6 + 8 * index; } // Placement, scale, bow [m]
   std::size_t size() const { return board(boards_); }
 
@@ -50,6 +52,10 @@ public:
   auto mountRotation() const { return three(quantities_.mountRotation()); }
   auto lens() { return values.segment<9>(static_cast<Eigen::Index>(quantities_.lens())); }
   auto lens() const { return values.segment<9>(static_cast<Eigen::Index>(quantities_.lens())); }
+  double& rowTime() { return at(quantities_.rowTime()); }
+  double rowTime() const { return at(quantities_.rowTime()); }
+  auto imuTilt() { return values.segment<2>(static_cast<Eigen::Index>(quantities_.imuTilt())); }
+  auto imuTilt() const { return values.segment<2>(static_cast<Eigen::Index>(quantities_.imuTilt())); }
   /// worldFromSole of the support foot: x, y, z [m], roll, pitch, yaw [rad].
   auto ground() { return six(quantities_.ground()); }
   auto ground() const { return six(quantities_.ground()); }

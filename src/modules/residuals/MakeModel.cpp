@@ -1,6 +1,6 @@
 #include "captures/InputError.hpp"
-#include "effects/AllEffects.hpp"
-#include "residuals/Model.hpp"
+#include "effects/NearNames.hpp"
+#include "residuals/Candidates.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,27 +23,6 @@ bool matches(std::string_view pattern, std::string_view text) {
   return !text.empty() && pattern.front() == text.front() && matches(pattern.substr(1), text.substr(1));
 }
 
-/// Where an effect can sit, given what was measured: index and name.
-std::vector<std::pair<std::size_t, std::string>> places(const Measurements& measurements, Place place) {
-  std::vector<std::pair<std::size_t, std::string>> result;
-  if (place == Place::motor) {
-    for (std::size_t joint : measurements.joints) {
-      result.emplace_back(joint, measurements.robot.joints[joint].name);
-    }
-  } else if (place == Place::camera) {
-    std::set<std::size_t> cameras;
-    for (const Picture& picture : measurements.pictures) {
-      if (!picture.sightings.empty()) {
-        cameras.insert(picture.camera);
-      }
-    }
-    for (std::size_t camera : cameras) {
-      result.emplace_back(camera, measurements.robot.cameras[camera].name);
-    }
-  }
-  return result;
-}
-
 /// The right hip yaw-pitch has no motor of its own: its name stands for the left one's.
 std::string withoutAlias(const Robot& robot, const std::string& term) {
   const std::size_t at = term.find('@');
@@ -56,8 +35,8 @@ std::string withoutAlias(const Robot& robot, const std::string& term) {
 }
 
 [[noreturn]] void refuse(const std::string& wanted, const std::vector<std::string>& known) {
-  throw InputError{
-      fmt::format("'{}' names no effect at a place of these captures; there are: {}", wanted, fmt::join(known, ", "))};
+  throw InputError{fmt::format("'{}' names no effect at a place of these captures; near it are {}", wanted,
+                               fmt::join(nearNames(wanted, known), ", "))};
 }
 
 /// linkFromBoard or worldFromSole is off from its start by `unknowns`, named by the numbers of a placement.
@@ -65,6 +44,7 @@ Effect placementEffect(Place place, const std::vector<std::size_t>& numbers, con
   static const std::vector<Unknown> all{{"x", "m", 0},      {"y", "m", 0},       {"z", "m", 0},
                                         {"roll", "rad", 0}, {"pitch", "rad", 0}, {"yaw", "rad", 0}};
   Effect effect{.name = place == Place::board ? "boardPlacement" : "stancePlacement",
+                .what = "where it lies or stands",
                 .formula = "placement = start + (x, y, z, roll, pitch, yaw)",
                 .place = place,
                 .unknowns = {},
@@ -103,7 +83,7 @@ void addBoardPlacement(const Measurements& measurements, std::size_t index, Mode
     }
   }
   sigmas.resize(numbers.size());
-  model.add(placementEffect(Place::board, numbers, sigmas), index, target.name, true);
+  model.add({placementEffect(Place::board, numbers, sigmas), index, target.name, 0, true});
 }
 
 void addPlacements(const Measurements& measurements, Model& model) {
@@ -123,56 +103,118 @@ void addPlacements(const Measurements& measurements, Model& model) {
   }
   for (std::size_t standing : stood) {
     if (measurements.standings[standing].unknown) {
-      model.add(placementEffect(Place::stance, {0, 1, 5}, {anywhere, anywhere, anyDirection}), standing,
-                measurements.standings[standing].name, true);
+      model.add({placementEffect(Place::stance, {0, 1, 5}, {anywhere, anywhere, anyDirection}), standing,
+                 measurements.standings[standing].name, 0, true});
     }
   }
 }
 
 } // namespace
 
-Model makeModel(const Measurements& measurements, const std::vector<std::string>& with,
-                const std::vector<std::string>& without) {
-  std::vector<std::string> wanted{"jointOffset@*", "cameraRotation@*"};
-  for (const std::string& term : with) {
-    wanted.push_back(withoutAlias(measurements.robot, term));
+namespace {
+
+/// "E@P" with '*', and whether it has named anything yet.
+struct Pattern {
+  std::string given;
+  bool used = false;
+  std::string undriven = ""; // why not, where all that it names lacks its drivers
+
+  /// A motor's effect may be named at either of its joints; '*' does not stand for "all".
+  bool names(const Term& term, const Robot& robot) const {
+    const std::string motors = term.effect.place == Place::motor ? withoutAlias(robot, given) : given;
+    const bool onePlace = term.effect.place == Place::board && term.at == everywhere;
+    return onePlace ? matches(motors.substr(0, motors.find('@')), term.effect.name) && motors.ends_with("@all")
+                    : matches(motors, term.label());
   }
+};
+
+/// Whether some pattern names the term.
+bool anyNames(const std::vector<Pattern>& patterns, const Term& term, const Robot& robot) {
+  return std::any_of(patterns.begin(), patterns.end(),
+                     [&](const Pattern& pattern) { return pattern.names(term, robot); });
+}
+
+/// Marks the patterns that name the term: used, or why it cannot be.
+void mark(std::vector<Pattern>& patterns, const Term& term, const Robot& robot,
+          const std::optional<std::string>& undriven = std::nullopt) {
+  for (Pattern& pattern : patterns) {
+    if (pattern.names(term, robot)) {
+      pattern.used |= !undriven;
+      pattern.undriven =
+          undriven ? term.label() + " cannot be estimated from these captures: " + *undriven : pattern.undriven;
+    }
+  }
+}
+
+std::vector<Pattern> patterns(const std::vector<std::string>& given) {
+  std::vector<Pattern> result;
+  for (const std::string& pattern : given) {
+    result.push_back({pattern});
+  }
+  return result;
+}
+
+bool looksAtWeight(const Term& term) {
+  const auto weighs = [](Driver driver) { return driver == Driver::torque || driver == Driver::com; };
+  return std::any_of(term.effect.needs.begin(), term.effect.needs.end(), weighs) ||
+         std::any_of(term.effect.elsewhere.begin(), term.effect.elsewhere.end(),
+                     [&](const Elsewhere& other) { return weighs(other.driver); });
+}
+
+/// The offsets of recorded joints that move nothing but mass: torques near zero depend on them.
+std::vector<Term> weighingOffsets(const Measurements& measurements) {
+  std::vector<Term> result;
+  for (const std::size_t motor : measurements.recorded) {
+    if (!std::binary_search(measurements.joints.begin(), measurements.joints.end(), motor)) {
+      result.push_back({jointOffset(), motor, measurements.robot.joints[motor].name, 0, false, false});
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+Model makeModel(const Measurements& measurements, const std::vector<std::string>& with,
+                const std::vector<std::string>& without, const std::vector<Effect>& effects) {
+  const std::vector<Pattern> base = patterns({"jointOffset@*", "cameraRotation@*"});
+  std::vector<Pattern> added = patterns(with), removed = patterns(without);
+  const Robot& robot = measurements.robot;
   std::vector<std::string> known;
   std::vector<Term> chosen;
-  std::set<std::string> used;
-  for (const Effect& effect : allEffects()) {
-    for (const auto& [at, place] : places(measurements, effect.place)) {
-      const std::string label = effect.name + "@" + place;
-      known.push_back(label);
-      bool take = false;
-      for (const std::string& pattern : wanted) {
-        if (matches(pattern, label)) {
-          take = true;
-          used.insert(pattern);
-        }
-      }
-      for (const std::string& term : without) {
-        const std::string pattern = withoutAlias(measurements.robot, term);
-        if (matches(pattern, label)) {
-          take = false;
-          used.insert(pattern);
-        }
-      }
-      if (take) {
-        chosen.push_back({effect, at, place});
+  for (Term& term : candidateTerms(measurements, effects)) {
+    known.push_back(term.label());
+    if (anyNames(removed, term, robot)) {
+      mark(removed, term, robot);
+      mark(added, term, robot);
+    } else if (anyNames(base, term, robot) || anyNames(added, term, robot)) {
+      const auto undriven = whyUntestable(term.effect, term.at, measurements);
+      mark(added, term, robot, undriven);
+      if (!undriven) {
+        chosen.push_back(std::move(term));
       }
     }
   }
-  for (const auto& list : {with, without}) {
-    for (const std::string& term : list) {
-      if (!used.contains(withoutAlias(measurements.robot, term))) {
-        refuse(term, known);
+  if (std::any_of(chosen.begin(), chosen.end(), looksAtWeight)) {
+    for (Term& term : weighingOffsets(measurements)) {
+      mark(removed, term, robot);
+      if (!anyNames(removed, term, robot)) {
+        chosen.push_back(std::move(term));
+      }
+    }
+  }
+  for (const std::vector<Pattern>& list : {added, removed}) {
+    for (const Pattern& pattern : list) {
+      if (!pattern.used && !pattern.undriven.empty()) {
+        throw InputError{pattern.undriven};
+      }
+      if (!pattern.used) {
+        refuse(pattern.given, known);
       }
     }
   }
   Model model;
   for (Term& term : chosen) {
-    model.add(std::move(term.effect), term.at, std::move(term.place));
+    model.add(std::move(term));
   }
   addPlacements(measurements, model);
   return model;

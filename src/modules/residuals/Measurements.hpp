@@ -65,7 +65,8 @@ struct Measurements {
   std::vector<Standing> standings;
   std::vector<Picture> pictures;
   std::vector<PoseGroup> poses;
-  std::vector<std::size_t> joints; // motors of joints between some camera and some target, ascending
+  std::vector<std::size_t> joints;   // motors of joints between some camera and some target, ascending
+  std::vector<std::size_t> recorded; // motors whose angles every capture tells, ascending
   std::size_t cornerCount = 0;
   bool repeats = false; // some pose was taken more than once
 };

@@ -4,11 +4,13 @@
 
 namespace naocal {
 
-void Model::add(Effect effect, std::size_t at, std::string place, bool isPlacement) {
-  linear_ = linear_ && effect.linear;
-  const std::size_t count = effect.unknowns.size();
-  terms_.push_back({std::move(effect), at, std::move(place), unknownCount_, isPlacement});
-  unknownCount_ += count;
+void Model::add(Term term) {
+  term.first = unknownCount_;
+  unknownCount_ += term.effect.unknowns.size();
+  if (term.effect.name == "jointOffset") {
+    offsets_.push_back(terms_.size());
+  }
+  terms_.push_back(std::move(term));
 }
 
 Eigen::VectorXd Model::sigmas() const {
@@ -42,99 +44,58 @@ std::vector<std::string> Model::units() const {
   return result;
 }
 
-namespace {
+bool standsOn(const Sole& sole, SupportFoot foot) {
+  return foot == SupportFoot::right ? sole.name == "right" : foot != SupportFoot::none && sole.name == "left";
+}
 
-bool concerns(const Term& term, const Measurements& measurements, const Picture& picture) {
+std::vector<std::size_t> placesOn(const Term& term, const Measurements& measurements, const Picture& picture) {
+  const Robot& robot = measurements.robot;
+  const auto only = [&](bool concerned) {
+    return concerned ? std::vector<std::size_t>{term.at} : std::vector<std::size_t>{};
+  };
+  std::vector<std::size_t> result;
   switch (term.effect.place) {
-  case Place::camera:
-    return term.at == picture.camera;
-  case Place::stance:
-    return term.at == picture.stance;
   case Place::motor:
-    return term.at < measurements.robot.joints.size();
+    for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+      if (robot.joints[joint].motor == term.at) {
+        result.push_back(joint);
+      }
+    }
+    return result;
   case Place::board:
-    return term.at < measurements.targets.size();
-  }
-  return false;
-}
-
-void apply(const Term& term, const Measurements& measurements, const Instant& instant, const Eigen::VectorXd& unknowns,
-           Belief& belief) {
-  const std::span<const double> values{unknowns.data() + term.first, term.effect.unknowns.size()};
-  if (term.effect.place != Place::motor) {
-    term.effect.correct(belief, instant, term.at, values);
-    return;
-  }
-  for (std::size_t joint = 0; joint < measurements.robot.joints.size(); ++joint) {
-    if (measurements.robot.joints[joint].motor == term.at) {
-      term.effect.correct(belief, instant, joint, values);
+    if (term.at != everywhere) {
+      return only(true);
     }
-  }
-}
-
-/// Offsets act first: every other effect sees q = measured - o and none sees another's correction.
-void correct(std::span<const Term> terms, const Measurements& measurements, const Picture& picture,
-             const Eigen::VectorXd& unknowns, Belief& belief) {
-  const auto isOffset = [](const Term& term) { return term.effect.name == "jointOffset"; };
-  belief.values = picture.drawn.values;
-  for (const Term& term : terms) {
-    if (isOffset(term)) {
-      apply(term, measurements, picture.instant, unknowns, belief);
+    for (std::size_t board = 0; board < measurements.targets.size(); ++board) {
+      if (measurements.targets[board].board.pattern) {
+        result.push_back(board);
+      }
     }
+    return result;
+  case Place::camera:
+    return only(term.at == picture.camera);
+  case Place::stance:
+    return only(term.at == picture.stance);
+  case Place::sole:
+    return only(standsOn(robot.soles[term.at], picture.instant.supportFoot));
+  case Place::joint:
+  case Place::length:
+  case Place::all:
+    break;
   }
-  if (std::all_of(terms.begin(), terms.end(), isOffset)) {
-    return;
-  }
-  Instant instant = picture.instant;
-  instant.q = belief.values.head(instant.q.size());
-  for (const Term& term : terms) {
-    if (!isOffset(term) && concerns(term, measurements, picture)) {
-      apply(term, measurements, instant, unknowns, belief);
-    }
-  }
+  return only(true);
 }
-
-} // namespace
 
 Belief believed(const Measurements& measurements, const Model& model, const Picture& picture,
                 const Eigen::VectorXd& unknowns) {
-  Belief belief{measurements.quantities};
-  correct(model.terms(), measurements, picture, unknowns, belief);
-  return belief;
-}
-
-std::vector<Slope> slopes(const Measurements& measurements, const Model& model, const Picture& picture,
-                          const Eigen::VectorXd& unknowns) {
-  const Eigen::VectorXd sigmas = model.sigmas();
-  const bool linear = model.linear(); // then every correction stands by itself and is nothing at zero
-  std::vector<Slope> result;
-  result.reserve(model.unknownCount());
-  Eigen::VectorXd moved = linear ? Eigen::VectorXd::Zero(unknowns.size()) : unknowns;
-  Belief above{measurements.quantities}, below = picture.drawn;
+  const Instant instant = instantOf(measurements, model, picture, unknowns);
+  Belief belief = picture.drawn;
   for (const Term& term : model.terms()) {
-    if (!concerns(term, measurements, picture)) {
-      continue;
-    }
-    const std::span<const Term> terms = linear ? std::span{&term, 1} : std::span{model.terms()};
-    for (std::size_t unknown = term.first; unknown < term.first + term.effect.unknowns.size(); ++unknown) {
-      const auto i = static_cast<Eigen::Index>(unknown);
-      const double here = moved[i], step = 1e-3 * sigmas[i];
-      moved[i] = here + step;
-      correct(terms, measurements, picture, moved, above);
-      if (!linear) {
-        moved[i] = here - step;
-        correct(terms, measurements, picture, moved, below);
-      }
-      moved[i] = here;
-      const Eigen::VectorXd change = (above.values - below.values) / (linear ? step : 2 * step);
-      for (Eigen::Index quantity = 0; quantity < change.size(); ++quantity) {
-        if (change[quantity] != 0) {
-          result.push_back({static_cast<std::size_t>(quantity), unknown, change[quantity]});
-        }
-      }
+    for (std::size_t at : placesOn(term, measurements, picture)) {
+      term.effect.correct(belief, instant, at, term.values(unknowns));
     }
   }
-  return result;
+  return belief;
 }
 
 } // namespace naocal

@@ -10,26 +10,29 @@ void NormalEquations::clear(Eigen::Index columns) {
 }
 
 void NormalEquations::add(const PictureGram::Square& gram, const PictureGram::Column& gradient,
-                          const Eigen::MatrixXd& motion, const PreparedPicture::Group& group) {
+                          const Eigen::MatrixXd& motion, const PreparedPicture::Group& group,
+                          const double* slopeValues) {
   if (group.extras.empty()) {
-    addRows<6>(gram, gradient, motion, group);
+    addRows<6>(gram, gradient, motion, group, slopeValues);
   } else {
-    addRows<Eigen::Dynamic>(gram, gradient, motion, group);
+    addRows<Eigen::Dynamic>(gram, gradient, motion, group, slopeValues);
   }
 }
 
 /// `Rows` of the motion: six where there are no extras.
 template <int Rows>
 void NormalEquations::addRows(const PictureGram::Square& gram, const PictureGram::Column& gradient,
-                              const Eigen::MatrixXd& motion, const PreparedPicture::Group& group) {
+                              const Eigen::MatrixXd& motion, const PreparedPicture::Group& group,
+                              const double* slopeValues) {
   const std::size_t rows = Rows == Eigen::Dynamic ? static_cast<std::size_t>(motion.rows()) : Rows;
   const std::size_t columns = group.columns.size(), fours = (columns + 3) / 4;
   moving_.assign(rows * fours, Four{});
   half_.resize(rows * fours);
   for (const PreparedPicture::Group::Share& share : group.shares) {
     Four* const four = &moving_[share.column / 4 * rows];
+    const double slope = slopeValues[share.slope];
     for (std::size_t row = 0; row < rows; ++row) {
-      four[row].columns[share.column % 4] += share.slope * motion(row, share.quantity);
+      four[row].columns[share.column % 4] += slope * motion(row, share.quantity);
     }
   }
   withWidestVectors([&]() __attribute__((always_inline)) {

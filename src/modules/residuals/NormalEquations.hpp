@@ -13,9 +13,10 @@ class NormalEquations {
 public:
   void clear(Eigen::Index columns);
 
-  /// Adds sums over L, the derivative by the picture's motion (and extras): J = L C, C = motion * (the group's shares).
+  /// Adds sums over L, the derivative by the picture's motion (and extras): J = L C, C = motion * (the group's shares
+  /// of the slopes' values).
   void add(const PictureGram::Square& gram, const PictureGram::Column& gradient, const Eigen::MatrixXd& motion,
-           const PreparedPicture::Group& group);
+           const PreparedPicture::Group& group, const double* slopeValues);
 
   const Eigen::MatrixXd& gram() const { return gram_; }
   const Eigen::VectorXd& gradient() const { return gradient_; }
@@ -23,7 +24,7 @@ public:
 private:
   template <int Rows>
   void addRows(const PictureGram::Square& gram, const PictureGram::Column& gradient, const Eigen::MatrixXd& motion,
-               const PreparedPicture::Group& group);
+               const PreparedPicture::Group& group, const double* slopeValues);
 
   struct alignas(Lane) Four {
     double columns[4];

@@ -50,22 +50,23 @@ std::optional<std::size_t> boardOf(const Quantities& quantities, std::size_t qua
 PreparedPicture::Group groupOf(const View& view, const Quantities& quantities, const std::vector<std::size_t>& unknowns,
                                const PreparedPicture& prepared) {
   PreparedPicture::Group group;
-  const std::size_t most = prepared.slopes.size() + prepared.joints.size();
+  const std::vector<Slope>& slopes = prepared.slopes.list();
+  const std::size_t most = slopes.size() + prepared.joints.size();
   group.quantities.reserve(most);
   group.columns.reserve(most);
   group.shares.reserve(most);
-  const auto add = [&](Eigen::Index column, std::size_t quantity, double slope) {
+  const auto add = [&](Eigen::Index column, std::size_t quantity, std::size_t slope) {
     const auto board = boardOf(quantities, quantity);
     if (!board || *board == view.board()) {
       group.shares.push_back({place(group.columns, column), place(group.quantities, quantity), slope});
     }
   };
-  for (const Slope& slope : prepared.slopes) {
-    add(std::lower_bound(unknowns.begin(), unknowns.end(), slope.unknown) - unknowns.begin(), slope.quantity,
-        slope.value);
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    add(std::lower_bound(unknowns.begin(), unknowns.end(), slopes[i].unknown) - unknowns.begin(), slopes[i].quantity,
+        1 + i);
   }
   for (std::size_t i = 0; i < prepared.joints.size(); ++i) {
-    add(static_cast<Eigen::Index>(unknowns.size() + prepared.deflections[i]), quantities.angle(prepared.joints[i]), 1);
+    add(static_cast<Eigen::Index>(unknowns.size() + prepared.deflections[i]), quantities.angle(prepared.joints[i]), 0);
   }
   for (std::size_t quantity : group.quantities) {
     if (const auto extra = view.extra(quantity)) {
@@ -77,37 +78,15 @@ PreparedPicture::Group groupOf(const View& view, const Quantities& quantities, c
 
 } // namespace
 
-std::vector<std::size_t> jointsBetween(const Robot& robot, const Picture& picture) {
-  Numbers joints{robot.joints.size()};
-  for (const Sighting& sighting : picture.sightings) {
-    joints.add(sighting.view.joints());
-  }
-  if (picture.otherSole) {
-    joints.add(picture.otherSole->joints());
-  }
-  return joints.list();
-}
-
-std::vector<Slope> visibleSlopes(const Measurements& measurements, const Model& model, const Picture& picture,
-                                 const Eigen::VectorXd& unknowns) {
-  const Quantities& quantities = measurements.quantities;
-  const std::vector<std::size_t> joints = jointsBetween(measurements.robot, picture);
-  std::vector<Slope> result = slopes(measurements, model, picture, unknowns);
-  std::erase_if(result, [&](const Slope& slope) {
-    if (slope.quantity < quantities.axis(0)) {
-      return !std::binary_search(joints.begin(), joints.end(), slope.quantity); // an angle has its joint's number
-    }
-    const auto board = boardOf(quantities, slope.quantity);
-    return board && std::none_of(picture.sightings.begin(), picture.sightings.end(),
-                                 [&](const Sighting& sighting) { return sighting.view.board() == *board; });
-  });
-  return result;
-}
-
 void prepare(const Measurements& measurements, const Picture& picture, const std::vector<std::size_t>& unknowns,
              PreparedPicture& prepared) {
   Numbers links{measurements.robot.links.size()};
-  const bool boardsMove = std::any_of(prepared.slopes.begin(), prepared.slopes.end(), [&](const Slope& slope) {
+  const std::vector<Slope>& slopes = prepared.slopes.list();
+  prepared.slopeValues = {1};
+  for (const Slope& slope : slopes) {
+    prepared.slopeValues.push_back(slope.value);
+  }
+  const bool boardsMove = std::any_of(slopes.begin(), slopes.end(), [&](const Slope& slope) {
     return boardOf(measurements.quantities, slope.quantity).has_value();
   });
   prepared.groups.clear();

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "residuals/Measurements.hpp"
-#include "residuals/Model.hpp"
+#include "residuals/Slopes.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -19,26 +19,21 @@ struct PreparedPicture {
     std::vector<Eigen::Index> columns; // that move them
     struct Share {
       Eigen::Index column, quantity; // places in the two lists above
-      double slope;                  // d(quantity)/d(column)
+      std::size_t slope;             // of d(quantity)/d(column), in `slopeValues`
     };
     std::vector<Share> shares;
   };
   std::vector<std::size_t> links;
   std::vector<std::size_t> joints;      // between camera and boards, that have a deflection
   std::vector<std::size_t> deflections; // theirs, among the pose's
-  std::vector<Slope> slopes;            // of what the picture shows
+  PictureSlopes slopes;
+  std::vector<double> slopeValues; // 1 for a joint by its deflection, then the slopes
   std::vector<Group> groups;
   Group floor; // what moves the other sole, where the robot stands on both
 };
 
-/// Those slopes whose quantities move something that the picture shows.
-std::vector<Slope> visibleSlopes(const Measurements& measurements, const Model& model, const Picture& picture,
-                                 const Eigen::VectorXd& unknowns);
-
-/// Joints between the picture's camera and what it shows, ascending.
-std::vector<std::size_t> jointsBetween(const Robot& robot, const Picture& picture);
-
-/// Finds links and groups, given joints, deflections and slopes. `unknowns`: of the picture's pose, ascending.
+/// Finds links, groups and slope values, given joints, deflections and slopes. `unknowns`: of the picture's pose,
+/// ascending.
 void prepare(const Measurements& measurements, const Picture& picture, const std::vector<std::size_t>& unknowns,
              PreparedPicture& prepared);
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
+#include <numeric>
 
 namespace naocal {
 
@@ -12,8 +12,7 @@ namespace {
 
 /// Per joint of the robot, what `list` holds for it, or NaN. Joints of one motor have one reading.
 Eigen::VectorXd perJoint(const Robot& robot, const CaptureSet& set, const std::vector<double>& list) {
-  Eigen::VectorXd values = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(robot.joints.size()),
-                                                     std::numeric_limits<double>::quiet_NaN());
+  Eigen::VectorXd values = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(robot.joints.size()), Instant::nothing);
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (const auto joint = robot.jointIndex(set.jointNames[i])) {
       values[static_cast<Eigen::Index>(*joint)] = list[i];
@@ -30,6 +29,17 @@ Eigen::VectorXd perJoint(const Robot& robot, const CaptureSet& set, const std::v
     }
   }
   return values;
+}
+
+/// The left foot's share of the weight, as the force sensors tell.
+double leftLoad(const Capture& capture) {
+  if (!capture.fsr) {
+    return Instant::nothing;
+  }
+  const auto middle = capture.fsr->begin() + 4;
+  const double left = std::accumulate(capture.fsr->begin(), middle, 0.0);
+  const double right = std::accumulate(middle, capture.fsr->end(), 0.0);
+  return left + right > 0 ? left / (left + right) : Instant::nothing;
 }
 
 std::size_t targetLink(const Robot& robot, const Target& target, SupportFoot foot) {
@@ -108,7 +118,10 @@ Picture recordedPicture(const std::vector<CaptureSet>& sets, std::size_t setInde
                              .q = perJoint(robot, set, capture.joints.measured),
                              .velocity = perJoint(robot, set, capture.joints.velocity),
                              .approach = perJoint(robot, set, capture.joints.approach),
-                             .temperature = perJoint(robot, set, capture.joints.temperature)},
+                             .temperature = perJoint(robot, set, capture.joints.temperature),
+                             .current = perJoint(robot, set, capture.joints.current),
+                             .imu = capture.imu.value_or(Eigen::Vector2d::Constant(Instant::nothing)),
+                             .leftLoad = leftLoad(capture)},
                  .drawn = drawnBelief(robot, measurements.quantities),
                  .sightings = {}};
   for (const BoardCorners& corners : *capture.corners) {

@@ -13,15 +13,6 @@ Eigen::Index at(std::size_t i) {
   return static_cast<Eigen::Index>(i);
 }
 
-/// A point in general position: no derivative vanishes there by accident.
-Eigen::VectorXd generic(const Eigen::VectorXd& sigmas) {
-  Eigen::VectorXd result = sigmas;
-  for (Eigen::Index i = 0; i < result.size(); ++i) {
-    result[i] *= 0.1 + 0.01 * static_cast<double>(i % 7);
-  }
-  return result;
-}
-
 /// Takes a pose's normal equations apart, expressed at zero deflection.
 void takeSums(const NormalEquations& sums, const Eigen::VectorXd& deflections, PoseSystem& system) {
   const Eigen::Index unknowns = at(system.unknowns.size()), joints = deflections.size();
@@ -46,7 +37,7 @@ Residuals::Residuals(const Measurements& measurements, const Model& model, const
     : measurements_{measurements}, model_{model}, noise_{noise}, loss_{loss}, sigmas_{model.sigmas()},
       free_(model.unknownCount(), true), prepared_(measurements.pictures.size()) {
   for (std::size_t i = 0; i < prepared_.size(); ++i) {
-    prepared_[i].slopes = visibleSlopes(measurements, model, measurements.pictures[i], generic(sigmas_));
+    prepared_[i].slopes = PictureSlopes{measurements, model, measurements.pictures[i]};
   }
   for (const PoseGroup& pose : measurements.poses) {
     empty_.push_back(emptySystem(pose));
@@ -68,7 +59,7 @@ PoseSystem Residuals::emptySystem(const PoseGroup& pose) {
   for (const Reading& reading : pose.readings) {
     for (std::size_t index : reading.pictures) {
       PreparedPicture& picture = prepared_[index];
-      for (const Slope& slope : picture.slopes) {
+      for (const Slope& slope : picture.slopes.list()) {
         moves[slope.unknown] = true;
       }
       if (latent) {
@@ -100,18 +91,21 @@ PoseSystem Residuals::emptySystem(const PoseGroup& pose) {
   return system;
 }
 
+/// What is believed at the picture's instant, and the values of its slopes there.
 void Residuals::believe(const Picture& picture, const PreparedPicture& prepared, const Eigen::VectorXd& unknowns,
-                        const Eigen::VectorXd& deflections, Belief& belief) const {
-  if (model_.linear()) {
-    belief = picture.drawn;
-    for (const Slope& slope : prepared.slopes) {
-      belief.values[at(slope.quantity)] += slope.value * unknowns[at(slope.unknown)];
-    }
-  } else {
-    belief = believed(measurements_, model_, picture, unknowns);
+                        const Eigen::VectorXd& deflections, Workspace& work) const {
+  work.belief = picture.drawn;
+  prepared.slopes.addFixed(unknowns, work.belief);
+  work.slopes = prepared.slopeValues.data();
+  if (prepared.slopes.vary()) {
+    work.varyingSlopes = prepared.slopeValues;
+    work.slopes = work.varyingSlopes.data();
+    work.drive(measurements_, model_, picture, unknowns);
+    prepared.slopes.addVarying(model_, picture, unknowns, work.driven, work.scratch, work.belief,
+                               work.varyingSlopes.data() + 1 + prepared.slopes.fixedCount());
   }
   for (std::size_t i = 0; i < prepared.joints.size(); ++i) {
-    belief.angle(prepared.joints[i]) += deflections[at(prepared.deflections[i])];
+    work.belief.angle(prepared.joints[i]) += deflections[at(prepared.deflections[i])];
   }
 }
 
@@ -149,7 +143,7 @@ bool Residuals::addGroup(const Picture& picture, const PreparedPicture::Group& g
   work.motion.resize(at(6 + group.extras.size()), at(group.quantities.size()));
   path.motion(measurements_.robot, attitude, work.belief, work.torsoFromLink, group.quantities, group.extras,
               work.motion);
-  work.sums.add(work.corners.gram(), work.corners.gradient(), work.motion, group);
+  work.sums.add(work.corners.gram(), work.corners.gradient(), work.motion, group, work.slopes);
   work.cost += work.corners.cost();
   system.squares += work.corners.squares();
   system.numbers += 2 * work.corners.corners();
@@ -175,7 +169,8 @@ void Residuals::addFloorContact(const Picture& picture, const PreparedPicture& p
   work.motion.resize(6, at(prepared.floor.quantities.size()));
   sole.motion(measurements_.robot, attitude, work.belief, work.torsoFromLink, prepared.floor.quantities, {},
               work.motion);
-  work.sums.add(byMotion.transpose() * byMotion, byMotion.transpose() * residual, work.motion, prepared.floor);
+  work.sums.add(byMotion.transpose() * byMotion, byMotion.transpose() * residual, work.motion, prepared.floor,
+                work.slopes);
   work.cost += residual.squaredNorm() / (noise_.pixel * noise_.pixel);
   system.squares += residual.squaredNorm();
   system.numbers += 3;
@@ -205,14 +200,8 @@ std::optional<Residuals::Linear> Residuals::linearised(const State& state) const
     for (const Reading& reading : measurements_.poses[pose].readings) {
       for (std::size_t index : reading.pictures) {
         const Picture& picture = measurements_.pictures[index];
-        PreparedPicture fresh; // slopes of a model that is not linear
-        if (!model_.linear()) {
-          fresh = prepared_[index];
-          fresh.slopes = visibleSlopes(measurements_, model_, picture, state.unknowns);
-          prepare(measurements_, picture, system.unknowns, fresh);
-        }
-        const PreparedPicture& ready = model_.linear() ? prepared_[index] : fresh;
-        believe(picture, ready, state.unknowns, deflections, work.belief);
+        const PreparedPicture& ready = prepared_[index];
+        believe(picture, ready, state.unknowns, deflections, work);
         if (!addPicture(picture, ready, work, system)) {
           return std::nullopt;
         }

@@ -92,7 +92,7 @@ private:
   struct Workspace;
   PoseSystem emptySystem(const PoseGroup& pose);
   void believe(const Picture& picture, const PreparedPicture& prepared, const Eigen::VectorXd& unknowns,
-               const Eigen::VectorXd& deflections, Belief& belief) const;
+               const Eigen::VectorXd& deflections, Workspace& work) const;
   bool addPicture(const Picture& picture, const PreparedPicture& prepared, Workspace& work, PoseSystem& system) const;
   void addFloorContact(const Picture& picture, const PreparedPicture& prepared, Workspace& work,
                        PoseSystem& system) const;
@@ -105,7 +105,7 @@ private:
   Loss loss_;
   Eigen::VectorXd sigmas_;
   std::vector<bool> free_;
-  std::vector<PreparedPicture> prepared_; // per picture; its slopes hold everywhere where the model is linear
+  std::vector<PreparedPicture> prepared_; // per picture
   std::vector<PoseSystem> empty_;         // per pose: its columns, no sums
   std::vector<DeflectionRoot> roots_;     // per pose
 };

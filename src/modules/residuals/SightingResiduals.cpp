@@ -18,7 +18,7 @@ std::vector<SightingResidual> Residuals::sightings(const State& state) const {
     for (const Reading& reading : measurements_.poses[pose].readings) {
       for (std::size_t index : reading.pictures) {
         const Picture& picture = measurements_.pictures[index];
-        believe(picture, prepared_[index], state.unknowns, deflections, work.belief);
+        believe(picture, prepared_[index], state.unknowns, deflections, work);
         posture(measurements_.robot, work.belief, prepared_[index].links, work.torsoFromLink);
         for (std::size_t i = 0; i < picture.sightings.size(); ++i) {
           result.push_back(sightingResidual(index, i, work));

@@ -4,6 +4,8 @@
 #include "residuals/PictureGram.hpp"
 #include "residuals/Residuals.hpp"
 
+#include <utility>
+
 namespace naocal {
 
 /// What an evaluation works on. Each thread keeps its own: to allocate it anew takes as long as to project the corners.
@@ -12,6 +14,7 @@ struct Residuals::Workspace {
     static thread_local Workspace work;
     work.boards.resize(measurements.targets.size());
     work.cost = 0;
+    work.drivenPicture = nullptr;
     return work;
   }
 
@@ -21,6 +24,22 @@ struct Residuals::Workspace {
       boards[board] = {belief.boardPlacement(board), placed(belief.boardPlacement(board))};
     }
     return boards[board].linkFromBoard;
+  }
+
+  /// Pictures of one reading share angles, torques and centre of mass.
+  void drive(const Measurements& measurements, const Model& model, const Picture& picture,
+             const Eigen::VectorXd& unknowns) {
+    const Picture* const last = std::exchange(drivenPicture, &picture);
+    if (!last || last->instant.q != picture.instant.q || last->instant.supportFoot != picture.instant.supportFoot ||
+        picture.instant.supportFoot == SupportFoot::both) {
+      driven = drivenAt(measurements, model, picture, unknowns);
+      return;
+    }
+    Instant instant = picture.instant;
+    instant.q.swap(driven.instant.q);
+    instant.torque.swap(driven.instant.torque);
+    instant.com = driven.instant.com;
+    driven.instant = std::move(instant);
   }
 
   struct PlacedBoard {
@@ -36,6 +55,11 @@ struct Residuals::Workspace {
   Eigen::MatrixXd motion;
   NormalEquations sums; // of a pose
   double cost = 0;      // sum of rho
+  Driven driven;
+  const Picture* drivenPicture = nullptr; // the one that `driven` is of
+  PictureSlopes::Scratch scratch;
+  std::vector<double> varyingSlopes;
+  const double* slopes = nullptr; // values of the picture's slopes
 };
 
 } // namespace naocal

@@ -1,0 +1,96 @@
+#include "model/Load.hpp"
+
+#include "model/Masses.hpp"
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <vector>
+
+namespace naocal {
+
+namespace {
+
+Eigen::Index at(std::size_t i) {
+  return static_cast<Eigen::Index>(i);
+}
+
+/// A joint with all that it turns, seen from the held link.
+struct Turning {
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();   // away from the held link: turns what lies beyond
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero(); // axis x sum m (p - pivot): d(sum m p)/dq [kg m/rad]
+};
+
+/// Links from the root to `link`, as flags.
+std::vector<char> carriers(const Robot& robot, std::size_t link) {
+  std::vector<char> result(robot.links.size(), 0);
+  for (std::optional<std::size_t> at = link; at; at = robot.links[*at].parent) {
+    result[*at] = 1;
+  }
+  return result;
+}
+
+} // namespace
+
+Load gravityLoad(const Robot& robot, const Belief& belief, const Posture& torsoFromLink, std::size_t heldLink,
+                 const Eigen::Vector3d& upInTorso) {
+  const std::size_t links = robot.links.size(), joints = robot.joints.size();
+  std::vector<double> mass(links);
+  std::vector<Eigen::Vector3d> first(links, Eigen::Vector3d::Zero()); // sum m p beyond each link, in the torso's frame
+  for (std::size_t link = links; link-- > 0;) {                       // children stand behind their parents
+    mass[link] += robot.links[link].mass;
+    first[link] += robot.links[link].mass * (torsoFromLink[link] * robot.links[link].centreOfMass);
+    if (const auto parent = robot.links[link].parent) {
+      mass[*parent] += mass[link];
+      first[*parent] += first[link];
+    }
+  }
+  const std::vector<char> carriesHeld = carriers(robot, heldLink);
+  const Eigen::Matrix3d heldFromTorso = torsoFromLink[heldLink].rotation.transpose();
+
+  Load load{Eigen::VectorXd::Zero(at(joints)), Eigen::MatrixXd::Zero(at(joints), at(joints)),
+            torsoFromLink[heldLink].inverse() * (first.front() / mass.front()), Eigen::Matrix3Xd(3, at(joints))};
+  std::vector<Turning> turning(joints);
+  for (std::size_t joint = 0; joint < joints; ++joint) {
+    const std::size_t link = robot.joints[joint].link;
+    const Eigen::Vector3d axis = torsoFromLink[link].rotation * belief.axis(joint);
+    const bool backwards = carriesHeld[link] != 0; // all before the joint turns, the other way
+    const double turned = mass[link] - (backwards ? mass.front() : 0);
+    const Eigen::Vector3d lever =
+        first[link] - (backwards ? first.front() : Eigen::Vector3d::Zero()) - turned * torsoFromLink[link].translation;
+    turning[joint] = {backwards ? Eigen::Vector3d{-axis} : axis, axis.cross(lever)};
+    load.comByAngle.col(at(joint)) = heldFromTorso * turning[joint].moment / mass.front();
+  }
+  const auto couple = [&](std::size_t nearer, std::size_t beyond) {
+    const double slope = -gravity * upInTorso.dot(turning[nearer].axis.cross(turning[beyond].moment));
+    load.torqueByAngle(at(nearer), at(beyond)) = load.torqueByAngle(at(beyond), at(nearer)) = slope;
+  };
+  for (std::size_t joint = 0; joint < joints; ++joint) {
+    load.torque[at(joint)] = -gravity * upInTorso.dot(turning[joint].moment);
+    couple(joint, joint);
+    // The joints between this one and the held link: up to where both branches part, then down to the held link.
+    std::size_t link = robot.joints[joint].link;
+    while (carriesHeld[link] == 0) {
+      link = *robot.links[link].parent;
+      if (carriesHeld[link] == 0 && robot.links[link].joint) {
+        couple(*robot.links[link].joint, joint);
+      }
+    }
+    for (std::size_t down = heldLink; down != link; down = *robot.links[down].parent) {
+      if (robot.links[down].joint) {
+        couple(*robot.links[down].joint, joint);
+      }
+    }
+  }
+  for (std::size_t joint = 0; joint < joints; ++joint) { // one motor feels all its joints
+    const std::size_t motor = robot.joints[joint].motor;
+    if (motor != joint) {
+      load.torque[at(motor)] += load.torque[at(joint)];
+      load.torqueByAngle.row(at(motor)) += load.torqueByAngle.row(at(joint));
+      load.torque[at(joint)] = load.torque[at(motor)];
+      load.torqueByAngle.row(at(joint)) = load.torqueByAngle.row(at(motor));
+    }
+  }
+  return load;
+}
+
+} // namespace naocal

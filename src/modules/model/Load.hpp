@@ -1,0 +1,24 @@
+#pragma once
+
+#include "model/Kinematics.hpp"
+
+#include <Eigen/Core>
+
+namespace naocal {
+
+/// What gravity does to a robot of which one link is held still, and how that changes with the angles.
+struct Load {
+  Eigen::VectorXd torque;        // as `gravityTorques`, per joint [Nm]
+  Eigen::MatrixXd torqueByAngle; // d(torque of row)/d(angle of column), one column per joint [Nm/rad]
+  Eigen::Vector3d com;           // the whole robot's centre of mass in the held link's frame [m]
+  Eigen::Matrix3Xd comByAngle;   // one column per joint [m/rad]
+};
+
+/// With U = g up . sum(m p), up fixed in the held link: let joint J turn what lies beyond it (seen from the held link)
+/// about a_J with the lever L_J = sum m (p - pivot). Then dU/dq_J = g up . (a_J x L_J), and where K lies beyond J
+///
+///   d2U/dq_J dq_K = g up . (a_J x (a_K x L_K)), else 0.
+Load gravityLoad(const Robot& robot, const Belief& belief, const Posture& torsoFromLink, std::size_t heldLink,
+                 const Eigen::Vector3d& upInTorso);
+
+} // namespace naocal

@@ -1,0 +1,106 @@
+#include "residuals/Instants.hpp"
+
+#include "model/Load.hpp"
+
+#include <array>
+
+namespace naocal {
+
+namespace {
+
+Eigen::Index at(std::size_t i) {
+  return static_cast<Eigen::Index>(i);
+}
+
+Load loadOn(const Robot& robot, const Belief& belief, const Posture& torsoFromLink, std::size_t heldLink) {
+  return gravityLoad(robot, belief, torsoFromLink, heldLink, torsoFromLink[heldLink].rotation.col(2));
+}
+
+bool carries(const Robot& robot, std::size_t joint, std::size_t link) {
+  for (std::optional<std::size_t> up = link; up; up = robot.links[*up].parent) {
+    if (*up == robot.joints[joint].link) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Of every leg joint the mean of both feet's, weighted by what each of them carries.
+void share(const Robot& robot, const Load& right, double leftLoad, Load& left) {
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    if (carriesSole(robot, joint)) {
+      left.torque[at(joint)] = leftLoad * left.torque[at(joint)] + (1 - leftLoad) * right.torque[at(joint)];
+      left.torqueByAngle.row(at(joint)) =
+          leftLoad * left.torqueByAngle.row(at(joint)) + (1 - leftLoad) * right.torqueByAngle.row(at(joint));
+    }
+  }
+}
+
+Load loadOf(const Robot& robot, const Belief& belief, const Instant& instant) {
+  const Posture torsoFromLink = posture(robot, belief);
+  switch (instant.supportFoot) {
+  case SupportFoot::left:
+    return loadOn(robot, belief, torsoFromLink, robot.sole("left")->link);
+  case SupportFoot::right:
+    return loadOn(robot, belief, torsoFromLink, robot.sole("right")->link);
+  case SupportFoot::both: {
+    Load load = loadOn(robot, belief, torsoFromLink, robot.sole("left")->link);
+    share(robot, loadOn(robot, belief, torsoFromLink, robot.sole("right")->link), instant.leftLoad, load);
+    return load;
+  }
+  case SupportFoot::none:
+    break;
+  }
+  Load hanging = loadOn(robot, belief, torsoFromLink, 0);
+  hanging.com.setConstant(Instant::nothing);
+  return hanging;
+}
+
+} // namespace
+
+bool carriesSole(const Robot& robot, std::size_t joint) {
+  for (const Sole& sole : robot.soles) {
+    if (carries(robot, joint, sole.link)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+Driven drivenAt(const Measurements& measurements, const Model& model, const Picture& picture,
+                const Eigen::VectorXd& unknowns) {
+  const Robot& robot = measurements.robot;
+  const Eigen::Index joints = at(robot.joints.size()), offsets = at(model.offsets().size());
+  Driven result{picture.instant, Eigen::MatrixXd::Zero(joints, offsets), Eigen::MatrixXd::Zero(joints, offsets),
+                Eigen::MatrixXd::Zero(2, offsets)};
+  for (Eigen::Index i = 0; i < offsets; ++i) {
+    const Term& offset = model.terms()[model.offsets()[static_cast<std::size_t>(i)]];
+    for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+      if (robot.joints[joint].motor == offset.at) {
+        result.instant.q[at(joint)] -= unknowns[at(offset.first)];
+        result.angleByOffset(at(joint), i) = -1;
+      }
+    }
+  }
+  Belief belief = picture.drawn;
+  belief.values.head(joints) = result.instant.q;
+  const Load load = loadOf(robot, belief, result.instant);
+  result.instant.torque = load.torque;
+  result.instant.com = load.com.head<2>();
+  for (Eigen::Index i = 0; i < offsets; ++i) {
+    for (Eigen::Index joint = 0; joint < joints; ++joint) {
+      if (result.angleByOffset(joint, i) != 0) {
+        result.torqueByOffset.col(i) -= load.torqueByAngle.col(joint);
+        result.comByOffset.col(i) -= load.comByAngle.col(joint).head<2>();
+      }
+    }
+  }
+  return result;
+}
+
+Instant instantOf(const Measurements& measurements, const Model& model, const Picture& picture,
+                  const Eigen::VectorXd& unknowns) {
+  return drivenAt(measurements, model, picture, unknowns).instant;
+}
+
+} // namespace naocal

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "residuals/Model.hpp"
+
+#include <Eigen/Core>
+
+namespace naocal {
+
+/// What drives effects at an instant, and how that follows the joint offsets: one column per offset of the model.
+struct Driven {
+  Instant instant;
+  Eigen::MatrixXd angleByOffset;  // row per joint: -1 or 0
+  Eigen::MatrixXd torqueByOffset; // row per joint [Nm/rad]
+  Eigen::MatrixXd comByOffset;    // x, y [m/rad]
+};
+
+/// At given unknowns: q = measured - o; torque and centre of mass of the drawn robot at those angles, the support
+/// foot's sole held still and level (both: each leg joint's two values weighted by the feet's loads, everything else
+/// with the left sole held; none: the torso held, upright).
+Driven drivenAt(const Measurements& measurements, const Model& model, const Picture& picture,
+                const Eigen::VectorXd& unknowns);
+
+} // namespace naocal
