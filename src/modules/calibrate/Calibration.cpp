@@ -2,6 +2,7 @@
 
 #include "calibrate/Doubts.hpp"
 #include "calibrate/Fit.hpp"
+#include "calibrate/MovedSightings.hpp"
 #include "calibrate/PixelNoise.hpp"
 #include "calibrate/Uncertainty.hpp"
 #include "calibrate/Verdict.hpp"
@@ -44,32 +45,69 @@ Levels levels(const Measurements& measurements, const Model& model, const Fit& f
   return result;
 }
 
+/// Fit, noise levels and misfit that belong together.
+struct Answer {
+  Fit fit;
+  Levels levels;
+  Misfit misfit;
+};
+
+/// On from an answer: fit and noise levels in turns.
+Answer improved(const Measurements& measurements, const Model& model, const CalibrationOptions& options, Answer from) {
+  const auto onward = [&] {
+    const Noise& noise = from.levels.joint.noise;
+    return options.robust ? robustFit(measurements, model, noise, std::move(from.fit))
+                          : refit(measurements, model, noise, Loss{}, std::move(from.fit));
+  };
+  for (int round = 0; round < 2; ++round) {
+    from.fit = onward();
+    from.levels = levels(measurements, model, from.fit, options);
+  }
+  from.fit = onward();
+  from.misfit = misfitOf(from.fit, model.sigmas());
+  if (from.misfit.scale > 1) { // then priors must not be beaten by noise that is larger than it was believed
+    from.levels.joint.noise = scaled(from.levels.joint.noise, from.misfit.scale);
+    from.fit = onward();
+  }
+  return from;
+}
+
+/// Sets aside, one after the other, sightings whose board moved beyond doubt. Where more than a tenth seem to, it is
+/// the model that is wrong, not the captures. Returns the measurements that are left, if any were set aside.
+std::optional<Measurements> withoutMoved(const Measurements& measurements, const Model& model,
+                                         const CalibrationOptions& options, Answer& answer) {
+  std::size_t sightings = 0;
+  for (const Picture& picture : measurements.pictures) {
+    sightings += picture.sightings.size();
+  }
+  std::optional<Measurements> kept;
+  for (std::size_t aside = 0; aside < (sightings + 9) / 10; ++aside) {
+    const auto moved = mostMoved(kept ? *kept : measurements, model, answer.fit);
+    if (!moved) {
+      break;
+    }
+    if (!kept) {
+      kept = measurements;
+    }
+    setAside(*kept, *moved);
+    answer = improved(*kept, model, options, std::move(answer));
+  }
+  return kept;
+}
+
 } // namespace
 
 CalibrationResult calibrate(const Measurements& measurements, const Model& model, const CalibrationOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
-  Fit fit = firstFit(measurements, model, options.noise, options);
-  Levels found{{options.noise}, false};
-  const auto onward = [&] {
-    const Noise& noise = found.joint.noise;
-    return options.robust ? robustFit(measurements, model, noise, std::move(fit))
-                          : refit(measurements, model, noise, Loss{}, std::move(fit));
-  };
-  for (int round = 0; round < 2; ++round) {
-    fit = onward();
-    found = levels(measurements, model, fit, options);
-  }
-  fit = onward();
-  const Misfit misfit = misfitOf(fit, model.sigmas());
-  if (misfit.scale > 1) { // then priors must not be beaten by noise that is larger than it was believed
-    found.joint.noise = scaled(found.joint.noise, misfit.scale);
-    fit = onward();
-  }
-  CalibrationResult result = uncertain(measurements, model, fit, found.joint, misfit);
-  result.noiseSource = found.fromRepeats ? "repeats" : "configured";
+  Answer answer{firstFit(measurements, model, options.noise, options), {{options.noise}, false}, {}};
+  answer = improved(measurements, model, options, std::move(answer));
+  const auto kept = options.robust ? withoutMoved(measurements, model, options, answer) : std::nullopt;
+  const Measurements& used = kept ? *kept : measurements;
+  CalibrationResult result = uncertain(used, model, answer.fit, answer.levels.joint, answer.misfit);
+  result.noiseSource = answer.levels.fromRepeats ? "repeats" : "configured";
   result.restartsTried = options.restarts;
-  result.doubts = doubts(measurements, result);
-  judge(measurements, model, result);
+  result.doubts = doubts(used, result);
+  judge(used, model, result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }

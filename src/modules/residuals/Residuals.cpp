@@ -120,25 +120,33 @@ bool Residuals::addPicture(const Picture& picture, const PreparedPicture& prepar
                      [&](const PreparedPicture::Group& group) { return addGroup(picture, group, work, system); });
 }
 
+/// Adds the corners of a sighting to the workspace's sums over corners. False: one of them is nowhere.
+bool Residuals::addCorners(const Sighting& sighting, const std::vector<std::size_t>& extras, Attitude& attitude,
+                           Workspace& work) const {
+  sighting.view.placeBoard(work.linkFromBoard(sighting.view.board()), attitude);
+  if (!sighting.view.project(attitude, work.belief, sighting.corners, work.projected)) {
+    return false;
+  }
+  work.extraRows.clear();
+  for (std::size_t extra : extras) {
+    for (std::size_t block = 0; block < sighting.corners.size(); ++block) {
+      ExtraRow& row = work.extraRows.emplace_back();
+      View::extraRows(extra, attitude, work.belief, sighting.corners[block], work.projected[block], row.u, row.v);
+    }
+  }
+  work.corners.add(sighting.corners, work.projected, work.extraRows, noise_.pixel, loss_);
+  return true;
+}
+
 bool Residuals::addGroup(const Picture& picture, const PreparedPicture::Group& group, Workspace& work,
                          PoseSystem& system) const {
   const View& path = picture.sightings[group.sightings.front()].view;
   Attitude attitude = path.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
   work.corners.clear(group.extras.size());
   for (std::size_t index : group.sightings) {
-    const Sighting& sighting = picture.sightings[index];
-    sighting.view.placeBoard(work.linkFromBoard(sighting.view.board()), attitude);
-    if (!sighting.view.project(attitude, work.belief, sighting.corners, work.projected)) {
+    if (!addCorners(picture.sightings[index], group.extras, attitude, work)) {
       return false;
     }
-    work.extraRows.clear();
-    for (std::size_t extra : group.extras) {
-      for (std::size_t block = 0; block < sighting.corners.size(); ++block) {
-        ExtraRow& row = work.extraRows.emplace_back();
-        View::extraRows(extra, attitude, work.belief, sighting.corners[block], work.projected[block], row.u, row.v);
-      }
-    }
-    work.corners.add(sighting.corners, work.projected, work.extraRows, noise_.pixel, loss_);
   }
   work.motion.resize(at(6 + group.extras.size()), at(group.quantities.size()));
   path.motion(measurements_.robot, attitude, work.belief, work.torsoFromLink, group.quantities, group.extras,

@@ -53,6 +53,15 @@ struct SightingResidual {
   Eigen::MatrixXd motionRows; // d(predicted) by (omega, v) of the board in the optical frame: u0, v0, u1, ... times 6
 };
 
+/// What a sighting alone tells about a rigid motion of its board in the optical frame (omega, v), beside the unknowns
+/// and deflections of its pose. L: `motionRows`, W: the corners' weights; before any noise level is applied.
+struct SightingMotion {
+  std::size_t picture = 0, sighting = 0, pose = 0;
+  Eigen::Matrix<double, 6, 6> gram;               // L^T W L   [px^2 / (rad or m)^2]
+  Eigen::Matrix<double, 6, 1> gradient;           // L^T W r, r = predicted - measured
+  Eigen::Matrix<double, 6, Eigen::Dynamic> cross; // L^T W [J_x J_t]: the pose's unknowns, then its deflections
+};
+
 /// All residuals of a model, whitened, with their derivative: the one place where the model meets the measurements.
 /// A problem for `levenbergMarquardt`.
 class Residuals {
@@ -80,6 +89,8 @@ public:
 
   /// Per sighting what is seen against what was measured at a state.
   std::vector<SightingResidual> sightings(const State& state) const;
+  /// The same sightings, in an order of their own, against motions of their boards. Absent: the state is impossible.
+  std::optional<std::vector<SightingMotion>> sightingMotions(const State& state) const;
 
   /// Only these unknowns are free; the others stay where they are (all free by default).
   void freeOnly(const std::vector<bool>& free) { free_ = free; }
@@ -96,8 +107,12 @@ private:
   bool addPicture(const Picture& picture, const PreparedPicture& prepared, Workspace& work, PoseSystem& system) const;
   void addFloorContact(const Picture& picture, const PreparedPicture& prepared, Workspace& work,
                        PoseSystem& system) const;
+  bool addCorners(const Sighting& sighting, const std::vector<std::size_t>& extras, Attitude& attitude,
+                  Workspace& work) const;
   bool addGroup(const Picture& picture, const PreparedPicture::Group& group, Workspace& work, PoseSystem& system) const;
   SightingResidual sightingResidual(std::size_t picture, std::size_t index, Workspace& work) const;
+  bool addMotion(const Sighting& sighting, const PreparedPicture::Group& group, Workspace& work,
+                 SightingMotion& motion) const;
 
   const Measurements& measurements_;
   const Model& model_;

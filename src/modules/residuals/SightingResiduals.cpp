@@ -53,7 +53,8 @@ SightingResidual Residuals::sightingResidual(std::size_t picture, std::size_t in
       result.motionRows(2 * i, k) = seen.rowsU[k][i % 4];
       result.motionRows(2 * i + 1, k) = seen.rowsV[k][i % 4];
     }
-    result.weight[i] = loss_(result.residual.col(i).squaredNorm() / (noise_.pixel * noise_.pixel)).weight;
+    result.weight[i] =
+        corner.present[i % 4] * loss_(result.residual.col(i).squaredNorm() / (noise_.pixel * noise_.pixel)).weight;
   }
   return result;
 }

@@ -1,5 +1,7 @@
 #include "synthetic/CornerMeasurement.hpp"
 
+#include <algorithm>
+
 namespace naocal {
 
 namespace {
@@ -16,6 +18,26 @@ std::vector<BoardCorners> cornersInView(const Capture& capture, const Exposure& 
   return seen;
 }
 
+/// A board in a picture that shows enough of it to find its pose.
+struct Sight {
+  std::size_t capture, board;
+};
+
+std::vector<Sight> goodSights(const Walk& walk, const SimulationPlan& plan) {
+  constexpr std::size_t enough = 8; // corners
+  std::vector<Sight> sights;
+  for (std::size_t capture = 0; capture < walk.captures.size(); ++capture) {
+    for (const BoardCorners& corners : cornersInView(walk.captures[capture], walk.exposures[capture], plan)) {
+      const auto board = std::find_if(plan.boards.begin(), plan.boards.end(),
+                                      [&](const Board& candidate) { return candidate.id == corners.board; });
+      if (corners.ids.size() >= enough) {
+        sights.push_back({capture, static_cast<std::size_t>(board - plan.boards.begin())});
+      }
+    }
+  }
+  return sights;
+}
+
 } // namespace
 
 std::vector<std::vector<BoardCorners>> cornersInView(const Walk& walk, const SimulationPlan& plan) {
@@ -28,30 +50,28 @@ std::vector<std::vector<BoardCorners>> cornersInView(const Walk& walk, const Sim
 
 std::optional<DisplacedBoard> displaceOneBoard(Walk& walk, const SimulationPlan& plan, double distance,
                                                Randomness& chance) {
-  constexpr std::size_t enough = 8;
-  std::vector<DisplacedBoard> candidates;
-  const auto corners = cornersInView(walk, plan);
-  for (std::size_t capture = 0; capture < corners.size(); ++capture) {
-    for (const BoardCorners& board : corners[capture]) {
-      if (board.ids.size() >= enough) {
-        candidates.push_back({walk.captures[capture].id, board.board, 0, 0});
-      }
+  std::vector<Sight> candidates = goodSights(walk, plan);
+  while (!candidates.empty()) {
+    const auto chosen = candidates.begin() + static_cast<std::ptrdiff_t>(chance.below(candidates.size()));
+    const Sight sight = *chosen;
+    candidates.erase(chosen);
+    const Eigen::Vector2d shift = chance.direction(distance);
+    Eigen::Isometry3d& worldFromBoard = walk.exposures[sight.capture].worldFromBoard[sight.board];
+    const Eigen::Isometry3d before = worldFromBoard;
+    worldFromBoard.translate(Eigen::Vector3d{shift.x(), shift.y(), 0});
+    const std::vector<Sight> after = goodSights(walk, plan);
+    const auto others = std::count_if(after.begin(), after.end(), [&](const Sight& other) {
+      return other.board == sight.board && other.capture != sight.capture;
+    });
+    const bool stillSeen = std::any_of(after.begin(), after.end(), [&](const Sight& other) {
+      return other.board == sight.board && other.capture == sight.capture;
+    });
+    if (stillSeen && others >= 2) {
+      return DisplacedBoard{walk.captures[sight.capture].id, plan.boards[sight.board].id, shift.x(), shift.y()};
     }
+    worldFromBoard = before;
   }
-  if (candidates.empty()) {
-    return std::nullopt;
-  }
-  DisplacedBoard displaced = candidates[chance.below(candidates.size())];
-  const Eigen::Vector2d shift = chance.direction(distance);
-  displaced.x = shift.x();
-  displaced.y = shift.y();
-  for (std::size_t board = 0; board < plan.boards.size(); ++board) {
-    if (plan.boards[board].id == displaced.board) {
-      walk.exposures[static_cast<std::size_t>(displaced.capture)].worldFromBoard[board].translate(
-          Eigen::Vector3d{shift.x(), shift.y(), 0});
-    }
-  }
-  return displaced;
+  return std::nullopt;
 }
 
 std::vector<GrossCorner> spoil(std::vector<Capture>& captures, const CornerNoise& noise, Randomness& chance) {

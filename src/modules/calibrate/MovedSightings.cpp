@@ -1,0 +1,79 @@
+#include "calibrate/MovedSightings.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+
+namespace naocal {
+
+namespace {
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+/// The statistic of one sighting. `deflections`: its pose's, of whose state the sums are [rad].
+double chi2Of(const SightingMotion& motion, const PoseSystem& pose, const Eliminated& part, const DeflectionRoot& root,
+              const Eigen::VectorXd& deflections, double pixelNoise, const Eigen::LLT<Eigen::MatrixXd>& hessian) {
+  const auto unknowns = static_cast<Eigen::Index>(pose.unknowns.size()), joints = deflections.size();
+  const double information = 1 / (pixelNoise * pixelNoise);
+  const Eigen::MatrixXd byDeflections = motion.cross.rightCols(joints);
+  Vector6 score = information * (motion.gradient - byDeflections * deflections);
+  Matrix6 kept = information * motion.gram;
+  Eigen::MatrixXd byUnknowns = information * motion.cross.leftCols(unknowns);
+  if (joints > 0) {
+    Eigen::MatrixXd half = information * (root.transpose() * byDeflections.transpose());
+    part.inner.matrixL().solveInPlace(half);
+    score -= half.transpose() * part.half.rightCols<1>();
+    kept -= half.transpose() * half;
+    byUnknowns -= half.transpose() * part.half.leftCols(unknowns);
+  }
+  Eigen::MatrixXd scattered = Eigen::MatrixXd::Zero(hessian.rows(), 6);
+  for (Eigen::Index i = 0; i < unknowns; ++i) {
+    scattered.row(static_cast<Eigen::Index>(pose.unknowns[static_cast<std::size_t>(i)])) =
+        byUnknowns.col(i).transpose();
+  }
+  hessian.matrixL().solveInPlace(scattered);
+  kept -= scattered.transpose() * scattered;
+  constexpr double nothing = 1e-6; // share of its information that a motion keeps where the fit absorbs it
+  kept.diagonal() += nothing * information * motion.gram.diagonal();
+  return score.dot(kept.ldlt().solve(score));
+}
+
+} // namespace
+
+std::vector<Move> moves(const Measurements& measurements, const Model& model, const Fit& fit) {
+  const Residuals residuals{measurements, model, fit.noise, fit.loss};
+  const Residuals::Linear& linear = fit.minimum.linear;
+  const Eigen::LLT<Eigen::MatrixXd> hessian{linear.hessian};
+  std::vector<Move> result;
+  const auto motions = residuals.sightingMotions(fit.minimum.state);
+  for (const SightingMotion& motion : motions.value()) {
+    const PoseSystem& pose = linear.poses[motion.pose];
+    const DeflectionRoot root = deflectionRoot(pose, fit.noise);
+    result.push_back({motion.picture, motion.sighting,
+                      chi2Of(motion, pose, linear.eliminated[motion.pose], root,
+                             root * fit.minimum.state.deflections[motion.pose], fit.noise.pixel, hessian)});
+  }
+  return result;
+}
+
+std::optional<Move> mostMoved(const Measurements& measurements, const Model& model, const Fit& fit) {
+  constexpr double falseAlarm = 1e-6; // per set of captures
+  const std::vector<Move> all = moves(measurements, model, fit);
+  const auto most =
+      std::max_element(all.begin(), all.end(), [](const Move& a, const Move& b) { return a.chi2 < b.chi2; });
+  if (most == all.end()) {
+    return std::nullopt;
+  }
+  const boost::math::chi_squared unmoved{6};
+  const double p = boost::math::cdf(complement(unmoved, std::max(0.0, most->chi2)));
+  return p * static_cast<double>(all.size()) < falseAlarm ? std::optional{*most} : std::nullopt;
+}
+
+void setAside(Measurements& measurements, const Move& move) {
+  for (CornerBlock& block : measurements.pictures[move.picture].sightings[move.sighting].corners) {
+    block.present = Lane{};
+  }
+}
+
+} // namespace naocal

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "calibrate/Fit.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace naocal {
+
+/// How much a sighting asks that its board, in this one picture, lay elsewhere (or the robot stood differently).
+struct Move {
+  std::size_t picture = 0, sighting = 0;
+  double chi2 = 0; // fall of chi2 if the board were free: chi2 with six degrees of freedom where nothing moved
+};
+
+/// Score test of a free rigid motion of each sighting's board, against a fit that holds it in place:
+///
+///   chi2 = g^T V^-1 g,   g = L^T Sigma^-1 r,   V = L^T (Sigma^-1 - Sigma^-1 J H^-1 J^T Sigma^-1) L
+///
+/// (Cox, Hinkley: Theoretical statistics, 1974, section 9.3). It sees what the corners' own loss cannot: where many
+/// corners moved together it costs less to bend the joints, against their noise, than to give up every corner.
+std::vector<Move> moves(const Measurements& measurements, const Model& model, const Fit& fit);
+
+/// The sighting that moved most, if any did beyond doubt: once in a million sets of captures in which nothing moved.
+std::optional<Move> mostMoved(const Measurements& measurements, const Model& model, const Fit& fit);
+
+/// The same measurements without the corners of a sighting: it stays in the lists, but counts nothing.
+void setAside(Measurements& measurements, const Move& move);
+
+} // namespace naocal
