@@ -13,5 +13,6 @@ void addSolve(CLI::App& app, int& exitCode);
 void addCompare(CLI::App& app);
 void addReport(CLI::App& app);
 void addDemo(CLI::App& app, int& exitCode);
+void addEvaluate(CLI::App& app);
 
 } // namespace naocal

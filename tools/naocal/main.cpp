@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
   naocal::addCompare(app);
   naocal::addReport(app);
   naocal::addDemo(app, exitCode);
+  naocal::addEvaluate(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -5,6 +5,7 @@
 #include "writer/Families.hpp"
 
 #include <array>
+#include <cmath>
 
 namespace blind {
 
@@ -47,10 +48,13 @@ public:
   }
 
 private:
-  /// What the item leaves open is drawn.
+  /// What the item leaves open is drawn. Rendered sets come on top: they cannot be sized as exactly.
   void repeat(int count, Item item) {
+    const bool renderable = item.group == "control" || item.group == "catalogue";
+    const double share = renderable ? counts_.pictureShare : 0;
+    const int rendered = static_cast<int>(std::lround(count * share / (1 - share)));
     const bool open = item.poses == 0 || (item.group != "pair" && item.group != "outside");
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < count + rendered; ++i) {
       Item one = item;
       if (open) {
         one.poses = poseCounts[chance_.below(static_cast<int>(poseCounts.size()))];
@@ -58,7 +62,7 @@ private:
       if (item.group != "control" && item.group != "outside") {
         one.noise = noiseRegimes()[chance_.below(static_cast<int>(noiseRegimes().size()))];
       }
-      one.pictures = (item.group == "control" || item.group == "catalogue") && chance_.uniform() < counts_.pictureShare;
+      one.pictures = i >= count;
       if (counts_.only.empty() || counts_.only == item.group) {
         items_.push_back(std::move(one));
       }

@@ -20,7 +20,7 @@ struct Item {
 struct Counts {
   int controls = 4;        // per regime of noise
   int sets = 1;            // per effect and size, per case of the other groups
-  double pictureShare = 0; // of all sets: written as rendered pictures instead of corners
+  double pictureShare = 0; // of controls and catalogued effects: so many are rendered as pictures, on top
   std::string only;        // one group alone; empty: all
 };
 

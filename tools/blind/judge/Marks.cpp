@@ -1,0 +1,131 @@
+#include "judge/Marks.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/non_central_chi_squared.hpp>
+#include <cmath>
+
+namespace blind {
+
+namespace {
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool names(const Answer::Candidate& candidate, const std::string& effect) {
+  return candidate.name == effect || contains(candidate.equivalent, effect);
+}
+
+const Answer::Candidate* candidateNamed(const Answer& answer, const std::string& name) {
+  const auto found = std::find_if(answer.ranking.begin(), answer.ranking.end(),
+                                  [&](const Answer::Candidate& candidate) { return candidate.name == name; });
+  return found == answer.ranking.end() ? nullptr : &*found;
+}
+
+/// Candidates that the captures could test.
+std::size_t testable(const Answer& answer) {
+  return static_cast<std::size_t>(
+      std::count_if(answer.ranking.begin(), answer.ranking.end(), [](const Answer::Candidate& candidate) {
+        return candidate.state != "absorbed" && candidate.state != "no-data";
+      }));
+}
+
+void markNaming(const Truth::Effect& effect, const Answer& answer, Marks& result) {
+  const auto isIt = [&](const Answer::Candidate& candidate) { return candidate.name == effect.name; };
+  const auto third = answer.ranking.begin() + std::min<std::ptrdiff_t>(3, std::ssize(answer.ranking));
+  result.detected = result.alarmed;
+  result.top1 = !answer.ranking.empty() && isIt(answer.ranking.front());
+  result.top3 = std::any_of(answer.ranking.begin(), third, isIt);
+  result.inClass = !answer.ranking.empty() && names(answer.ranking.front(), effect.name);
+  result.expected = theoreticalPower(effect.noncentrality, effect.unknowns.size(), testable(answer));
+  if (const Answer::Candidate* candidate = candidateNamed(answer, effect.name)) {
+    for (const auto& [name, truth] : effect.unknowns) {
+      const auto size = candidate->unknowns.size() == 1 ? candidate->unknowns.begin() : candidate->unknowns.find(name);
+      if (size != candidate->unknowns.end() && size->second.sigma > 0) {
+        result.covered.push_back(std::abs(size->second.value - truth) <= 1.96 * size->second.sigma);
+      }
+    }
+  }
+}
+
+/// Each suggestion may stand for one hidden effect that it names, itself or as one that cannot be told from it.
+void markPair(const Case& one, Marks& result) {
+  int found = 0;
+  std::vector<std::string> left = one.answer.suggested;
+  for (const Truth::Effect& effect : one.truth.effects) {
+    const auto match = std::find_if(left.begin(), left.end(), [&](const std::string& suggestion) {
+      const Answer::Candidate* candidate = candidateNamed(one.answer, suggestion);
+      return suggestion == effect.name || (candidate != nullptr && names(*candidate, effect.name));
+    });
+    if (match != left.end()) {
+      left.erase(match);
+      ++found;
+    }
+  }
+  result.bothFound = found == static_cast<int>(one.truth.effects.size());
+  result.extra = static_cast<int>(left.size());
+}
+
+/// "q" and the joint's own name mean the same; "q:" may stand before a joint.
+bool sameDriver(std::string said, const std::string& at, const std::string& expected) {
+  if (said.starts_with("q:")) {
+    said.erase(0, 2);
+  }
+  const auto full = [&](const std::string& name) {
+    return name == at ? std::string{"q"} : name == "time" ? "t" : name;
+  };
+  return full(said) == full(expected);
+}
+
+bool rightDriver(const Truth::Effect& effect, const Answer& answer) {
+  if (answer.drivers.empty()) {
+    return false;
+  }
+  const Answer::Driver& said = answer.drivers.front();
+  const std::string at = effect.name.substr(effect.name.find('@') + 1);
+  return said.at == at && std::any_of(effect.drivers.begin(), effect.drivers.end(),
+                                      [&](const std::string& driver) { return sameDriver(said.driver, at, driver); });
+}
+
+} // namespace
+
+double theoreticalPower(double noncentrality, std::size_t unknowns, std::size_t candidates) {
+  constexpr double alarms = 0.05, independentShare = 0.75;
+  const double tests = std::max(1.0, independentShare * static_cast<double>(candidates));
+  const double perTest = 1 - std::pow(1 - alarms, 1 / tests);
+  const double critical = quantile(complement(boost::math::chi_squared(static_cast<double>(unknowns)), perTest));
+  if (noncentrality <= 0) {
+    return perTest;
+  }
+  return cdf(complement(boost::math::non_central_chi_squared(static_cast<double>(unknowns), noncentrality), critical));
+}
+
+Marks marks(const Case& one) {
+  const auto& [truth, answer] = one;
+  Marks result;
+  result.alarmed =
+      answer.verdict == "effect-missing" || answer.verdict == "unknown-effect" || answer.verdict == "bad-captures";
+  result.unknownSaid = answer.verdict == "unknown-effect";
+  if (truth.group == "catalogue") {
+    markNaming(truth.effects.front(), answer, result);
+    constexpr double plain = 20, roundedUp = 0.95; // the size that was aimed at is met within 2 %
+    if (truth.effects.front().noncentrality > roundedUp * plain && answer.lockedBeforePx && answer.lockedAfterPx) {
+      constexpr double near = 1.1;
+      result.errorFell = !answer.suggested.empty() && *answer.lockedAfterPx < *answer.lockedBeforePx;
+      result.nearFloor = *answer.lockedAfterPx <= near * truth.lockedFloorPx;
+    }
+  } else if (truth.group == "pair") {
+    markPair(one, result);
+  } else if (truth.group == "outside") {
+    result.placeAndDriver = result.unknownSaid && rightDriver(truth.effects.front(), answer);
+  } else if (truth.group == "absorbed") {
+    const Answer::Candidate* candidate = candidateNamed(answer, truth.effects.front().name);
+    result.saidUntestable = candidate != nullptr && (candidate->state == "absorbed" || candidate->state == "no-data");
+  } else if (truth.group == "corrupted") {
+    result.saidCorrupted = answer.verdict == "bad-captures";
+  }
+  return result;
+}
+
+} // namespace blind

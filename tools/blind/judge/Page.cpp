@@ -1,0 +1,148 @@
+#include "judge/Page.hpp"
+
+#include "judge/Plot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace blind {
+
+namespace {
+
+const std::string blue = "#1f6fb2", grey = "#777", red = "#b23a1f";
+
+const Plot::Axis percents(const std::string& label) {
+  return {label, 0, 100, {{0, "0 %"}, {20, "20 %"}, {40, "40 %"}, {60, "60 %"}, {80, "80 %"}, {100, "100 %"}}};
+}
+
+std::string told(const Share& share) {
+  return fmt::format("{:.1f} % of {} ({:.1f} to {:.1f} %)", 100 * share.rate(), share.all, 100 * share.low(),
+                     100 * share.high());
+}
+
+void add(Plot& plot, double x, const Share& share, const std::string& colour, const std::string& what) {
+  if (share.all > 0) {
+    plot.point(x, 100 * share.rate(), 100 * share.low(), 100 * share.high(), colour, what + ": " + told(share));
+  }
+}
+
+std::string falseAlarms(const Tally& tally) {
+  Plot::Axis regimes{"noise", 0, static_cast<double>(tally.falseAlarms.size()) + 1, {}};
+  double x = 0;
+  for (const auto& [name, share] : tally.falseAlarms) {
+    std::string shortened = name;
+    if (const auto space = shortened.find(' '); space != shortened.npos) {
+      shortened = shortened.starts_with("stiction") ? shortened.substr(9) + "° stuck" : shortened.substr(0, space);
+    }
+    regimes.ticks.emplace_back(++x, shortened);
+  }
+  Plot plot{"False alarms on robots without hidden effect",
+            regimes,
+            {"alarms", 0, 30, {{0, "0 %"}, {5, "5 %"}, {10, "10 %"}, {20, "20 %"}, {30, "30 %"}}}};
+  plot.level(7, red, "at most 7 %");
+  x = 0;
+  for (const auto& [name, share] : tally.falseAlarms) {
+    add(plot, ++x, share, blue, name);
+  }
+  return plot.svg();
+}
+
+/// Noncentrality on a logarithmic axis.
+double across(double noncentrality) {
+  return std::log10(noncentrality);
+}
+
+Plot::Axis sizes() {
+  return {"noncentrality of the hidden effect (true noise, twin run)",
+          across(7),
+          across(140),
+          {{across(10), "10"}, {across(20), "20"}, {across(40), "40"}, {across(100), "100"}}};
+}
+
+std::string power(const Tally& tally) {
+  Plot plot{"Detection against theory (line: the best any max-test can do)", sizes(), percents("detected")};
+  std::vector<std::pair<double, double>> theory;
+  for (const auto& [size, cell] : tally.bySize) {
+    if (size > 0) {
+      theory.emplace_back(across(size), 100 * cell.expected.value());
+    }
+  }
+  plot.line(theory, grey);
+  for (const auto& [size, cell] : tally.bySize) {
+    if (size > 0) {
+      add(plot, across(size), cell.detected, blue, fmt::format("noncentrality {:g}", size));
+    }
+  }
+  return plot.svg();
+}
+
+std::string classes(const Tally& tally) {
+  Plot plot{"Named right: class (blue), among the first three (red), first (grey)", sizes(), percents("right")};
+  for (const auto& [size, cell] : tally.bySize) {
+    if (size > 0) {
+      add(plot, across(size) - 0.015, cell.top1, grey, "first");
+      add(plot, across(size), cell.inClass, blue, "class");
+      add(plot, across(size) + 0.015, cell.top3, red, "first three");
+    }
+  }
+  return plot.svg();
+}
+
+std::string families(const Tally& tally) {
+  std::string rows;
+  for (const auto& [name, cell] : tally.byFamily) {
+    rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{:.0f} %</td><td>{:.0f} %</td><td>{:.0f} %</td><td>{:.0f} %</td>"
+                        "<td>{:.0f} %</td></tr>\n",
+                        escaped(name), cell.detected.all, 100 * cell.detected.rate(), 100 * cell.inClass.rate(),
+                        100 * cell.top3.rate(), 100 * cell.covered.rate(), 100 * cell.errorFell.rate());
+  }
+  return "<h2>By effect, noncentrality 20 and more</h2><table><tr><th>effect</th><th>sets</th><th>detected</th>"
+         "<th>right class</th><th>first three</th><th>size covered</th><th>error fell</th></tr>\n" +
+         rows + "</table>\n";
+}
+
+std::string lockedErrors(const std::vector<Case>& cases) {
+  Plot plot{"Error on locked poses over the noise floor, before and after the suggestion",
+            {"before / floor", 0.9, 3, {{1, "1"}, {1.5, "1.5"}, {2, "2"}, {2.5, "2.5"}, {3, "3"}}},
+            {"after / floor", 0.9, 3, {{1, "1"}, {1.5, "1.5"}, {2, "2"}, {2.5, "2.5"}, {3, "3"}}}};
+  plot.line({{0.9, 0.9}, {3, 3}}, grey);
+  plot.level(1.1, red, "10 % over the floor");
+  for (const Case& one : cases) {
+    const auto& [truth, answer] = one;
+    if (truth.group == "catalogue" && !truth.pictures && answer.lockedBeforePx && answer.lockedAfterPx) {
+      plot.dot(*answer.lockedBeforePx / truth.lockedFloorPx, *answer.lockedAfterPx / truth.lockedFloorPx, blue,
+               truth.set + " " + truth.effects.front().name);
+    }
+  }
+  return plot.svg();
+}
+
+std::string figures(const Tally& tally) {
+  std::string rows;
+  for (const Required& figure : requiredFigures(tally)) {
+    rows += fmt::format("<tr class='{}'><td>{}</td><td>{}</td><td>{}</td></tr>\n", figure.met ? "met" : "missed",
+                        escaped(figure.what), escaped(figure.wanted), told(figure.share));
+  }
+  return "<table><tr><th>figure</th><th>required</th><th>measured (95 % band)</th></tr>\n" + rows + "</table>\n";
+}
+
+constexpr const char* style =
+    "body{font:15px/1.5 system-ui,sans-serif;max-width:76em;margin:2em auto;padding:0 1em;color:#222}"
+    "table{border-collapse:collapse}td,th{padding:.2em .9em .2em 0;text-align:left;border-bottom:1px solid #ddd}"
+    ".missed td:last-child{color:#b23a1f}.met td:last-child{color:#1a7f37}"
+    "svg{margin:1em 1em 0 0;font:12px system-ui,sans-serif}svg .title{font-weight:600;font-size:13px}"
+    "svg .grid{stroke:#e4e4e4}";
+
+} // namespace
+
+std::string evaluationPage(const Tally& tally, const std::vector<Case>& cases) {
+  return fmt::format(
+      "<!doctype html><html lang='en'><meta charset='utf-8'><title>Blind benchmark</title>"
+      "<style>{}</style><h1>Blind benchmark of the diagnosis</h1>"
+      "<p>{} robots with sealed truths, {:.2f} s per diagnosis; {} without a verdict.</p>\n{}{}{}{}{}{}</html>\n",
+      style, tally.sets, tally.seconds.value(), tally.withoutVerdict, figures(tally), falseAlarms(tally), power(tally),
+      classes(tally), lockedErrors(cases), families(tally));
+}
+
+} // namespace blind
