@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace naocal {
 
@@ -72,12 +73,21 @@ std::optional<SeenPose> seenPose(const Sighting& sighting, const Belief& belief)
 BoardAlignment::BoardAlignment(const Measurements& measurements, const Model& model)
     : measurements_{measurements}, model_{model}, sigmas_{model.sigmas()} {
   for (const PoseGroup& pose : measurements.poses) {
-    for (std::size_t index : pose.readings.front().pictures) {
-      const Picture& picture = measurements.pictures[index];
-      const std::vector<Slope> all = slopes(measurements, model, picture, Eigen::VectorXd::Zero(sigmas_.size()));
-      for (const Sighting& sighting : picture.sightings) {
-        addSeen(picture, sighting, all);
+    std::set<std::size_t> stances;
+    for (const Reading& reading : pose.readings) {
+      if (stances.insert(measurements.pictures[reading.pictures.front()].stance).second) {
+        addReading(reading);
       }
+    }
+  }
+}
+
+void BoardAlignment::addReading(const Reading& reading) {
+  for (std::size_t index : reading.pictures) {
+    const Picture& picture = measurements_.pictures[index];
+    const std::vector<Slope> all = slopes(measurements_, model_, picture, Eigen::VectorXd::Zero(sigmas_.size()));
+    for (const Sighting& sighting : picture.sightings) {
+      addSeen(picture, sighting, all);
     }
   }
 }

@@ -15,7 +15,7 @@ namespace naocal {
 ///   residual = (log(R_chain R_seen^T), c_chain - c_seen), c the middle of the corners,
 ///
 /// weighted by how well the corners tell it, but never better than 0.1 rad and a tenth of the depth, with a Huber loss.
-/// A problem for `levenbergMarquardt`; of each pose the first reading takes part.
+/// A problem for `levenbergMarquardt`; of each pose the first reading in every stance takes part.
 class BoardAlignment {
 public:
   BoardAlignment(const Measurements& measurements, const Model& model);
@@ -44,6 +44,7 @@ private:
     Eigen::Vector3d middle;             // of the corners, in the board's frame [m]
     Eigen::Matrix<double, 6, 6> weight; // of the residual: an inverse covariance
   };
+  void addReading(const Reading& reading);
   void addSeen(const Picture& picture, const Sighting& sighting, const std::vector<Slope>& slopes);
   void add(const Seen& seen, const Eigen::VectorXd& unknowns, Linear& sums) const;
 
