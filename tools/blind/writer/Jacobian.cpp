@@ -1,6 +1,6 @@
 #include "writer/Jacobian.hpp"
 
-#include "writer/Staging.hpp"
+#include "writer/Layout.hpp"
 
 #include <algorithm>
 #include <functional>

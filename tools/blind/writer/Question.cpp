@@ -1,57 +1,17 @@
 #include "writer/Question.hpp"
 
+#include "writer/Drawn.hpp"
+#include "writer/Layout.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
-#include <numbers>
 #include <stdexcept>
 
 namespace blind {
 
 namespace {
 
-constexpr double radiansPerDegree = std::numbers::pi / 180;
 constexpr double mostPhysicalSizes = 6; // a flaw larger than so many of its physical sizes is drawn anew
-
-SessionPlan planFor(const Item& item, Chance& chance) {
-  SessionPlan plan;
-  plan.poses = item.poses;
-  plan.boards = 3 + chance.below(2);
-  plan.mainSide = chance.below(2);
-  plan.bothSides = item.poses >= 12 && item.group != "absorbed" && chance.uniform() < 0.5;
-  plan.rests = chance.uniform() < 0.15;
-  plan.restands = chance.uniform() < 0.25;
-  plan.warmAnyhow = item.kind == "idle temperature";
-  plan.sortedByKnee = item.kind == "sorted poses";
-  plan.sameTemperature = item.kind == "constant temperature";
-  plan.noise = noiseRegime(item.noise);
-  if (item.pictures) {
-    constexpr double foundCorners = 0.1; // what a good detector leaves [px]
-    plan.noise.pixel = foundCorners;
-  }
-  return plan;
-}
-
-Robot drawnRobot(const Drawing& drawing, std::size_t boards, Chance& chance) {
-  Robot robot;
-  robot.drawing = &drawing;
-  robot.offsets.resize(static_cast<Eigen::Index>(drawing.joints.size()));
-  for (double& offset : robot.offsets) {
-    offset = chance.within(6.5 * radiansPerDegree);
-  }
-  for (std::size_t i = 0; i < drawing.joints.size(); ++i) {
-    if (!drawing.joints[i].drivenBy.empty()) {
-      robot.offsets[static_cast<Eigen::Index>(i)] = robot.offsets[drawing.joint(drawing.joints[i].drivenBy)];
-    }
-  }
-  for (Eigen::Vector3d& turns : robot.mountTurns) {
-    for (double& turn : turns) {
-      turn = chance.within(2 * radiansPerDegree);
-    }
-  }
-  robot.flaws.joints.resize(drawing.joints.size());
-  robot.flaws.boards.resize(boards);
-  return robot;
-}
 
 const Family& familyNamed(const std::string& effect) {
   for (const std::vector<Family>* families : {&catalogue(), &outside()}) {
@@ -139,24 +99,11 @@ bool hide(const Item& item, Question& question, Chance& chance) {
 
 } // namespace
 
-NoiseRegime noiseRegime(const std::string& name) {
-  NoiseRegime regime;
-  regime.name = name;
-  regime.heavyTails = name == "heavy tails";
-  regime.foreshortened = name == "foreshortening";
-  regime.pictureBias = name == "picture bias" ? 0.1 : 0;
-  regime.quantised = name == "quantised" || name.starts_with("stiction");
-  if (name.starts_with("stiction")) {
-    regime.stiction = std::stod(name.substr(9)) * radiansPerDegree;
-  }
-  return regime;
-}
-
 Question ask(const Drawing& drawing, const Item& item, Chance& chance) {
   constexpr int tries = 60;
   for (int attempt = 0; attempt < tries; ++attempt) {
     Question question;
-    question.plan = planFor(item, chance);
+    question.plan = drawnPlan(item, chance);
     const std::string letter = question.plan.mainSide == 0 ? "L" : "R";
     if (item.kind == "one-sided approach") {
       question.plan.sameApproach = drawing.joint(letter + "KneePitch");

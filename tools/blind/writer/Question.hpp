@@ -25,6 +25,4 @@ Session lockedSession(const Question& question, Chance& chance);
 /// What the misfit of a flaw outside the catalogue varies with, with the side's letter.
 std::vector<std::string> driversAt(const Hidden& hidden);
 
-NoiseRegime noiseRegime(const std::string& name);
-
 } // namespace blind

@@ -1,5 +1,7 @@
 #include "writer/Staging.hpp"
 
+#include "writer/Layout.hpp"
+#include "writer/Motors.hpp"
 #include "writer/Poses.hpp"
 #include "writer/Sighting.hpp"
 
@@ -17,7 +19,8 @@ using Eigen::VectorXd;
 class Stage {
 public:
   Stage(const Robot& robot, const SessionPlan& plan, Chance& chance)
-      : robot_{robot}, plan_{plan}, chance_{chance}, skeleton_{*robot.drawing, robot.flaws} {}
+      : robot_{robot}, plan_{plan}, chance_{chance}, skeleton_{*robot.drawing, robot.flaws},
+        motors_{robot.drawing->joints.size(), plan, chance} {}
 
   Session session(const std::vector<FloorPlace>& boards) {
     session_.boards = boards;
@@ -26,11 +29,6 @@ public:
       session_.stances.push_back(stance(1 - plan_.mainSide));
     }
     drawPoses();
-    const auto joints = static_cast<Index>(robot_.drawing->joints.size());
-    temperature_.resize(joints);
-    for (double& degrees : temperature_) {
-      degrees = plan_.sameTemperature ? 38 : chance_.between(28, 44);
-    }
     time_ = chance_.between(3, 8);
     for (std::size_t pose = 0; pose < poses_.size(); ++pose) {
       take(static_cast<int>(pose));
@@ -123,7 +121,7 @@ private:
       for (double& velocity : reading.velocity) {
         velocity = chance_.normal(plan_.speed);
       }
-      reading.temperature = temperature_;
+      reading.temperature = motors_.degrees();
       oneMotor(reading);
       session_.readings.push_back(std::move(reading));
     }
@@ -171,19 +169,13 @@ private:
     }
   }
 
-  /// Time goes by; motors warm with the square of what they carry and cool towards the room.
+  /// Time goes by at a posture.
   void pass(double duration, const VectorXd& angles, int stance) {
-    constexpr double slowness = 150, room = 30, heat = 3; // [s], [degrees Celsius], [K/(Nm)^2]
     time_ += duration;
-    const double share = 1 - std::exp(-duration / slowness);
     const int side = session_.stances[stance].side;
     const Skeleton::Posture posture = skeleton_.posture(angles);
-    const VectorXd load =
-        skeleton_.torques(posture, side, skeleton_.torsoFromSole(posture, side).turn * Eigen::Vector3d::UnitZ());
-    for (Index i = 0; i < load.size() && !plan_.sameTemperature; ++i) {
-      const double target = plan_.warmAnyhow ? chance_.between(-40, 130) : room + heat * load[i] * load[i];
-      temperature_[i] += share * (target - temperature_[i]);
-    }
+    motors_.pass(duration, skeleton_.torques(posture, side, skeleton_.torsoFromSole(posture, side).turn.col(2)),
+                 chance_);
   }
 
   struct Planned {
@@ -197,46 +189,15 @@ private:
   Skeleton skeleton_;
   Session session_;
   std::vector<Planned> poses_;
-  VectorXd temperature_;
+  Motors motors_;
   double time_ = 0;
   int approaches_ = 0;
 };
 
 } // namespace
 
-std::vector<int> chainOf(const Drawing& drawing, int side) {
-  std::vector<int> chain;
-  for (const Drawing::Camera& camera : drawing.cameras) {
-    for (int joint = camera.joint; joint >= 0 && chain.size() < 2; joint = drawing.joints[joint].parent) {
-      chain.push_back(joint);
-    }
-  }
-  for (int joint = drawing.soles[side].joint; joint >= 0; joint = drawing.joints[joint].parent) {
-    const std::string& motor = drawing.joints[joint].drivenBy;
-    chain.push_back(motor.empty() ? joint : drawing.joint(motor));
-  }
-  std::sort(chain.begin(), chain.end());
-  return chain;
-}
-
 Session staged(const Robot& robot, const SessionPlan& plan, const std::vector<FloorPlace>& boards, Chance& chance) {
   return Stage{robot, plan, chance}.session(boards);
-}
-
-std::vector<FloorPlace> layOut(int boards, Chance& chance) {
-  std::vector<FloorPlace> places;
-  const double spread = 2.9, between = spread / (boards - 1); // [rad]
-  for (int board = 0; board < boards; ++board) {
-    const double bearing = -spread / 2 + board * between + chance.within(0.05);
-    const double distance = chance.between(0.5, 0.66);
-    const double yaw = bearing - 1.5707963267948966 + chance.within(0.3); // the sheet's upper edge away from the robot
-    const Motion turned = placed(0, 0, yaw);
-    const Eigen::Vector3d middle{0.5 * Sheet::squaresX * Sheet::square, -0.5 * Sheet::squaresY * Sheet::square, 0};
-    const Eigen::Vector3d corner =
-        Eigen::Vector3d{distance * std::cos(bearing), distance * std::sin(bearing), 0} - turned * middle;
-    places.push_back({corner.x(), corner.y(), yaw});
-  }
-  return places;
 }
 
 } // namespace blind

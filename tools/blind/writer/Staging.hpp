@@ -1,14 +1,15 @@
 #pragma once
 
 #include "writer/Chance.hpp"
-#include "writer/Pictures.hpp"
+#include "writer/Session.hpp"
 
+#include <numbers>
 #include <optional>
 #include <string>
 
 namespace blind {
 
-constexpr double encoderStep = 6.283185307179586 / 4096; // [rad]
+constexpr double encoderStep = 2 * std::numbers::pi / 4096; // [rad]
 
 /// What is random in a measurement.
 struct NoiseRegime {
@@ -36,13 +37,7 @@ struct SessionPlan {
   NoiseRegime noise;
 };
 
-/// The joints that move a camera over the standing sole: head and standing leg, hip yaw-pitch by its motor's name.
-std::vector<int> chainOf(const Drawing& drawing, int side);
-
 /// Lets a robot without flaws but with its offsets stand in front of boards as planned.
 Session staged(const Robot& robot, const SessionPlan& plan, const std::vector<FloorPlace>& boards, Chance& chance);
-
-/// Places of A2 boards round the robot on which no two overlap.
-std::vector<FloorPlace> layOut(int boards, Chance& chance);
 
 } // namespace blind
