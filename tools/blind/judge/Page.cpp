@@ -27,15 +27,28 @@ void add(Plot& plot, double x, const Share& share, const std::string& colour, co
   }
 }
 
+/// A regime of noise under its tick.
+std::string shortName(const std::string& regime) {
+  for (const auto& [name, shorter] : {std::pair{"foreshortening", "slanted"},
+                                      {"heavy tails", "tails"},
+                                      {"picture bias", "shifted"},
+                                      {"quantised", "steps"},
+                                      {"pictures", "rendered"},
+                                      {"stiction 0.02", "0.02°"},
+                                      {"stiction 0.05", "0.05°"},
+                                      {"stiction 0.10", "0.10°"}}) {
+    if (regime == name) {
+      return shorter;
+    }
+  }
+  return regime;
+}
+
 std::string falseAlarms(const Tally& tally) {
   Plot::Axis regimes{"noise", 0, static_cast<double>(tally.falseAlarms.size()) + 1, {}};
   double x = 0;
   for (const auto& [name, share] : tally.falseAlarms) {
-    std::string shortened = name;
-    if (const auto space = shortened.find(' '); space != shortened.npos) {
-      shortened = shortened.starts_with("stiction") ? shortened.substr(9) + "° stuck" : shortened.substr(0, space);
-    }
-    regimes.ticks.emplace_back(++x, shortened);
+    regimes.ticks.emplace_back(++x, shortName(name));
   }
   Plot plot{"False alarms on robots without hidden effect",
             regimes,
@@ -61,7 +74,7 @@ Plot::Axis sizes() {
 }
 
 std::string power(const Tally& tally) {
-  Plot plot{"Detection against theory (line: the best any max-test can do)", sizes(), percents("detected")};
+  Plot plot{"Detection (line: the best any max-test can do)", sizes(), percents("detected")};
   std::vector<std::pair<double, double>> theory;
   for (const auto& [size, cell] : tally.bySize) {
     if (size > 0) {
@@ -78,7 +91,7 @@ std::string power(const Tally& tally) {
 }
 
 std::string classes(const Tally& tally) {
-  Plot plot{"Named right: class (blue), among the first three (red), first (grey)", sizes(), percents("right")};
+  Plot plot{"Named right: class (blue), in first three (red), first (grey)", sizes(), percents("right")};
   for (const auto& [size, cell] : tally.bySize) {
     if (size > 0) {
       add(plot, across(size) - 0.015, cell.top1, grey, "first");
@@ -103,9 +116,9 @@ std::string families(const Tally& tally) {
 }
 
 std::string lockedErrors(const std::vector<Case>& cases) {
-  Plot plot{"Error on locked poses over the noise floor, before and after the suggestion",
-            {"before / floor", 0.9, 3, {{1, "1"}, {1.5, "1.5"}, {2, "2"}, {2.5, "2.5"}, {3, "3"}}},
-            {"after / floor", 0.9, 3, {{1, "1"}, {1.5, "1.5"}, {2, "2"}, {2.5, "2.5"}, {3, "3"}}}};
+  Plot plot{"Error on poses never used for choosing, over the noise floor",
+            {"before the suggestion", 0.9, 3, {{1, "1"}, {1.5, "1.5"}, {2, "2"}, {2.5, "2.5"}, {3, "3"}}},
+            {"after", 0.9, 3, {{1, "1"}, {1.5, "1.5"}, {2, "2"}, {2.5, "2.5"}, {3, "3"}}}};
   plot.line({{0.9, 0.9}, {3, 3}}, grey);
   plot.level(1.1, red, "10 % over the floor");
   for (const Case& one : cases) {
@@ -131,18 +144,19 @@ constexpr const char* style =
     "body{font:15px/1.5 system-ui,sans-serif;max-width:76em;margin:2em auto;padding:0 1em;color:#222}"
     "table{border-collapse:collapse}td,th{padding:.2em .9em .2em 0;text-align:left;border-bottom:1px solid #ddd}"
     ".missed td:last-child{color:#b23a1f}.met td:last-child{color:#1a7f37}"
-    "svg{margin:1em 1em 0 0;font:12px system-ui,sans-serif}svg .title{font-weight:600;font-size:13px}"
+    ".plots{display:flex;flex-wrap:wrap}svg{margin:1em 1em 0 0;font:12px system-ui,sans-serif}svg "
+    ".title{font-weight:600;font-size:13px}"
     "svg .grid{stroke:#e4e4e4}";
 
 } // namespace
 
 std::string evaluationPage(const Tally& tally, const std::vector<Case>& cases) {
-  return fmt::format(
-      "<!doctype html><html lang='en'><meta charset='utf-8'><title>Blind benchmark</title>"
-      "<style>{}</style><h1>Blind benchmark of the diagnosis</h1>"
-      "<p>{} robots with sealed truths, {:.2f} s per diagnosis; {} without a verdict.</p>\n{}{}{}{}{}{}</html>\n",
-      style, tally.sets, tally.seconds.value(), tally.withoutVerdict, figures(tally), falseAlarms(tally), power(tally),
-      classes(tally), lockedErrors(cases), families(tally));
+  return fmt::format("<!doctype html><html lang='en'><meta charset='utf-8'><title>Blind benchmark</title>"
+                     "<style>{}</style><h1>Blind benchmark of the diagnosis</h1>"
+                     "<p>{} robots with sealed truths, {:.2f} s per diagnosis; {} without a verdict.</p>\n{}<div "
+                     "class='plots'>{}{}{}{}</div>{}</html>\n",
+                     style, tally.sets, tally.seconds.value(), tally.withoutVerdict, figures(tally), falseAlarms(tally),
+                     power(tally), classes(tally), lockedErrors(cases), families(tally));
 }
 
 } // namespace blind

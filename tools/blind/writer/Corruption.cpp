@@ -68,7 +68,7 @@ std::string shakeCapture(json& captures, Chance& chance) {
 
 const std::vector<std::string>& absorbedKinds() {
   static const std::vector<std::string> kinds{"one-sided gap", "one-sided approach", "constant temperature",
-                                              "constant angle", "sole roll"};
+                                              "constant angle", "no motion"};
   return kinds;
 }
 

@@ -19,6 +19,7 @@ SessionPlan drawnPlan(const Item& item, Chance& chance) {
   plan.warmAnyhow = item.kind == "idle temperature";
   plan.sortedByKnee = item.kind == "sorted poses";
   plan.sameTemperature = item.kind == "constant temperature";
+  plan.speed = item.kind == "no motion" ? 0 : plan.speed;
   plan.noise = noiseRegime(item.noise);
   if (item.pictures) {
     constexpr double foundCorners = 0.1; // what a good detector leaves [px]
@@ -46,6 +47,14 @@ Robot drawnRobot(const Drawing& drawing, std::size_t boards, Chance& chance) {
   }
   robot.flaws.joints.resize(drawing.joints.size());
   robot.flaws.boards.resize(boards);
+  return robot;
+}
+
+Robot withoutFlaws(Robot robot) {
+  Flaws none;
+  none.joints.resize(robot.flaws.joints.size());
+  none.boards.resize(robot.flaws.boards.size());
+  robot.flaws = none;
   return robot;
 }
 

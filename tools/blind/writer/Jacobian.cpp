@@ -60,13 +60,14 @@ Jacobian::Jacobian(const Robot& robot, const Session& session) {
   for (const Sight& sight : session.sights) {
     rows += 2 * static_cast<Index>(sight.ids.size());
   }
+  placeCount_ = columns - boards;
   unknowns_ = Eigen::MatrixXd::Zero(rows, columns);
   byChain_ = Eigen::MatrixXd::Zero(rows, chainLength);
   priorWeights_ = Eigen::VectorXd::Zero(columns);
   priorWeights_.head(cameras).setConstant(1 / (0.1 * 0.1));
   priorWeights_.segment(cameras, 6).setConstant(1 / (0.05 * 0.05));
   constexpr double anywhere = 10; // [m, rad]
-  priorWeights_.tail(columns - boards).setConstant(1 / (anywhere * anywhere));
+  priorWeights_.tail(placeCount_).setConstant(1 / (anywhere * anywhere));
 
   const Pictures pictures{robot, session};
   Index row = 0;

@@ -31,7 +31,7 @@ double interpolated(const std::vector<Drawing::Row>& rows, double other, double 
 
 } // namespace
 
-Eigen::VectorXd Poses::stable(int side, Chance& chance, const std::vector<Eigen::Vector3d>& targetsInSole,
+Eigen::VectorXd Poses::stable(int side, int camera, Chance& chance, const std::vector<Eigen::Vector3d>& targetsInSole,
                               double enough, const std::function<double(const Eigen::VectorXd&)>& worth,
                               std::optional<double> hipYawPitch) const {
   constexpr int tries = 20000, looks = 4;
@@ -43,7 +43,7 @@ Eigen::VectorXd Poses::stable(int side, Chance& chance, const std::vector<Eigen:
     double best = enough;
     Eigen::VectorXd bestAngles;
     for (int turn = 0; turn < looks; ++turn) {
-      look(side, targetsInSole[chance.below(static_cast<int>(targetsInSole.size()))], chance, angles);
+      look(side, camera, targetsInSole[chance.below(static_cast<int>(targetsInSole.size()))], chance, angles);
       if (withinLimits(angles)) {
         if (const double value = worth(angles) * chance.between(0.7, 1); value > best) {
           best = value;
@@ -89,15 +89,15 @@ bool Poses::bend(int side, Chance& chance, std::optional<double> hipYawPitch, Ei
   return skeleton_.torsoFromSole(posture, side).turn(2, 2) > leastUpright && feetApart(side, posture);
 }
 
-/// Turns the head so that one of the cameras has the target near its picture's middle.
-void Poses::look(int side, const Eigen::Vector3d& targetInSole, Chance& chance, Eigen::VectorXd& angles) const {
+/// Turns the head so that the camera has the target near its picture's middle.
+void Poses::look(int side, int camera, const Eigen::Vector3d& targetInSole, Chance& chance,
+                 Eigen::VectorXd& angles) const {
   const Eigen::Vector3d fromNeck = skeleton_.torsoFromSole(skeleton_.posture(angles), side) * targetInSole -
                                    drawing_.lengths.at("neckZ") * Eigen::Vector3d::UnitZ();
-  const Drawing::Camera& camera = drawing_.cameras[chance.below(static_cast<int>(drawing_.cameras.size()))];
   constexpr double beside = 0.35, above = 0.2; // [rad]
   angles[drawing_.joint("HeadYaw")] = std::atan2(fromNeck.y(), fromNeck.x()) + chance.within(beside);
   angles[drawing_.joint("HeadPitch")] =
-      std::atan2(-fromNeck.z(), fromNeck.head<2>().norm()) - camera.pitch + chance.within(above);
+      std::atan2(-fromNeck.z(), fromNeck.head<2>().norm()) - drawing_.cameras[camera].pitch + chance.within(above);
 }
 
 Eigen::Vector2d Poses::balancePoint(int side, const Eigen::VectorXd& angles) const {

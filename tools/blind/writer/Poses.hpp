@@ -14,15 +14,15 @@ class Poses {
 public:
   Poses(const Drawing& drawing, const Skeleton& skeleton) : drawing_{drawing}, skeleton_{skeleton} {}
 
-  /// The head looks about at one of the targets (in the standing sole's frame). `worth` of an attitude: how much of
-  /// the boards it sees; the best of some looks is taken, and none below `enough`. Hip yaw-pitch may be given.
-  Eigen::VectorXd stable(int side, Chance& chance, const std::vector<Eigen::Vector3d>& targetsInSole, double enough,
-                         const std::function<double(const Eigen::VectorXd&)>& worth,
+  /// One of the cameras looks about at one of the targets (in the standing sole's frame). `worth` of an attitude: how
+  /// much of the boards it sees; the best of some looks is taken, and none below `enough`. Hip yaw-pitch may be given.
+  Eigen::VectorXd stable(int side, int camera, Chance& chance, const std::vector<Eigen::Vector3d>& targetsInSole,
+                         double enough, const std::function<double(const Eigen::VectorXd&)>& worth,
                          std::optional<double> hipYawPitch) const;
 
 private:
   bool bend(int side, Chance& chance, std::optional<double> hipYawPitch, Eigen::VectorXd& angles) const;
-  void look(int side, const Eigen::Vector3d& targetInSole, Chance& chance, Eigen::VectorXd& angles) const;
+  void look(int side, int camera, const Eigen::Vector3d& targetInSole, Chance& chance, Eigen::VectorXd& angles) const;
   bool balance(int side, const Eigen::Vector2d& target, Eigen::VectorXd& angles) const;
   bool withinLimits(const Eigen::VectorXd& angles) const;
   bool feetApart(int side, const Skeleton::Posture& posture) const;

@@ -44,7 +44,7 @@ std::pair<const Family*, std::string> absorbedEffect(const std::string& kind, co
   if (kind == "constant angle") {
     return {&familyNamed("encoderGain"), "LHipYawPitch"};
   }
-  return {&familyNamed("soleTilt"), plan.mainSide == 0 ? "left" : "right"};
+  return {&familyNamed("timeOffset"), "all"}; // "no motion"
 }
 
 std::vector<double> physicalSize(const Family& family, Chance& chance) {
@@ -66,11 +66,7 @@ bool hide(const Item& item, Question& question, Chance& chance) {
   if (item.group == "absorbed") {
     constexpr double untestable = 1e-4; // of the evidence
     const auto [family, place] = absorbedEffect(item.kind, question.plan);
-    std::vector<double> shape = physicalSize(*family, chance);
-    if (item.kind == "sole roll") {
-      shape[1] = 0;
-    }
-    question.hidden.push_back(hiding.given(*family, place, std::move(shape)));
+    question.hidden.push_back(hiding.given(*family, place, physicalSize(*family, chance)));
     return question.hidden.front().kept < untestable;
   }
   if (item.group == "pair") {
@@ -87,8 +83,9 @@ bool hide(const Item& item, Question& question, Chance& chance) {
   if (item.noncentrality == 0) {
     auto values = item.group == "outside" ? std::vector<double>{chance.sign() * family.unknowns[0].physical}
                                           : physicalSize(family, chance);
+    constexpr double visible = 10; // where these poses hardly show it, the question belongs to the absorbed ones
     question.hidden.push_back(hiding.given(family, somePlace(family, question.plan, chance), std::move(values)));
-    return true;
+    return question.hidden.front().noncentrality > visible;
   }
   if (const auto hidden = sized(family, item.noncentrality)) {
     question.hidden.push_back(*hidden);
@@ -131,15 +128,12 @@ Question ask(const Drawing& drawing, const Item& item, Chance& chance) {
 
 Session lockedSession(const Question& question, Chance& chance) {
   SessionPlan plan = question.plan;
-  plan.poses = 6 + chance.below(3);
+  plan.poses = 16;
   plan.samples = 2;
   plan.rests = plan.restands = plan.sortedByKnee = false;
   plan.sameApproach = std::nullopt;
   plan.hipYawPitch = std::nullopt;
-  Robot sound = question.robot; // poses are drawn and boards seen without the flaw
-  sound.flaws = {};
-  sound.flaws.joints.resize(question.robot.flaws.joints.size());
-  sound.flaws.boards.resize(question.robot.flaws.boards.size());
+  const Robot sound = withoutFlaws(question.robot); // poses are drawn and boards seen without the flaw
   return staged(sound, plan, question.session.boards, chance);
 }
 

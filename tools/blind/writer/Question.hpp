@@ -19,7 +19,8 @@ struct Question {
 /// large. Throws when that never happens.
 Question ask(const Drawing& drawing, const Item& item, Chance& chance);
 
-/// Six to eight further poses of the same robot with the same flaws.
+/// Sixteen further poses of the same robot with the same flaws: enough that what is measured there is the robot's
+/// error and not luck.
 Session lockedSession(const Question& question, Chance& chance);
 
 /// What the misfit of a flaw outside the catalogue varies with, with the side's letter.

@@ -158,23 +158,4 @@ json captureSet(const Drawing& drawing, const Session& session, const SeenCorner
   return set;
 }
 
-double noiseFloor(const Robot& robot, const Session& session, const SeenCorners& seen) {
-  Session asRead = session;
-  for (Reading& reading : asRead.readings) {
-    reading.unread.setZero();
-    reading.stuck.setZero();
-  }
-  const Pictures predicted{robot, asRead};
-  double sum = 0;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    const std::vector<Eigen::Vector2d> corners = predicted.corners(asRead.sights[i]);
-    for (std::size_t corner = 0; corner < corners.size(); ++corner) {
-      sum += (corners[corner] - seen[i][corner]).squaredNorm();
-      ++count;
-    }
-  }
-  return std::sqrt(sum / static_cast<double>(count));
-}
-
 } // namespace blind

@@ -21,8 +21,4 @@ nlohmann::json captureSet(const Drawing& drawing, const Session& session, const 
 /// Where a capture's picture lies inside the set's folder.
 std::string imageName(int reading, int camera);
 
-/// How far corners lie from their predictions by someone who knows the robot with all its flaws but reads the angles
-/// with the encoders' errors and does not know where friction held the links: rms of distances [px].
-double noiseFloor(const Robot& robot, const Session& session, const SeenCorners& seen);
-
 } // namespace blind

@@ -33,19 +33,17 @@ std::vector<int> findableCorners(const Motion& cameraFromFloor, const FloorPlace
 
 } // namespace
 
-double cornersInView(const Skeleton& skeleton, const Stance& stance, const std::vector<FloorPlace>& boards,
+double cornersInView(const Skeleton& skeleton, const Stance& stance, int camera, const std::vector<FloorPlace>& boards,
                      const Eigen::VectorXd& angles) {
   const Skeleton::Posture posture = skeleton.posture(angles);
   const Motion floorFromTorso =
       placed(stance.place.x, stance.place.y, stance.place.yaw) * skeleton.torsoFromSole(posture, stance.side).inverse();
+  const Motion torsoFromCamera =
+      skeleton.torsoFromCamera(posture, camera, Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero());
+  const Motion cameraFromFloor = (floorFromTorso * torsoFromCamera).inverse();
   std::size_t count = 0;
-  for (int camera = 0; camera < 2; ++camera) {
-    const Motion torsoFromCamera =
-        skeleton.torsoFromCamera(posture, camera, Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero());
-    const Motion cameraFromFloor = (floorFromTorso * torsoFromCamera).inverse();
-    for (const FloorPlace& board : boards) {
-      count += findableCorners(cameraFromFloor, board).size();
-    }
+  for (const FloorPlace& board : boards) {
+    count += findableCorners(cameraFromFloor, board).size();
   }
   return static_cast<double>(count);
 }

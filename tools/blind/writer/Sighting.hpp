@@ -4,8 +4,8 @@
 
 namespace blind {
 
-/// How many corners both cameras together would find.
-double cornersInView(const Skeleton& skeleton, const Stance& stance, const std::vector<FloorPlace>& boards,
+/// How many corners a camera would find.
+double cornersInView(const Skeleton& skeleton, const Stance& stance, int camera, const std::vector<FloorPlace>& boards,
                      const Eigen::VectorXd& angles);
 
 /// Every board in every picture, with the corners that a detector would find there.

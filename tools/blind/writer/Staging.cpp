@@ -52,12 +52,13 @@ private:
     const Poses poses{*robot_.drawing, skeleton_};
     for (int pose = 0; pose < plan_.poses; ++pose) {
       const int stance = plan_.bothSides ? pose % 2 : 0;
+      const int camera = (plan_.bothSides ? pose / 2 : pose) % 2; // both cameras in turns: neither is left untested
       const auto worth = [&](const VectorXd& angles) {
-        return cornersInView(skeleton_, session_.stances[stance], session_.boards, angles);
+        return cornersInView(skeleton_, session_.stances[stance], camera, session_.boards, angles);
       };
-      constexpr double enough = 14;
-      VectorXd angles = poses.stable(session_.stances[stance].side, chance_, targets(session_.stances[stance]), enough,
-                                     worth, plan_.hipYawPitch);
+      constexpr double enough = 12;
+      VectorXd angles = poses.stable(session_.stances[stance].side, camera, chance_, targets(session_.stances[stance]),
+                                     enough, worth, plan_.hipYawPitch);
       poses_.push_back({std::move(angles), stance});
     }
     if (plan_.sortedByKnee) {

@@ -1,6 +1,7 @@
 #include "writer/Writing.hpp"
 
 #include "seal/Seal.hpp"
+#include "writer/NoiseFloor.hpp"
 #include "writer/Question.hpp"
 #include "writer/Rendering.hpp"
 #include "writer/SetFile.hpp"
@@ -80,7 +81,7 @@ void writeItem(const Drawing& drawing, const Item& item, std::uint64_t seed, int
 
   const Session later = lockedSession(question, chance);
   const SeenCorners seenLater = noisyCorners(Pictures{question.robot, later}, later, question.plan.noise, noise);
-  truth["lockedFloorPx"] = noiseFloor(question.robot, later, seenLater);
+  truth["lockedFloorPx"] = noiseFloor(question.robot, later, question.plan.noise, seenLater);
   writeFile(out / "locked" / name / "captures.json", captureSet(drawing, later, seenLater, false, name).dump() + "\n");
 
   const std::filesystem::path keyFile = out / "truth" / "key";
