@@ -57,7 +57,7 @@ Answer improved(const Measurements& measurements, const Model& model, const Cali
   const auto onward = [&] {
     const Noise& noise = from.levels.joint.noise;
     return options.robust ? robustFit(measurements, model, noise, std::move(from.fit))
-                          : refit(measurements, model, noise, Loss{}, std::move(from.fit));
+                          : refit(measurements, model, noise, Loss{}, std::move(from.fit), roughly);
   };
   for (int round = 0; round < 2; ++round) {
     from.fit = onward();
@@ -69,6 +69,8 @@ Answer improved(const Measurements& measurements, const Model& model, const Cali
     from.levels.joint.noise = scaled(from.levels.joint.noise, from.misfit.scale);
     from.fit = onward();
   }
+  const Loss loss = from.fit.loss;
+  from.fit = refit(measurements, model, from.levels.joint.noise, loss, std::move(from.fit)); // to the last digit
   return from;
 }
 

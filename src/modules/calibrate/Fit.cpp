@@ -92,7 +92,7 @@ Fit firstFit(const Measurements& measurements, const Model& model, const Noise& 
                                   : options.start ? *options.start
                                                   : alignedUnknowns(measurements, model, zero);
     auto minimum = options.alternate ? alternated(residuals, residuals.start(start))
-                                     : levenbergMarquardt(residuals, residuals.start(start));
+                                     : levenbergMarquardt(residuals, residuals.start(start), {.smallestFall = roughly});
     if (minimum && (!best || minimum->linear.cost < best->linear.cost - 1e-3)) {
       fit.restartsChanged |= attempt > 0;
       best = std::move(minimum);
@@ -107,7 +107,8 @@ Fit firstFit(const Measurements& measurements, const Model& model, const Noise& 
   return fit;
 }
 
-Fit refit(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss, Fit from) {
+Fit refit(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss, Fit from,
+          double smallestFall) {
   const Residuals residuals{measurements, model, noise, loss};
   Residuals::State start = residuals.start(from.minimum.state.unknowns);
   if (from.noise.encoder == noise.encoder && from.noise.pose == noise.pose) {
@@ -118,9 +119,10 @@ Fit refit(const Measurements& measurements, const Model& model, const Noise& noi
     start = quadratic.moved(start, quadratic.linearised(start).value(),
                             Eigen::VectorXd::Zero(from.minimum.state.unknowns.size()));
   }
-  auto minimum = levenbergMarquardt(residuals, std::move(start));
+  auto minimum = levenbergMarquardt(residuals, std::move(start), {.smallestFall = smallestFall});
   if (!minimum) { // the quadratic step went astray where the old minimum was possible: start from no deflection
-    minimum = levenbergMarquardt(residuals, residuals.start(from.minimum.state.unknowns));
+    minimum =
+        levenbergMarquardt(residuals, residuals.start(from.minimum.state.unknowns), {.smallestFall = smallestFall});
   }
   minimum.value().iterations += from.minimum.iterations;
   return {noise, loss, *std::move(minimum), from.restartsChanged};
@@ -133,7 +135,7 @@ Fit robustFit(const Measurements& measurements, const Model& model, const Noise&
     if (round > 0 && std::abs(scale - from.loss.scale) < 0.02 * scale) {
       break;
     }
-    from = refit(measurements, model, noise, Loss{scale}, std::move(from));
+    from = refit(measurements, model, noise, Loss{scale}, std::move(from), roughly);
   }
   return from;
 }

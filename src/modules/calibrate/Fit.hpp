@@ -7,6 +7,10 @@ namespace naocal {
 
 using FitMinimum = Minimum<Residuals::State, Residuals::Linear>;
 
+/// Fits that only lead to noise levels and losses stop when they would move by less than a hundredth of their sigmas
+/// (fall of the cost: half a chi2 unit).
+constexpr double roughly = 1e-4;
+
 /// The least cost of a model under one noise level and one loss.
 struct Fit {
   Noise noise;
@@ -15,15 +19,16 @@ struct Fit {
   bool restartsChanged = false;
 };
 
-/// From far: quadratic loss, from the start of `options` and as many random ones as it asks for.
+/// From far: quadratic loss, from the start of `options` and as many random ones as it asks for. Ends `roughly`.
 Fit firstFit(const Measurements& measurements, const Model& model, const Noise& noise,
              const CalibrationOptions& options);
 
-/// On from a fit, under another noise level or loss.
-Fit refit(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss, Fit from);
+/// On from a fit, under another noise level or loss, until the cost would fall by less than `smallestFall`.
+Fit refit(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss, Fit from,
+          double smallestFall = LevenbergMarquardtOptions{}.smallestFall);
 
 /// On from a fit: corners far off their prediction lose their weight. The loss's scale follows the median distance, so
-/// that a model that misses something is not mistaken for a board full of false corners.
+/// that a model that misses something is not mistaken for a board full of false corners. Ends `roughly`.
 Fit robustFit(const Measurements& measurements, const Model& model, const Noise& noise, Fit from);
 
 } // namespace naocal
