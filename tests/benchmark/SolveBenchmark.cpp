@@ -21,8 +21,9 @@ constexpr Noise pixelOnly{.pixel = 0.3, .encoder = 0, .pose = 0};
 
 /// A problem ready for the modules' solver.
 struct Prepared {
-  Prepared(const Robot& robot, const CaptureSet& set, const std::vector<std::string>& without)
-      : measurements{measurementsOf({set}, robot)}, model{makeModel(measurements, {}, without)} {}
+  Prepared(const Robot& robot, const CaptureSet& set, const std::vector<std::string>& without,
+           const std::vector<std::string>& with = {})
+      : measurements{measurementsOf({set}, robot)}, model{makeModel(measurements, with, without)} {}
   Measurements measurements;
   Model model;
 };
@@ -123,8 +124,8 @@ void printTable(const Times& times) {
 } // namespace
 } // namespace naocal
 
-/// Prints how fast the search is beside what libraries offer, in ratios within this run. Exit code 1: the solvers do not
-/// end in the same minimum. Options of Google Benchmark, such as --benchmark_min_time=0.01.
+/// Prints how fast the search is beside what libraries offer, in ratios within this run. Exit code 1: the solvers do
+/// not end in the same minimum. Options of Google Benchmark, such as --benchmark_min_time=0.01.
 int main(int argc, char** argv) {
   using namespace naocal;
   benchmark::Initialize(&argc, argv);
@@ -133,6 +134,13 @@ int main(int argc, char** argv) {
   const Prepared full{robot, fullSet(robot, 1), {}};
   const Eigen::VectorXd nominal = startingUnknowns(full.measurements, full.model, zero(full.model));
   time("full search", [&] { return searched(Residuals{full.measurements, full.model, Noise{}}, nominal); });
+  const Prepared driven{robot, fullSet(robot, 1), {}, {"elasticity@*", "backlash@*"}};
+  const Eigen::VectorXd drivenNominal = startingUnknowns(driven.measurements, driven.model, zero(driven.model));
+  const Residuals fullResiduals{full.measurements, full.model, Noise{}},
+      drivenResiduals{driven.measurements, driven.model, Noise{}};
+  time("full step", [&] { return fullResiduals.linearised(fullResiduals.start(nominal))->gradient; });
+  time("driven step", [&] { return drivenResiduals.linearised(drivenResiduals.start(drivenNominal))->gradient; });
+  time("driven search", [&] { return searched(drivenResiduals, drivenNominal); });
   time("full calibration", [&] { return calibrate(full.measurements, full.model).unknowns; });
   Times fullTimes;
   benchmark::RunSpecifiedBenchmarks(&fullTimes);
@@ -141,6 +149,10 @@ int main(int argc, char** argv) {
              full.model.unknownCount());
   fmt::print("one search: {:.2f} ms; whole calibration: {:.1f} ms; peak memory: {:.1f} MB\n",
              median(fullTimes["full search"]) / 1e3, median(fullTimes["full calibration"]) / 1e3, peakMemory());
+  fmt::print("with elasticity and backlash of every joint ({} unknowns): one linearisation takes {:.2f} times as long, "
+             "one search {:.2f} times\n",
+             driven.model.unknownCount(), median(fullTimes["driven step"]) / median(fullTimes["full step"]),
+             median(fullTimes["driven search"]) / median(fullTimes["full search"]));
 
   bool same = true;
   std::deque<OffsetProblem> problems; // deques: their elements stay where they are

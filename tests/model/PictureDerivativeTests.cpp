@@ -142,4 +142,38 @@ TEST_CASE("a corner behind the camera is nowhere in the picture") {
   CHECK_FALSE(scenery.view->project(attitude, scenery.belief, scenery.corners, projected));
 }
 
+TEST_CASE("a row that is exposed later sees the joints where they are by then") {
+  // Proves value and slope of the rows' time against pictures of the moved robot, one corner after the other, for
+  // joints that move ten times as fast as at rest. Not how cameras expose.
+  Scenery scenery{"floor", 2};
+  constexpr double rowTime = 6e-5, cy = 243;
+  Eigen::VectorXd velocity(static_cast<Eigen::Index>(scenery.robot.joints.size()));
+  for (Eigen::Index joint = 0; joint < velocity.size(); ++joint) {
+    velocity[joint] = 3e-3 * std::sin(static_cast<double>(joint + 1));
+  }
+  for (CornerBlock& block : scenery.corners) {
+    block.v += 40; // measured: off the predicted row, as always
+  }
+  const Posture torsoFromLink = posture(scenery.robot, scenery.belief);
+  Attitude attitude = scenery.view->attitude(scenery.robot, scenery.belief, torsoFromLink);
+  scenery.view->setDrift(scenery.robot, scenery.belief, torsoFromLink, velocity, attitude);
+  Belief rolling = scenery.belief;
+  rolling.rowTime() = rowTime;
+  ProjectedBlocks late, still;
+  REQUIRE(scenery.view->project(attitude, rolling, scenery.corners, late));
+  REQUIRE(scenery.view->project(attitude, scenery.belief, scenery.corners, still));
+  for (Eigen::Index i = 0; i < 7; ++i) {
+    const auto block = static_cast<std::size_t>(i / 4);
+    Belief moved = scenery.belief;
+    moved.values.head(velocity.size()) += velocity * rowTime * (scenery.corners[block].v[i % 4] - cy);
+    const Eigen::VectorXd expected = scenery.predicted(moved);
+    CHECK(late[block].u[i % 4] == Approx(expected[2 * i]).epsilon(0).margin(1e-5));
+    CHECK(late[block].v[i % 4] == Approx(expected[2 * i + 1]).epsilon(0).margin(1e-5));
+    CHECK(std::abs(late[block].u[i % 4] - still[block].u[i % 4]) > 1e-3);
+    Lane du, dv;
+    View::extraRows(rowTimeExtra, attitude, scenery.belief, scenery.corners[block], still[block], du, dv);
+    CHECK(still[block].u[i % 4] + rowTime * du[i % 4] == Approx(expected[2 * i]).epsilon(0).margin(1e-4));
+  }
+}
+
 } // namespace naocal

@@ -11,6 +11,7 @@ void addSimulate(CLI::App& app);
 void addDetect(CLI::App& app);
 void addSolve(CLI::App& app, int& exitCode);
 void addCompare(CLI::App& app);
+void addEffects(CLI::App& app);
 void addReport(CLI::App& app);
 void addDemo(CLI::App& app, int& exitCode);
 void addEvaluate(CLI::App& app);

@@ -3,8 +3,7 @@
 #include "Story.hpp"
 
 #include "calibrate/Calibration.hpp"
-#include "captures/Files.hpp"
-#include "captures/InputError.hpp"
+#include "residuals/ModelFile.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -23,37 +22,23 @@ struct SolveCommand {
   CalibrationOptions options;
 };
 
-/// Adds a model file's terms to those given on the command line.
-void readModel(SolveCommand& command) {
+/// The model that options and model file ask for together.
+Model askedModel(const SolveCommand& command, const Measurements& measurements) {
   if (command.model.empty()) {
-    return;
+    return makeModel(measurements, command.with, command.without);
   }
-  try {
-    const auto model = nlohmann::json::parse(fileContent(command.model));
-    if (model.value("format", "") != "naocal-model") {
-      throw InputError{fmt::format("{}: format: expected \"naocal-model\"", command.model)};
-    }
-    for (const auto& [key, list] : {std::pair{"with", &command.with}, std::pair{"without", &command.without}}) {
-      for (const auto& term : model.value(key, nlohmann::json::array())) {
-        list->push_back(term.get<std::string>());
-      }
-    }
-    if (!model.value("define", nlohmann::json::array()).empty()) {
-      throw InputError{
-          fmt::format("{}: define: effects of your own are not understood by this version", command.model)};
-    }
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError{fmt::format("{}: not a model file: {}", command.model, error.what())};
-  }
+  ModelFile file = readModelFile(command.model, measurements.robot);
+  file.with.insert(file.with.end(), command.with.begin(), command.with.end());
+  file.without.insert(file.without.end(), command.without.begin(), command.without.end());
+  return makeModel(measurements, file.with, file.without, file.effects);
 }
 
 int solve(SolveCommand& command) {
-  readModel(command);
   command.options.estimateNoise = !command.fixedNoise;
   command.options.robust = !command.plain;
   const GivenSets given = readSets(command.sets, command.skipBad);
   const Measurements measurements = measurementsOf(given.sets, given.robot, command.samePlace);
-  const Model model = makeModel(measurements, command.with, command.without);
+  const Model model = askedModel(command, measurements);
   const CalibrationResult result = calibrate(measurements, model, command.options);
   const auto json = resultJson(given.sets, measurements, model, result, given.inputs);
   if (!command.output.empty()) {
@@ -82,7 +67,7 @@ void addSolve(CLI::App& app, int& exitCode) {
   solver->add_option("--json", command->json, "the same as JSON to a file, or - for standard output");
   solver->add_option("--with", command->with, "add effects: EFFECT@PLACE, * allowed")->delimiter(',');
   solver->add_option("--without", command->without, "leave effects out")->delimiter(',');
-  solver->add_option("--model", command->model, "a model file: {\"format\": \"naocal-model\", \"with\": [...], ...}");
+  solver->add_option("--model", command->model, "a model file: effects to add, to leave out, and effects of your own");
   solver->add_option("--restarts", command->options.restarts, "random starts beside the ordinary one");
   solver->add_option("--seed", command->options.seed, "of the random starts");
   solver->add_flag("--same-place", command->samePlace,

@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   naocal::addDetect(app);
   naocal::addSolve(app, exitCode);
   naocal::addCompare(app);
+  naocal::addEffects(app);
   naocal::addReport(app);
   naocal::addDemo(app, exitCode);
   naocal::addEvaluate(app);

@@ -3,6 +3,7 @@
 #include "calibrate/Fit.hpp"
 #include "calibrate/StartingPlacements.hpp"
 #include "captures/InputError.hpp"
+#include "residuals/ModelFile.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,8 @@ namespace {
 
 /// The model of a result on other captures: its terms as far as they are touched there, and the placements.
 Model modelOf(const StoredResult& result, const Measurements& measurements, std::vector<std::string>& ignored) {
+  const std::vector<Effect> effects =
+      effectsWith(nlohmann::json::parse(result.definitions), "model.define", measurements.robot);
   const Model base = makeModel(measurements);
   std::vector<std::string> with, without;
   for (const Term& term : base.terms()) {
@@ -25,13 +28,18 @@ Model modelOf(const StoredResult& result, const Measurements& measurements, std:
   }
   for (const std::string& term : result.terms) {
     try {
-      makeModel(measurements, {term});
+      makeModel(measurements, {term}, {}, effects);
       with.push_back(term);
     } catch (const InputError&) {
       ignored.push_back(term);
     }
   }
-  return makeModel(measurements, with, without);
+  Model model = makeModel(measurements, with, without, effects);
+  std::erase_if(ignored, [&](const std::string& label) { // offsets that come along with effects of weight
+    return std::any_of(model.terms().begin(), model.terms().end(),
+                       [&](const Term& term) { return term.label() == label; });
+  });
+  return model;
 }
 
 /// A placement's unknowns, so that start + unknowns = `placement`.

@@ -26,6 +26,7 @@ struct StoredResult {
   std::map<std::string, double> values;     // "jointOffset@LKneePitch.o" -> value [the unknown's unit]
   std::map<std::string, Placement> boards;  // by name
   std::map<std::string, Placement> stances; // by name
+  std::string definitions = "[]";           // the person's own effects among them: a list of JSON
   bool usable = false;
 };
 

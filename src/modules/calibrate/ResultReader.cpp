@@ -30,6 +30,9 @@ StoredResult readResult(const std::filesystem::path& file) {
     }
     StoredResult result;
     result.usable = all.at("usable").get<bool>();
+    if (all.contains("model") && all["model"].contains("define")) {
+      result.definitions = all["model"]["define"].dump();
+    }
     for (const json& effect : all.at("effects")) {
       const std::string label = effect.at("effect").get<std::string>() + "@" + effect.at("at").get<std::string>();
       result.terms.push_back(label);

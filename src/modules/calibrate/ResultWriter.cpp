@@ -2,6 +2,7 @@
 
 #include "calibrate/ResultEvidence.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace naocal {
@@ -86,6 +87,20 @@ json weakJson(const CalibrationResult& result) {
   return weak;
 }
 
+/// The person's own effects in the model, each once, so that whoever reads the result can predict with them.
+json definitions(const Model& model) {
+  json list = json::array();
+  for (const Term& term : model.terms()) {
+    if (!term.effect.definition.empty()) {
+      json definition = json::parse(term.effect.definition);
+      if (std::find(list.begin(), list.end(), definition) == list.end()) {
+        list.push_back(std::move(definition));
+      }
+    }
+  }
+  return list;
+}
+
 } // namespace
 
 json resultJson(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& model,
@@ -125,7 +140,7 @@ json resultJson(const std::vector<CaptureSet>& sets, const Measurements& measure
           {"restarts", {{"tried", result.restartsTried}, {"changedTheAnswer", result.restartsChanged}}},
           {"seconds", result.seconds},
           {"inputs", {{"sets", inputs.sets}, {"sha256", inputs.sha256}}},
-          {"model", {{"robot", measurements.robot.model}, {"terms", std::move(terms)}}},
+          {"model", {{"robot", measurements.robot.model}, {"terms", std::move(terms)}, {"define", definitions(model)}}},
           {"cameras", camerasJson(sets)},
           {"sightings", sightingsJson(sets, measurements, result)}};
 }

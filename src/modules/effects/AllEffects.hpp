@@ -19,17 +19,20 @@ Effect axisTilt();
 Effect linkLength();
 Effect soleCompliance();
 Effect soleTilt();
+Effect imuTilt();
 Effect cameraRotation();
 Effect cameraTranslation();
 Effect focalLength();
 Effect principalPoint();
 Effect radialDistortion();
 Effect tangentialDistortion();
+Effect rollingShutter();
 Effect boardScale();
 Effect boardBow();
 Effect boardTilt();
 
-/// Every effect, in the order in which causes act: encoders, gears, links, soles, mounts, lenses, boards.
+/// Every effect, in the order in which causes act: encoders, gears, links, soles, the inertial unit, mounts, lenses,
+/// boards.
 const std::vector<Effect>& allEffects();
 
 } // namespace naocal

@@ -1,11 +1,11 @@
 #include "effects/AllEffects.hpp"
+
 #include <cmath>
 
 namespace naocal {
 
 /// Gravity's torque holds the gear at one end of its gap; sgn(tau) = tanh(tau / 0.03 Nm) is what friction leaves of
-/// the step. NAO gears have gaps of several tenths of a degree when new (manufacturer: up to 5 degrees of play allowed
-/// in old ones are not plausible).
+/// the step. NAO gears have gaps of several tenths of a degree.
 Effect backlash() {
   return {.name = "backlash",
           .what = "the gear's gap: gravity holds the joint at one end of it",

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -65,11 +66,13 @@ struct Effect {
   std::string formula; // for people: "q_true = q_measured - o"
   Place place = Place::motor;
   std::vector<Unknown> unknowns;
-  std::vector<Driver> needs = {};        // at the joint that is corrected
-  std::vector<Elsewhere> elsewhere = {}; // and at others
-  bool linear = true;                    // the correction is linear in the unknowns
-  bool kink = false;                     // not smooth in what drives it
-  bool shared = false;                   // a board's effect that may be one for all boards
+  std::vector<Driver> needs = {};                 // at the joint that is corrected
+  std::vector<Elsewhere> elsewhere = {};          // and at others
+  bool linear = true;                             // the correction is linear in the unknowns
+  bool kink = false;                              // not smooth in what drives it
+  bool shared = false;                            // a board's effect that may be one for all boards
+  std::optional<std::size_t> only = std::nullopt; // a user's effect at one joint: its motor
+  std::string definition = "";                    // a user's effect: its JSON
   std::function<void(Belief&, const Instant&, std::size_t at, std::span<const double> values)> correct;
 };
 

@@ -1,4 +1,5 @@
 #include "effects/AllEffects.hpp"
+
 #include <cmath>
 
 namespace naocal {

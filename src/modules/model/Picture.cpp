@@ -85,6 +85,8 @@ bool View::project(const Attitude& attitude, const Belief& belief, const CornerB
   const double fx = lens[0], fy = lens[1], cx = lens[2], cy = lens[3];
   const double k1 = lens[4], k2 = lens[5], p1 = lens[6], p2 = lens[7], k3 = lens[8];
   const double scale = 1 + belief.boardScale(board_), bow = belief.boardBow(board_);
+  const double rowTime = belief.rowTime();
+  const Eigen::Matrix<double, 6, 1> drift = attitude.drift;
   projected.resize(corners.size());
   Lane least = Lane{} + 1;
   withWidestVectors([ =, &corners, &projected, &least ]() __attribute__((always_inline)) {
@@ -92,11 +94,18 @@ bool View::project(const Attitude& attitude, const Belief& belief, const CornerB
       const CornerBlock& corner = corners[i];
       ProjectedBlock& out = projected[i];
       const Lane px = scale * corner.x, py = scale * corner.y, pz = scale * corner.z + bow * corner.bulge;
-      const Lane depth = r(2, 0) * px + r(2, 1) * py + r(2, 2) * pz + t[2];
+      Lane depth = r(2, 0) * px + r(2, 1) * py + r(2, 2) * pz + t[2];
+      Lane across = r(0, 0) * px + r(0, 1) * py + r(0, 2) * pz + t[0];
+      Lane down = r(1, 0) * px + r(1, 1) * py + r(1, 2) * pz + t[1];
+      if (rowTime != 0) {
+        const Lane time = rowTime * (corner.v - cy), a = across, b = down, c = depth;
+        across += time * (drift[1] * c - drift[2] * b + drift[3]);
+        down += time * (drift[2] * a - drift[0] * c + drift[4]);
+        depth += time * (drift[0] * b - drift[1] * a + drift[5]);
+      }
       least = depth < least ? depth : least;
       const Lane inverseDepth = 1 / depth;
-      const Lane x = (r(0, 0) * px + r(0, 1) * py + r(0, 2) * pz + t[0]) * inverseDepth;
-      const Lane y = (r(1, 0) * px + r(1, 1) * py + r(1, 2) * pz + t[1]) * inverseDepth;
+      const Lane x = across * inverseDepth, y = down * inverseDepth;
       const Lane rr = x * x + y * y;
       const Lane radial = 1 + rr * (k1 + rr * (k2 + rr * k3));
       const Lane radialSlope = 2 * (k1 + rr * (2 * k2 + rr * (3 * k3)));
@@ -163,6 +172,14 @@ void View::extraRows(std::size_t extra, const Attitude& attitude, const Belief& 
     du = fx * x * rr * rr * rr;
     dv = fy * y * rr * rr * rr;
     return;
+  case rowTimeExtra:
+    for (Eigen::Index i = 0; i < 6; ++i) {
+      du += attitude.drift[i] * projected.rowsU[i];
+      dv += attitude.drift[i] * projected.rowsV[i];
+    }
+    du *= corners.v - lens[3];
+    dv *= corners.v - lens[3];
+    return;
   default:
     break;
   }
@@ -189,7 +206,7 @@ std::optional<std::size_t> View::extra(std::size_t quantity) const {
   if (quantity == quantities_.board(board_) + 7) {
     return boardBowExtra;
   }
-  return std::nullopt;
+  return quantity == quantities_.rowTime() ? std::optional{rowTimeExtra} : std::nullopt;
 }
 
 } // namespace naocal

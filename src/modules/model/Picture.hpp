@@ -23,10 +23,11 @@ using CornerBlocks = std::vector<CornerBlock>;
 /// The corners that a capture shows of a board, ready for the inner loop.
 CornerBlocks cornerBlocks(const Board& board, const BoardCorners& corners);
 
-/// Lens (fx, fy, cx, cy, k1, k2, p1, p2, k3) and shape of the board (scale, bow): quantities that do not merely move
-/// the picture's scene rigidly. Each adds a column of its own beside the six of the picture's motion.
+/// Lens (fx, fy, cx, cy, k1, k2, p1, p2, k3), shape of the board (scale, bow) and the time between rows: quantities
+/// that do not merely move the picture's scene rigidly. Each adds a column of its own beside the six of the picture's
+/// motion.
 constexpr std::size_t lensCount = 9;
-constexpr std::size_t boardScaleExtra = 9, boardBowExtra = 10, extraCount = 11;
+constexpr std::size_t boardScaleExtra = 9, boardBowExtra = 10, rowTimeExtra = 11, extraCount = 12;
 
 /// Where four corners are seen, and how that changes when the board moves in the camera's (optical) frame:
 /// d(u) = rowsU . (omega, v), d(v) = rowsV . (omega, v) for pointInOptical moving by omega x p + v.
@@ -40,6 +41,7 @@ using ProjectedBlocks = std::vector<ProjectedBlock>;
 /// Where camera, torso, target, world and board are at one instant.
 struct Attitude {
   RigidTransform opticalFromTorso, opticalFromTarget, opticalFromWorld, opticalFromBoard;
+  Eigen::Matrix<double, 6, 1> drift = Eigen::Matrix<double, 6, 1>::Zero(); // of the scene, (omega, v) [rad/s, m/s]
 };
 
 /// How one camera sees one target: the path of links between them, and what moves the one against the other.
@@ -74,14 +76,23 @@ public:
   Attitude pathAttitude(const Robot& robot, const Belief& belief, const Posture& torsoFromLink) const;
   void placeBoard(const RigidTransform& linkFromBoard, Attitude& attitude) const;
 
-  /// Projects corners through the lens. False when one of them lies behind the camera (then it is nowhere in the
+  /// How the scene drifts in the optical frame while the joints move at `velocity` (one per joint) [rad/s].
+  void setDrift(const Robot& robot, const Belief& belief, const Posture& torsoFromLink, const Eigen::VectorXd& velocity,
+                Attitude& attitude) const;
+
+  /// Projects corners through the lens, each where it is when its row is exposed:
+  ///
+  ///   p -> p + (omega x p + v) * rowTime * (v_measured - cy),  (omega, v) = the drift
+  ///
+  /// (The rows of the derivative are taken there and the change of the drift itself is left out: a share of at most
+  /// velocity times 15 ms.) False when one of them lies behind the camera (then it is nowhere in the
   /// picture).
   bool project(const Attitude& attitude, const Belief& belief, const CornerBlocks& corners,
                ProjectedBlocks& projected) const;
 
   /// Fills `columns` (6 + number of extras rows, one column per wanted quantity) with the motion (omega, v) of the
   /// scene in the optical frame per unit of each quantity in `wanted`, and 1 in the row of its extra where it is one.
-  /// `extras`: lens or board-shape numbers (0..10) in the order of the rows beyond the six.
+  /// `extras`: extras' numbers (0..11) in the order of the rows beyond the six.
   void motion(const Robot& robot, const Attitude& attitude, const Belief& belief, const Posture& torsoFromLink,
               const std::vector<std::size_t>& wanted, const std::vector<std::size_t>& extras,
               Eigen::Ref<Eigen::MatrixXd> columns) const;
@@ -90,7 +101,7 @@ public:
   static void extraRows(std::size_t extra, const Attitude& attitude, const Belief& belief, const CornerBlock& corners,
                         const ProjectedBlock& projected, Lane& du, Lane& dv);
 
-  /// The extra's number (0..10) of a quantity, if it is one.
+  /// The extra's number (0..11) of a quantity, if it is one.
   std::optional<std::size_t> extra(std::size_t quantity) const;
 
 private:

@@ -93,6 +93,15 @@ View::Twist View::mountMotion(const Robot& robot, const Belief& belief, std::siz
   return twist;
 }
 
+void View::setDrift(const Robot& robot, const Belief& belief, const Posture& torsoFromLink,
+                    const Eigen::VectorXd& velocity, Attitude& attitude) const {
+  attitude.drift.setZero();
+  for (const std::size_t joint : joints_) {
+    attitude.drift += velocity[static_cast<Eigen::Index>(joint)] *
+                      linkMotion(robot, attitude, belief, torsoFromLink, quantities_.angle(joint));
+  }
+}
+
 void View::motion(const Robot& robot, const Attitude& attitude, const Belief& belief, const Posture& torsoFromLink,
                   const std::vector<std::size_t>& wanted, const std::vector<std::size_t>& extras,
                   Eigen::Ref<Eigen::MatrixXd> columns) const {

@@ -65,8 +65,11 @@ template <typename List> NamedPlaces named(const std::set<std::size_t>& numbers,
 NamedPlaces placesOf(const Effect& effect, const Measurements& measurements, const Touched& touched) {
   const Robot& robot = measurements.robot;
   switch (effect.place) {
-  case Place::motor:
-    return named(touched.motors, robot.joints);
+  case Place::motor: {
+    NamedPlaces result = named(touched.motors, robot.joints);
+    std::erase_if(result, [&](const auto& place) { return effect.only && place.first != *effect.only; });
+    return result;
+  }
   case Place::joint:
     return named(touched.joints, robot.joints);
   case Place::camera:
@@ -124,12 +127,16 @@ std::vector<std::pair<std::size_t, std::string>> placesOf(const Effect& effect, 
 }
 
 std::optional<std::string> whyUntestable(const Effect& effect, std::size_t at, const Measurements& measurements) {
+  if (effect.needs.empty() && effect.elsewhere.empty()) {
+    return std::nullopt;
+  }
   const Term term{effect, at, ""};
   std::size_t concerned = 0, without = 0;
   const char* what = nullptr;
   for (const Picture& picture : measurements.pictures) {
     const std::vector<std::size_t> places = placesOn(term, measurements, picture);
-    if (picture.sightings.empty() || places.empty()) {
+    const bool shares = effect.place == Place::sole && picture.instant.supportFoot == SupportFoot::both;
+    if (picture.sightings.empty() || places.empty() || shares) {
       continue;
     }
     const std::vector<std::size_t> between = jointsBetween(measurements.robot, picture);
@@ -147,12 +154,19 @@ std::optional<std::string> whyUntestable(const Effect& effect, std::size_t at, c
     }
     for (const Elsewhere& other : effect.elsewhere) {
       look(other.driver, other.joint);
+      const bool recorded = std::binary_search(measurements.recorded.begin(), measurements.recorded.end(),
+                                               measurements.robot.joints[other.joint].motor);
+      lacks = other.driver == Driver::angle && !recorded ? "angles of a joint that it looks at" : lacks;
     }
     ++concerned;
     without += lacks != nullptr;
     what = lacks ? lacks : what;
   }
-  if (without == 0) {
+  if (concerned == 0) {
+    return "no picture was taken on one foot";
+  }
+  const bool whereRecorded = effect.name == "imuTilt"; // each reading is one measurement more
+  if (without == 0 || (whereRecorded && without < concerned)) {
     return std::nullopt;
   }
   return without == concerned ? fmt::format("no {} were recorded", what)

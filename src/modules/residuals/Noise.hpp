@@ -21,6 +21,12 @@ struct FloorContact {
   static constexpr double tilt = 0.005;   // [rad]
 };
 
+/// How far an inertial unit's angles are off at rest, beside its tilt in the torso. No data sheet tells; readings of a
+/// standing robot wander by some tenths of a degree.
+struct ImuReading {
+  static constexpr double angle = 0.005; // per axis and reading [rad]
+};
+
 /// What a corner's distance from its prediction costs: half its square near, nothing more when it is beyond doubt
 /// false.
 ///

@@ -107,6 +107,11 @@ void prepare(const Measurements& measurements, const Picture& picture, const std
     prepared.floor = groupOf(*picture.otherSole, measurements.quantities, unknowns, prepared);
     prepared.floor.extras.clear();
   }
+  if (prepared.torso) {
+    links.add(prepared.torso->links());
+    prepared.imu = groupOf(*prepared.torso, measurements.quantities, unknowns, prepared);
+    prepared.imu.extras = {extraCount, extraCount + 1}; // roll and pitch of the unit
+  }
   prepared.links = links.list();
 }
 

@@ -29,7 +29,9 @@ struct PreparedPicture {
   PictureSlopes slopes;
   std::vector<double> slopeValues; // 1 for a joint by its deflection, then the slopes
   std::vector<Group> groups;
-  Group floor; // what moves the other sole, where the robot stands on both
+  Group floor;               // what moves the other sole, where the robot stands on both
+  std::optional<View> torso; // over the floor, where the inertial unit tells of it and its tilt is an unknown
+  Group imu;                 // what moves the torso, and the unit in it
 };
 
 /// Finds links, groups and slope values, given joints, deflections and slopes. `unknowns`: of the picture's pose,

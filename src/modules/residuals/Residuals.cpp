@@ -13,6 +13,21 @@ Eigen::Index at(std::size_t i) {
   return static_cast<Eigen::Index>(i);
 }
 
+/// How the torso sees the floor, where the inertial unit's tilt is an unknown and its reading was recorded.
+std::optional<View> torsoOverFloor(const Measurements& measurements, const Model& model, const Picture& picture) {
+  const bool wanted = std::any_of(model.terms().begin(), model.terms().end(),
+                                  [](const Term& term) { return term.effect.name == "imuTilt"; });
+  const bool onFloor = std::any_of(picture.sightings.begin(), picture.sightings.end(), [&](const Sighting& sighting) {
+    return measurements.targets[sighting.view.board()].onFloor;
+  });
+  if (!wanted || !onFloor || picture.instant.imu.hasNaN()) {
+    return std::nullopt;
+  }
+  const bool right = picture.instant.supportFoot == SupportFoot::right;
+  return View::betweenLinks(measurements.robot, measurements.quantities, 0,
+                            measurements.robot.sole(right ? "right" : "left")->link);
+}
+
 /// Takes a pose's normal equations apart, expressed at zero deflection.
 void takeSums(const NormalEquations& sums, const Eigen::VectorXd& deflections, PoseSystem& system) {
   const Eigen::Index unknowns = at(system.unknowns.size()), joints = deflections.size();
@@ -38,6 +53,7 @@ Residuals::Residuals(const Measurements& measurements, const Model& model, const
       free_(model.unknownCount(), true), prepared_(measurements.pictures.size()) {
   for (std::size_t i = 0; i < prepared_.size(); ++i) {
     prepared_[i].slopes = PictureSlopes{measurements, model, measurements.pictures[i]};
+    prepared_[i].torso = torsoOverFloor(measurements, model, measurements.pictures[i]);
   }
   for (const PoseGroup& pose : measurements.poses) {
     empty_.push_back(emptySystem(pose));
@@ -116,6 +132,9 @@ bool Residuals::addPicture(const Picture& picture, const PreparedPicture& prepar
   if (picture.otherSole) {
     addFloorContact(picture, prepared, work, system);
   }
+  if (prepared.torso) {
+    addImuReading(picture, prepared, work, system);
+  }
   return std::all_of(prepared.groups.begin(), prepared.groups.end(),
                      [&](const PreparedPicture::Group& group) { return addGroup(picture, group, work, system); });
 }
@@ -142,6 +161,9 @@ bool Residuals::addGroup(const Picture& picture, const PreparedPicture::Group& g
                          PoseSystem& system) const {
   const View& path = picture.sightings[group.sightings.front()].view;
   Attitude attitude = path.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
+  if (std::find(group.extras.begin(), group.extras.end(), rowTimeExtra) != group.extras.end()) {
+    path.setDrift(measurements_.robot, work.belief, work.torsoFromLink, picture.instant.velocity, attitude);
+  }
   work.corners.clear(group.extras.size());
   for (std::size_t index : group.sightings) {
     if (!addCorners(picture.sightings[index], group.extras, attitude, work)) {
@@ -156,32 +178,6 @@ bool Residuals::addGroup(const Picture& picture, const PreparedPicture::Group& g
   system.squares += work.corners.squares();
   system.numbers += 2 * work.corners.corners();
   return true;
-}
-
-/// The other sole's height over the floor and its tilt are zero but for `FloorContact`; in units of pixels, as all sums
-/// are.
-///   height = -n . t, d(height) = -n . v;  n = the floor's normal in the sole, d(n) = omega x n
-void Residuals::addFloorContact(const Picture& picture, const PreparedPicture& prepared, Workspace& work,
-                                PoseSystem& system) const {
-  const View& sole = *picture.otherSole;
-  const Attitude attitude = sole.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
-  const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
-  const Eigen::Vector3d scale =
-      noise_.pixel * Eigen::Vector3d{1 / FloorContact::height, 1 / FloorContact::tilt, 1 / FloorContact::tilt};
-  Eigen::Matrix<double, 3, 6> byMotion = Eigen::Matrix<double, 3, 6>::Zero();
-  byMotion.row(0).tail<3>() = -normal.transpose();
-  byMotion.bottomLeftCorner<2, 3>() = -crossMatrix(normal).topRows<2>();
-  byMotion = scale.asDiagonal() * byMotion;
-  const Eigen::Vector3d residual =
-      scale.cwiseProduct(Eigen::Vector3d{-normal.dot(attitude.opticalFromWorld.translation), normal.x(), normal.y()});
-  work.motion.resize(6, at(prepared.floor.quantities.size()));
-  sole.motion(measurements_.robot, attitude, work.belief, work.torsoFromLink, prepared.floor.quantities, {},
-              work.motion);
-  work.sums.add(byMotion.transpose() * byMotion, byMotion.transpose() * residual, work.motion, prepared.floor,
-                work.slopes);
-  work.cost += residual.squaredNorm() / (noise_.pixel * noise_.pixel);
-  system.squares += residual.squaredNorm();
-  system.numbers += 3;
 }
 
 Residuals::State Residuals::start(const Eigen::VectorXd& unknowns) const {

@@ -109,6 +109,8 @@ private:
                        PoseSystem& system) const;
   bool addCorners(const Sighting& sighting, const std::vector<std::size_t>& extras, Attitude& attitude,
                   Workspace& work) const;
+  void addImuReading(const Picture& picture, const PreparedPicture& prepared, Workspace& work,
+                     PoseSystem& system) const;
   bool addGroup(const Picture& picture, const PreparedPicture::Group& group, Workspace& work, PoseSystem& system) const;
   SightingResidual sightingResidual(std::size_t picture, std::size_t index, Workspace& work) const;
   bool addMotion(const Sighting& sighting, const PreparedPicture::Group& group, Workspace& work,

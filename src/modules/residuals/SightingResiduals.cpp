@@ -31,7 +31,11 @@ std::vector<SightingResidual> Residuals::sightings(const State& state) const {
 
 SightingResidual Residuals::sightingResidual(std::size_t picture, std::size_t index, Workspace& work) const {
   const Sighting& sighting = measurements_.pictures[picture].sightings[index];
-  const Attitude attitude = sighting.view.attitude(measurements_.robot, work.belief, work.torsoFromLink);
+  Attitude attitude = sighting.view.attitude(measurements_.robot, work.belief, work.torsoFromLink);
+  if (work.belief.rowTime() != 0) {
+    sighting.view.setDrift(measurements_.robot, work.belief, work.torsoFromLink,
+                           measurements_.pictures[picture].instant.velocity, attitude);
+  }
   const Eigen::Index count = at(sighting.ids.size());
   SightingResidual result{picture,
                           index,

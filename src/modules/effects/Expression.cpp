@@ -1,0 +1,101 @@
+#include "effects/Expression.hpp"
+
+#include <atomic>
+#include <fmt/format.h>
+#include <map>
+#include <muParser.h>
+
+namespace naocal {
+
+namespace {
+
+double valueOf(const ExpressionName& name, const Instant& instant, std::size_t joint,
+               std::span<const double> unknowns) {
+  const auto at = static_cast<Eigen::Index>(name.kind == ExpressionName::Kind::own ? joint : name.index);
+  switch (name.kind) {
+  case ExpressionName::Kind::time:
+    return instant.time.count();
+  case ExpressionName::Kind::com:
+    return instant.com[at];
+  case ExpressionName::Kind::imu:
+    return instant.imu[at];
+  case ExpressionName::Kind::unknown:
+    return unknowns[name.index];
+  case ExpressionName::Kind::own:
+  case ExpressionName::Kind::elsewhere:
+    break;
+  }
+  switch (name.driver) {
+  case Driver::torque:
+    return instant.torque[at];
+  case Driver::velocity:
+    return instant.velocity[at];
+  case Driver::approach:
+    return instant.approach[at];
+  case Driver::temperature:
+    return instant.temperature[at];
+  case Driver::current:
+    return instant.current[at];
+  default:
+    return instant.q[at];
+  }
+}
+
+ExpressionError told(const mu::Parser::exception_type& error) {
+  return {fmt::format("{} (at letter {})", error.GetMsg(), error.GetPos() + 1)};
+}
+
+} // namespace
+
+/// muParser's evaluation is not safe for several threads: each has its own.
+struct Expression::Parsed {
+  mu::Parser parser;
+  std::vector<double> values; // of the names
+};
+
+Expression::Expression(const std::string& text, const std::function<ExpressionName(const std::string&)>& resolve)
+    : text_{text} {
+  static std::atomic<std::size_t> count{0};
+  number_ = count++;
+  try {
+    mu::Parser parser;
+    parser.SetExpr(text);
+    for (const auto& [name, variable] : parser.GetUsedVar()) {
+      texts_.push_back(name);
+    }
+  } catch (const mu::Parser::exception_type& error) {
+    throw told(error);
+  }
+  for (const std::string& name : texts_) {
+    names_.push_back(resolve(name));
+  }
+  try {
+    ofThisThread().parser.Eval();
+  } catch (const mu::Parser::exception_type& error) {
+    throw told(error);
+  }
+}
+
+Expression::Parsed& Expression::ofThisThread() const {
+  static thread_local std::map<std::size_t, Parsed> all;
+  const auto [entry, isNew] = all.try_emplace(number_);
+  Parsed& parsed = entry->second;
+  if (isNew) {
+    parsed.values.assign(texts_.size(), 0);
+    for (std::size_t i = 0; i < texts_.size(); ++i) {
+      parsed.parser.DefineVar(texts_[i], &parsed.values[i]);
+    }
+    parsed.parser.SetExpr(text_);
+  }
+  return parsed;
+}
+
+double Expression::operator()(const Instant& instant, std::size_t joint, std::span<const double> unknowns) const {
+  Parsed& parsed = ofThisThread();
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    parsed.values[i] = valueOf(names_[i], instant, joint, unknowns);
+  }
+  return parsed.parser.Eval();
+}
+
+} // namespace naocal

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "effects/Effect.hpp"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// What a name in a correction stands for.
+struct ExpressionName {
+  enum class Kind { own, elsewhere, time, com, imu, unknown } kind = Kind::own;
+  Driver driver = Driver::angle;
+  std::size_t index = 0; // the joint elsewhere; 0 or 1 of com and imu; which unknown
+};
+
+/// Thrown for text that is no expression; says what and where.
+struct ExpressionError {
+  std::string what;
+};
+
+/// A correction as a person wrote it, parsed once per thread.
+class Expression {
+public:
+  /// Resolves each name that the text uses, in the order of names. Throws ExpressionError.
+  Expression(const std::string& text, const std::function<ExpressionName(const std::string&)>& resolve);
+
+  const std::vector<ExpressionName>& names() const { return names_; }
+
+  /// The value [rad] at a joint.
+  double operator()(const Instant& instant, std::size_t joint, std::span<const double> unknowns) const;
+
+private:
+  struct Parsed;
+  Parsed& ofThisThread() const;
+
+  std::string text_;
+  std::size_t number_;             // of this expression among all: a thread finds its own by it
+  std::vector<std::string> texts_; // the names as written
+  std::vector<ExpressionName> names_;
+};
+
+} // namespace naocal

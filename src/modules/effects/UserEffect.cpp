@@ -1,0 +1,158 @@
+#include "effects/UserEffect.hpp"
+
+#include "effects/AllEffects.hpp"
+#include "effects/Expression.hpp"
+#include "effects/NearNames.hpp"
+#include "effects/Units.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <map>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+namespace {
+
+using Names = std::map<std::string, ExpressionName>;
+
+/// All names that a correction may use, but for its unknowns.
+Names namesOf(const Robot& robot) {
+  using Kind = ExpressionName::Kind;
+  Names names{{"q", {Kind::own, Driver::angle}},       {"tau", {Kind::own, Driver::torque}},
+              {"qd", {Kind::own, Driver::velocity}},   {"approach", {Kind::own, Driver::approach}},
+              {"T", {Kind::own, Driver::temperature}}, {"current", {Kind::own, Driver::current}},
+              {"t", {Kind::time, Driver::time}},       {"com_x", {Kind::com, Driver::com, 0}},
+              {"com_y", {Kind::com, Driver::com, 1}},  {"imu_x", {Kind::imu, Driver::imu, 0}},
+              {"imu_y", {Kind::imu, Driver::imu, 1}}};
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    names[robot.joints[joint].name] = {Kind::elsewhere, Driver::angle, joint};
+    names["tau_" + robot.joints[joint].name] = {Kind::elsewhere, Driver::torque, joint};
+  }
+  return names;
+}
+
+std::vector<std::string> listed(const Names& names) {
+  std::vector<std::string> result;
+  for (const auto& [name, meaning] : names) {
+    result.push_back(name);
+  }
+  return result;
+}
+
+/// Letters, digits and '_', no digit first: what can be named in an expression, on the command line and in files.
+void requireName(const JsonPlace& place, const std::string& name) {
+  const auto good = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+  if (name.empty() || !std::all_of(name.begin(), name.end(), good) ||
+      std::isdigit(static_cast<unsigned char>(name[0])) != 0) {
+    place.refuse("a name of letters, digits and _", '"' + name + '"');
+  }
+}
+
+std::vector<Unknown> unknownsOf(const JsonPlace& place, Names& names) {
+  std::vector<Unknown> unknowns;
+  for (const auto& [name, unknown] : place.members()) {
+    requireName(unknown, name);
+    if (names.contains(name)) {
+      unknown.refuse("a name of its own", fmt::format("\"{}\", which already stands for something else", name));
+    }
+    names[name] = {ExpressionName::Kind::unknown, Driver::angle, unknowns.size()};
+    unknowns.push_back({name, std::string{units()[unknown.at("unit").oneOf(units())]},
+                        unknown.at("sigma").number({1e-12, 1e6, "of the unknown's unit, above 0"})});
+  }
+  if (unknowns.empty()) {
+    place.refuse("at least one unknown");
+  }
+  return unknowns;
+}
+
+Expression expressionOf(const JsonPlace& place, const Names& names) {
+  try {
+    return {place.text(), [&](const std::string& name) {
+              const auto known = names.find(name);
+              if (known == names.end()) {
+                place.refuse("names that are known", fmt::format("'{}'; near it are {}", name,
+                                                                 fmt::join(nearNames(name, listed(names)), ", ")));
+              }
+              return known->second;
+            }};
+  } catch (const ExpressionError& error) {
+    place.refuse("an expression such as \"a*sin(3*q) + b*abs(tau)\"",
+                 fmt::format("\"{}\": {}", place.text(), error.what));
+  }
+}
+
+/// Without its cause nothing is corrected.
+void requireNothingAtZero(const JsonPlace& place, const Expression& expression, const Effect& effect,
+                          const Robot& robot) {
+  Instant instant;
+  instant.time = Seconds{10};
+  instant.q = Eigen::VectorXd::LinSpaced(static_cast<Eigen::Index>(robot.joints.size()), 0.2, 0.4);
+  instant.velocity = instant.approach = instant.temperature = instant.current = instant.torque = instant.q;
+  instant.com = instant.imu = {0.02, 0.03};
+  const double value = expression(instant, 0, std::vector<double>(effect.unknowns.size(), 0));
+  if (!(std::abs(value) < 1e-12)) {
+    place.refuse("an expression that is 0 where its unknowns are 0", fmt::format("{:.3g} rad there", value));
+  }
+}
+
+} // namespace
+
+Effect userEffect(const JsonPlace& definition, const Robot& robot) {
+  Names names = namesOf(robot);
+  Effect effect{.name = definition.at("name").text(), .place = Place::motor, .linear = false, .kink = true};
+  requireName(definition.at("name"), effect.name);
+  const JsonPlace at = definition.at("at");
+  if (at.text() != "*") {
+    const auto joint = robot.jointIndex(at.text());
+    if (!joint) {
+      std::vector<std::string> joints;
+      for (const Joint& each : robot.joints) {
+        joints.push_back(each.name);
+      }
+      at.refuse("a joint or \"*\"",
+                fmt::format("\"{}\"; near it are {}", at.text(), fmt::join(nearNames(at.text(), joints), ", ")));
+    }
+    effect.only = robot.joints[*joint].motor;
+  }
+  effect.unknowns = unknownsOf(definition.at("unknowns"), names);
+  const JsonPlace correction = definition.at("correction");
+  const Expression expression = expressionOf(correction, names);
+  requireNothingAtZero(correction, expression, effect, robot);
+  for (const ExpressionName& name : expression.names()) {
+    if (name.kind == ExpressionName::Kind::elsewhere) {
+      effect.elsewhere.push_back({name.driver, name.index});
+    } else if (name.kind != ExpressionName::Kind::unknown) {
+      effect.needs.push_back(name.driver);
+    }
+  }
+  std::sort(effect.needs.begin(), effect.needs.end()); // com_x and com_y are one driver
+  effect.needs.erase(std::unique(effect.needs.begin(), effect.needs.end()), effect.needs.end());
+  const auto what = definition.find("what");
+  effect.what = what ? what->text() : "an effect of your own";
+  effect.formula = "+" + correction.text();
+  effect.definition = definition.value().dump();
+  effect.correct = [expression](Belief& belief, const Instant& instant, std::size_t joint,
+                                std::span<const double> values) {
+    belief.angle(joint) += expression(instant, joint, values);
+  };
+  return effect;
+}
+
+std::vector<Effect> userEffects(const JsonPlace& definitions, const Robot& robot) {
+  std::vector<Effect> result;
+  for (const JsonPlace& definition : definitions.elements()) {
+    result.push_back(userEffect(definition, robot));
+    const std::string& name = result.back().name;
+    const auto same = [&](const Effect& other) { return other.name == name; };
+    if (std::any_of(allEffects().begin(), allEffects().end(), same) ||
+        std::any_of(result.begin(), result.end() - 1, same)) {
+      definition.at("name").refuse("a name that no other effect has", '"' + name + '"');
+    }
+  }
+  return result;
+}
+
+} // namespace naocal

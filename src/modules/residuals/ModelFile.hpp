@@ -1,0 +1,26 @@
+#pragma once
+
+#include "effects/Effect.hpp"
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// A model as people write it down: effects at places to add and to leave out, and effects of their own.
+struct ModelFile {
+  std::vector<std::string> with, without; // "E@P"
+  std::vector<Effect> effects;            // the built-in ones, then those that the file defines
+};
+
+/// Reads {"format": "naocal-model", "version": 1, "with": ["E@P"], "without": [], "define": [user effects]}.
+/// Throws InputError with file, place, what was expected and found.
+ModelFile readModelFile(const std::filesystem::path& file, const Robot& robot);
+
+/// The built-in effects and those defined in a list of JSON (`effects/UserEffect.hpp`); `file` stands for it in
+/// messages.
+std::vector<Effect> effectsWith(const nlohmann::json& definitions, const std::string& file, const Robot& robot);
+
+} // namespace naocal

@@ -1,0 +1,80 @@
+#include "calibrate/Calibration.hpp"
+#include "captures/CaptureSetFile.hpp"
+#include "captures/Files.hpp"
+
+#include "SharedData.hpp"
+#include "synthetic/HandMadePoses.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+namespace {
+
+/// The estimate of an effect's first unknown.
+Estimate estimateOf(const Measurements& measurements, const std::string& label) {
+  const Model model = makeModel(measurements, {label});
+  const CalibrationResult result = calibrate(measurements, model);
+  CHECK(result.converged);
+  CHECK(result.usable);
+  const auto term = std::find_if(model.terms().begin(), model.terms().end(),
+                                 [&](const Term& other) { return other.label() == label; });
+  REQUIRE(term != model.terms().end());
+  return result.estimates[term->first];
+}
+
+} // namespace
+
+TEST_CASE("an effect that another simulator hid has its size within 3 sigma") {
+  // Proves sign, formula and unit of five effects, torque and centre of mass among them, against captures that nothing
+  // of this code made.
+  const auto [name, place] =
+      GENERATE(std::pair{"elasticity-knee", "LKneePitch"}, std::pair{"hysteresis-hip-roll", "LHipRoll"},
+               std::pair{"link-thigh", "thigh"}, std::pair{"sole", "left"}, std::pair{"thermal-knee", "LKneePitch"});
+  const auto folder = sharedData(std::string{"conformance/"} + name);
+  if (!folder) {
+    return;
+  }
+  const auto truth = nlohmann::json::parse(fileContent(folder->string() + ".truth.json"))["effects"].back();
+  const CaptureSet set = readCaptureSet(*folder).set;
+  const Measurements measurements = measurementsOf({set}, loadRobot(configurationDirectory(), set.model));
+  const Estimate estimate = estimateOf(measurements, truth["effect"].get<std::string>() + "@" + place);
+  INFO(name << ": " << estimate.value << " ± " << estimate.sigma);
+  CHECK(std::abs(estimate.value - truth["size"].get<double>()) < 3 * estimate.sigma);
+  CHECK(estimate.learned > 0.8);
+}
+
+TEST_CASE("a tilted inertial unit is told from its readings, and only where there are any") {
+  // Proves sign and size of the unit's tilt, and that its readings do not spoil the rest.
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  Simulation simulation = simulate(robot, handMadePlan(robot, 12), 3);
+  for (Capture& capture : simulation.set.captures) {
+    *capture.imu += Eigen::Vector2d{-0.03, 0.02}; // small tilts about the same axes: reading - tilt
+  }
+  const Estimate roll = estimateOf(measurementsOf({simulation.set}, robot), "imuTilt@all");
+  CHECK(std::abs(roll.value - 0.03) < 4 * roll.sigma + 0.001);
+  CHECK(roll.sigma < 0.003);
+  for (Capture& capture : simulation.set.captures) {
+    capture.imu.reset();
+  }
+  CHECK_THROWS_WITH(makeModel(measurementsOf({simulation.set}, robot), {"imuTilt@all"}),
+                    Catch::Contains("no torso angles (imu) were recorded"));
+}
+
+TEST_CASE("an effect whose driver was not recorded is refused with the reason") {
+  // Proves the words, that '*' skips what cannot be driven, and that torques on both feet want the force sensors.
+  using Catch::Contains;
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  Simulation simulation = simulate(robot, handMadePlan(robot, 4, SupportFoot::both), 3);
+  for (Capture& capture : simulation.set.captures) {
+    capture.joints.temperature.clear();
+    capture.fsr.reset();
+  }
+  const Measurements measurements = measurementsOf({simulation.set}, robot);
+  CHECK_THROWS_WITH(makeModel(measurements, {"thermalDrift@*"}), Contains("no temperatures were recorded"));
+  CHECK_THROWS_WITH(makeModel(measurements, {"elasticity@LKneePitch"}), Contains("fsr"));
+  CHECK_NOTHROW(makeModel(measurements, {"elasticity@HeadPitch"}));
+  CHECK_NOTHROW(makeModel(measurements, {"elasticity@*"}));
+}
+
+} // namespace naocal

@@ -1,0 +1,119 @@
+#include "effects/UserEffect.hpp"
+
+#include "captures/InputError.hpp"
+#include "captures/JsonText.hpp"
+#include "model/Kinematics.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+namespace naocal {
+namespace {
+
+const char *const cable = R"({"name": "kneeCable", "at": "LKneePitch", "correction": "a*sin(3*q) + b*abs(tau)",
+                  "unknowns" : {
+  "a" : {"unit" : "rad", "sigma" : 0.01}, "b" : {
+    "unit" : "rad/Nm", "sigma" : 0.005
+  }
+}
+})";
+
+struct Bench {
+  Bench() {
+    const auto joints = static_cast<Eigen::Index>(robot.joints.size());
+    instant.q = Eigen::VectorXd::LinSpaced(joints, 0.2, 0.4);
+    instant.torque = -2 * instant.q;
+    instant.velocity = instant.approach = instant.temperature = instant.current = instant.q;
+    instant.com = {0.02, 0.03};
+    instant.imu = {0.01, 0.05};
+  }
+  Effect effect(const std::string& text) const {
+    const nlohmann::json json = parseJson(text, "model.json");
+    return userEffect(JsonPlace{json, "model.json"}, robot);
+  }
+  /// The cable with one piece of its text replaced.
+  std::string refusal(const std::string& from, const std::string& to) const {
+    std::string text = cable;
+    text.replace(text.find(from), from.size(), to);
+    try {
+      effect(text);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+  double correction(const Effect& effect, std::size_t joint, const std::vector<double>& values) const {
+    Belief belief = drawnBelief(robot, {robot.joints.size(), robot.lengths.size(), 0});
+    effect.correct(belief, instant, joint, values);
+    return belief.angle(joint);
+  }
+  Robot robot = loadRobot(configurationDirectory(), "V6");
+  Instant instant;
+};
+
+} // namespace
+
+TEST_CASE("a person's own effect corrects as its expression says, in several threads at once") {
+  // Proves values, drivers found in the text, the place, and that threads do not disturb each other.
+  const Bench bench;
+  const Effect effect = bench.effect(cable);
+  const std::size_t knee = *bench.robot.jointIndex("LKneePitch");
+  const double q = bench.instant.q[static_cast<Eigen::Index>(knee)];
+  CHECK(bench.correction(effect, knee, {0.01, 0.002}) == Approx(0.01 * std::sin(3 * q) + 0.002 * 2 * q));
+  CHECK(effect.needs == std::vector<Driver>{Driver::angle, Driver::torque});
+  CHECK(effect.only == knee);
+  std::vector<int> wrong(4, 0);
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < wrong.size(); ++i) {
+    threads.emplace_back([&, i] {
+      for (int k = 0; k < 2000; ++k) {
+        const double a = 0.001 * k * static_cast<double>(i + 1);
+        wrong[i] += std::abs(bench.correction(effect, knee, {a, 0}) - a * std::sin(3 * q)) > 1e-12;
+      }
+    });
+  }
+  for (std::thread& thread : threads) {
+    thread.join();
+  }
+  CHECK(wrong == std::vector<int>(4, 0));
+}
+
+TEST_CASE("an expression may use every name of the contract") {
+  // Proves that each name gets its own number: all together, each with a weight of its own.
+  const Bench bench;
+  const Effect effect = bench.effect(R"({"name": "all", "at": "*", "unknowns": {"a": {"unit": "1", "sigma": 1}},
+    "correction": "a*(q + 10*tau + 100*qd + 1000*approach + T + t + current + HeadYaw + tau_RKneePitch + imu_x + imu_y + com_x + com_y)"
+})");
+  const Instant& at = bench.instant;
+const std::size_t knee = *bench.robot.jointIndex("RKneePitch");
+const double q = at.q[3];
+CHECK(bench.correction(effect, 3, {2}) ==
+      Approx(2 * (q - 20 * q + 100 * q + 1000 * q + q + 0 + q +
+                  at.q[static_cast<Eigen::Index>(*bench.robot.jointIndex("HeadYaw"))] +
+                  at.torque[static_cast<Eigen::Index>(knee)] + 0.01 + 0.05 + 0.02 + 0.03)));
+CHECK(effect.elsewhere.size() == 2);
+CHECK_FALSE(effect.only);
+}
+
+TEST_CASE("what is wrong with a person's effect is said with its place and what is near") {
+  // Proves each refusal's words; all of them are InputErrors.
+  using Catch::Contains;
+  const Bench bench;
+  CHECK_THAT(bench.refusal("tau", "taw"), Contains("'taw'") && Contains("tau") && Contains("correction"));
+  CHECK_THAT(bench.refusal("\"rad\"", "\"deg\""), Contains("unknowns.a.unit") && Contains("rad"));
+  CHECK_THAT(bench.refusal("0.01", "0"), Contains("unknowns.a.sigma") && Contains("above 0"));
+  CHECK_THAT(bench.refusal("0.01", "-1"), Contains("unknowns.a.sigma"));
+  CHECK_THAT(bench.refusal("LKneePitch", "LKnee"), Contains("LKneePitch") && Contains("at:"));
+  CHECK_THAT(bench.refusal("sin(3*q)", "sin(3*q"), Contains("at letter"));
+  CHECK_THAT(bench.refusal("a*sin", "0.1 + a*sin"), Contains("0 where its unknowns are 0"));
+  CHECK_THAT(bench.refusal("\"a\":", "\"q\":"), Contains("already stands for something else"));
+  const nlohmann::json twice = nlohmann::json::array({parseJson(cable, ""), parseJson(cable, "")});
+  CHECK_THROWS_WITH(userEffects(JsonPlace{twice, "model.json"}, bench.robot), Contains("no other effect"));
+  nlohmann::json builtIn = parseJson(cable, "");
+  builtIn["name"] = "backlash";
+  const nlohmann::json list = nlohmann::json::array({builtIn});
+  CHECK_THROWS_WITH(userEffects(JsonPlace{list, "model.json"}, bench.robot), Contains("no other effect"));
+}
+
+} // namespace naocal
