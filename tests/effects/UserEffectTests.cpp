@@ -11,20 +11,19 @@
 namespace naocal {
 namespace {
 
-const char *const cable = R"({"name": "kneeCable", "at": "LKneePitch", "correction": "a*sin(3*q) + b*abs(tau)",
-                  "unknowns" : {
-  "a" : {"unit" : "rad", "sigma" : 0.01}, "b" : {
-    "unit" : "rad/Nm", "sigma" : 0.005
-  }
-}
-})";
+const char* const cable = R"json({"name": "kneeCable", "at": "LKneePitch", "correction": "a*sin(3*q) + b*abs(tau)",
+  "unknowns": {"a": {"unit": "rad", "sigma": 0.01}, "b": {"unit": "rad/Nm", "sigma": 0.005}}})json";
 
 struct Bench {
   Bench() {
     const auto joints = static_cast<Eigen::Index>(robot.joints.size());
+    instant.time = Seconds{12};
     instant.q = Eigen::VectorXd::LinSpaced(joints, 0.2, 0.4);
     instant.torque = -2 * instant.q;
-    instant.velocity = instant.approach = instant.temperature = instant.current = instant.q;
+    instant.velocity = 3 * instant.q;
+    instant.approach = 4 * instant.q;
+    instant.temperature = 5 * instant.q;
+    instant.current = 6 * instant.q;
     instant.com = {0.02, 0.03};
     instant.imu = {0.01, 0.05};
   }
@@ -80,20 +79,31 @@ TEST_CASE("a person's own effect corrects as its expression says, in several thr
 }
 
 TEST_CASE("an expression may use every name of the contract") {
-  // Proves that each name gets its own number: all together, each with a weight of its own.
+  // Proves that each name stands for its own number, each alone.
   const Bench bench;
-  const Effect effect = bench.effect(R"({"name": "all", "at": "*", "unknowns": {"a": {"unit": "1", "sigma": 1}},
-    "correction": "a*(q + 10*tau + 100*qd + 1000*approach + T + t + current + HeadYaw + tau_RKneePitch + imu_x + imu_y + com_x + com_y)"
-})");
   const Instant& at = bench.instant;
-const std::size_t knee = *bench.robot.jointIndex("RKneePitch");
-const double q = at.q[3];
-CHECK(bench.correction(effect, 3, {2}) ==
-      Approx(2 * (q - 20 * q + 100 * q + 1000 * q + q + 0 + q +
-                  at.q[static_cast<Eigen::Index>(*bench.robot.jointIndex("HeadYaw"))] +
-                  at.torque[static_cast<Eigen::Index>(knee)] + 0.01 + 0.05 + 0.02 + 0.03)));
-CHECK(effect.elsewhere.size() == 2);
-CHECK_FALSE(effect.only);
+  const auto joint = [&](const char* name) { return static_cast<Eigen::Index>(*bench.robot.jointIndex(name)); };
+  const std::vector<std::pair<std::string, double>> names{{"q", at.q[3]},
+                                                          {"tau", at.torque[3]},
+                                                          {"qd", at.velocity[3]},
+                                                          {"approach", at.approach[3]},
+                                                          {"T", at.temperature[3]},
+                                                          {"current", at.current[3]},
+                                                          {"t", at.time.count()},
+                                                          {"HeadYaw", at.q[joint("HeadYaw")]},
+                                                          {"tau_RKneePitch", at.torque[joint("RKneePitch")]},
+                                                          {"imu_x", at.imu.x()},
+                                                          {"imu_y", at.imu.y()},
+                                                          {"com_x", at.com.x()},
+                                                          {"com_y", at.com.y()}};
+  for (const auto& [name, value] : names) {
+    INFO(name);
+    const Effect effect = bench.effect(R"json({"name": "own", "at": "*", "unknowns": {"a": {"unit": "1", "sigma": 1}},
+      "correction": "a*)json" + name + "\"}");
+    CHECK(bench.correction(effect, 3, {2}) == Approx(2 * value));
+    CHECK(effect.needs.size() + effect.elsewhere.size() == 1);
+    CHECK_FALSE(effect.only);
+  }
 }
 
 TEST_CASE("what is wrong with a person's effect is said with its place and what is near") {

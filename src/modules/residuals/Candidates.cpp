@@ -139,17 +139,21 @@ std::optional<std::string> whyUntestable(const Effect& effect, std::size_t at, c
     if (picture.sightings.empty() || places.empty() || shares) {
       continue;
     }
-    const std::vector<std::size_t> between = jointsBetween(measurements.robot, picture);
     const bool ofJoint = effect.place == Place::motor || effect.place == Place::joint;
+    std::vector<std::size_t> looked = jointsBetween(measurements.robot, picture);
+    std::erase_if(looked, [&](std::size_t joint) {
+      return ofJoint && std::find(places.begin(), places.end(), joint) == places.end();
+    });
+    if (looked.empty()) {
+      continue;
+    }
     const char* lacks = nullptr;
     const auto look = [&](Driver driver, std::size_t joint) {
       lacks = lacks ? lacks : missing(picture.instant, driver, joint, measurements.robot);
     };
-    for (const std::size_t joint : between) {
-      if (!ofJoint || std::find(places.begin(), places.end(), joint) != places.end()) {
-        for (const Driver driver : effect.needs) {
-          look(driver, joint);
-        }
+    for (const std::size_t joint : looked) {
+      for (const Driver driver : effect.needs) {
+        look(driver, joint);
       }
     }
     for (const Elsewhere& other : effect.elsewhere) {
@@ -163,7 +167,7 @@ std::optional<std::string> whyUntestable(const Effect& effect, std::size_t at, c
     what = lacks ? lacks : what;
   }
   if (concerned == 0) {
-    return "no picture was taken on one foot";
+    return effect.place == Place::sole ? "no picture was taken on one foot" : "no picture shows it";
   }
   const bool whereRecorded = effect.name == "imuTilt"; // each reading is one measurement more
   if (without == 0 || (whereRecorded && without < concerned)) {

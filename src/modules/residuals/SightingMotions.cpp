@@ -1,5 +1,7 @@
 #include "residuals/Workspace.hpp"
 
+#include <algorithm>
+
 namespace naocal {
 
 namespace {
@@ -39,6 +41,10 @@ std::optional<std::vector<SightingMotion>> Residuals::sightingMotions(const Stat
 bool Residuals::addMotion(const Sighting& sighting, const PreparedPicture::Group& group, Workspace& work,
                           SightingMotion& motion) const {
   Attitude attitude = sighting.view.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
+  if (std::find(group.extras.begin(), group.extras.end(), rowTimeExtra) != group.extras.end()) {
+    sighting.view.setDrift(measurements_.robot, work.belief, work.torsoFromLink,
+                           measurements_.pictures[motion.picture].instant.velocity, attitude);
+  }
   work.corners.clear(group.extras.size());
   if (!addCorners(sighting, group.extras, attitude, work)) {
     return false;

@@ -1,6 +1,7 @@
 #include "residuals/Slopes.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace naocal {
 
@@ -88,11 +89,13 @@ std::vector<std::size_t> jointsBetween(const Robot& robot, const Picture& pictur
 
 PictureSlopes::PictureSlopes(const Measurements& measurements, const Model& model, const Picture& picture) {
   const Visible visible{measurements, picture};
+  const Instant inGeneral = generic(picture.instant);
+  Belief belief = picture.drawn;
   std::vector<Varying> varying;
   for (std::size_t term = 0; term < model.terms().size(); ++term) {
     for (const std::size_t place : placesOn(model.terms()[term], measurements, picture)) {
-      Varying found = correction(model, picture, term, place);
-      if (std::any_of(found.quantities.begin(), found.quantities.end(), visible)) {
+      Varying found = correction(model, picture, inGeneral, term, place, belief);
+      if (std::any_of(found.quantities.begin(), found.quantities.end(), std::cref(visible))) {
         varying.push_back(std::move(found));
       }
     }
@@ -105,25 +108,26 @@ PictureSlopes::PictureSlopes(const Measurements& measurements, const Model& mode
 }
 
 /// Lists the slopes of a correction that is fixed; of one that varies, tells what it moves.
-PictureSlopes::Varying PictureSlopes::correction(const Model& model, const Picture& picture, std::size_t term,
-                                                 std::size_t place) {
+PictureSlopes::Varying PictureSlopes::correction(const Model& model, const Picture& picture, const Instant& inGeneral,
+                                                 std::size_t term, std::size_t place, Belief& belief) {
   const Effect& effect = model.terms()[term].effect;
   Varying result{term, place, {}, drivers(effect, place), {}};
   const bool fixed = effect.linear && result.drivers.empty();
-  const Instant instant = fixed ? picture.instant : generic(picture.instant);
-  Belief belief = picture.drawn;
+  const Instant& instant = fixed ? picture.instant : inGeneral;
+  const Eigen::VectorXd& drawn = picture.drawn.values;
   std::vector<double> values(effect.unknowns.size(), 0);
   for (std::size_t k = 0; k < values.size(); ++k) {
-    values[k] = effect.unknowns[k].sigma;
+    const double step = effect.unknowns[k].sigma;
+    values[k] = step;
     effect.correct(belief, instant, place, values);
-    const Eigen::VectorXd change = (belief.values - picture.drawn.values) / values[k];
     values[k] = 0;
-    belief.values = picture.drawn.values;
-    for (std::size_t quantity = 0; quantity < static_cast<std::size_t>(change.size()); ++quantity) {
-      const double slope = change[static_cast<Eigen::Index>(quantity)];
-      if (slope == 0) {
+    for (std::size_t quantity = 0; quantity < static_cast<std::size_t>(drawn.size()); ++quantity) {
+      const auto i = static_cast<Eigen::Index>(quantity);
+      if (belief.values[i] == drawn[i]) {
         continue;
       }
+      const double slope = (belief.values[i] - drawn[i]) / step;
+      belief.values[i] = drawn[i];
       if (fixed) {
         slopes_.push_back({quantity, model.terms()[term].first + k, slope});
       } else if (std::find(result.quantities.begin(), result.quantities.end(), quantity) == result.quantities.end()) {
