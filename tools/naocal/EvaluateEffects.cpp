@@ -98,7 +98,7 @@ void mergeShards(const EvaluateCommand& command) {
       }
       files::create_directories(files::path{command.out} / folder);
       files::copy(files::path{shard} / folder, files::path{command.out} / folder,
-                  files::copy_options::overwrite_existing);
+                  files::copy_options::recursive | files::copy_options::overwrite_existing);
     }
   }
   judgeBlindly(command.out, command.json, command.page);

@@ -49,7 +49,9 @@ std::string readFile(const std::filesystem::path& file) {
 }
 
 void writeFile(const std::filesystem::path& file, const std::string& content) {
-  std::filesystem::create_directories(file.parent_path());
+  if (file.has_parent_path()) {
+    std::filesystem::create_directories(file.parent_path());
+  }
   const std::filesystem::path temporary = file.string() + ".part";
   {
     std::ofstream stream{temporary, std::ios::binary};

@@ -35,10 +35,6 @@ FloorPlace moved(FloorPlace place, int coordinate, double by) {
   return place;
 }
 
-Motion motion(const FloorPlace& place) {
-  return placed(place.x, place.y, place.yaw);
-}
-
 } // namespace
 
 Jacobian::Jacobian(const Robot& robot, const Session& session) {
@@ -80,7 +76,7 @@ Jacobian::Jacobian(const Robot& robot, const Session& session) {
     const Eigen::VectorXd& angles = pictures.angles(sight.reading);
     const Motion cameraFromFloor = pictures.cameraFromFloor(sight.reading, sight.camera, angles);
     const FloorPlace& board = session.boards[sight.board];
-    const Motion floorFromBoard = motion(board);
+    const Motion floorFromBoard = onFloor(board);
     if (before != std::pair{sight.reading, sight.camera}) {
       before = {sight.reading, sight.camera};
       for (Index i = 0; i < chainLength; ++i) {
@@ -109,10 +105,10 @@ Jacobian::Jacobian(const Robot& robot, const Session& session) {
       });
       if (sight.board > 0) {
         rowsOf(boards + 3 * (sight.board - 1) + axis) =
-            slope(sight, [&](double by) { return cameraFromFloor * motion(moved(board, axis, by)); });
+            slope(sight, [&](double by) { return cameraFromFloor * onFloor(moved(board, axis, by)); });
       }
       rowsOf(stances + 3 * session.readings[sight.reading].stance + axis) = slope(sight, [&](double by) {
-        return cameraFromFloor * motion(stance.place) * motion(moved(stance.place, axis, by)).inverse() *
+        return cameraFromFloor * onFloor(stance.place) * onFloor(moved(stance.place, axis, by)).inverse() *
                floorFromBoard;
       });
     }

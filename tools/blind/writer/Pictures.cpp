@@ -9,10 +9,6 @@ namespace blind {
 
 namespace {
 
-Motion motion(const FloorPlace& place) {
-  return placed(place.x, place.y, place.yaw);
-}
-
 /// The radius of the sphere on which an arc of this length, measured from the top, falls by `height`: the solution of
 /// (1 - cos x) / x = height / arc for x = arc / radius.
 double capRadius(double arc, double height) {
@@ -25,6 +21,10 @@ double capRadius(double arc, double height) {
 }
 
 } // namespace
+
+Motion onFloor(const FloorPlace& place) {
+  return placed(place.x, place.y, place.yaw);
+}
 
 Eigen::Vector3d sheetPoint(const BoardFlaws& flaws, double squaresRight, double squaresDown) {
   const double square = Sheet::square * (1 + flaws.scale);
@@ -72,7 +72,7 @@ Motion Pictures::floorFromBoard(int board, double time) const {
     place = {place.x + kick->by.x, place.y + kick->by.y, place.yaw + kick->by.yaw};
   }
   const BoardFlaws& flaws = robot_.flaws.boards[board];
-  return motion(place) * Motion{tipped(flaws.roll, flaws.pitch), Eigen::Vector3d::Zero()};
+  return onFloor(place) * Motion{tipped(flaws.roll, flaws.pitch), Eigen::Vector3d::Zero()};
 }
 
 Motion Pictures::cameraFromFloor(int reading, int camera, const Eigen::VectorXd& angles) const {
@@ -81,9 +81,9 @@ Motion Pictures::cameraFromFloor(int reading, int camera, const Eigen::VectorXd&
   const Skeleton::Posture posture = skeleton_.posture(angles);
   const Motion torsoFromSole = skeleton_.torsoFromSole(posture, stance.side);
   const SoleFlaws& sole = robot_.flaws.soles[stance.side];
-  Motion floorFromSole = motion(stance.place);
+  Motion floorFromSole = onFloor(stance.place);
   if (const auto& slip = session_.slippedStance; slip && slip->which == read.stance && read.time >= slip->time) {
-    floorFromSole = floorFromSole * motion(slip->by);
+    floorFromSole = floorFromSole * onFloor(slip->by);
   }
   if (sole.compliance != 0 || sole.roll != 0 || sole.pitch != 0) {
     const Eigen::Vector3d centre = torsoFromSole.inverse() * skeleton_.centreOfMass(posture);

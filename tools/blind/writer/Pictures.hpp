@@ -5,6 +5,9 @@
 
 namespace blind {
 
+/// The frame of something that lies on the floor, in the floor's.
+Motion onFloor(const FloorPlace& place);
+
 /// A corner, or any point of the sheet given in squares from its top left outer corner (x right, y down), in the
 /// board's frame: the printed sheet bent to a cap of constant curvature whose radii keep their length [m].
 Eigen::Vector3d sheetPoint(const BoardFlaws& flaws, double squaresRight, double squaresDown);

@@ -81,8 +81,7 @@ bool hide(const Item& item, Question& question, Chance& chance) {
   }
   const Family& family = familyNamed(item.kind);
   if (item.noncentrality == 0) {
-    auto values = item.group == "outside" ? std::vector<double>{chance.sign() * family.unknowns[0].physical}
-                                          : physicalSize(family, chance);
+    auto values = item.group == "outside" ? randomShape(family, chance) : physicalSize(family, chance);
     constexpr double visible = 10; // where these poses hardly show it, the question belongs to the absorbed ones
     question.hidden.push_back(hiding.given(family, somePlace(family, question.plan, chance), std::move(values)));
     return question.hidden.front().noncentrality > visible;

@@ -12,7 +12,7 @@ constexpr int fewestCorners = 6;
 /// The corners of a flat board that lie well inside the picture, if its squares are large enough to be told apart.
 std::vector<int> findableCorners(const Motion& cameraFromFloor, const FloorPlace& board) {
   constexpr double margin = 8, smallestHeight = 9; // [px]
-  const Motion cameraFromBoard = cameraFromFloor * placed(board.x, board.y, board.yaw);
+  const Motion cameraFromBoard = cameraFromFloor * onFloor(board);
   std::vector<int> ids;
   for (int id = 0; id < Sheet::corners; ++id) {
     const int column = id % (Sheet::squaresX - 1) + 1, row = id / (Sheet::squaresX - 1) + 1;
@@ -36,8 +36,7 @@ std::vector<int> findableCorners(const Motion& cameraFromFloor, const FloorPlace
 double cornersInView(const Skeleton& skeleton, const Stance& stance, int camera, const std::vector<FloorPlace>& boards,
                      const Eigen::VectorXd& angles) {
   const Skeleton::Posture posture = skeleton.posture(angles);
-  const Motion floorFromTorso =
-      placed(stance.place.x, stance.place.y, stance.place.yaw) * skeleton.torsoFromSole(posture, stance.side).inverse();
+  const Motion floorFromTorso = onFloor(stance.place) * skeleton.torsoFromSole(posture, stance.side).inverse();
   const Motion torsoFromCamera =
       skeleton.torsoFromCamera(posture, camera, Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero());
   const Motion cameraFromFloor = (floorFromTorso * torsoFromCamera).inverse();

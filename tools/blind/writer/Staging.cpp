@@ -74,11 +74,11 @@ private:
 
   /// The boards' middles.
   std::vector<Eigen::Vector3d> targets(const Stance& stance) const {
-    const Motion soleFromFloor = placed(stance.place.x, stance.place.y, stance.place.yaw).inverse();
+    const Motion soleFromFloor = onFloor(stance.place).inverse();
     std::vector<Eigen::Vector3d> middles;
     for (const FloorPlace& board : session_.boards) {
-      middles.push_back(soleFromFloor * (placed(board.x, board.y, board.yaw) *
-                                         sheetPoint({}, Sheet::squaresX / 2.0, Sheet::squaresY / 2.0)));
+      middles.push_back(soleFromFloor *
+                        (onFloor(board) * sheetPoint({}, Sheet::squaresX / 2.0, Sheet::squaresY / 2.0)));
     }
     return middles;
   }
