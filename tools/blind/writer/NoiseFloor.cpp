@@ -1,13 +1,15 @@
 #include "writer/NoiseFloor.hpp"
 
 #include "writer/Drawn.hpp"
+#include "writer/Jacobian.hpp"
 #include "writer/Noncentrality.hpp"
 
+#include <Eigen/QR>
 #include <cmath>
 
 namespace blind {
 
-double noiseFloor(const Robot& robot, const Session& session, const NoiseRegime& noise, const SeenCorners& seen) {
+double noiseFloor(const Robot& robot, const Session& session, const SeenCorners& seen) {
   Session asRead = session;
   for (Reading& reading : asRead.readings) {
     reading.unread.setZero();
@@ -22,7 +24,9 @@ double noiseFloor(const Robot& robot, const Session& session, const NoiseRegime&
     }
   }
   const Robot sound = withoutFlaws(robot); // for the derivatives, which flaws hardly change
-  const Eigen::VectorXd left = Noncentrality{sound, asRead, noise}.withoutPlaces(missing);
+  const Jacobian jacobian{sound, asRead};
+  const Eigen::MatrixXd places = jacobian.unknowns().rightCols(jacobian.placeCount());
+  const Eigen::VectorXd left = missing - places * places.colPivHouseholderQr().solve(missing);
   return std::sqrt(left.squaredNorm() / (0.5 * static_cast<double>(left.size())));
 }
 

@@ -18,7 +18,6 @@ using Eigen::VectorXd;
 Noncentrality::Noncentrality(const Robot& robot, const Session& session, const NoiseRegime& noise) {
   const Jacobian jacobian{robot, session};
   unknowns_ = jacobian.unknowns();
-  places_ = jacobian.placeCount();
 
   struct Member {
     std::size_t sight;
@@ -108,12 +107,6 @@ double Noncentrality::knownProduct(const VectorXd& left, const VectorXd& right) 
 double Noncentrality::product(const VectorXd& left, const VectorXd& right) const {
   const VectorXd leftPart = whitenedUnknowns_.transpose() * left, rightPart = whitenedUnknowns_.transpose() * right;
   return knownProduct(left, right) - leftPart.dot(information_.solve(rightPart));
-}
-
-VectorXd Noncentrality::withoutPlaces(const VectorXd& difference) const {
-  const auto places = unknowns_.rightCols(places_), whitenedPlaces = whitenedUnknowns_.rightCols(places_);
-  const VectorXd best = (places.transpose() * whitenedPlaces).ldlt().solve(whitenedPlaces.transpose() * difference);
-  return difference - places * best;
 }
 
 } // namespace blind

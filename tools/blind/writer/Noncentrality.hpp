@@ -27,9 +27,6 @@ public:
   /// Sigma^-1 alone: the same to someone who knows the robot too.
   double knownProduct(const Eigen::VectorXd& left, const Eigen::VectorXd& right) const;
 
-  /// A difference without what other places of boards and stances explain best (generalised least squares).
-  Eigen::VectorXd withoutPlaces(const Eigen::VectorXd& difference) const;
-
 private:
   struct Block { // the rows of one pose
     std::vector<Eigen::Index> rows;
@@ -41,7 +38,6 @@ private:
 
   std::vector<Block> blocks_;
   Eigen::MatrixXd unknowns_;         // A
-  Eigen::Index places_ = 0;          // its last columns
   Eigen::MatrixXd whitenedUnknowns_; // Sigma^-1 A
   Eigen::LLT<Eigen::MatrixXd> information_;
 };

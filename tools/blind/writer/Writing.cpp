@@ -81,7 +81,7 @@ void writeItem(const Drawing& drawing, const Item& item, std::uint64_t seed, int
 
   const Session later = lockedSession(question, chance);
   const SeenCorners seenLater = noisyCorners(Pictures{question.robot, later}, later, question.plan.noise, noise);
-  truth["lockedFloorPx"] = noiseFloor(question.robot, later, question.plan.noise, seenLater);
+  truth["lockedFloorPx"] = noiseFloor(question.robot, later, seenLater);
   writeFile(out / "locked" / name / "captures.json", captureSet(drawing, later, seenLater, false, name).dump() + "\n");
 
   const std::filesystem::path keyFile = out / "truth" / "key";
