@@ -12,6 +12,8 @@ void addDetect(CLI::App& app);
 void addSolve(CLI::App& app, int& exitCode);
 void addCompare(CLI::App& app);
 void addEffects(CLI::App& app);
+void addDiagnose(CLI::App& app, int& exitCode);
+void addExplore(CLI::App& app);
 void addReport(CLI::App& app);
 void addDemo(CLI::App& app, int& exitCode);
 void addEvaluate(CLI::App& app);

@@ -1,4 +1,5 @@
 #include "Commands.hpp"
+#include "DiagnosisStory.hpp"
 #include "Progress.hpp"
 #include "Sets.hpp"
 #include "Story.hpp"
@@ -7,6 +8,7 @@
 #include "captures/Files.hpp"
 #include "captures/InputError.hpp"
 #include "detect/SetDetection.hpp"
+#include "diagnose/DiagnosisFile.hpp"
 #include "geometry/Angles.hpp"
 #include "report/Report.hpp"
 #include "synthetic/Pictures.hpp"
@@ -36,6 +38,7 @@ unsigned threads() {
 std::optional<Simulation> robotWithPictures(const DemoCommand& command, const Robot& robot, const std::string& folder) {
   SimulationPlan plan;
   plan.images = true;
+  plan.hiddenFlaw = true;
   plan.repeatKind = RepeatKind::reapproach;
   plan.poses = standingPoses(robot, plan, SupportFoot::left, command.poses, command.seed);
   Simulation simulation = simulate(robot, plan, command.seed);
@@ -48,38 +51,35 @@ std::optional<Simulation> robotWithPictures(const DemoCommand& command, const Ro
 
 /// Truth against estimate; returns how many true values lie inside their 95 % interval.
 std::size_t printTruth(const Truth& truth, const Model& model, const CalibrationResult& result) {
-  fmt::print("\n  {:<26} {:>9} {:>10} {:>9} {:>9}\n", "unknown", "truth", "estimate", "error", "± 1 sigma");
+  fmt::print("\n  {:<34} {:>12} {:>12} {:>11}\n", "unknown", "truth", "estimate", "± 1 sigma");
   std::size_t inside = 0;
   for (const Term& term : model.terms()) {
     for (std::size_t i = 0; i < term.effect.unknowns.size(); ++i) {
-      const auto value = truth.value(term.effect.name, term.place, term.effect.unknowns[i].name);
+      const Unknown& unknown = term.effect.unknowns[i];
+      const auto value = truth.value(term.effect.name, term.place, unknown.name);
       if (!value) {
         continue;
       }
       const Estimate& estimate = result.estimates[term.first + i];
-      const double error = estimate.value - *value;
-      inside += std::abs(error) <= estimate.halfWidth;
-      const std::string name = term.effect.name == "jointOffset"
-                                   ? term.place
-                                   : fmt::format("{} camera, {}", term.place, term.effect.unknowns[i].name);
-      fmt::print("  {:<26} {:>8.3f}° {:>9.3f}° {:>8.3f}° {:>8.3f}°{}\n", name, degrees(*value), degrees(estimate.value),
-                 degrees(error), degrees(estimate.sigma),
-                 std::abs(error) <= estimate.halfWidth ? "" : "  outside 95 %");
+      inside += std::abs(estimate.value - *value) <= estimate.halfWidth;
+      const double scale = unknown.unit.starts_with("rad") ? degrees(1.0) : unknown.unit == "m" ? 1000 : 1;
+      const std::string unit = unknown.unit.starts_with("rad") ? "°" + unknown.unit.substr(3)
+                               : unknown.unit == "m"           ? " mm"
+                                                               : " " + unknown.unit;
+      fmt::print("  {:<34} {:>9.3f}{:<6} {:>9.3f}    {:>8.3f}{}\n",
+                 term.effect.name == "jointOffset" ? term.place : term.label() + "." + unknown.name, scale * *value,
+                 unit, scale * estimate.value, scale * estimate.sigma,
+                 std::abs(estimate.value - *value) <= estimate.halfWidth ? "" : "  outside 95 %");
     }
   }
   return inside;
 }
 
-int demo(const DemoCommand& command) {
-  const std::filesystem::path folder{command.folder};
-  const std::string set = (folder / "captures").string();
-  const Robot robot = loadRobot(configurationDirectory(), "V6");
-  fmt::print("A simulated {} with joints off by up to 6.5° and cameras by up to 2° looks at four printed boards.\n",
-             robot.model);
+/// Pictures, corners and files of a set; false: a person stopped it.
+bool takeCaptures(const DemoCommand& command, const Robot& robot, const std::string& set, Truth& truth) {
   auto simulation = robotWithPictures(command, robot, set);
   if (!simulation) {
-    fmt::print("stopped\n");
-    return 0;
+    return false;
   }
   CaptureSet captures = simulation->set;
   {
@@ -87,20 +87,41 @@ int demo(const DemoCommand& command) {
     detectInSet(captures, set, threads(), [&](std::size_t done, std::size_t all) { return progress(done, all); });
   }
   if (Progress::interrupted()) {
-    fmt::print("stopped\n");
-    return 0;
+    return false;
   }
   writeCaptureSet(captures, set);
   writeAtomically(truthFile(set), truthText(simulation->truth));
+  truth = simulation->truth;
+  return true;
+}
 
+int demo(const DemoCommand& command) {
+  const std::filesystem::path folder{command.folder};
+  const std::string set = (folder / "captures").string();
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  fmt::print("A simulated {} with joints off by up to 6.5° and cameras by up to 2° looks at four printed boards.\n"
+             "Something else in its leg is not as drawn. What is it?\n",
+             robot.model);
+  Truth truth;
+  if (!takeCaptures(command, robot, set, truth)) {
+    fmt::print("stopped\n");
+    return 0;
+  }
   const GivenSets given = readSets({set}, false);
   const Measurements measurements = measurementsOf(given.sets, given.robot);
-  const Model model = makeModel(measurements);
+  const Diagnosis diagnosis = diagnose(given.sets, measurements);
+  writeJson(diagnosisJson(diagnosis), (folder / "diagnosis.json").string());
+  printDiagnosis(diagnosis, {set});
+
+  const Model model = makeModel(measurements, diagnosis.with);
   const CalibrationResult result = calibrate(measurements, model);
   const std::string resultFile = (folder / "result.json").string(), reportFile = (folder / "report.html").string();
   writeJson(resultJson(given.sets, measurements, model, result, given.inputs), resultFile);
+  fmt::print("\nCalibrated with that added:\n");
   printStory(given.sets, measurements, model, result);
-  const std::size_t inside = printTruth(simulation->truth, model, result);
+  const TrueEffect& hidden = truth.effects.back();
+  fmt::print("\nNow the truth is opened. Hidden was {}@{}.\n", hidden.effect, hidden.at);
+  const std::size_t inside = printTruth(truth, model, result);
   fmt::print("\n{} of the true values lie inside their 95 % intervals.\n", inside);
   writeAtomically(reportFile, reportPage(resultFile));
   fmt::print("captures: {}\nresult:   {}\nreport:   {}  (open it in any browser)\n", set, resultFile, reportFile);
@@ -111,8 +132,8 @@ int demo(const DemoCommand& command) {
 
 void addDemo(CLI::App& app, int& exitCode) {
   auto command = std::make_shared<DemoCommand>();
-  CLI::App* demonstration =
-      app.add_subcommand("demo", "the whole way on a simulated robot: pictures, corners, offsets, truth, report");
+  CLI::App* demonstration = app.add_subcommand(
+      "demo", "the whole way on a simulated robot: pictures, corners, what is missing, offsets, truth, report");
   demonstration->footer("Example: naocal demo --seed 7");
   demonstration->add_option("-o,--output", command->folder, "the folder to write into")->capture_default_str();
   demonstration->add_option("--seed", command->seed, "another robot for every seed")->capture_default_str();

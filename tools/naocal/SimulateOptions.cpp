@@ -87,6 +87,8 @@ void addOptions(CLI::App& simulator, SimulateOptions& options) {
   simulator.add_option("--repeat-kind", options.repeatKind, "what happens between the samples of a pose")
       ->check(CLI::IsMember(kinds))
       ->capture_default_str();
+  simulator.add_flag("--hidden-flaw", options.plan.hiddenFlaw,
+                     "a part of the leg is not as drawn; which one, only the truth file tells");
   simulator.add_flag("--surveyed", options.plan.surveyed, "the set states where boards and feet are");
   simulator.add_option("--seed", options.seed, "the same seed gives the same set")->capture_default_str();
   simulator.add_option("--robot-seed", options.plan.robotSeed, "takes the robot of another set, by that set's seed");

@@ -19,6 +19,8 @@ int main(int argc, char** argv) {
   naocal::addSolve(app, exitCode);
   naocal::addCompare(app);
   naocal::addEffects(app);
+  naocal::addDiagnose(app, exitCode);
+  naocal::addExplore(app);
   naocal::addReport(app);
   naocal::addDemo(app, exitCode);
   naocal::addEvaluate(app);

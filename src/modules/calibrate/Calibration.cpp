@@ -103,7 +103,7 @@ CalibrationResult calibrate(const Measurements& measurements, const Model& model
   const auto begin = std::chrono::steady_clock::now();
   Answer answer{firstFit(measurements, model, options.noise, options), {{options.noise}, false}, {}};
   answer = improved(measurements, model, options, std::move(answer));
-  const auto kept = options.robust ? withoutMoved(measurements, model, options, answer) : std::nullopt;
+  const auto kept = options.robust && options.setAside ? withoutMoved(measurements, model, options, answer) : std::nullopt;
   const Measurements& used = kept ? *kept : measurements;
   CalibrationResult result = uncertain(used, model, answer.fit, answer.levels.joint, answer.misfit);
   result.noiseSource = answer.levels.fromRepeats ? "repeats" : "configured";

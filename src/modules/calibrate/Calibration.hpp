@@ -16,6 +16,7 @@ struct CalibrationOptions {
   bool pixelGiven = false;   // the pixel noise was set by a person: taken as it is where no repeats tell it
   bool estimateNoise = true; // from repeats, where there are any
   bool robust = true;        // doubtful corners lose their weight (and are listed)
+  bool setAside = true;      // so are, if robust, sightings whose board moved
   bool alternate = false;    // the thesis's way: joints and cameras in turns instead of together
   int restarts = 0;          // further random starts; the lowest cost wins
   std::uint64_t seed = 1;

@@ -116,15 +116,21 @@ Fit refit(const Measurements& measurements, const Model& model, const Noise& noi
   } else {
     // deflections are counted in units of their spread: find them anew, by one quadratic step from the same unknowns
     const Residuals quadratic{measurements, model, noise};
-    start = quadratic.moved(start, quadratic.linearised(start).value(),
-                            Eigen::VectorXd::Zero(from.minimum.state.unknowns.size()));
+    if (const auto linear = quadratic.linearised(start)) {
+      start = quadratic.moved(start, *linear, Eigen::VectorXd::Zero(from.minimum.state.unknowns.size()));
+    }
   }
   auto minimum = levenbergMarquardt(residuals, std::move(start), {.smallestFall = smallestFall});
   if (!minimum) { // the quadratic step went astray where the old minimum was possible: start from no deflection
     minimum =
         levenbergMarquardt(residuals, residuals.start(from.minimum.state.unknowns), {.smallestFall = smallestFall});
   }
-  minimum.value().iterations += from.minimum.iterations;
+  if (!minimum) {
+    throw InputError{
+        "the search ends where a corner that was seen lies behind the camera: these captures do not belong "
+        "together; check joints' signs, cameras' names and the boards"};
+  }
+  minimum->iterations += from.minimum.iterations;
   return {noise, loss, *std::move(minimum), from.restartsChanged};
 }
 

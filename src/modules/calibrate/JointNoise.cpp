@@ -110,15 +110,15 @@ JointNoise jointNoise(const Residuals::Linear& linear, const Eigen::VectorXd& un
   if (encoderToo) {
     lower.push_back(2 * std::log(rounding));
     upper.push_back(2 * std::log(everything));
-    x.push_back(std::max(2 * std::log(start.encoder), lower.back() + 0.1));
+    x.push_back(std::max(2 * std::log(start.encoder), lower.back() + 0.5));
   }
-  nlopt_opt optimiser = nlopt_create(x.size() > 1 ? NLOPT_LN_BOBYQA : NLOPT_LN_COBYLA, static_cast<unsigned>(x.size()));
+  nlopt_opt optimiser = nlopt_create(NLOPT_LN_NELDERMEAD, static_cast<unsigned>(x.size()));
   nlopt_set_lower_bounds(optimiser, lower.data());
   nlopt_set_upper_bounds(optimiser, upper.data());
   nlopt_set_min_objective(optimiser, &Search::call, &search);
-  nlopt_set_ftol_abs(optimiser, 1e-3);
-  nlopt_set_xtol_abs1(optimiser, 1e-2);
-  nlopt_set_maxeval(optimiser, 60);
+  nlopt_set_initial_step1(optimiser, 1); // a factor of 1.6 of a level
+  nlopt_set_xtol_abs1(optimiser, 2e-2);
+  nlopt_set_maxeval(optimiser, 80);
   double best = 0;
   nlopt_optimize(optimiser, x.data(), &best);
   nlopt_destroy(optimiser);

@@ -89,6 +89,7 @@ PoseSystem Residuals::emptySystem(const PoseGroup& pose) {
   for (auto& [joint, number] : deflections) {
     number = system.joints.size();
     system.joints.push_back(joint.first);
+    system.errors.push_back(joint.second);
     system.errorScales.push_back(pose.encoderErrors[joint.second]);
   }
   for (const Reading& reading : pose.readings) {

@@ -20,6 +20,7 @@ namespace naocal {
 struct PoseSystem {
   std::vector<std::size_t> unknowns;  // which ones, ascending
   std::vector<std::size_t> joints;    // per deflection: its joint; deflections of one joint stand together
+  std::vector<std::size_t> errors;    // per deflection: which of its pose's encoder errors it has
   std::vector<double> errorScales;    // per deflection: its encoder error's size against the noise level
   Eigen::MatrixXd unknownGram;        // sum of w J_x^T J_x      [px^2 / unknown^2]
   Eigen::MatrixXd cross;              // sum of w J_x^T J_t

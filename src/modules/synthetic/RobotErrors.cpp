@@ -41,6 +41,9 @@ std::vector<TrueEffect> trueEffects(const Robot& drawing, const RobotErrors& err
           {"cameraTranslation", name, {{"x", shift.x(), "m"}, {"y", shift.y(), "m"}, {"z", shift.z(), "m"}}});
     }
   }
+  if (errors.flaw) {
+    effects.push_back(errors.flaw->truth(drawing));
+  }
   return effects;
 }
 

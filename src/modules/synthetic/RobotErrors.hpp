@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/Robot.hpp"
+#include "synthetic/HiddenFlaw.hpp"
 #include "synthetic/Randomness.hpp"
 #include "synthetic/Truth.hpp"
 
@@ -17,6 +18,7 @@ struct RobotErrors {
   };
   Eigen::VectorXd jointOffsets; // per joint: the encoder shows the motor's angle + offset [rad]
   std::vector<Mount> mounts;    // per camera
+  std::optional<HiddenFlaw> flaw;
 };
 
 /// Errors drawn uniformly from [-range, range]: offsets per motor [rad], mounts per camera and axis [rad], [m].

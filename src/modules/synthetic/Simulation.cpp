@@ -94,7 +94,11 @@ CaptureSet emptySet(const Robot& drawing, const SimulationPlan& plan, std::uint6
 Simulation simulate(const Robot& drawing, const SimulationPlan& plan, std::uint64_t seed) {
   const std::uint64_t robotSeed = plan.robotSeed.value_or(seed);
   Randomness errorChance{robotSeed, "errors"}, displacementChance{seed, "displacement"}, noiseChance{seed, "corners"};
-  const RobotErrors errors = drawnErrors(drawing, plan.offsetRange, plan.mountRange, plan.mountShiftRange, errorChance);
+  RobotErrors errors = drawnErrors(drawing, plan.offsetRange, plan.mountRange, plan.mountShiftRange, errorChance);
+  if (plan.hiddenFlaw && !plan.poses.empty()) {
+    Randomness flawChance{robotSeed, "flaw"};
+    errors.flaw = drawnFlaw(drawing, plan.poses.front().supportFoot, flawChance);
+  }
   const std::vector<Placement> boards = drawnBoards(plan, Randomness{seed, "boards"});
   Walk taken = walk(SyntheticRobot{drawing, errors, plan.mechanics}, plan, boards, seed);
 

@@ -49,6 +49,7 @@ struct SimulationPlan {
   double stanceShiftRange = 0.04;         // of the robot against the origin, per stance [m]
   double stanceTurnRange = 0.1;           // [rad]
   std::optional<std::uint64_t> robotSeed; // of offsets and mounts, where another set's robot is wanted
+  bool hiddenFlaw = false;                // a part of the leg it stands on is not as drawn
   Mechanics mechanics;
   CornerNoise corners;
   std::map<std::string, CameraIntrinsics> cameras = drawnCameras(640, 480);

@@ -6,7 +6,8 @@
 namespace naocal {
 
 SyntheticRobot::SyntheticRobot(const Robot& drawing, const RobotErrors& errors, const Mechanics& mechanics)
-    : drawing_{drawing}, errors_{errors}, mechanics_{mechanics}, body_{drawing} {
+    : drawing_{drawing}, errors_{errors}, mechanics_{mechanics}, body_{errors.flaw ? errors.flaw->built(drawing)
+                                                                                   : drawing} {
   assert(static_cast<std::size_t>(errors.jointOffsets.size()) == drawing.joints.size());
   assert(errors.mounts.size() == drawing.cameras.size());
 }
@@ -22,8 +23,24 @@ Eigen::VectorXd SyntheticRobot::scatter(double sigma, Randomness& chance) const 
   return result;
 }
 
-TakenPose SyntheticRobot::approach(const Eigen::VectorXd& commanded, SupportFoot supportFoot,
-                                   const Eigen::VectorXd& poseDeflection, Randomness& chance) const {
+/// Gears give way until they balance gravity: the soft one's deflection is its compliance times the torque in the pose
+/// so reached.
+void SyntheticRobot::yield(TakenPose& taken, const Eigen::VectorXd& lastMotion) const {
+  const HiddenFlaw& flaw = *errors_.flaw;
+  taken.deflection += flaw.lag(lastMotion);
+  if (flaw.softJoint) {
+    const auto joint = static_cast<Eigen::Index>(*flaw.softJoint);
+    const double rigid = taken.deflection[joint];
+    for (int iteration = 0; iteration < 8; ++iteration) { // the error falls by about 0.03 each time
+      const Eigen::VectorXd torques = gravityTorques(taken.motors + taken.deflection, taken.supportFoot);
+      taken.deflection[joint] = rigid + flaw.compliance * torques[joint];
+    }
+  }
+}
+
+TakenPose SyntheticRobot::approach(const Eigen::VectorXd& commanded, const Eigen::VectorXd& lastMotion,
+                                   SupportFoot supportFoot, const Eigen::VectorXd& poseDeflection,
+                                   Randomness& chance) const {
   assert(supportFoot != SupportFoot::none);
   TakenPose taken;
   taken.supportFoot = supportFoot;
@@ -31,6 +48,9 @@ TakenPose SyntheticRobot::approach(const Eigen::VectorXd& commanded, SupportFoot
   taken.torques = gravityTorques(target, supportFoot);
   taken.motors = target + mechanics_.servoDroop * taken.torques + scatter(mechanics_.servoDeadZone, chance);
   taken.deflection = poseDeflection + scatter(mechanics_.approachScatter, chance);
+  if (errors_.flaw) {
+    yield(taken, lastMotion);
+  }
   taken.velocity = scatter(mechanics_.residualSpeed, chance);
   if (supportFoot == SupportFoot::both) {
     settleOnBothSoles(taken);

@@ -43,8 +43,9 @@ public:
   SyntheticRobot(const Robot& drawing, const RobotErrors& errors, const Mechanics& mechanics);
 
   /// Moves to a commanded pose (raw space: offsets are not known to whoever commands) and comes to rest.
-  TakenPose approach(const Eigen::VectorXd& commanded, SupportFoot supportFoot, const Eigen::VectorXd& poseDeflection,
-                     Randomness& chance) const;
+  /// `lastMotion`: which way each joint turned last, -1, 0, +1.
+  TakenPose approach(const Eigen::VectorXd& commanded, const Eigen::VectorXd& lastMotion, SupportFoot supportFoot,
+                     const Eigen::VectorXd& poseDeflection, Randomness& chance) const;
   /// How far the gears stand behind their encoders in a pose, one draw per motor [rad].
   Eigen::VectorXd scatter(double sigma, Randomness& chance) const;
 
@@ -69,6 +70,7 @@ public:
 
 private:
   Eigen::VectorXd gravityTorques(const Eigen::VectorXd& joints, SupportFoot supportFoot) const;
+  void yield(TakenPose& taken, const Eigen::VectorXd& lastMotion) const;
   std::array<double, 8> forces(const Eigen::VectorXd& joints, SupportFoot supportFoot) const;
   Eigen::Vector3d rightSoleOffFloor(const Eigen::VectorXd& joints) const;
   void settleOnBothSoles(TakenPose& taken) const;

@@ -86,7 +86,7 @@ private:
       approach_[joint] = way == 0 ? approach_[joint] : std::copysign(1, way);
     }
     commanded_ = commanded;
-    taken_ = robot_.approach(commanded, target.supportFoot, poseDeflections_[pose], motion_);
+    taken_ = robot_.approach(commanded, approach_, target.supportFoot, poseDeflections_[pose], motion_);
     wait(duration);
   }
 

@@ -1,0 +1,132 @@
+#include "diagnose/Diagnosis.hpp"
+
+#include "captures/InputError.hpp"
+#include "diagnose/Ladder.hpp"
+#include "diagnose/Sentences.hpp"
+#include "diagnose/SetUps.hpp"
+#include "diagnose/Shapes.hpp"
+#include "diagnose/Suspicions.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <numeric>
+
+namespace naocal {
+
+namespace {
+
+/// The map's cell that explains most.
+std::size_t bestCell(const Inquiry& inquiry) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < inquiry.map().cells.size(); ++i) {
+    if (inquiry.ofCell(i).bayes > inquiry.ofCell(best).bayes) {
+      best = i;
+    }
+  }
+  return best;
+}
+
+/// The best curves of the map, one per joint.
+std::vector<DriverFinding> curves(const Inquiry& inquiry, const Measurements& measurements) {
+  std::vector<std::size_t> order(inquiry.map().cells.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return inquiry.ofCell(a).bayes > inquiry.ofCell(b).bayes; });
+  std::vector<DriverFinding> result;
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, order.size()); ++i) {
+    result.push_back(driverFinding(inquiry, measurements, order[i]));
+  }
+  return result;
+}
+
+Verdict verdictOf(const Diagnosis& diagnosis, const Inquiry& last, bool unknown) {
+  constexpr double surely = 9;          // of a likelihood ratio at its boundary: p = 0.0013
+  constexpr double beyondDoubt = 0.001; // of the lack of fit
+  if (!diagnosis.suspicious.empty()) {
+    return Verdict::badCaptures;
+  }
+  if (unknown) {
+    return Verdict::unknownEffect;
+  }
+  if (!diagnosis.suggested.empty()) {
+    return Verdict::effectMissing;
+  }
+  const bool misfit = diagnosis.lackOfFit.pValue < beyondDoubt;
+  if (last.evidence().level > 0 && (misfit || last.evidence().withoutScatter > surely)) {
+    return Verdict::scatter;
+  }
+  return misfit ? Verdict::inconclusive : Verdict::adequate;
+}
+
+/// What is left to say where no search can start.
+Diagnosis withoutFit(const std::vector<CaptureSet>& sets, const Measurements& measurements, const InputError& error) {
+  Diagnosis result;
+  result.verdict = Verdict::badCaptures;
+  const auto setUp = wrongSetUp(sets, measurements, std::numeric_limits<double>::infinity());
+  result.suspicious.push_back(setUp.value_or(Suspicion{{}, error.what()}));
+  result.sentence = sentence(result);
+  return result;
+}
+
+/// The loop: question the model, add what is missing, until the alarm falls silent.
+Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& asked,
+                     const DiagnosisOptions& options) {
+  Diagnosis result;
+  Ladder ladder{measurements, asked, options};
+  result.fit = ladder.fit();
+  result.rmsPx = result.fit.rmsPx;
+  bool unknown = false;
+  while (true) {
+    const Inquiry inquiry{measurements, ladder.model(), ladder.fit(), ladder.testable(), options.inquiry};
+    ladder.look(inquiry, result);
+    if (result.steps.size() == 1) {
+      result.lackOfFit = lackOfFit(inquiry);
+      result.suspicious = suspicions(sets, measurements, ladder.model(), ladder.fit(), inquiry);
+      result.alarm = inquiry.evidence().pValue;
+    }
+    const bool alarm = inquiry.evidence().pValue <= options.alarm && result.suspicious.empty();
+    const std::optional<std::size_t> candidate = alarm ? ladder.best(inquiry) : std::nullopt;
+    if (alarm && !inquiry.map().cells.empty()) {
+      constexpr double better = 6; // in 2 ln of the Bayes factor
+      const double curve = inquiry.ofCell(bestCell(inquiry)).bayes;
+      unknown = curve > 0 && (!candidate || curve > inquiry.ofCandidate(*candidate).bayes + better);
+    }
+    if (!options.grow || !alarm || unknown || !candidate || !ladder.add(inquiry, *candidate, result)) {
+      result.drivers = curves(inquiry, measurements);
+      result.scatter = inquiry.evidence().level;
+      const std::vector<Suspicion> moved = movedBoards(sets, measurements, ladder.withoutMovedBoards());
+      const bool explained = unknown || !result.suggested.empty();
+      if (!explained) {
+        result.suspicious.insert(result.suspicious.end(), moved.begin(), moved.end());
+      }
+      result.verdict = verdictOf(result, inquiry, unknown);
+      ladder.judge(inquiry, result);
+      break;
+    }
+  }
+  result.lastFit = ladder.fit();
+  result.sentence = sentence(result);
+  return result;
+}
+
+} // namespace
+
+Diagnosis diagnose(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                   const DiagnosisOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Model asked = makeModel(measurements, options.with, options.without, options.effects);
+  Diagnosis result;
+  try {
+    result = questioned(sets, measurements, asked, options);
+  } catch (const InputError& error) {
+    if (measurements.cornerCount == 0) {
+      throw;
+    }
+    result = withoutFit(sets, measurements, error);
+  }
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+} // namespace naocal

@@ -1,0 +1,100 @@
+#pragma once
+
+#include "calibrate/Calibration.hpp"
+#include "diagnose/Inquiry.hpp"
+#include "diagnose/LackOfFit.hpp"
+#include "effects/AllEffects.hpp"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace naocal {
+
+enum class Verdict { adequate, effectMissing, unknownEffect, scatter, inconclusive, badCaptures };
+
+/// What these captures say about one candidate.
+enum class State {
+  present,      // the misfit needs it
+  aliased,      // it would explain the misfit as well, but one that explains it as well was taken
+  trivial,      // there, but smaller than matters
+  absent,       // it would have been seen were it as large as it plausibly is
+  inconclusive, // it might be there and not be seen
+  absorbed,     // these poses cannot test it: other unknowns imitate it
+  noData        // what drives it was not recorded
+};
+
+/// An effect at a place, and what the captures say about it.
+struct CandidateFinding {
+  Term term;
+  State state = State::inconclusive;
+  std::string why;                                   // of noData: "no temperatures were recorded"
+  GroupEvidence evidence;                            // where it was strongest: alone, or after others were added
+  std::size_t step = 0;                              // after how many additions that was
+  double power = 0;                                  // chance to be noticed were it as large as plausible
+  std::vector<double> minimalDetectable;             // per unknown: noticed in 9 of 10 cases [the unknown's unit]
+  std::optional<double> chi2Drop;                    // after refitting, where that was done
+  std::optional<double> heldOutBefore, heldOutAfter; // [px]
+  bool plausible = true;                             // within three of its sigmas
+  std::vector<std::string> equivalent;               // labels of effects that these captures cannot tell from it
+};
+
+/// A curve of a joint over a driver that would explain what is left over.
+struct DriverFinding {
+  std::string joint, driver;                                // as in a user's effect: "LKneePitch", "q"
+  std::string what;                                         // "the angle of LKneePitch"
+  double share = 0;                                         // of the misfit beyond noise that it explains
+  double likelihoodRatio = 0, bayes = 0, amplitude = 0;     // amplitude [rad]: half of the curve's range
+  std::vector<std::array<double, 3>> curve;                 // driver, deflection, its standard error [rad]
+  std::string expression;                                   // a small one that follows the curve
+  std::vector<std::pair<std::string, double>> coefficients; // of that expression
+};
+
+/// A capture, board or setting that looks wrong.
+struct Suspicion {
+  std::optional<int> capture; // its id
+  std::string why;
+};
+
+/// One rung of the ladder: the model with one more effect.
+struct Step {
+  std::string added; // its label; empty for the model as it was given
+  double rmsPx = 0, heldOutPx = 0, noiseFloorPx = 0;
+  double chi2 = 0, dof = 0;
+  double alarm = 1; // family-wise p-value that something is missing here
+};
+
+struct Diagnosis {
+  Verdict verdict = Verdict::adequate;
+  std::string sentence;
+  LackOfFit lackOfFit; // of the model as given
+  double rmsPx = 0;
+  double alarm = 1;                      // of the model as given
+  double scatter = 0;                    // pose noise of the last model [rad]
+  std::vector<CandidateFinding> ranking; // best first
+  std::vector<std::string> suggested;    // labels, in the order they were added
+  std::vector<Step> steps;               // the ladder
+  std::vector<DriverFinding> drivers;    // on the last model, best first
+  std::vector<Suspicion> suspicious;
+  CalibrationResult fit;         // of the model as given
+  CalibrationResult lastFit;     // with everything suggested
+  std::vector<std::string> with; // what the last model has beyond the base
+  double seconds = 0;
+};
+
+struct DiagnosisOptions {
+  CalibrationOptions calibration;
+  InquiryOptions inquiry;
+  std::vector<std::string> with, without; // the model to question: the base with and without these
+  std::vector<Effect> effects = allEffects();
+  double alarm = 0.05; // family-wise rate of false alarms
+  bool grow = true;    // add what is missing; else only question the model as it is
+};
+
+/// Compares the model with the measurements, sees where it fails, learns which effects are missing, adds them as long
+/// as the alarm stands, and says what remains.
+Diagnosis diagnose(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                   const DiagnosisOptions& options = {});
+
+} // namespace naocal

@@ -1,0 +1,63 @@
+#include "diagnose/Inquiry.hpp"
+
+#include "captures/InputError.hpp"
+#include "diagnose/Drivers.hpp"
+
+namespace naocal {
+
+namespace {
+
+/// The sums of model and candidates at the fit, candidates at zero.
+Residuals::Linear linearisedAt(const Measurements& measurements, const Model& model, const CalibrationResult& fit) {
+  Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.unknownCount()));
+  unknowns.head(fit.unknowns.size()) = fit.unknowns;
+  Loss loss;
+  loss.scale = fit.loss.scale * fit.sigmaScale;
+  const Residuals residuals{measurements, model, fit.noise, loss};
+  const Eigen::VectorXd still = Eigen::VectorXd::Zero(unknowns.size());
+  Residuals::State state = residuals.start(unknowns); // find the deflections there by one quadratic step
+  auto linear = residuals.linearised(state);
+  if (linear) {
+    state = residuals.moved(state, *linear, still);
+    linear = residuals.linearised(state);
+  }
+  if (!linear) {
+    throw InputError{"the fit puts a corner that was seen behind the camera: these captures do not belong together"};
+  }
+  return *std::move(linear);
+}
+
+} // namespace
+
+Inquiry::Inquiry(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
+                 const std::vector<Term>& candidates, const InquiryOptions& options)
+    : candidates_{candidates}, noise_{fit.noise} {
+  Model extended = model;
+  std::vector<ColumnGroup> groups;
+  for (Term& candidate : candidates_) {
+    groups.push_back({static_cast<Eigen::Index>(extended.unknownCount() - model.unknownCount()),
+                      static_cast<Eigen::Index>(candidate.effect.unknowns.size())});
+    extended.add(candidate);
+  }
+  linear_ = linearisedAt(measurements, extended, fit);
+  map_ = driverColumns(measurements,
+                       options.map ? driversOf(measurements, model, fit.unknowns) : std::vector<DriverValues>{},
+                       linear_.poses);
+  const auto columns = static_cast<Eigen::Index>(extended.unknownCount() - model.unknownCount());
+  for (const DriverCell& cell : map_.cells) {
+    groups.push_back({columns + cell.first, cell.count});
+  }
+  Eigen::VectorXd plausible(columns + map_.count);
+  plausible << extended.sigmas().tail(columns), Eigen::VectorXd::Constant(map_.count, plausibleCurve);
+  problem_ = std::make_unique<ScoreProblem>(
+      ScoreProblem{&linear_, &map_, fit.unknowns, model.sigmas(), std::move(groups), columns, std::move(plausible)});
+  evidence_ = evidenceOf(*problem_, noise_, options.levels, options.draws, options.seed);
+}
+
+Noise Inquiry::noise() const {
+  Noise result = noise_;
+  result.pose = evidence_.level;
+  return result;
+}
+
+} // namespace naocal

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "calibrate/Calibration.hpp"
+#include "diagnose/Evidence.hpp"
+#include "residuals/Model.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace naocal {
+
+/// How large a curve's coefficients plausibly are [rad]: some tenths of a degree.
+constexpr double plausibleCurve = 0.005;
+
+struct InquiryOptions {
+  Eigen::Index draws = 199; // of pure noise, for the alarm's null distribution
+  std::uint64_t seed = 1;
+  bool map = true;                           // joints over drivers beside the candidates
+  std::vector<double> levels = poseLevels(); // of pose noise
+};
+
+/// A fitted model put to the question: which of these candidates, and which curve of a joint over a driver, would
+/// explain what is left over? All linearised at the fit.
+class Inquiry {
+public:
+  Inquiry(const Inquiry&) = delete; // its problem points into it
+  Inquiry& operator=(const Inquiry&) = delete;
+  Inquiry(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
+          const std::vector<Term>& candidates, const InquiryOptions& options = {});
+
+  const std::vector<Term>& candidates() const { return candidates_; }
+  const Residuals::Linear& linear() const { return linear_; }
+  const DriverColumns& map() const { return map_; }
+  const ScoreProblem& problem() const { return *problem_; }
+  const Evidence& evidence() const { return evidence_; }
+  /// The noise of the fit, with the pose level found here.
+  Noise noise() const;
+
+  const GroupEvidence& ofCandidate(std::size_t candidate) const { return evidence_.groups[candidate]; }
+  const GroupEvidence& ofCell(std::size_t cell) const { return evidence_.groups[candidates_.size() + cell]; }
+
+private:
+  std::vector<Term> candidates_;
+  Noise noise_;
+  Residuals::Linear linear_;
+  DriverColumns map_;
+  std::unique_ptr<ScoreProblem> problem_;
+  Evidence evidence_;
+};
+
+} // namespace naocal

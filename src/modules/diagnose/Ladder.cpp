@@ -1,0 +1,260 @@
+#include "diagnose/Ladder.hpp"
+
+#include "calibrate/Fit.hpp"
+#include "diagnose/Alternatives.hpp"
+#include "diagnose/HeldOut.hpp"
+#include "diagnose/Power.hpp"
+#include "residuals/Candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace naocal {
+
+namespace {
+
+/// Unknowns of one model in the order of another; new ones at zero.
+Eigen::VectorXd carried(const Model& from, const Eigen::VectorXd& unknowns, const Model& to) {
+  std::map<std::string, double> values;
+  const std::vector<std::string> names = from.names();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    values[names[i]] = unknowns[static_cast<Eigen::Index>(i)];
+  }
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(to.unknownCount()));
+  const std::vector<std::string> wanted = to.names();
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (const auto found = values.find(wanted[i]); found != values.end()) {
+      result[static_cast<Eigen::Index>(i)] = found->second;
+    }
+  }
+  return result;
+}
+
+bool has(const Model& model, const std::string& label) {
+  return std::any_of(model.terms().begin(), model.terms().end(),
+                     [&](const Term& term) { return term.label() == label; });
+}
+
+Eigen::VectorXd plausibleSizes(const Term& term) {
+  Eigen::VectorXd result(static_cast<Eigen::Index>(term.effect.unknowns.size()));
+  for (Eigen::Index i = 0; i < result.size(); ++i) {
+    result[i] = term.effect.unknowns[static_cast<std::size_t>(i)].sigma;
+  }
+  return result;
+}
+
+bool isPlausible(const GroupEvidence& evidence, const Eigen::VectorXd& sigmas) {
+  return (evidence.estimate.cwiseAbs().array() <= 3 * sigmas.array()).all();
+}
+
+} // namespace
+
+Ladder::Ladder(const Measurements& measurements, const Model& model, const DiagnosisOptions& options)
+    : measurements_{measurements}, options_{options}, candidates_{candidateTerms(measurements, options.effects)},
+      added_{options.with}, model_{model}, fit_{calibrated(model_, options.calibration.start)} {
+  std::erase_if(candidates_, [&](const Term& term) { return has(model_, term.label()); });
+  for (const Term& term : candidates_) {
+    CandidateFinding& finding = findings_.emplace_back(CandidateFinding{.term = term});
+    finding.evidence.bayes = -std::numeric_limits<double>::infinity();
+    if (const auto why = whyUntestable(term.effect, term.at, measurements)) {
+      finding.state = State::noData;
+      finding.why = *why;
+    }
+  }
+}
+
+/// No sighting is set aside: what a missing effect does to a board must not be taken for an accident.
+CalibrationResult Ladder::calibrated(const Model& model, std::optional<Eigen::VectorXd> start) const {
+  CalibrationOptions options = options_.calibration;
+  options.start = std::move(start);
+  options.setAside = false;
+  CalibrationResult result = calibrate(measurements_, model, options);
+  std::size_t doubted = 0;
+  for (const Doubt& doubt : result.doubts) {
+    doubted += doubt.corners.size();
+  }
+  constexpr std::size_t few = 20;
+  if (few * doubted > measurements_.cornerCount) { // so many are not false: the model is, and must see them
+    options.robust = false;
+    result = calibrate(measurements_, model, options);
+  }
+  return result;
+}
+
+CalibrationResult Ladder::withoutMovedBoards() const {
+  CalibrationOptions options = options_.calibration;
+  options.start = fit_.unknowns;
+  return calibrate(measurements_, model_, options);
+}
+
+std::vector<Term> Ladder::testable() const {
+  std::vector<Term> result;
+  for (const CandidateFinding& finding : findings_) {
+    if (finding.state != State::noData && !has(model_, finding.term.label())) {
+      result.push_back(finding.term);
+    }
+  }
+  return result;
+}
+
+CandidateFinding& Ladder::findingOf(const Term& term) {
+  const auto found = std::find_if(findings_.begin(), findings_.end(), [&](const CandidateFinding& finding) {
+    return finding.term.label() == term.label();
+  });
+  return *found;
+}
+
+void Ladder::look(const Inquiry& inquiry, Diagnosis& diagnosis) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
+    order.push_back(i);
+    CandidateFinding& finding = findingOf(inquiry.candidates()[i]);
+    if (inquiry.ofCandidate(i).bayes > finding.evidence.bayes) {
+      finding.evidence = inquiry.ofCandidate(i);
+      finding.step = diagnosis.steps.size();
+      finding.plausible = isPlausible(finding.evidence, plausibleSizes(finding.term));
+    }
+  }
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return inquiry.ofCandidate(a).bayes > inquiry.ofCandidate(b).bayes; });
+  order.resize(std::min<std::size_t>(order.size(), 10));
+  const HeldOut held = heldOut(inquiry, order);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    CandidateFinding& finding = findingOf(inquiry.candidates()[order[i]]);
+    if (finding.step == diagnosis.steps.size()) {
+      finding.heldOutBefore = held.beforePx;
+      finding.heldOutAfter = held.afterPx[i];
+    }
+  }
+  diagnosis.steps.push_back({added_.size() > options_.with.size() ? added_.back() : "", fit_.rmsPx, held.beforePx,
+                             lackOfFit(inquiry).noiseFloorPx, fit_.chi2, fit_.dof, inquiry.evidence().pValue});
+}
+
+double Ladder::refittedDrop(const Inquiry& inquiry, std::size_t candidate) const {
+  Noise noise = inquiry.noise();
+  noise.pose = inquiry.ofCandidate(candidate).level;
+  std::vector<std::string> with = added_;
+  with.push_back(inquiry.candidates()[candidate].label());
+  const Model larger = makeModel(measurements_, with, options_.without, options_.effects);
+  const auto cost = [&](const Model& model, const Eigen::VectorXd& start) {
+    Loss loss;
+    loss.scale = fit_.loss.scale * fit_.sigmaScale;
+    Fit from{Noise{.pixel = noise.pixel, .encoder = -1, .pose = -1}, loss, {}};
+    from.minimum.state.unknowns = start;
+    return refit(measurements_, model, noise, loss, std::move(from)).minimum.linear.cost;
+  };
+  return 2 * (cost(model_, fit_.unknowns) - cost(larger, carried(model_, fit_.unknowns, larger)));
+}
+
+std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
+  constexpr double near = 10;
+  constexpr std::size_t most = 4;
+  std::vector<std::size_t> order(inquiry.candidates().size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    order[i] = i;
+  }
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return inquiry.ofCandidate(a).bayes > inquiry.ofCandidate(b).bayes; });
+  std::optional<std::size_t> best;
+  double bestBayes = 0;
+  for (std::size_t i = 0; i < std::min(most, order.size()); ++i) {
+    const GroupEvidence& evidence = inquiry.ofCandidate(order[i]);
+    if (evidence.bayes <= 0 || evidence.bayes < inquiry.ofCandidate(order[0]).bayes - near) {
+      break;
+    }
+    const double drop = refittedDrop(inquiry, order[i]);
+    findingOf(inquiry.candidates()[order[i]]).chi2Drop = drop;
+    const double bayes = evidence.bayes + drop - evidence.fall;
+    if (bayes > bestBayes) {
+      bestBayes = bayes;
+      best = order[i];
+    }
+  }
+  return best;
+}
+
+bool Ladder::add(const Inquiry& inquiry, std::size_t candidate, Diagnosis& diagnosis) {
+  const std::size_t most = std::max<std::size_t>(1, measurements_.poses.size() / 4);
+  if (diagnosis.suggested.size() >= most) {
+    return false;
+  }
+  const Term& term = inquiry.candidates()[candidate];
+  CandidateFinding& finding = findingOf(term);
+  finding.state = State::present;
+  finding.evidence.bayes = std::max(finding.evidence.bayes, inquiry.ofCandidate(candidate).bayes);
+  for (std::size_t other : equivalents(inquiry, candidate)) {
+    finding.equivalent.push_back(inquiry.candidates()[other].label());
+    CandidateFinding& twin = findingOf(inquiry.candidates()[other]);
+    if (twin.state != State::present) {
+      twin.state = State::aliased;
+      twin.equivalent.push_back(term.label());
+    }
+  }
+  added_.push_back(term.label());
+  diagnosis.suggested.push_back(term.label());
+  const Model larger = makeModel(measurements_, added_, options_.without, options_.effects);
+  fit_ = calibrated(larger, carried(model_, fit_.unknowns, larger));
+  model_ = larger;
+  return true;
+}
+
+void Ladder::judge(const Inquiry& last, Diagnosis& diagnosis) {
+  const double criticalP = last.evidence().criticalP;
+  for (std::size_t i = 0; i < last.candidates().size(); ++i) {
+    CandidateFinding& finding = findingOf(last.candidates()[i]);
+    const GroupEvidence& evidence = last.ofCandidate(i);
+    const Sensitivity sensed = sensitivity(evidence, plausibleSizes(finding.term), criticalP);
+    finding.power = sensed.power;
+    finding.minimalDetectable = sensed.detectable;
+    const Eigen::VectorXd sigmas = plausibleSizes(finding.term);
+    bool blind = true; // nothing of a plausible size would be noticed
+    for (std::size_t k = 0; k < sensed.detectable.size(); ++k) {
+      blind &= sensed.detectable[k] > 3 * sigmas[static_cast<Eigen::Index>(k)];
+    }
+    if (finding.state == State::inconclusive) {
+      finding.state = evidence.freedom < 1 || blind ? State::absorbed
+                      : evidence.pValue < criticalP ? State::present
+                      : finding.power >= 0.8        ? State::absent
+                                                    : State::inconclusive;
+    }
+  }
+  for (CandidateFinding& finding : findings_) {
+    if (!has(model_, finding.term.label())) {
+      continue;
+    }
+    for (const Term& term : model_.terms()) {
+      if (term.label() == finding.term.label()) {
+        const Sensitivity sensed = sensitivity(finding.evidence, plausibleSizes(finding.term), criticalP);
+        finding.power = sensed.power;
+        finding.minimalDetectable = sensed.detectable;
+        for (std::size_t k = 0; k < term.effect.unknowns.size(); ++k) {
+          const Estimate& estimate = fit_.estimates[term.first + k];
+          const auto row = static_cast<Eigen::Index>(k);
+          finding.evidence.estimate[row] = estimate.value;
+          finding.evidence.covariance(row, row) = estimate.sigma * estimate.sigma;
+        }
+      }
+    }
+  }
+  diagnosis.with = added_;
+  diagnosis.ranking = findings_;
+  const auto place = [&](const CandidateFinding& finding) { // suggested first, in their order
+    const auto found = std::find(diagnosis.suggested.begin(), diagnosis.suggested.end(), finding.term.label());
+    return found - diagnosis.suggested.begin();
+  };
+  std::stable_sort(
+      diagnosis.ranking.begin(), diagnosis.ranking.end(), [&](const CandidateFinding& a, const CandidateFinding& b) {
+        const bool ledA = place(a) == 0 && !diagnosis.suggested.empty(),
+                   ledB = place(b) == 0 && !diagnosis.suggested.empty();
+        if (ledA != ledB) {
+          return ledA;
+        }
+        const auto shown = [](const CandidateFinding& finding) {
+          return finding.state != State::noData && (finding.state != State::absorbed || finding.evidence.bayes > 2);
+        };
+        return shown(a) != shown(b) ? shown(a) : a.evidence.bayes > b.evidence.bayes;
+      });
+}
+
+} // namespace naocal

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "diagnose/Diagnosis.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// The model that grows by one effect after the other, and what was found about each candidate on the way.
+class Ladder {
+public:
+  Ladder(const Measurements& measurements, const Model& model, const DiagnosisOptions& options);
+
+  const Model& model() const { return model_; }
+  const CalibrationResult& fit() const { return fit_; }
+  /// Candidates whose drivers were recorded and that are not in the model.
+  std::vector<Term> testable() const;
+
+  /// Writes down the model's rung and what each candidate would explain.
+  void look(const Inquiry& inquiry, Diagnosis& diagnosis);
+  /// The candidate to add next: the likeliest, by a fit of each of the first few; absent when none beats the model.
+  std::optional<std::size_t> best(const Inquiry& inquiry);
+  /// Adds it, fits, and drops what it has made superfluous. False: the ladder is as long as these captures bear.
+  bool add(const Inquiry& inquiry, std::size_t candidate, Diagnosis& diagnosis);
+  /// The model's fit once more, now with boards set aside that moved for a moment: its doubts name them.
+  CalibrationResult withoutMovedBoards() const;
+  /// The last word on each candidate, and the ranking.
+  void judge(const Inquiry& last, Diagnosis& diagnosis);
+
+private:
+  CandidateFinding& findingOf(const Term& term);
+  std::vector<std::string> labels() const;
+  double refittedDrop(const Inquiry& inquiry, std::size_t candidate) const;
+
+  CalibrationResult calibrated(const Model& model, std::optional<Eigen::VectorXd> start) const;
+
+  const Measurements& measurements_;
+  const DiagnosisOptions& options_;
+  std::vector<Term> candidates_;
+  std::vector<std::string> added_;
+  Model model_;
+  CalibrationResult fit_;
+  std::vector<CandidateFinding> findings_; // as the candidates
+};
+
+} // namespace naocal

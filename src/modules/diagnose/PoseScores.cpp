@@ -1,0 +1,55 @@
+#include "diagnose/PoseScores.hpp"
+
+#include <Eigen/Cholesky>
+#include <random>
+
+namespace naocal {
+
+namespace {
+
+Eigen::MatrixXd normals(Eigen::Index rows, Eigen::Index columns, std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return normal(random); });
+}
+
+/// F F^T = `gram`, which may be singular. Columns come in all units, so they are brought to one scale; there a part in
+/// 10^10 is added, far less than any candidate that can be tested keeps of its information.
+Eigen::MatrixXd rootOf(const Eigen::MatrixXd& gram) {
+  constexpr double negligible = 1e-10;
+  const Eigen::VectorXd unit = gram.diagonal().cwiseMax(1e-300).cwiseSqrt();
+  const Eigen::VectorXd inverse = unit.cwiseInverse();
+  Eigen::MatrixXd scaled = inverse.asDiagonal() * gram * inverse.asDiagonal();
+  scaled.diagonal().array() += negligible;
+  return unit.asDiagonal() * Eigen::MatrixXd{scaled.llt().matrixL()};
+}
+
+} // namespace
+
+PoseScores measuredScores(const Residuals::Linear& linear, const Noise& noise) {
+  const double information = 1 / (noise.pixel * noise.pixel);
+  PoseScores result;
+  for (const PoseSystem& pose : linear.poses) {
+    result.push_back({information * pose.unknownGradient, information * pose.deflectionGradient});
+  }
+  return result;
+}
+
+PoseScores drawnScores(const Residuals::Linear& linear, const Noise& noise, Eigen::Index draws, std::uint64_t seed) {
+  std::mt19937_64 random{seed};
+  const double information = 1 / (noise.pixel * noise.pixel);
+  PoseScores result;
+  for (const PoseSystem& pose : linear.poses) {
+    const Eigen::Index unknowns = pose.unknownGradient.size(), joints = pose.deflectionGradient.size();
+    Eigen::MatrixXd gram(unknowns + joints, unknowns + joints);
+    gram << pose.unknownGram, pose.cross, pose.cross.transpose(), pose.deflectionGram;
+    gram *= information;
+    Eigen::MatrixXd scores = rootOf(gram) * normals(gram.rows(), draws, random);
+    if (joints > 0) {
+      scores += gram.rightCols(joints) * (deflectionRoot(pose, noise) * normals(joints, draws, random));
+    }
+    result.push_back({scores.topRows(unknowns), scores.bottomRows(joints)});
+  }
+  return result;
+}
+
+} // namespace naocal

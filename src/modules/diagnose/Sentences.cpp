@@ -1,0 +1,128 @@
+#include "diagnose/Sentences.hpp"
+
+#include "geometry/Angles.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace naocal {
+
+namespace {
+
+std::string percent(double p) {
+  return p < 0.01 ? "below 1 %" : fmt::format("{:.0f} %", 100 * p);
+}
+
+std::string missing(const Diagnosis& diagnosis) {
+  const CandidateFinding& first = diagnosis.ranking.front();
+  std::string text = fmt::format("{} is missing ({}).", first.term.label(), sizes(first));
+  if (!first.term.effect.what.empty()) {
+    text += fmt::format(" That is: {}.", first.term.effect.what);
+  }
+  if (!first.equivalent.empty()) {
+    const std::size_t shown = std::min<std::size_t>(3, first.equivalent.size());
+    text += fmt::format(" These captures cannot tell it from {}{}.",
+                        fmt::join(first.equivalent.begin(), first.equivalent.begin() + static_cast<long>(shown), ", "),
+                        first.equivalent.size() > shown ? fmt::format(" and {} more", first.equivalent.size() - shown)
+                                                        : "");
+  }
+  if (diagnosis.suggested.size() > 1) {
+    text += fmt::format(" Further: {}.", fmt::join(diagnosis.suggested.begin() + 1, diagnosis.suggested.end(), ", "));
+  }
+  const Step &before = diagnosis.steps.front(), &after = diagnosis.steps.back();
+  text += fmt::format(" On poses that the fit has not seen the error falls from {:.2f} to {:.2f} px (noise alone: "
+                      "{:.2f} px).",
+                      before.heldOutPx, after.heldOutPx, after.noiseFloorPx);
+  return text;
+}
+
+std::string unknown(const Diagnosis& diagnosis) {
+  const DriverFinding& curve = diagnosis.drivers.front();
+  return fmt::format("unknown effect: no effect of the catalogue explains the misfit. It sits at {} and varies with {} "
+                     "({}), by about ±{:.2f}°; like {}. {}",
+                     curve.joint, curve.driver, curve.what, degrees(curve.amplitude), curve.expression,
+                     diagnosis.suggested.empty()
+                         ? ""
+                         : fmt::format("It is left after adding {}.", fmt::join(diagnosis.suggested, ", ")));
+}
+
+} // namespace
+
+std::string nameOf(Verdict verdict) {
+  switch (verdict) {
+  case Verdict::adequate:
+    return "adequate";
+  case Verdict::effectMissing:
+    return "effect-missing";
+  case Verdict::unknownEffect:
+    return "unknown-effect";
+  case Verdict::scatter:
+    return "scatter";
+  case Verdict::inconclusive:
+    return "inconclusive";
+  case Verdict::badCaptures:
+    return "bad-captures";
+  }
+  return {};
+}
+
+std::string nameOf(State state) {
+  switch (state) {
+  case State::present:
+    return "present";
+  case State::aliased:
+    return "aliased";
+  case State::trivial:
+    return "trivial";
+  case State::absent:
+    return "absent";
+  case State::inconclusive:
+    return "inconclusive";
+  case State::absorbed:
+    return "absorbed";
+  case State::noData:
+    return "no-data";
+  }
+  return {};
+}
+
+std::string sizes(const CandidateFinding& finding) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < finding.term.effect.unknowns.size(); ++i) {
+    const Unknown& unknown = finding.term.effect.unknowns[i];
+    const auto row = static_cast<Eigen::Index>(i);
+    const double value = finding.evidence.estimate[row], sigma = std::sqrt(finding.evidence.covariance(row, row));
+    const bool angle = unknown.unit.starts_with("rad");
+    parts.push_back(fmt::format("{} = {:.3g} ± {:.1g} {}", unknown.name, angle ? degrees(value) : value,
+                                angle ? degrees(sigma) : sigma, angle ? "°" + unknown.unit.substr(3) : unknown.unit));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string sentence(const Diagnosis& diagnosis) {
+  switch (diagnosis.verdict) {
+  case Verdict::badCaptures:
+    return fmt::format("Something is wrong with the captures or the set-up: {}{}.", diagnosis.suspicious.front().why,
+                       diagnosis.suspicious.size() > 1 ? fmt::format("; and {} more", diagnosis.suspicious.size() - 1)
+                                                       : "");
+  case Verdict::unknownEffect:
+    return "An " + unknown(diagnosis);
+  case Verdict::effectMissing:
+    return missing(diagnosis);
+  case Verdict::scatter:
+    return fmt::format("Joints deflect at random from pose to pose by {:.3f}° (1 sigma), and nothing that was recorded "
+                       "drives it: stiction or a slipping foot. Repeatability limits this robot, not the model.",
+                       degrees(diagnosis.scatter));
+  case Verdict::inconclusive:
+    return fmt::format("The model does not fit (p = {:.1g}), but nothing in particular explains it: take more poses.",
+                       diagnosis.lackOfFit.pValue);
+  case Verdict::adequate:
+    return fmt::format("The model explains these captures: what is left ({:.2f} px) is noise ({:.2f} px). Pure noise "
+                       "would show a candidate as striking as the best one in {} of cases.",
+                       diagnosis.rmsPx, diagnosis.lackOfFit.noiseFloorPx, percent(diagnosis.alarm));
+  }
+  return {};
+}
+
+} // namespace naocal

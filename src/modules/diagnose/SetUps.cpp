@@ -1,0 +1,75 @@
+#include "diagnose/SetUps.hpp"
+
+#include "captures/InputError.hpp"
+
+#include <fmt/format.h>
+
+namespace naocal {
+
+namespace {
+
+constexpr double impossible = 25; // [px]: counts for a fit that could not start
+constexpr double gross = 3;       // [px] rms: physics of a robot that still walks is smaller
+constexpr double mends = 0.4;     // of the misfit must be left at most
+
+/// rms distance of corners when these sets are fitted [px]; absent when they cannot be.
+std::optional<double> misfitOf(const std::vector<CaptureSet>& sets, const Robot& robot) {
+  try {
+    const Measurements measurements = measurementsOf(sets, robot);
+    CalibrationOptions options;
+    options.estimateNoise = false;
+    options.robust = false;
+    return calibrate(measurements, makeModel(measurements), options).rmsPx;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+std::vector<CaptureSet> mirrored(std::vector<CaptureSet> sets, const std::string& joint) {
+  for (CaptureSet& set : sets) {
+    const auto found = std::find(set.jointNames.begin(), set.jointNames.end(), joint);
+    for (Capture& capture : set.captures) {
+      if (found != set.jointNames.end()) {
+        double& angle = capture.joints.measured[static_cast<std::size_t>(found - set.jointNames.begin())];
+        angle = -angle;
+      }
+    }
+  }
+  return sets;
+}
+
+std::vector<CaptureSet> camerasSwapped(std::vector<CaptureSet> sets) {
+  for (CaptureSet& set : sets) {
+    for (Capture& capture : set.captures) {
+      capture.camera = capture.camera == "top" ? "bottom" : "top";
+    }
+  }
+  return sets;
+}
+
+} // namespace
+
+std::optional<Suspicion> wrongSetUp(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                    double rmsPx) {
+  if (rmsPx < gross) {
+    return std::nullopt;
+  }
+  std::optional<Suspicion> best;
+  double least = mends * std::min(rmsPx, impossible);
+  const auto consider = [&](const std::vector<CaptureSet>& corrected, const std::string& why) {
+    if (const auto misfit = misfitOf(corrected, measurements.robot); misfit && *misfit < least) {
+      least = *misfit;
+      best = Suspicion{{}, fmt::format("{} (so corrected the error is {:.1f} px)", why, *misfit)};
+    }
+  };
+  for (std::size_t joint : measurements.joints) {
+    const std::string& name = measurements.robot.joints[joint].name;
+    consider(mirrored(sets, name), fmt::format("{}'s angles have the wrong sign", name));
+  }
+  if (sets.front().cameras.size() == 2) {
+    consider(camerasSwapped(sets), "the cameras' names are swapped");
+  }
+  return best;
+}
+
+} // namespace naocal

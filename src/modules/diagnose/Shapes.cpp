@@ -1,0 +1,131 @@
+#include "diagnose/Shapes.hpp"
+
+#include "diagnose/Drivers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <functional>
+
+namespace naocal {
+
+namespace {
+
+/// Values of the driver transformed, as a driver of its own named by its expression.
+DriverValues shaped(const DriverValues& driver, std::size_t motor, const std::string& expression,
+                    const std::function<double(std::size_t)>& value) {
+  DriverValues result{.kind = driver.kind, .joint = driver.joint, .name = expression, .motor = motor};
+  for (std::size_t i = 0; i < driver.atPicture.size(); ++i) {
+    result.atPicture.push_back(value(i));
+  }
+  return result;
+}
+
+/// Shapes that physics has, of one driver; those that go together stand side by side.
+std::vector<DriverValues> shapes(const DriverValues& driver, std::size_t motor,
+                                 const std::vector<DriverValues>& drivers) {
+  const std::vector<double>& x = driver.atPicture;
+  const std::string name = nameAt(driver, motor);
+  std::vector<DriverValues> result;
+  const auto add = [&](const std::string& expression, const std::function<double(std::size_t)>& value) {
+    result.push_back(shaped(driver, motor, expression, value));
+  };
+  add(name, [&](std::size_t i) { return x[i]; });
+  add(fmt::format("{}^2", name), [&](std::size_t i) { return x[i] * x[i]; });
+  add(fmt::format("abs({})", name), [&](std::size_t i) { return std::abs(x[i]); });
+  add(fmt::format("sign({})", name), [&](std::size_t i) { return x[i] > 0 ? 1 : x[i] < 0 ? -1 : 0; });
+  add(fmt::format("sign({0})*sqrt(abs({0}))", name),
+      [&](std::size_t i) { return std::copysign(std::sqrt(std::abs(x[i])), x[i]); });
+  add(fmt::format("sqrt(abs({}))", name), [&](std::size_t i) { return std::sqrt(std::abs(x[i])); });
+  if (driver.kind == Driver::angle) {
+    for (const int k : {1, 2, 3, 6}) {
+      const std::string angle = k == 1 ? name : fmt::format("{}*{}", k, name);
+      add(fmt::format("sin({})", angle), [&](std::size_t i) { return std::sin(k * x[i]); });
+      add(fmt::format("cos({})", angle), [&](std::size_t i) { return std::cos(k * x[i]); });
+    }
+  }
+  if (driver.kind == Driver::time) {
+    std::vector<double> times = x;
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    for (std::size_t i = 1; i < times.size(); ++i) {
+      const double at = (times[i - 1] + times[i]) / 2;
+      add(fmt::format("({} > {:.6g} ? 1 : 0)", name, at), [&, at](std::size_t j) { return x[j] > at ? 1 : 0; });
+    }
+  }
+  for (const DriverValues& other : drivers) {
+    if (other.kind == Driver::torque && other.joint == motor && driver.kind != Driver::torque) {
+      add(fmt::format("{}*tau", name), [&](std::size_t i) { return x[i] * other.atPicture[i]; });
+    }
+  }
+  return result;
+}
+
+bool isSineOf(const std::string& sine, const std::string& cosine) {
+  return sine.starts_with("sin(") && cosine.starts_with("cos(") && sine.substr(4) == cosine.substr(4);
+}
+
+/// Finds the expression for the misfit of `finding`'s joint: one shape, or a sine with its cosine.
+void express(const Inquiry& inquiry, const Measurements& measurements, const DriverCell& cell, DriverFinding& finding) {
+  const std::vector<DriverValues>& drivers = inquiry.map().drivers;
+  DriverColumns columns =
+      driverColumns(measurements, shapes(drivers[cell.driver], cell.motor, drivers), inquiry.linear().poses, 1);
+  const std::vector<DriverCell> single = columns.cells;
+  const auto nameOf = [&](std::size_t i) { return columns.drivers[single[i].driver].name; };
+  for (std::size_t i = 0; i + 1 < single.size(); ++i) {
+    if (isSineOf(nameOf(i), nameOf(i + 1))) {
+      columns.cells.push_back(single[i]);
+      columns.cells.back().count = 2;
+    }
+  }
+  ScoreProblem problem = inquiry.problem();
+  problem.map = &columns;
+  problem.plausible = Eigen::VectorXd::Constant(problem.candidates + columns.count, plausibleCurve);
+  problem.groups.clear();
+  for (const DriverCell& shape : columns.cells) {
+    problem.groups.push_back({problem.candidates + shape.first, shape.count});
+  }
+  const Evidence evidence = evidenceOf(problem, inquiry.noise(), poseLevels());
+  const auto best = std::max_element(evidence.groups.begin(), evidence.groups.end(),
+                                     [](const auto& a, const auto& b) { return a.bayes < b.bayes; });
+  const DriverCell& shape = columns.cells[static_cast<std::size_t>(best - evidence.groups.begin())];
+  for (std::size_t i = 0; i < single.size(); ++i) {
+    const Eigen::Index column = single[i].first - shape.first;
+    if (column >= 0 && column < shape.count) {
+      const std::string coefficient = finding.coefficients.empty() ? "a" : "b";
+      finding.expression += (finding.expression.empty() ? "" : " + ") + coefficient + "*" + nameOf(i);
+      finding.coefficients.emplace_back(coefficient, best->estimate[column] / single[i].half);
+    }
+  }
+}
+
+} // namespace
+
+DriverFinding driverFinding(const Inquiry& inquiry, const Measurements& measurements, std::size_t cell) {
+  const DriverCell& columns = inquiry.map().cells[cell];
+  const DriverValues& driver = inquiry.map().drivers[columns.driver];
+  const GroupEvidence& group = inquiry.ofCell(cell);
+  DriverFinding result;
+  result.joint = measurements.robot.joints[columns.motor].name;
+  result.driver = nameAt(driver, columns.motor);
+  result.what = driver.what;
+  result.likelihoodRatio = group.likelihoodRatio;
+  result.bayes = group.bayes;
+  result.share = std::min(1.0, group.likelihoodRatio / std::max(1e-9, inquiry.evidence().withoutScatter));
+  constexpr int points = 41;
+  double least = 0, most = 0;
+  for (int i = 0; i < points; ++i) {
+    const double x = -1 + 2.0 * i / (points - 1);
+    const Eigen::RowVectorXd basis = curveBasis(x, columns.count);
+    const double value = basis.dot(group.estimate);
+    result.curve.push_back(
+        {columns.middle + columns.half * x, value, std::sqrt((basis * group.covariance * basis.transpose())(0, 0))});
+    least = i == 0 ? value : std::min(least, value);
+    most = i == 0 ? value : std::max(most, value);
+  }
+  result.amplitude = (most - least) / 2;
+  express(inquiry, measurements, columns, result);
+  return result;
+}
+
+} // namespace naocal

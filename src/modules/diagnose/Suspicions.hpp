@@ -1,0 +1,19 @@
+#pragma once
+
+#include "diagnose/Diagnosis.hpp"
+
+#include <vector>
+
+namespace naocal {
+
+/// What looks like an accident or a wrong set-up rather than physics: a board that was kicked or a robot that slipped
+/// at some moment, one bad capture, a board of another size, a joint of swapped sign, cameras of swapped names. Named
+/// only where that explains far more than any effect does.
+std::vector<Suspicion> suspicions(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                  const Model& model, const CalibrationResult& fit, const Inquiry& inquiry);
+
+/// Sightings most of whose corners fit nothing.
+std::vector<Suspicion> movedBoards(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                   const CalibrationResult& fit);
+
+} // namespace naocal

@@ -1,0 +1,64 @@
+#include "synthetic/HiddenFlaw.hpp"
+
+#include "geometry/Angles.hpp"
+
+#include <array>
+
+namespace naocal {
+
+Eigen::VectorXd HiddenFlaw::lag(const Eigen::VectorXd& lastMotion) const {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(lastMotion.size());
+  if (looseJoint) {
+    const auto joint = static_cast<Eigen::Index>(*looseJoint);
+    result[joint] = -play / 2 * lastMotion[joint];
+  }
+  return result;
+}
+
+Robot HiddenFlaw::built(Robot drawing) const {
+  if (longBone) {
+    drawing.lengths[*longBone].value += excess;
+  }
+  return drawing;
+}
+
+TrueEffect HiddenFlaw::truth(const Robot& drawing) const {
+  if (softJoint) {
+    return {"elasticity", drawing.joints[*softJoint].name, {{"c", compliance, "rad/Nm"}}};
+  }
+  if (looseJoint) {
+    return {"hysteresis", drawing.joints[*looseJoint].name, {{"D", play, "rad"}}};
+  }
+  return {"linkLength", drawing.lengths[longBone.value()].name, {{"dL", excess, "m"}}};
+}
+
+HiddenFlaw drawnFlaw(const Robot& drawing, SupportFoot supportFoot, Randomness& chance) {
+  const std::string side = supportFoot == SupportFoot::right ? "R" : "L";
+  HiddenFlaw flaw;
+  switch (chance.below(3)) {
+  case 0: {
+    const std::array<const char*, 2> soft{"KneePitch", "AnklePitch"};
+    flaw.softJoint = drawing.jointIndex(side + soft[chance.below(soft.size())]);
+    flaw.compliance = 0.008 + chance.within(0.002);
+    break;
+  }
+  case 1: {
+    const std::array<const char*, 4> loose{"KneePitch", "AnklePitch", "HipRoll", "HipPitch"};
+    flaw.looseJoint = drawing.jointIndex(side + loose[chance.below(loose.size())]);
+    flaw.play = radians(0.7) + chance.within(radians(0.2));
+    break;
+  }
+  default: {
+    const std::string bone = chance.chance(0.5) ? "thigh" : "tibia";
+    for (std::size_t length = 0; length < drawing.lengths.size(); ++length) {
+      if (drawing.lengths[length].name == bone) {
+        flaw.longBone = length;
+      }
+    }
+    flaw.excess = (chance.chance(0.5) ? 1 : -1) * (0.004 + chance.within(0.001));
+  }
+  }
+  return flaw;
+}
+
+} // namespace naocal

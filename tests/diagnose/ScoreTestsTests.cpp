@@ -1,0 +1,124 @@
+#include "SimulatedSets.hpp"
+#include "diagnose/Inquiry.hpp"
+#include "diagnose/Power.hpp"
+#include "residuals/Candidates.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <numeric>
+
+namespace naocal {
+namespace {
+
+/// A fitted base model with every testable candidate, linearised at the fit.
+struct Questioned {
+  explicit Questioned(std::size_t poses, bool map)
+      : measurements{measurementsOf({simulatedSet(poses, 3)}, loadRobot(configurationDirectory(), "V6"))},
+        model{makeModel(measurements)}, fit{calibrate(measurements, model)}, inquiry{measurements,
+                                                                                     model,
+                                                                                     fit,
+                                                                                     testable(),
+                                                                                     {.draws = 0, .map = map}} {}
+
+  std::vector<Term> testable() const {
+    std::vector<Term> terms = candidateTerms(measurements);
+    std::erase_if(terms, [&](const Term& term) {
+      return whyUntestable(term.effect, term.at, measurements) ||
+             std::any_of(model.terms().begin(), model.terms().end(),
+                         [&](const Term& own) { return own.label() == term.label(); });
+    });
+    return terms;
+  }
+
+  Measurements measurements;
+  Model model;
+  CalibrationResult fit;
+  Inquiry inquiry;
+};
+
+/// min over the chosen unknowns of the quadratic with this Hessian and gradient.
+double least(const Eigen::MatrixXd& hessian, const Eigen::VectorXd& gradient, const std::vector<Eigen::Index>& chosen) {
+  const Eigen::VectorXd g = gradient(chosen);
+  const Eigen::MatrixXd h = hessian(chosen, chosen);
+  return -g.dot(h.fullPivLu().solve(g));
+}
+
+} // namespace
+
+TEST_CASE("a score test's fall of chi2 is what adding the candidate gains") {
+  // Proves projection, whitening and bookkeeping of ScoreTests against the dense normal equations of the model with
+  // that one candidate, for every candidate. The linearisation itself is the residuals' and tested there.
+  const Questioned asked{8, false};
+  const ScoreProblem& problem = asked.inquiry.problem();
+  const Noise noise{asked.fit.noise.pixel, asked.fit.noise.encoder, 4e-4};
+  const ScoreTests tests{problem, noise};
+  const Eigen::VectorXd priorScore = problem.unknowns.cwiseQuotient(problem.sigmas.cwiseAbs2());
+  const ScoreTests::Outcome outcome = tests(measuredScores(*problem.linear, noise), priorScore);
+
+  const Eigen::Index count = problem.own() + problem.candidates;
+  Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(count, count);
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(count);
+  hessian.topLeftCorner(problem.own(), problem.own()) = problem.sigmas.cwiseAbs2().cwiseInverse().asDiagonal();
+  gradient.head(problem.own()) = priorScore;
+  for (const PoseSystem& pose : problem.linear->poses) {
+    const Eliminated part = eliminated(pose, noise, deflectionRoot(pose, noise));
+    const std::vector<Eigen::Index> columns(pose.unknowns.begin(), pose.unknowns.end());
+    hessian(columns, columns) += part.hessian;
+    gradient(columns) += part.unknownGradient;
+  }
+  std::vector<Eigen::Index> own(static_cast<std::size_t>(problem.own()));
+  std::iota(own.begin(), own.end(), 0);
+  int compared = 0;
+  for (std::size_t i = 0; i < asked.inquiry.candidates().size(); ++i) {
+    if (tests.keptFraction(i) < 1e-2 || tests.freedom(i) < problem.groups[i].count) {
+      continue; // absorbed in part: then the dense equations are all but singular
+    }
+    std::vector<Eigen::Index> with = own;
+    for (Eigen::Index k = 0; k < problem.groups[i].count; ++k) {
+      with.push_back(problem.own() + problem.groups[i].first + k);
+    }
+    const double gain = least(hessian, gradient, own) - least(hessian, gradient, with);
+    CAPTURE(asked.inquiry.candidates()[i].label());
+    CHECK(outcome.falls(static_cast<Eigen::Index>(i), 0) == Approx(gain).epsilon(1e-5).margin(1e-5));
+    ++compared;
+  }
+  CHECK(compared > 50);
+}
+
+TEST_CASE("pure noise lowers chi2 by as much as a candidate has unknowns") {
+  // Proves that drawn noise has the covariance that the tests assume: T ~ chi2 of the group's freedom has that mean,
+  // for candidates and for curves of the map, pose noise included. It does not prove that a robot's noise is of that
+  // kind.
+  const Questioned asked{8, true};
+  const ScoreProblem& problem = asked.inquiry.problem();
+  const Noise noise{asked.fit.noise.pixel, asked.fit.noise.encoder, 6e-4};
+  constexpr Eigen::Index draws = 3000;
+  const ScoreTests tests{problem, noise};
+  const Eigen::MatrixXd falls =
+      tests(drawnScores(*problem.linear, noise, draws, 1), Eigen::VectorXd::Zero(problem.own())).falls;
+  double worst = 0;
+  for (std::size_t i = 0; i < problem.groups.size(); ++i) {
+    const auto freedom = static_cast<double>(tests.freedom(i));
+    if (freedom > 0) {
+      const double error = falls.row(static_cast<Eigen::Index>(i)).mean() - freedom;
+      const std::string name = i < asked.inquiry.candidates().size() ? asked.inquiry.candidates()[i].label() : "a curve";
+      CAPTURE(name, freedom, error);
+      CHECK(std::abs(error) < 5 * std::sqrt(2 * freedom / draws));
+      worst = std::max(worst, std::abs(error) / std::sqrt(2 * freedom / draws));
+    }
+  }
+  CHECK(worst < 5); // standard errors, over some 200 groups
+}
+
+TEST_CASE("power follows the noncentral chi2 distribution") {
+  // Proves power and its inverse against published figures: 55 independent tests at a family-wise 5 % (critical chi2
+  // 11.2): power 0.43, 0.87 and 1.00 at noncentrality 10, 20 and 40, and 90 % needs 21.4.
+  const double critical = 8.2e-4; // of chi2 11.2 with one degree of freedom
+  CHECK(powerAt(10, 1, critical) == Approx(0.43).margin(0.01));
+  CHECK(powerAt(20, 1, critical) == Approx(0.87).margin(0.01));
+  CHECK(powerAt(40, 1, critical) == Approx(1.00).margin(0.005));
+  CHECK(noncentralityFor(0.9, 1, critical) == Approx(21.4).margin(0.3));
+}
+
+} // namespace naocal

@@ -1,0 +1,73 @@
+#include "Commands.hpp"
+#include "DiagnosisStory.hpp"
+#include "Sets.hpp"
+
+#include "diagnose/DiagnosisFile.hpp"
+#include "residuals/ModelFile.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+namespace {
+
+struct DiagnoseCommand {
+  std::vector<std::string> sets;
+  std::string json, model;
+  bool samePlace = false, skipBad = false;
+  DiagnosisOptions options;
+};
+
+/// Adds a model file's terms and effects to what the command line gave.
+void readModel(DiagnoseCommand& command, const Robot& robot) {
+  if (command.model.empty()) {
+    return;
+  }
+  ModelFile file = readModelFile(command.model, robot);
+  DiagnosisOptions& options = command.options;
+  options.with.insert(options.with.end(), file.with.begin(), file.with.end());
+  options.without.insert(options.without.end(), file.without.begin(), file.without.end());
+  options.effects = std::move(file.effects);
+}
+
+int diagnose(DiagnoseCommand& command) {
+  const GivenSets given = readSets(command.sets, command.skipBad);
+  const Measurements measurements = measurementsOf(given.sets, given.robot, command.samePlace);
+  readModel(command, measurements.robot);
+  const Diagnosis diagnosis = diagnose(given.sets, measurements, command.options);
+  if (!command.json.empty()) {
+    writeJson(diagnosisJson(diagnosis), command.json);
+  }
+  if (command.json != "-") {
+    printDiagnosis(diagnosis, command.sets);
+  }
+  return diagnosis.verdict == Verdict::badCaptures ? 3 : 0;
+}
+
+} // namespace
+
+void addDiagnose(CLI::App& app, int& exitCode) {
+  auto command = std::make_shared<DiagnoseCommand>();
+  CLI::App* diagnoser =
+      app.add_subcommand("diagnose", "says where and why the model fails, and which effect is missing");
+  diagnoser->footer("Example: naocal diagnose captures/ --json diagnosis.json");
+  diagnoser->add_option("SET", command->sets, "folders with captures.json")->required();
+  diagnoser->add_option("--json", command->json, "the diagnosis as JSON to a file, or - for standard output");
+  diagnoser->add_option("--with", command->options.with, "effects that are in the model already: EFFECT@PLACE")
+      ->delimiter(',');
+  diagnoser->add_option("--without", command->options.without, "leave effects out")->delimiter(',');
+  diagnoser->add_option("--model", command->model, "a model file: further terms, and effects of your own");
+  diagnoser->add_option("--seed", command->options.inquiry.seed, "of the draws of pure noise")->capture_default_str();
+  diagnoser->add_option("--draws", command->options.inquiry.draws, "of pure noise, for the rate of false alarms")
+      ->check(CLI::Range(19, 100000))
+      ->capture_default_str();
+  diagnoser->add_flag("--same-place", command->samePlace,
+                      "boards and stances of equal names lie at the same place in all sets");
+  diagnoser->add_flag("--skip-bad", command->skipBad,
+                      "use the other captures when some cannot be used, and list those");
+  diagnoser->callback([command, &exitCode] { exitCode = diagnose(*command); });
+}
+
+} // namespace naocal

@@ -1,0 +1,102 @@
+#include "DiagnosisStory.hpp"
+
+#include "diagnose/Sentences.hpp"
+#include "geometry/Angles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <string>
+
+namespace naocal {
+
+namespace {
+
+std::string bar(double value, double most, std::size_t width) {
+  const double eighths = most > 0 ? std::max(0.0, value / most) * static_cast<double>(width) * 8 : 0;
+  const auto full = static_cast<std::size_t>(eighths / 8);
+  static const char* const parts[] = {"", "▏", "▎", "▍", "▌", "▋", "▊", "▉"};
+  std::string result;
+  for (std::size_t i = 0; i < full; ++i) {
+    result += "█";
+  }
+  const std::size_t rest = full < width ? static_cast<std::size_t>(eighths) % 8 : 0;
+  result += parts[rest];
+  return result + std::string(width - std::min(width, full + (rest > 0 ? 1 : 0)), ' ');
+}
+
+void printLadder(const Diagnosis& diagnosis) {
+  fmt::print("\nerror on poses that the fit has not seen\n");
+  double most = 0;
+  for (const Step& step : diagnosis.steps) {
+    most = std::max(most, step.heldOutPx);
+  }
+  for (const Step& step : diagnosis.steps) {
+    fmt::print("  {:32} {} {:6.3f} px\n", step.added.empty() ? "the model as given" : "+ " + step.added,
+               bar(step.heldOutPx, most, 30), step.heldOutPx);
+  }
+  const double floor = diagnosis.steps.back().noiseFloorPx;
+  fmt::print("  {:32} {} {:6.3f} px\n", "noise alone", bar(floor, most, 30), floor);
+}
+
+void printCurves(const Diagnosis& diagnosis) {
+  if (diagnosis.verdict != Verdict::unknownEffect) {
+    return;
+  }
+  fmt::print("\nwhat is left over, by joint and what it varies with\n");
+  for (const DriverFinding& curve : diagnosis.drivers) {
+    std::string coefficients;
+    for (const auto& [name, value] : curve.coefficients) {
+      coefficients += fmt::format("{}{} = {:.4g}", coefficients.empty() ? "" : ", ", name, value);
+    }
+    fmt::print("  {:16} over {:18} ±{:.3f}°  evidence {:7.1f}   {}  ({})\n", curve.joint, curve.driver,
+               degrees(curve.amplitude), curve.bayes, curve.expression, coefficients);
+  }
+}
+
+} // namespace
+
+void printCandidates(const Diagnosis& diagnosis) {
+  constexpr std::size_t shown = 8;
+  double most = 0;
+  for (const CandidateFinding& finding : diagnosis.ranking) {
+    most = std::max(most, finding.evidence.likelihoodRatio);
+  }
+  fmt::print("\ncandidates, best first (bar: how much better the captures are explained)\n");
+  for (std::size_t i = 0; i < std::min(shown, diagnosis.ranking.size()); ++i) {
+    const CandidateFinding& finding = diagnosis.ranking[i];
+    if (finding.state == State::noData) {
+      break;
+    }
+    fmt::print("  {:32} {} {:8.1f}  {:12} {}\n", finding.term.label(), bar(finding.evidence.likelihoodRatio, most, 14),
+               finding.evidence.likelihoodRatio, nameOf(finding.state), sizes(finding));
+  }
+  std::size_t absorbed = 0, noData = 0, inconclusive = 0;
+  for (const CandidateFinding& finding : diagnosis.ranking) {
+    absorbed += finding.state == State::absorbed;
+    noData += finding.state == State::noData;
+    inconclusive += finding.state == State::inconclusive;
+  }
+  fmt::print(
+      "  {} candidates in all; {} these poses cannot test, {} need data that was not recorded, {} could hide below "
+      "what these captures show\n",
+      diagnosis.ranking.size(), absorbed, noData, inconclusive);
+}
+
+void printDiagnosis(const Diagnosis& diagnosis, const std::vector<std::string>& sets) {
+  fmt::print("{}: {}\n", nameOf(diagnosis.verdict), diagnosis.sentence);
+  printLadder(diagnosis);
+  printCandidates(diagnosis);
+  printCurves(diagnosis);
+  for (const Suspicion& suspicion : diagnosis.suspicious) {
+    fmt::print("  suspicious: {}\n", suspicion.why);
+  }
+  if (!diagnosis.suggested.empty()) {
+    fmt::print("\nadd it:  naocal solve {} --with {} -o result.json\n", fmt::join(sets, " "),
+               fmt::join(diagnosis.suggested, ","));
+  }
+  fmt::print("({:.2f} s)\n", diagnosis.seconds);
+}
+
+} // namespace naocal
