@@ -13,19 +13,21 @@ namespace naocal {
 namespace {
 
 struct ReportCommand {
-  std::string result, output;
+  std::string file, output;
 };
 
 } // namespace
 
 void addReport(CLI::App& app) {
   auto command = std::make_shared<ReportCommand>();
-  CLI::App* reporter = app.add_subcommand("report", "one HTML page to look at a result, readable without a network");
+  CLI::App* reporter =
+      app.add_subcommand("report", "one HTML page to look at a result or a diagnosis, readable without a network");
   reporter->footer("Example: naocal report result.json -o report.html");
-  reporter->add_option("RESULT", command->result, "a result file of 'naocal solve'")->required();
+  reporter->add_option("FILE", command->file, "a result of 'naocal solve' or a diagnosis of 'naocal diagnose'")
+      ->required();
   reporter->add_option("-o,--output", command->output, "the page to write")->required();
   reporter->callback([command] {
-    const std::string page = reportPage(command->result);
+    const std::string page = reportPage(command->file);
     writeAtomically(command->output, page);
     fmt::print("written to {} ({:.1f} MB): open it in any browser\n", command->output, 1e-6 * double(page.size()));
   });

@@ -1,6 +1,7 @@
 #include "diagnose/Diagnosis.hpp"
 
 #include "captures/InputError.hpp"
+#include "diagnose/Drivers.hpp"
 #include "diagnose/Ladder.hpp"
 #include "diagnose/Sentences.hpp"
 #include "diagnose/SetUps.hpp"
@@ -36,6 +37,17 @@ std::vector<DriverFinding> curves(const Inquiry& inquiry, const Measurements& me
   std::vector<DriverFinding> result;
   for (std::size_t i = 0; i < std::min<std::size_t>(3, order.size()); ++i) {
     result.push_back(driverFinding(inquiry, measurements, order[i]));
+  }
+  return result;
+}
+
+std::vector<MapCell> wholeMap(const Inquiry& inquiry, const Measurements& measurements) {
+  std::vector<MapCell> result;
+  for (std::size_t i = 0; i < inquiry.map().cells.size(); ++i) {
+    const DriverCell& cell = inquiry.map().cells[i];
+    result.push_back({measurements.robot.joints[cell.motor].name,
+                      nameAt(inquiry.map().drivers[cell.driver], cell.motor), inquiry.ofCell(i).bayes,
+                      inquiry.ofCell(i).pValue});
   }
   return result;
 }
@@ -94,6 +106,7 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
     }
     if (!options.grow || !alarm || unknown || !candidate || !ladder.add(inquiry, *candidate, result)) {
       result.drivers = curves(inquiry, measurements);
+      result.map = wholeMap(inquiry, measurements);
       result.scatter = inquiry.evidence().level;
       const std::vector<Suspicion> moved = movedBoards(sets, measurements, ladder.withoutMovedBoards());
       const bool explained = unknown || !result.suggested.empty();

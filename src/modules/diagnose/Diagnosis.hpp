@@ -51,6 +51,12 @@ struct DriverFinding {
   std::vector<std::pair<std::string, double>> coefficients; // of that expression
 };
 
+/// A cell of the joint x driver map: how well a curve of this joint over this driver would explain what is left over.
+struct MapCell {
+  std::string joint, driver; // as in a user's effect
+  double bayes = 0, pValue = 1;
+};
+
 /// A capture, board or setting that looks wrong.
 struct Suspicion {
   std::optional<int> capture; // its id
@@ -76,6 +82,7 @@ struct Diagnosis {
   std::vector<std::string> suggested;    // labels, in the order they were added
   std::vector<Step> steps;               // the ladder
   std::vector<DriverFinding> drivers;    // on the last model, best first
+  std::vector<MapCell> map;              // on the last model
   std::vector<Suspicion> suspicious;
   CalibrationResult fit;         // of the model as given
   CalibrationResult lastFit;     // with everything suggested

@@ -86,7 +86,7 @@ Json diagnosisJson(const Diagnosis& diagnosis) {
               {"poseScatter", diagnosis.scatter},
               {"suggested", diagnosis.suggested},
               {"seconds", diagnosis.seconds}};
-  for (const char* list : {"ranking", "steps", "drivers", "suspicious"}) {
+  for (const char* list : {"ranking", "steps", "drivers", "map", "suspicious"}) {
     result[list] = Json::array();
   }
   for (const CandidateFinding& finding : diagnosis.ranking) {
@@ -101,6 +101,10 @@ Json diagnosisJson(const Diagnosis& diagnosis) {
   }
   for (const DriverFinding& finding : diagnosis.drivers) {
     result["drivers"].push_back(driver(finding));
+  }
+  for (const MapCell& cell : diagnosis.map) {
+    result["map"].push_back(
+        {{"at", cell.joint}, {"driver", cell.driver}, {"evidence", cell.bayes}, {"pValue", cell.pValue}});
   }
   for (const Suspicion& suspicion : diagnosis.suspicious) {
     Json entry{{"why", suspicion.why}};

@@ -3,6 +3,7 @@
 #include "geometry/Angles.hpp"
 #include "report/SeenPictures.hpp"
 #include "report/Sentences.hpp"
+#include "report/ShownUnit.hpp"
 #include "report/Thumbnail.hpp"
 
 #include <algorithm>
@@ -33,17 +34,6 @@ std::string spaced(const std::string& name) {
     words += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
   }
   return words;
-}
-
-/// The unit in which an unknown is shown, and how many of it make one of its own.
-std::pair<std::string, double> shownUnit(const std::string& unit) {
-  if (unit == "rad") {
-    return {"°", degrees(1.0)};
-  }
-  if (unit == "m") {
-    return {"mm", 1000};
-  }
-  return {unit == "1" ? "" : unit, 1};
 }
 
 json estimateJson(const std::string& name, const JsonPlace& unknown, double scale) {

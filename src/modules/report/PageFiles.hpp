@@ -5,8 +5,11 @@
 /// The files of page/, put into the program when it is built (page/embed.cmake).
 namespace naocal::pageFiles {
 
-extern const std::string_view page; // the skeleton, with {{style}}, {{script}} and {{data}}
-extern const std::string_view style;
-extern const std::string_view script; // all scripts, one after the other
+struct Page {
+  std::string_view skeleton; // with {{style}}, {{script}} and {{data}}
+  std::string_view style, script;
+};
+
+extern const Page result, diagnosis;
 
 } // namespace naocal::pageFiles

@@ -1,13 +1,12 @@
 #include "report/Report.hpp"
 
 #include "captures/Files.hpp"
-#include "captures/InputError.hpp"
 #include "captures/JsonText.hpp"
+#include "report/DiagnosisData.hpp"
 #include "report/PageData.hpp"
 #include "report/PageFiles.hpp"
 
 #include <cassert>
-#include <fmt/format.h>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -45,15 +44,18 @@ std::string filled(std::string_view skeleton, const std::map<std::string_view, s
 
 } // namespace
 
-std::string reportPage(const std::filesystem::path& resultFile) {
-  const json document = parseJson(fileContent(resultFile), resultFile.string());
-  const JsonPlace result{document, resultFile.string()};
-  if (const JsonPlace format = result.at("format"); format.text() != "naocal-result") {
-    format.refuse("\"naocal-result\", as 'naocal solve' writes it");
+std::string reportPage(const std::filesystem::path& file) {
+  const json document = parseJson(fileContent(file), file.string());
+  const JsonPlace top{document, file.string()};
+  const JsonPlace format = top.at("format");
+  const bool isDiagnosis = format.value() == "naocal-diagnosis";
+  if (!isDiagnosis && format.value() != "naocal-result") {
+    format.refuse("\"naocal-result\" or \"naocal-diagnosis\", as 'naocal solve' and 'naocal diagnose' write them");
   }
-  result.at("version").integer(1, 1);
-  const std::string data = harmless(pageData(result, Sources{result, resultFile}));
-  return filled(pageFiles::page, {{"style", pageFiles::style}, {"script", pageFiles::script}, {"data", data}});
+  top.at("version").integer(1, 1);
+  const std::string data = harmless(isDiagnosis ? diagnosisData(top) : pageData(top, Sources{top, file}));
+  const pageFiles::Page& page = isDiagnosis ? pageFiles::diagnosis : pageFiles::result;
+  return filled(page.skeleton, {{"style", page.style}, {"script", page.script}, {"data", data}});
 }
 
 } // namespace naocal

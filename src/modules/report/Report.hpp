@@ -5,9 +5,11 @@
 
 namespace naocal {
 
-/// A result of 'naocal solve' as one HTML page that needs nothing else: no network, no other file. It holds the
-/// verdict, every estimate with its error bar, and every corner's residual as figures. Photographs and joint angles
-/// are taken from the captures where those are still there. Throws InputError for what is not a result file.
-std::string reportPage(const std::filesystem::path& resultFile);
+/// A result of 'naocal solve' or a diagnosis of 'naocal diagnose' as one HTML page that needs nothing else: no network,
+/// no other file. Of a result it holds the verdict, every estimate with its error bar, and every corner's residual as
+/// figures; photographs and joint angles are taken from the captures where those are still there. Of a diagnosis it
+/// holds the verdict, the ladder of errors, every candidate, and the curves that joints follow. Throws InputError for
+/// what is neither.
+std::string reportPage(const std::filesystem::path& file);
 
 } // namespace naocal

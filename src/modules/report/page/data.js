@@ -1,7 +1,4 @@
-"use strict";
 // What the page shows, as flat lists of corners and of boards in pictures.
-
-const data = JSON.parse(document.getElementById("data").textContent);
 
 // Which error is shown: "reported" with the joints' readings as they are, "fitted" with readings moved within their
 // noise.
@@ -55,8 +52,6 @@ function pictureName(picture) {
   return (severalSets ? picture.set + ", " : "") + "capture " + picture.capture + ", pose " + (picture.pose || "–") +
     (picture.repeat ? " (repeat " + picture.repeat + ")" : "") + ", " + picture.camera + " camera";
 }
-
-const px = value => value.toFixed(Math.abs(value) < 10 ? 2 : 1) + " px";
 
 // "0.80 px to the right, 0.30 px down"
 const direction = ([x, y]) =>

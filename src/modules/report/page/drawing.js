@@ -3,18 +3,11 @@
 const redraws = new Set();
 const redrawAll = () => redraws.forEach(redraw => redraw());
 
-function element(tag, className, text) {
-  const result = document.createElement(tag);
-  if (className) result.className = className;
-  if (text !== undefined) result.textContent = text;
-  return result;
-}
-
 // The style sheet's colours, light or dark.
 let colours = {};
 function readColours() {
   const style = getComputedStyle(document.documentElement);
-  for (const name of ["panel", "soft", "line", "blue", "orange", "pink"]) {
+  for (const name of ["panel", "ink", "soft", "line", "blue", "orange", "pink"]) {
     colours[name] = style.getPropertyValue("--" + name).trim();
   }
 }
@@ -22,12 +15,11 @@ readColours();
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { readColours(); redrawAll(); });
 
 // A canvas in `parent`. draw(context, width, height) paints it and returns what can be pointed at:
-// a list of {x, y, tip: () => text, picture}.
+// a list of {x, y, tip: () => text} and, where a click shows one, its picture.
 function canvasFigure(parent, heightOf, draw, label) {
   const frame = parent.appendChild(element("div", "figure"));
   const canvas = frame.appendChild(element("canvas"));
   const ring = frame.appendChild(element("div", "ring"));
-  const tip = document.getElementById("tip");
   canvas.setAttribute("role", "img");
   canvas.setAttribute("aria-label", label);
   ring.hidden = true;
@@ -47,7 +39,8 @@ function canvasFigure(parent, heightOf, draw, label) {
   }
   function leave() {
     chosen = undefined;
-    ring.hidden = tip.hidden = true;
+    ring.hidden = true;
+    hideTip();
   }
   function point(event) {
     const box = canvas.getBoundingClientRect();
@@ -59,18 +52,15 @@ function canvasFigure(parent, heightOf, draw, label) {
       if (distance < nearest) { nearest = distance; chosen = target; }
     }
     if (!chosen) { leave(); return; }
-    ring.hidden = tip.hidden = false;
+    ring.hidden = false;
     ring.style.left = chosen.x + "px";
     ring.style.top = chosen.y + "px";
-    tip.textContent = chosen.tip();
-    tip.style.left = Math.max(4, Math.min(event.clientX + 14, innerWidth - tip.offsetWidth - 8)) + "px";
-    tip.style.top = (event.clientY + 18 + tip.offsetHeight < innerHeight ? event.clientY + 18
-                                                                       : event.clientY - tip.offsetHeight - 12) + "px";
+    showTip(event, chosen.tip());
   }
   canvas.addEventListener("pointermove", point);
   canvas.addEventListener("pointerdown", point);
   canvas.addEventListener("pointerleave", leave);
-  canvas.addEventListener("click", () => { if (chosen) showPicture(chosen.picture); });
+  canvas.addEventListener("click", () => { if (chosen && chosen.picture) showPicture(chosen.picture); });
   let drawnWidth = 0;
   new ResizeObserver(() => requestAnimationFrame(() => {
     if (frame.clientWidth !== drawnWidth) {

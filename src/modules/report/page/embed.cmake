@@ -1,26 +1,35 @@
-# Puts the page's files into the program: included by CMake it adds the step, run by the build it writes the source.
+# Puts the pages' files into the program: included by CMake it adds the step, run by the build it writes the source.
+set(result_skeleton page.html)
+set(result_style style.css)
+set(result_script basics.js data.js drawing.js estimates.js pictures.js fields.js trends.js groups.js main.js)
+set(diagnosis_skeleton diagnosis.html)
+set(diagnosis_style style.css diagnosis.css)
+set(diagnosis_script basics.js drawing.js ladder.js candidates.js map.js curves.js diagnosis.js)
+
 if(CMAKE_SCRIPT_MODE_FILE)
   set(source "#include \"report/PageFiles.hpp\"\n\nnamespace naocal::pageFiles {\n\n")
-  foreach(part page style script)
-    string(APPEND source "const std::string_view ${part} =")
-    foreach(file IN LISTS ${part})
-      file(READ ${FOLDER}/${file} text)
-      string(APPEND source "\n    R\"embedded(${text})embedded\"")
+  foreach(page result diagnosis)
+    string(APPEND source "const Page ${page}{")
+    foreach(part skeleton style script)
+      string(APPEND source "\n  .${part} =")
+      foreach(file IN LISTS ${page}_${part})
+        file(READ ${CMAKE_CURRENT_LIST_DIR}/${file} text)
+        string(APPEND source "\n    R\"embedded(${text})embedded\"")
+      endforeach()
+      string(APPEND source ",")
     endforeach()
-    string(APPEND source ";\n\n")
+    string(APPEND source "};\n\n")
   endforeach()
   file(WRITE ${OUTPUT} "${source}} // namespace naocal::pageFiles\n")
   return()
 endif()
 
 set(folder ${CMAKE_CURRENT_SOURCE_DIR}/report/page)
-set(scripts data.js drawing.js estimates.js pictures.js fields.js trends.js groups.js main.js)
 set(output ${CMAKE_CURRENT_BINARY_DIR}/report/PageFiles.cpp)
-list(TRANSFORM scripts PREPEND ${folder}/ OUTPUT_VARIABLE scriptFiles)
+file(GLOB files CONFIGURE_DEPENDS ${folder}/*.html ${folder}/*.css ${folder}/*.js)
 add_custom_command(
   OUTPUT ${output}
-  COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} -DOUTPUT=${output} -Dpage=page.html -Dstyle=style.css "-Dscript=${scripts}"
-          -P ${folder}/embed.cmake
-  DEPENDS ${folder}/embed.cmake ${folder}/page.html ${folder}/style.css ${scriptFiles}
+  COMMAND ${CMAKE_COMMAND} -DOUTPUT=${output} -P ${folder}/embed.cmake
+  DEPENDS ${folder}/embed.cmake ${files}
   VERBATIM)
 target_sources(naocal_report PRIVATE ${output})

@@ -18,12 +18,6 @@ function showEstimates(parent) {
   }
 }
 
-// The value with as many digits as its error bar deserves.
-function withError(value, halfWidth, unit) {
-  const digits = Math.min(6, Math.max(0, 1 - Math.floor(Math.log10(halfWidth || 1))));
-  return value.toFixed(digits).replace("-", "−") + " ± " + halfWidth.toFixed(digits) + " " + unit;
-}
-
 function estimateRow({name, value, low, high, learned}, unit, place, marks) {
   const row = element("div", "row"), axis = element("div", "axis");
   for (const mark of marks) {

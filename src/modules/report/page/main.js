@@ -1,7 +1,5 @@
 // Puts the page together.
 
-const at = id => document.getElementById(id);
-
 function showVerdict() {
   at("verdict").classList.toggle("usable", data.usable);
   at("headline").textContent = data.headline;

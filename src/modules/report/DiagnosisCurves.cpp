@@ -1,0 +1,84 @@
+#include "report/DiagnosisCurves.hpp"
+
+#include "report/ShownUnit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr Range anyNumber{-1e15, 1e15, ""};
+
+/// The unit of a driver by its name in expressions: "rad" for "q" and "LHipPitch", "Nm" for "tau_LHipPitch".
+std::string driverUnit(const std::string& driver) {
+  static const std::map<std::string, std::string> own{
+      {"tau", "Nm"}, {"approach", "1"}, {"T", "°C"}, {"qd", "rad/s"}, {"t", "s"}};
+  const auto known = own.find(driver);
+  return known != own.end() ? known->second : driver.starts_with("tau_") ? "Nm" : "rad";
+}
+
+/// The curve's proposed expression as a model file. Every sigma is twice what was found, so that captures decide;
+/// coefficients count in rad, what they multiply as a plain number.
+json modelFile(const JsonPlace& curve) {
+  const std::string joint = curve.at("at").text(), name = "found_" + joint;
+  json unknowns = json::object();
+  for (const auto& [coefficient, value] : curve.at("coefficients").members()) {
+    const double size = std::max(1e-6, 2 * std::abs(value.number(anyNumber)));
+    unknowns[coefficient] = {{"unit", "rad"}, {"sigma", std::stod(fmt::format("{:.2g}", size))}};
+  }
+  const json effect{
+      {"name", name}, {"at", joint}, {"correction", curve.at("expression").text()}, {"unknowns", unknowns}};
+  return {{"format", "naocal-model"},
+          {"version", 1},
+          {"with", json::array({name + "@" + joint})},
+          {"without", json::array()},
+          {"define", json::array({effect})}};
+}
+
+} // namespace
+
+json curveJson(const JsonPlace& curve) {
+  const std::string joint = curve.at("at").text(), driver = curve.at("driver").text();
+  const auto [unit, scale] = shownUnit(driverUnit(driver));
+  json points = json::array();
+  for (const JsonPlace& point : curve.at("curve").elements()) {
+    const std::vector<double> values = point.numbers(3, anyNumber, "driver, deflection, standard error");
+    points.push_back({scale * values[0], degrees(values[1]), degrees(values[2])});
+  }
+  if (points.size() < 2) {
+    curve.at("curve").refuse("at least two points");
+  }
+  return {{"joint", joint},
+          {"driver", driver},
+          {"what", curve.at("what").text()},
+          {"unit", unit},
+          {"points", points},
+          {"amplitude", degrees(curve.at("amplitude").number(anyNumber))},
+          {"evidence", curve.at("evidence").number(anyNumber)},
+          {"expression", curve.at("expression").text()},
+          {"model", modelFile(curve)}};
+}
+
+json mapJson(const JsonPlace& diagnosis) {
+  json cells = json::array();
+  const auto map = diagnosis.find("map");
+  for (const JsonPlace& cell : map ? map->elements() : std::vector<JsonPlace>{}) {
+    const std::string joint = cell.at("at").text(), driver = cell.at("driver").text();
+    cells.push_back({{"joint", joint},
+                     {"driver", driver == "q"     ? joint
+                                : driver == "tau" ? "tau_" + joint
+                                                  : driver},
+                     {"evidence", cell.at("evidence").number(anyNumber)},
+                     {"pValue", cell.at("pValue").number({0, 1, ""})}});
+  }
+  return cells;
+}
+
+} // namespace naocal

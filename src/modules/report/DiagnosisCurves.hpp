@@ -1,0 +1,15 @@
+#pragma once
+
+#include "captures/JsonPlace.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace naocal {
+
+/// A curve of a joint's deflection over a driver, in degrees, with the model file that proposes it as an effect.
+nlohmann::json curveJson(const JsonPlace& curve);
+
+/// The cells of the joint x driver map, where the diagnosis has one.
+nlohmann::json mapJson(const JsonPlace& diagnosis);
+
+} // namespace naocal

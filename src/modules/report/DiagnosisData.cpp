@@ -1,0 +1,112 @@
+#include "report/DiagnosisData.hpp"
+
+#include "report/DiagnosisCurves.hpp"
+#include "report/DiagnosisSentences.hpp"
+#include "report/ShownUnit.hpp"
+
+#include <fmt/format.h>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr Range anyNumber{-1e15, 1e15, ""};
+constexpr int largestNumber = std::numeric_limits<int>::max();
+
+/// A number, or null where the diagnosis has none.
+json numberOrNull(const JsonPlace& place, double scale = 1) {
+  return place.value().is_null() ? json(nullptr) : json(scale * place.number(anyNumber));
+}
+
+json texts(const JsonPlace& list) {
+  json result = json::array();
+  for (const JsonPlace& text : list.elements()) {
+    result.push_back(text.text());
+  }
+  return result;
+}
+
+json sizesJson(const JsonPlace& unknowns) {
+  json sizes = json::array();
+  for (const auto& [name, unknown] : unknowns.members()) {
+    const auto [unit, scale] = shownUnit(unknown.at("unit").text());
+    sizes.push_back({{"name", name},
+                     {"unit", unit},
+                     {"value", numberOrNull(unknown.at("value"), scale)},
+                     {"sigma", numberOrNull(unknown.at("sigma"), scale)},
+                     {"detectable", numberOrNull(unknown.at("minimalDetectable"), scale)}});
+  }
+  return sizes;
+}
+
+json candidateJson(const JsonPlace& entry) {
+  const auto& states = candidateStates();
+  const std::size_t state = entry.at("state").oneOf(states);
+  const auto why = entry.find("why");
+  return {{"label", entry.at("effect").text() + "@" + entry.at("at").text()},
+          {"state", std::string{states[state]}},
+          {"why", why ? why->text() : ""},
+          {"sizes", sizesJson(entry.at("unknowns"))},
+          {"power", numberOrNull(entry.at("power"))},
+          {"kept", numberOrNull(entry.at("keptFraction"))},
+          {"evidence", numberOrNull(entry.at("evidence"))},
+          {"pValue", numberOrNull(entry.at("pValue"))},
+          {"predictedDrop", numberOrNull(entry.at("predictedChi2Drop"))},
+          {"realDrop", numberOrNull(entry.at("chi2Drop"))},
+          {"before", numberOrNull(entry.at("heldOutPxBefore"))},
+          {"after", numberOrNull(entry.at("heldOutPxAfter"))},
+          {"step", entry.at("step").integer(0, largestNumber)},
+          {"plausible", entry.at("plausible").boolean()},
+          {"equivalent", texts(entry.at("equivalent"))}};
+}
+
+json stepJson(const JsonPlace& step) {
+  constexpr Range pixels{0, 1e9, "px"};
+  return {{"added", step.at("added").value().is_null() ? "" : step.at("added").text()},
+          {"rms", step.at("rmsPx").number(pixels)},
+          {"heldOut", step.at("heldOutPx").number(pixels)},
+          {"floor", step.at("noiseFloorPx").number(pixels)},
+          {"alarm", step.at("alarm").number({0, 1, ""})}};
+}
+
+/// Why something looks wrong, with its capture.
+json suspicionJson(const JsonPlace& entry) {
+  const std::string why = entry.at("why").text();
+  const auto capture = entry.find("capture");
+  const std::string name = capture ? fmt::format("capture {}", capture->integer(0, largestNumber)) : "";
+  return why.find(name) != why.npos ? why : fmt::format("{} ({})", why, name);
+}
+
+} // namespace
+
+json diagnosisData(const JsonPlace& diagnosis) {
+  json data{{"verdict", std::string{verdicts()[diagnosis.at("verdict").oneOf(verdicts())]}},
+            {"headline", verdictHeadline(diagnosis)},
+            {"sentence", diagnosis.at("sentence").text()},
+            {"suggested", texts(diagnosis.at("suggested"))},
+            {"map", mapJson(diagnosis)}};
+  const auto list = [&](const char* key, const char* from, const auto& entryJson) {
+    data[key] = json::array();
+    for (const JsonPlace& entry : diagnosis.at(from).elements()) {
+      data[key].push_back(entryJson(entry));
+    }
+  };
+  list("steps", "steps", stepJson);
+  list("candidates", "ranking", candidateJson);
+  list("curves", "drivers", curveJson);
+  list("suspicious", "suspicious", suspicionJson);
+  if (const auto next = diagnosis.find("next"); next && !next->value().is_null()) {
+    data["next"] = {{"poses", next->at("poses").elements().size()}, {"why", next->at("why").text()}};
+  }
+  data["facts"] = json::array();
+  for (const auto& [figure, sentence] : diagnosisFacts(diagnosis)) {
+    data["facts"].push_back({{"figure", figure}, {"sentence", sentence}});
+  }
+  return data;
+}
+
+} // namespace naocal

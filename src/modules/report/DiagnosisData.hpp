@@ -1,0 +1,12 @@
+#pragma once
+
+#include "captures/JsonPlace.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace naocal {
+
+/// What the page about a diagnosis file shows, in units that people read.
+nlohmann::json diagnosisData(const JsonPlace& diagnosis);
+
+} // namespace naocal

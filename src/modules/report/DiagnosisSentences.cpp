@@ -1,0 +1,82 @@
+#include "report/DiagnosisSentences.hpp"
+
+#include "geometry/Angles.hpp"
+
+#include <fmt/format.h>
+
+namespace naocal {
+
+namespace {
+
+constexpr Range probability{0, 1, ""};
+constexpr Range pixels{0, 1e9, "px"};
+
+std::string chance(double p) {
+  return p < 0.001 ? "p < 0.001" : fmt::format("p = {:.2g}", p);
+}
+
+Fact heldOutFact(const std::vector<JsonPlace>& all) {
+  const double before = all.front().at("heldOutPx").number(pixels), after = all.back().at("heldOutPx").number(pixels);
+  const std::string noise =
+      fmt::format("noise alone would leave {:.2f} px", all.back().at("noiseFloorPx").number(pixels));
+  if (all.size() == 1) {
+    return {fmt::format("{:.2f} px", before), "error on poses that the fit has not seen; " + noise + "."};
+  }
+  return {fmt::format("{:.2f} → {:.2f} px", before, after),
+          "error on poses that the fit has not seen, before and after adding what is suggested; " + noise + "."};
+}
+
+Fact alarmFact(double alarm) {
+  return {chance(alarm),
+          alarm <= 0.05 ? "so rarely would pure noise make any candidate look as striking as the best one does."
+                        : "so often would pure noise make some candidate look as striking as the best one does: no "
+                          "reason to add anything."};
+}
+
+Fact misfitFact(const JsonPlace& lackOfFit) {
+  const double p = lackOfFit.at("pValue").number(probability);
+  return {fmt::format("F = {:.3g}", lackOfFit.at("statistic").number({0, 1e15, ""})),
+          fmt::format("what the model as given leaves from pose to pose, in units of what repeats differ by; noise "
+                      "alone would exceed it with {}.",
+                      chance(p))};
+}
+
+} // namespace
+
+const std::vector<std::string_view>& verdicts() {
+  static const std::vector<std::string_view> all{"adequate", "effect-missing", "unknown-effect",
+                                                 "scatter",  "inconclusive",   "bad-captures"};
+  return all;
+}
+
+const std::vector<std::string_view>& candidateStates() {
+  static const std::vector<std::string_view> all{"present",      "aliased",  "trivial", "absent",
+                                                 "inconclusive", "absorbed", "no-data"};
+  return all;
+}
+
+std::string verdictHeadline(const JsonPlace& diagnosis) {
+  static const std::vector<std::string> headlines{"The model explains these captures.",
+                                                  "An effect is missing in the model.",
+                                                  "Something that no known effect explains is at work.",
+                                                  "Joints scatter at random.",
+                                                  "The model does not fit, and nothing in particular explains it.",
+                                                  "Something is wrong with the captures or the set-up."};
+  return headlines[diagnosis.at("verdict").oneOf(verdicts())];
+}
+
+std::vector<Fact> diagnosisFacts(const JsonPlace& diagnosis) {
+  const std::vector<JsonPlace> steps = diagnosis.at("steps").elements();
+  if (steps.empty()) { // nothing could be fitted
+    return {};
+  }
+  std::vector<Fact> facts{heldOutFact(steps), alarmFact(diagnosis.at("alarm").number(probability)),
+                          misfitFact(diagnosis.at("lackOfFit"))};
+  if (const double scatter = diagnosis.at("poseScatter").number({0, 10, "rad"}); scatter > 0) {
+    facts.push_back({fmt::format("{:.3f}°", degrees(scatter)),
+                     "by which joints deflect at random from pose to pose (1 sigma) beyond what the model explains."});
+  }
+  return facts;
+}
+
+} // namespace naocal

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "captures/JsonPlace.hpp"
+#include "report/Sentences.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace naocal {
+
+/// The verdicts that a diagnosis can have, and what it can say of a candidate, as its file writes them.
+const std::vector<std::string_view>& verdicts();
+const std::vector<std::string_view>& candidateStates();
+
+/// The verdict in a few plain words.
+std::string verdictHeadline(const JsonPlace& diagnosis);
+
+/// What the verdict rests on: the error on poses not seen, the alarm, the lack of fit, scatter.
+std::vector<Fact> diagnosisFacts(const JsonPlace& diagnosis);
+
+} // namespace naocal

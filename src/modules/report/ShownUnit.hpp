@@ -1,0 +1,21 @@
+#pragma once
+
+#include "geometry/Angles.hpp"
+
+#include <string>
+#include <utility>
+
+namespace naocal {
+
+/// The unit in which a person reads a quantity, and how many of it make one of its own: ("°/Nm", 57.3) for "rad/Nm".
+inline std::pair<std::string, double> shownUnit(const std::string& unit) {
+  if (unit.starts_with("rad")) {
+    return {"°" + unit.substr(3), degrees(1.0)};
+  }
+  if (unit == "m") {
+    return {"mm", 1000};
+  }
+  return {unit == "1" ? "" : unit, 1};
+}
+
+} // namespace naocal

@@ -1,0 +1,47 @@
+// The error on unseen poses after each addition, as bars that fall to the band of the noise.
+
+function showLadder(parent) {
+  const floor = data.steps[data.steps.length - 1].floor;
+  const most = 1.05 * Math.max(floor, ...data.steps.map(step => step.heldOut));
+  const place = value => 100 * value / most + "%";
+  data.steps.forEach((step, i) => {
+    const row = parent.appendChild(element("div", "rung")), axis = element("div", "axis");
+    axis.appendChild(element("div", "band")).style.width = place(floor);
+    axis.appendChild(element("div", "bar")).style.width = place(step.heldOut);
+    row.append(element("span", "", step.added ? "+ " + step.added : "the model as given"), axis,
+      element("span", "number", px(step.heldOut)));
+    const previous = i ? data.steps[i - 1].heldOut : step.heldOut;
+    tipOver(row, (step.added ? "with " + step.added : "the model as given") + "\non unseen poses: " + px(step.heldOut) +
+      (i ? " (" + px(previous) + " before)" : "") + "\non the poses it was fitted to: " + px(step.rms) +
+      " rms\nnoise alone: " + px(floor) + "\nchance that noise looks like something missing: " + chance(step.alarm));
+  });
+  const last = parent.appendChild(element("div", "rung")), axis = element("div", "axis");
+  axis.appendChild(element("div", "band")).style.width = place(floor);
+  last.append(element("span", "soft", "noise alone"), axis, element("span", "number soft", px(floor)));
+}
+
+// Text to take along: a box that copies itself.
+function copyBox(title, text) {
+  const frame = element("div", "copy"), button = element("button", "", "copy");
+  const box = element("textarea");
+  box.readOnly = true;
+  box.spellcheck = false;
+  box.value = text;
+  box.rows = text.split("\n").length;
+  button.type = "button";
+  button.addEventListener("click", () => {
+    box.select();
+    button.textContent = document.execCommand("copy") ? "copied" : "press Ctrl-C";
+  });
+  box.setAttribute("aria-label", title);
+  const head = frame.appendChild(element("p", "", title));
+  head.append(button);
+  frame.append(box);
+  return frame;
+}
+
+function showCommand(parent) {
+  if (!data.suggested.length) return;
+  parent.append(copyBox("Calibrate with what is suggested (SET: the captures' folder):",
+    "naocal solve SET --with " + data.suggested.join(",") + " -o result.json"));
+}

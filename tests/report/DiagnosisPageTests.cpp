@@ -1,0 +1,136 @@
+#include "Browser.hpp"
+#include "Result.hpp"
+
+#include "captures/InputError.hpp"
+#include "diagnose/DiagnosisFile.hpp"
+#include "residuals/ModelFile.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace naocal;
+using nlohmann::json;
+
+namespace {
+
+/// A diagnosis of a simulated robot, as its file has it; made once.
+const json& diagnosed() {
+  static const json file = [] {
+    const Robot robot = loadRobot(configurationDirectory(), "V6");
+    const std::vector<CaptureSet> sets{simulate(robot, handMadePlan(robot), 7).set};
+    return diagnosisJson(diagnose(sets, measurementsOf(sets, robot)));
+  }();
+  return file;
+}
+
+std::string pageOf(const json& diagnosis) {
+  const TemporaryFolder folder;
+  writeAtomically(folder.path() / "diagnosis.json", diagnosis.dump(-1, ' ', false, json::error_handler_t::replace));
+  return reportPage(folder.path() / "diagnosis.json");
+}
+
+} // namespace
+
+TEST_CASE("a page about a diagnosis shows every candidate with its numbers") {
+  // Proves that no candidate is lost or changed on the way to the page, and that angles come in degrees. It does not
+  // prove that a browser draws them.
+  const json& file = diagnosed();
+  const json data = shown(pageOf(file));
+  CHECK(data["sentence"] == file["sentence"]);
+  REQUIRE(file["ranking"].size() > 50);
+  REQUIRE(data["candidates"].size() == file["ranking"].size());
+  for (std::size_t i = 0; i < file["ranking"].size(); ++i) {
+    const json &entry = file["ranking"][i], &candidate = data["candidates"][i];
+    CHECK(candidate["label"] == entry["effect"].get<std::string>() + "@" + entry["at"].get<std::string>());
+    CHECK(candidate["state"] == entry["state"]);
+    CHECK(candidate["evidence"] == entry["evidence"]);
+    CHECK(candidate["realDrop"] == entry["chi2Drop"]);
+    CHECK(candidate["equivalent"] == entry["equivalent"]);
+    for (const json& size : candidate["sizes"]) {
+      const json& unknown = entry["unknowns"][size["name"].get<std::string>()];
+      if (unknown["unit"] == "rad/Nm" && unknown["value"].is_number()) {
+        CHECK(size["unit"] == "°/Nm");
+        CHECK(size["value"].get<double>() == Approx(degrees(unknown["value"].get<double>())));
+        CHECK(size["sigma"].get<double>() == Approx(degrees(unknown["sigma"].get<double>())));
+      }
+    }
+  }
+  CHECK(data["steps"].size() == file["steps"].size());
+  CHECK(data["map"].size() == file["map"].size());
+  CHECK(data["curves"].size() == 3);
+}
+
+TEST_CASE("the expression that a page proposes is a model that can be calibrated") {
+  // Proves that the text to copy is accepted as a model file is; that it describes the curve is the diagnosis's matter.
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  json file = diagnosed();
+  file["drivers"][0]["at"] = "LKneePitch";
+  file["drivers"][0]["expression"] = "a*sin(6*q) + b*cos(6*q)";
+  file["drivers"][0]["coefficients"] = {{"a", 0.008}, {"b", -0.001}};
+  const json model = shown(pageOf(file))["curves"][0]["model"];
+  const TemporaryFolder folder;
+  writeAtomically(folder.path() / "model.json", model.dump());
+  const ModelFile read = readModelFile(folder.path() / "model.json", robot);
+  CHECK(read.with == std::vector<std::string>{"found_LKneePitch@LKneePitch"});
+  REQUIRE(read.effects.back().name == "found_LKneePitch");
+  CHECK(read.effects.back().unknowns.size() == 2);
+}
+
+TEST_CASE("a diagnosis of captures that cannot be fitted still has a page") {
+  // Proves that a file without ladder, candidates and curves is shown with its verdict.
+  json file = diagnosed();
+  file["verdict"] = "bad-captures";
+  for (const char* list : {"ranking", "steps", "drivers", "map"}) {
+    file[list] = json::array();
+  }
+  file["suspicious"] = {{{"capture", 17}, {"why", "board A was moved"}}};
+  const json data = shown(pageOf(file));
+  CHECK(data["headline"] == "Something is wrong with the captures or the set-up.");
+  CHECK(data["suspicious"][0] == "board A was moved (capture 17)");
+}
+
+TEST_CASE("a broken diagnosis file is refused with one sentence") {
+  // Proves that the sentence names the place for a choice of broken files.
+  const auto refusal = [](const std::string& pointer, const json& value) {
+    json file = diagnosed();
+    file[json::json_pointer{pointer}] = value;
+    try {
+      pageOf(file);
+    } catch (const InputError& error) {
+      return std::string{error.what()};
+    }
+    return std::string{"no refusal"};
+  };
+  CHECK_THAT(refusal("/format", "naocal-captures"), Catch::Contains("\"naocal-diagnosis\""));
+  CHECK_THAT(refusal("/version", 2), Catch::Contains("version"));
+  CHECK_THAT(refusal("/verdict", "fine"), Catch::Contains("verdict: expected one of adequate"));
+  CHECK_THAT(refusal("/ranking/3/state", "maybe"), Catch::Contains("ranking[3].state"));
+  CHECK_THAT(refusal("/ranking/3/equivalent", 1), Catch::Contains("ranking[3].equivalent"));
+  CHECK_THAT(refusal("/drivers/0/curve/5", {1, 2}), Catch::Contains("drivers[0].curve[5]"));
+  CHECK_THAT(refusal("/drivers/0/curve", json::array()), Catch::Contains("drivers[0].curve: expected at least two"));
+  CHECK_THAT(refusal("/steps/0/heldOutPx", "small"), Catch::Contains("steps[0].heldOutPx"));
+  CHECK_THAT(refusal("/suspicious", 3), Catch::Contains("suspicious"));
+}
+
+TEST_CASE("a browser draws the whole diagnosis without complaint") {
+  // Proves that the scripts run to their end, with hostile names too, and that the page holds nothing that loads from
+  // elsewhere. It does not prove that the figures are beautiful.
+  json file = diagnosed();
+  file["verdict"] = "unknown-effect";
+  file["ranking"][1]["at"] = "<img src=x onerror=console.error('broken')>";
+  file["drivers"][0]["evidence"] = 40;
+  const std::string page = pageOf(file);
+  for (const std::string reference : {"http:", "https:", "//www", "<link", "@import", "url(", "src=\"", "innerHTML"}) {
+    INFO(reference);
+    CHECK(occurrences(page, reference) == 0);
+  }
+  const auto output = drawnByBrowser(page);
+  if (!output) {
+    WARN("skipped: no chromium");
+    return;
+  }
+  CHECK_THAT(*output, Catch::Contains("Something that no known effect explains is at work.</h1>"));
+  CHECK(occurrences(*output, "<canvas") == 1 + 3); // the map and the curves
+  CHECK(occurrences(*output, "<textarea") >= 1);   // of the curve that tells something
+  CHECK(occurrences(*output, "<tr>") == 1 + 12);   // the head and the first candidates
+  CHECK(occurrences(*output, "CONSOLE") == 0);
+}
