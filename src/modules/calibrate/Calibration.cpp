@@ -16,8 +16,8 @@ namespace naocal {
 namespace {
 
 /// What a corner's fit is off by in every picture of a pose alike, and repeats cannot show: its place between the
-/// pixels stays (rendered pictures: 0.02 px where boards are near) [px].
-constexpr double repeatedCornerError = 0.02;
+/// pixels stays (rendered pictures: up to 0.05 px rms, bias 0.015), and no lens is known better than that [px].
+constexpr double repeatedCornerError = 0.1;
 
 /// Noise levels that the captures themselves tell; the others stay as configured.
 struct Levels {
@@ -103,7 +103,8 @@ CalibrationResult calibrate(const Measurements& measurements, const Model& model
   const auto begin = std::chrono::steady_clock::now();
   Answer answer{firstFit(measurements, model, options.noise, options), {{options.noise}, false}, {}};
   answer = improved(measurements, model, options, std::move(answer));
-  const auto kept = options.robust && options.setAside ? withoutMoved(measurements, model, options, answer) : std::nullopt;
+  const auto kept =
+      options.robust && options.setAside ? withoutMoved(measurements, model, options, answer) : std::nullopt;
   const Measurements& used = kept ? *kept : measurements;
   CalibrationResult result = uncertain(used, model, answer.fit, answer.levels.joint, answer.misfit);
   result.noiseSource = answer.levels.fromRepeats ? "repeats" : "configured";

@@ -46,7 +46,7 @@ double restrictedDeviance(const Total& all) {
          all.gradient.dot(factor.solve(all.gradient));
 }
 
-constexpr double nothing = 1e-6, everything = 0.05; // [rad]: no stiction at all, and more than any NAO has
+constexpr double nothing = 1e-6, everything = 0.005; // [rad]: no stiction at all, and more than any NAO has
 
 /// The search of the two levels: x = (ln encoder^2, ln pose^2).
 struct Search {

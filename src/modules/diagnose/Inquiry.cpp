@@ -13,14 +13,16 @@ Residuals::Linear linearisedAt(const Measurements& measurements, const Model& mo
   unknowns.head(fit.unknowns.size()) = fit.unknowns;
   Loss loss;
   loss.scale = fit.loss.scale * fit.sigmaScale;
-  const Residuals residuals{measurements, model, fit.noise, loss};
+  // the deflections there, by steps without the loss: where they are still zero, good corners look false
+  const Residuals residuals{measurements, model, fit.noise, loss}, quadratic{measurements, model, fit.noise};
   const Eigen::VectorXd still = Eigen::VectorXd::Zero(unknowns.size());
-  Residuals::State state = residuals.start(unknowns); // find the deflections there by one quadratic step
-  auto linear = residuals.linearised(state);
-  if (linear) {
-    state = residuals.moved(state, *linear, still);
-    linear = residuals.linearised(state);
+  Residuals::State state = residuals.start(unknowns);
+  for (int step = 0; step < 3; ++step) {
+    if (const auto linear = quadratic.linearised(state)) {
+      state = quadratic.moved(state, *linear, still);
+    }
   }
+  auto linear = residuals.linearised(state);
   if (!linear) {
     throw InputError{"the fit puts a corner that was seen behind the camera: these captures do not belong together"};
   }

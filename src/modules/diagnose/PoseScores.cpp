@@ -13,9 +13,9 @@ Eigen::MatrixXd normals(Eigen::Index rows, Eigen::Index columns, std::mt19937_64
 }
 
 /// F F^T = `gram`, which may be singular. Columns come in all units, so they are brought to one scale; there a part in
-/// 10^10 is added, far less than any candidate that can be tested keeps of its information.
+/// 10^12 is added, far less than any candidate that can be tested keeps of its information.
 Eigen::MatrixXd rootOf(const Eigen::MatrixXd& gram) {
-  constexpr double negligible = 1e-10;
+  constexpr double negligible = 1e-12;
   const Eigen::VectorXd unit = gram.diagonal().cwiseMax(1e-300).cwiseSqrt();
   const Eigen::VectorXd inverse = unit.cwiseInverse();
   Eigen::MatrixXd scaled = inverse.asDiagonal() * gram * inverse.asDiagonal();
