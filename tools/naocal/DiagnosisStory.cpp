@@ -86,9 +86,11 @@ void printCandidates(const Diagnosis& diagnosis) {
 
 void printDiagnosis(const Diagnosis& diagnosis, const std::vector<std::string>& sets) {
   fmt::print("{}: {}\n", nameOf(diagnosis.verdict), diagnosis.sentence);
-  printLadder(diagnosis);
-  printCandidates(diagnosis);
-  printCurves(diagnosis);
+  if (!diagnosis.steps.empty()) { // else no fit was possible
+    printLadder(diagnosis);
+    printCandidates(diagnosis);
+    printCurves(diagnosis);
+  }
   for (const Suspicion& suspicion : diagnosis.suspicious) {
     fmt::print("  suspicious: {}\n", suspicion.why);
   }

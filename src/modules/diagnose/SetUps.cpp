@@ -9,6 +9,7 @@ namespace naocal {
 namespace {
 
 constexpr double impossible = 25; // [px]: counts for a fit that could not start
+constexpr double good = 5;        // [px]: of a set that is right but for its physics
 constexpr double gross = 3;       // [px] rms: physics of a robot that still walks is smaller
 constexpr double mends = 0.4;     // of the misfit must be left at most
 
@@ -55,7 +56,7 @@ std::optional<Suspicion> wrongSetUp(const std::vector<CaptureSet>& sets, const M
     return std::nullopt;
   }
   std::optional<Suspicion> best;
-  double least = mends * std::min(rmsPx, impossible);
+  double least = std::min(mends * std::min(rmsPx, impossible), good);
   const auto consider = [&](const std::vector<CaptureSet>& corrected, const std::string& why) {
     if (const auto misfit = misfitOf(corrected, measurements.robot); misfit && *misfit < least) {
       least = *misfit;
