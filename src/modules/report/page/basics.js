@@ -1,5 +1,5 @@
 "use strict";
-// What every page needs: its data, elements, numbers in words, and the note beside the pointer.
+// What every page needs: its data, elements, numbers in words, the note beside the pointer, text to copy.
 
 const at = id => document.getElementById(id);
 const data = JSON.parse(at("data").textContent);
@@ -19,6 +19,11 @@ function withError(value, halfWidth, unit) {
 
 const px = value => value.toFixed(Math.abs(value) < 10 ? 2 : 1) + " px";
 
+// Three digits at most, with a real minus; a dash for what is not known.
+const short = value => value === null ? "–" : String(Number(value.toPrecision(3))).replace("-", "−");
+const tenths = value => (Math.round(10 * value) / 10 || 0).toFixed(1).replace("-", "−"); // never −0.0
+const withUnit = (text, unit) => unit.startsWith("°") || !unit ? text + unit : text + " " + unit;
+
 // "p = 0.02"
 const chance = p => p < 0.001 ? "p < 0.001" : "p = " + Number(p.toPrecision(2));
 
@@ -37,4 +42,24 @@ const hideTip = () => { at("tip").hidden = true; };
 function tipOver(part, text) {
   for (const event of ["pointermove", "pointerdown"]) part.addEventListener(event, where => showTip(where, text));
   part.addEventListener("pointerleave", hideTip);
+}
+
+// Text to take along: a box that copies itself.
+function copyBox(title, text) {
+  const frame = element("div", "copy"), button = element("button", "", "copy");
+  const box = element("textarea");
+  box.readOnly = true;
+  box.spellcheck = false;
+  box.value = text;
+  box.rows = text.split("\n").length;
+  button.type = "button";
+  button.addEventListener("click", () => {
+    box.select();
+    button.textContent = document.execCommand("copy") ? "copied" : "press Ctrl-C";
+  });
+  box.setAttribute("aria-label", title);
+  const head = frame.appendChild(element("p", "", title));
+  head.append(button);
+  frame.append(box);
+  return frame;
 }

@@ -13,11 +13,6 @@ const stateWords = {
   "no-data": "cannot be tested: what drives it was not recorded",
 };
 
-// Three digits at most, with a real minus; a dash for what is not known.
-const short = value => value === null ? "–" : String(Number(value.toPrecision(3))).replace("-", "−");
-const tenths = value => (Math.round(10 * value) / 10 || 0).toFixed(1).replace("-", "−"); // never −0.0
-const withUnit = (text, unit) => unit.startsWith("°") || !unit ? text + unit : text + " " + unit;
-
 const sizeWords = ({name, value, sigma, unit}) =>
   value === null || sigma === null ? name + " unknown" : withUnit(name + " = " + withError(value, sigma, "").trim(), unit);
 

@@ -7,7 +7,7 @@ const redrawAll = () => redraws.forEach(redraw => redraw());
 let colours = {};
 function readColours() {
   const style = getComputedStyle(document.documentElement);
-  for (const name of ["panel", "ink", "soft", "line", "blue", "orange", "pink"]) {
+  for (const name of ["panel", "soft", "line", "blue", "orange", "pink"]) {
     colours[name] = style.getPropertyValue("--" + name).trim();
   }
 }

@@ -20,26 +20,6 @@ function showLadder(parent) {
   last.append(element("span", "soft", "noise alone"), axis, element("span", "number soft", px(floor)));
 }
 
-// Text to take along: a box that copies itself.
-function copyBox(title, text) {
-  const frame = element("div", "copy"), button = element("button", "", "copy");
-  const box = element("textarea");
-  box.readOnly = true;
-  box.spellcheck = false;
-  box.value = text;
-  box.rows = text.split("\n").length;
-  button.type = "button";
-  button.addEventListener("click", () => {
-    box.select();
-    button.textContent = document.execCommand("copy") ? "copied" : "press Ctrl-C";
-  });
-  box.setAttribute("aria-label", title);
-  const head = frame.appendChild(element("p", "", title));
-  head.append(button);
-  frame.append(box);
-  return frame;
-}
-
 function showCommand(parent) {
   if (!data.suggested.length) return;
   parent.append(copyBox("Calibrate with what is suggested (SET: the captures' folder):",
