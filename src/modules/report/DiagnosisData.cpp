@@ -87,6 +87,7 @@ json diagnosisData(const JsonPlace& diagnosis) {
   json data{{"verdict", std::string{verdicts()[diagnosis.at("verdict").oneOf(verdicts())]}},
             {"headline", verdictHeadline(diagnosis)},
             {"sentence", diagnosis.at("sentence").text()},
+            {"floorName", floorName(diagnosis)},
             {"suggested", texts(diagnosis.at("suggested"))},
             {"map", mapJson(diagnosis)}};
   const auto list = [&](const char* key, const char* from, const auto& entryJson) {

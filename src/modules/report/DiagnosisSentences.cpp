@@ -11,14 +11,19 @@ namespace {
 constexpr Range probability{0, 1, ""};
 constexpr Range pixels{0, 1e9, "px"};
 
+/// By which the last model's joints deflect at random from pose to pose [rad].
+double scatterOf(const JsonPlace& diagnosis) {
+  return diagnosis.at("poseScatter").number({0, 10, "rad"});
+}
+
 std::string chance(double p) {
   return p < 0.001 ? "p < 0.001" : fmt::format("p = {:.2g}", p);
 }
 
-Fact heldOutFact(const std::vector<JsonPlace>& all) {
+Fact heldOutFact(const std::vector<JsonPlace>& all, const std::string& floor) {
   const double before = all.front().at("heldOutPx").number(pixels), after = all.back().at("heldOutPx").number(pixels);
   const std::string noise =
-      fmt::format("noise alone would leave {:.2f} px", all.back().at("noiseFloorPx").number(pixels));
+      fmt::format("{} would leave {:.2f} px", floor, all.back().at("noiseFloorPx").number(pixels));
   if (all.size() == 1) {
     return {fmt::format("{:.2f} px", before), "error on poses that the fit has not seen; " + noise + "."};
   }
@@ -65,14 +70,19 @@ std::string verdictHeadline(const JsonPlace& diagnosis) {
   return headlines[diagnosis.at("verdict").oneOf(verdicts())];
 }
 
+std::string floorName(const JsonPlace& diagnosis) {
+  return scatterOf(diagnosis) > 0 ? "noise and scatter" : "noise alone";
+}
+
 std::vector<Fact> diagnosisFacts(const JsonPlace& diagnosis) {
   const std::vector<JsonPlace> steps = diagnosis.at("steps").elements();
   if (steps.empty()) { // nothing could be fitted
     return {};
   }
-  std::vector<Fact> facts{heldOutFact(steps), alarmFact(diagnosis.at("alarm").number(probability)),
-                          misfitFact(diagnosis.at("lackOfFit"))};
-  if (const double scatter = diagnosis.at("poseScatter").number({0, 10, "rad"}); scatter > 0) {
+  const double scatter = scatterOf(diagnosis);
+  std::vector<Fact> facts{heldOutFact(steps, floorName(diagnosis)),
+                          alarmFact(diagnosis.at("alarm").number(probability)), misfitFact(diagnosis.at("lackOfFit"))};
+  if (scatter > 0) {
     facts.push_back({fmt::format("{:.3f}°", degrees(scatter)),
                      "by which joints deflect at random from pose to pose (1 sigma) beyond what the model explains."});
   }

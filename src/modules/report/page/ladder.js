@@ -13,11 +13,11 @@ function showLadder(parent) {
     const previous = i ? data.steps[i - 1].heldOut : step.heldOut;
     tipOver(row, (step.added ? "with " + step.added : "the model as given") + "\non unseen poses: " + px(step.heldOut) +
       (i ? " (" + px(previous) + " before)" : "") + "\non the poses it was fitted to: " + px(step.rms) +
-      " rms\nnoise alone: " + px(floor) + "\nchance that noise looks like something missing: " + chance(step.alarm));
+      " rms\n" + data.floorName + ": " + px(floor) + "\nchance that noise looks like something missing: " + chance(step.alarm));
   });
   const last = parent.appendChild(element("div", "rung")), axis = element("div", "axis");
   axis.appendChild(element("div", "band")).style.width = place(floor);
-  last.append(element("span", "soft", "noise alone"), axis, element("span", "number soft", px(floor)));
+  last.append(element("span", "soft", data.floorName), axis, element("span", "number soft", px(floor)));
 }
 
 function showCommand(parent) {
