@@ -110,7 +110,10 @@ int demo(const DemoCommand& command) {
   const GivenSets given = readSets({set}, false);
   const Measurements measurements = measurementsOf(given.sets, given.robot);
   const Diagnosis diagnosis = diagnose(given.sets, measurements);
-  writeJson(diagnosisJson(diagnosis), (folder / "diagnosis.json").string());
+  const std::string diagnosisFile = (folder / "diagnosis.json").string(),
+                    whyFile = (folder / "diagnosis.html").string();
+  writeJson(diagnosisJson(diagnosis), diagnosisFile);
+  writeAtomically(whyFile, reportPage(diagnosisFile));
   printDiagnosis(diagnosis, {set});
 
   const Model model = makeModel(measurements, diagnosis.with);
@@ -124,7 +127,9 @@ int demo(const DemoCommand& command) {
   const std::size_t inside = printTruth(truth, model, result);
   fmt::print("\n{} of the true values lie inside their 95 % intervals.\n", inside);
   writeAtomically(reportFile, reportPage(resultFile));
-  fmt::print("captures: {}\nresult:   {}\nreport:   {}  (open it in any browser)\n", set, resultFile, reportFile);
+  fmt::print("captures: {}\nresult:   {}\nreports (open them in any browser):\n  what was missing: {}\n  the "
+             "calibration:  {}\n",
+             set, resultFile, whyFile, reportFile);
   return result.usable ? 0 : 3;
 }
 

@@ -38,6 +38,8 @@ LackOfFit lackOfFit(const Inquiry& inquiry) {
   const Noise noise = inquiry.noise();
   Noise readings = noise, free = noise;
   readings.pose = 0;
+  constexpr double alarm = 0.05; // then what looks like scatter may be the missing effect, and is no noise
+  const Noise& floor = inquiry.evidence().pValue <= alarm ? readings : noise;
   free.pose = everything;
   const PoseScores scores = measuredScores(inquiry.linear(), noise);
   const Eigen::VectorXd priorScore = problem.unknowns.cwiseQuotient(problem.sigmas.cwiseAbs2());
@@ -51,7 +53,7 @@ LackOfFit lackOfFit(const Inquiry& inquiry) {
     squares += pose.squares;
     numbers += pose.numbers;
     directions += toldDirections(pose, readings);
-    const DeflectionRoot root = deflectionRoot(pose, noise);
+    const DeflectionRoot root = deflectionRoot(pose, floor);
     expected += noise.pixel * noise.pixel * pose.numbers +
                 Eigen::MatrixXd{root.transpose() * Eigen::MatrixXd{pose.deflectionGram * root}}.trace();
   }

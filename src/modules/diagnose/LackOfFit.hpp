@@ -11,7 +11,8 @@ struct LackOfFit {
   double statistic = 0;
   double dof[2] = {0, 0};
   double pValue = 1;
-  double noiseFloorPx = 0; // rms distance of corners that noise alone makes, pose noise included
+  double noiseFloorPx =
+      0; // rms distance of corners that noise alone makes; with pose noise unless something is missing
 };
 LackOfFit lackOfFit(const Inquiry& inquiry);
 
