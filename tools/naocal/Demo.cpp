@@ -54,7 +54,7 @@ std::size_t printTruth(const Truth& truth, const Model& model, const Calibration
   fmt::print("\n  {:<34} {:>12} {:>12} {:>11}\n", "unknown", "truth", "estimate", "± 1 sigma");
   std::size_t inside = 0;
   for (const Term& term : model.terms()) {
-    for (std::size_t i = 0; i < term.effect.unknowns.size(); ++i) {
+    for (std::size_t i = 0; i < term.effect.unknowns.size() && term.asked; ++i) {
       const Unknown& unknown = term.effect.unknowns[i];
       const auto value = truth.value(term.effect.name, term.place, unknown.name);
       if (!value) {

@@ -21,7 +21,7 @@ std::string bar(double share) {
 void printEstimates(const Model& model, const CalibrationResult& result) {
   fmt::print("\n  {:<38} {:>12}   {:>10}   learned\n", "unknown", "estimate", "±  1 sigma");
   for (const Term& term : model.terms()) {
-    for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement; ++i) {
+    for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement && term.asked; ++i) {
       const Unknown& unknown = term.effect.unknowns[i];
       const Estimate& estimate = result.estimates[term.first + i];
       const bool angle = unknown.unit == "rad", length = unknown.unit == "m";

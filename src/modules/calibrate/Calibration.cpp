@@ -15,10 +15,6 @@ namespace naocal {
 
 namespace {
 
-/// What a corner's fit is off by in every picture of a pose alike, and repeats cannot show: its place between the
-/// pixels stays (rendered pictures: up to 0.05 px rms, bias 0.015), and no lens is known better than that [px].
-constexpr double repeatedCornerError = 0.1;
-
 /// Noise levels that the captures themselves tell; the others stay as configured.
 struct Levels {
   JointNoise joint;
@@ -35,7 +31,7 @@ Levels levels(const Measurements& measurements, const Model& model, const Fit& f
   const std::vector<SightingResidual> sightings = residuals.sightings(fit.minimum.state);
   if (const auto repeats = pixelNoiseFromRepeats(measurements, sightings)) {
     result.fromRepeats = true;
-    noise.pixel = std::hypot(*repeats, repeatedCornerError);
+    noise.pixel = std::hypot(*repeats, options.repeatedCornerError);
     const bool encoderToo = std::any_of(measurements.poses.begin(), measurements.poses.end(),
                                         [](const PoseGroup& pose) { return pose.repeated; });
     result.joint = jointNoise(fit.minimum.linear, fit.minimum.state.unknowns, model.sigmas(), noise, encoderToo);

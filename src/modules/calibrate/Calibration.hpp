@@ -15,10 +15,13 @@ struct CalibrationOptions {
   Noise noise;               // assumed where the captures cannot tell it
   bool pixelGiven = false;   // the pixel noise was set by a person: taken as it is where no repeats tell it
   bool estimateNoise = true; // from repeats, where there are any
-  bool robust = true;        // doubtful corners lose their weight (and are listed)
-  bool setAside = true;      // so are, if robust, sightings whose board moved
-  bool alternate = false;    // the thesis's way: joints and cameras in turns instead of together
-  int restarts = 0;          // further random starts; the lowest cost wins
+  /// What a corner's fit is off by in every picture of a pose alike, so that repeats cannot show it: its place between
+  /// the pixels stays (rendered pictures: 0.02 px where boards are near) [px].
+  double repeatedCornerError = 0.02;
+  bool robust = true;     // doubtful corners lose their weight (and are listed)
+  bool setAside = true;   // so are, if robust, sightings whose board moved
+  bool alternate = false; // the thesis's way: joints and cameras in turns instead of together
+  int restarts = 0;       // further random starts; the lowest cost wins
   std::uint64_t seed = 1;
   std::optional<Eigen::VectorXd>
       start; // unknowns to start from, instead of zero with placements found from the pictures

@@ -23,7 +23,7 @@ std::vector<WeakDirection> weakDirections(const Model& model, const CalibrationR
   std::vector<std::size_t> physical;
   std::vector<std::string> spoken;
   for (const Term& term : model.terms()) {
-    for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement; ++i) {
+    for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement && term.asked; ++i) {
       physical.push_back(term.first + i);
       spoken.push_back(inWords(term, i));
     }

@@ -36,6 +36,9 @@ bool has(const Model& model, const std::string& label) {
                      [&](const Term& term) { return term.label() == label; });
 }
 
+/// No lens and no detector is known better, however well corners repeat: smaller misfits are not worth a cause [px].
+constexpr double knownLens = 0.1;
+
 Eigen::VectorXd plausibleSizes(const Term& term) {
   Eigen::VectorXd result(static_cast<Eigen::Index>(term.effect.unknowns.size()));
   for (Eigen::Index i = 0; i < result.size(); ++i) {
@@ -69,6 +72,7 @@ CalibrationResult Ladder::calibrated(const Model& model, std::optional<Eigen::Ve
   CalibrationOptions options = options_.calibration;
   options.start = std::move(start);
   options.setAside = false;
+  options.repeatedCornerError = knownLens;
   CalibrationResult result = calibrate(measurements_, model, options);
   std::size_t doubted = 0;
   for (const Doubt& doubt : result.doubts) {
