@@ -12,15 +12,19 @@ Eigen::MatrixXd normals(Eigen::Index rows, Eigen::Index columns, std::mt19937_64
   return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return normal(random); });
 }
 
-/// F F^T = `gram`, which may be singular. Columns come in all units, so they are brought to one scale; there a part in
-/// 10^12 is added, far less than any candidate that can be tested keeps of its information.
+/// F F^T = `gram`, which may be singular. Columns come in all units, so they are brought to one scale; there as small a
+/// part is added as lets the factorisation succeed, far less than any candidate that can be tested keeps.
 Eigen::MatrixXd rootOf(const Eigen::MatrixXd& gram) {
-  constexpr double negligible = 1e-12;
   const Eigen::VectorXd unit = gram.diagonal().cwiseMax(1e-300).cwiseSqrt();
   const Eigen::VectorXd inverse = unit.cwiseInverse();
-  Eigen::MatrixXd scaled = inverse.asDiagonal() * gram * inverse.asDiagonal();
-  scaled.diagonal().array() += negligible;
-  return unit.asDiagonal() * Eigen::MatrixXd{scaled.llt().matrixL()};
+  const Eigen::MatrixXd scaled = inverse.asDiagonal() * gram * inverse.asDiagonal();
+  for (double added = 1e-12;; added *= 10) {
+    Eigen::MatrixXd regular = scaled;
+    regular.diagonal().array() += added;
+    if (const Eigen::LLT<Eigen::MatrixXd> factor{regular}; factor.info() == Eigen::Success) {
+      return unit.asDiagonal() * Eigen::MatrixXd{factor.matrixL()};
+    }
+  }
 }
 
 } // namespace
