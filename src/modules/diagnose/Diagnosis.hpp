@@ -42,9 +42,9 @@ struct CandidateFinding {
 
 /// A curve of a joint over a driver that would explain what is left over.
 struct DriverFinding {
-  std::string joint, driver;                                // as in a user's effect: "LKneePitch", "q"
-  std::string what;                                         // "the angle of LKneePitch"
-  double share = 0;                                         // of the misfit beyond noise that it explains
+  std::string joint, driver; // as in a user's effect: "LKneePitch", "q"
+  std::string what;          // "the angle of LKneePitch"
+  double share = 0;          // of the scatter from pose to pose (its variance) that it explains
   double likelihoodRatio = 0, bayes = 0, amplitude = 0;     // amplitude [rad]: half of the curve's range
   std::vector<std::array<double, 3>> curve;                 // driver, deflection, its standard error [rad]
   std::string expression;                                   // a small one that follows the curve

@@ -111,7 +111,8 @@ DriverFinding driverFinding(const Inquiry& inquiry, const Measurements& measurem
   result.what = driver.what;
   result.likelihoodRatio = group.likelihoodRatio;
   result.bayes = group.bayes;
-  result.share = std::min(1.0, group.likelihoodRatio / std::max(1e-9, inquiry.evidence().withoutScatter));
+  const double level = inquiry.evidence().level;
+  result.share = level > 0 ? 1 - std::pow(group.level / level, 2) : 0;
   constexpr int points = 41;
   double least = 0, most = 0;
   for (int i = 0; i < points; ++i) {
