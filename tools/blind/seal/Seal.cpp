@@ -5,6 +5,7 @@
 #include <iterator>
 #include <openssl/sha.h>
 #include <stdexcept>
+#include <unistd.h>
 
 namespace blind {
 
@@ -52,7 +53,8 @@ void writeFile(const std::filesystem::path& file, const std::string& content) {
   if (file.has_parent_path()) {
     std::filesystem::create_directories(file.parent_path());
   }
-  const std::filesystem::path temporary = file.string() + ".part";
+  // writers that work side by side write the same key
+  const std::filesystem::path temporary = fmt::format("{}.{}.part", file.string(), getpid());
   {
     std::ofstream stream{temporary, std::ios::binary};
     stream << content;
