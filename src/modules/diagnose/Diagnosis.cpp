@@ -93,7 +93,6 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
     const Inquiry inquiry{measurements, ladder.model(), ladder.fit(), ladder.testable(), options.inquiry};
     ladder.look(inquiry, result);
     if (result.steps.size() == 1) {
-      result.lackOfFit = lackOfFit(inquiry);
       result.suspicious = suspicions(sets, measurements, ladder.model(), ladder.fit(), inquiry);
       result.alarm = inquiry.evidence().pValue;
     }
@@ -108,9 +107,8 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
       result.drivers = curves(inquiry, measurements);
       result.map = wholeMap(inquiry, measurements);
       result.scatter = inquiry.evidence().level;
-      const std::vector<Suspicion> moved = movedBoards(sets, measurements, ladder.withoutMovedBoards());
-      const bool explained = unknown || !result.suggested.empty();
-      if (!explained) {
+      if (!unknown && result.suggested.empty()) {
+        const std::vector<Suspicion> moved = movedBoards(sets, measurements, ladder.withoutMovedBoards());
         result.suspicious.insert(result.suspicious.end(), moved.begin(), moved.end());
       }
       result.verdict = verdictOf(result, inquiry, unknown);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace naocal {
 
@@ -45,6 +46,15 @@ Eigen::VectorXd plausibleSizes(const Term& term) {
     result[i] = term.effect.unknowns[static_cast<std::size_t>(i)].sigma;
   }
   return result;
+}
+
+/// All candidates, the likeliest first.
+std::vector<std::size_t> byEvidence(const Inquiry& inquiry) {
+  std::vector<std::size_t> order(inquiry.candidates().size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return inquiry.ofCandidate(a).bayes > inquiry.ofCandidate(b).bayes; });
+  return order;
 }
 
 bool isPlausible(const GroupEvidence& evidence, const Eigen::VectorXd& sigmas) {
@@ -110,9 +120,7 @@ CandidateFinding& Ladder::findingOf(const Term& term) {
 }
 
 void Ladder::look(const Inquiry& inquiry, Diagnosis& diagnosis) {
-  std::vector<std::size_t> order;
   for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
-    order.push_back(i);
     CandidateFinding& finding = findingOf(inquiry.candidates()[i]);
     if (inquiry.ofCandidate(i).bayes > finding.evidence.bayes) {
       finding.evidence = inquiry.ofCandidate(i);
@@ -120,8 +128,7 @@ void Ladder::look(const Inquiry& inquiry, Diagnosis& diagnosis) {
       finding.plausible = isPlausible(finding.evidence, plausibleSizes(finding.term));
     }
   }
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return inquiry.ofCandidate(a).bayes > inquiry.ofCandidate(b).bayes; });
+  std::vector<std::size_t> order = byEvidence(inquiry);
   order.resize(std::min<std::size_t>(order.size(), 10));
   const HeldOut held = heldOut(inquiry, order);
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -131,8 +138,12 @@ void Ladder::look(const Inquiry& inquiry, Diagnosis& diagnosis) {
       finding.heldOutAfter = held.afterPx[i];
     }
   }
+  const LackOfFit misfit = lackOfFit(inquiry);
+  if (diagnosis.steps.empty()) {
+    diagnosis.lackOfFit = misfit;
+  }
   diagnosis.steps.push_back({added_.size() > options_.with.size() ? added_.back() : "", fit_.rmsPx, held.beforePx,
-                             lackOfFit(inquiry).noiseFloorPx, fit_.chi2, fit_.dof, inquiry.evidence().pValue});
+                             misfit.noiseFloorPx, fit_.chi2, fit_.dof, inquiry.evidence().pValue});
 }
 
 double Ladder::refittedDrop(const Inquiry& inquiry, std::size_t candidate) const {
@@ -154,12 +165,7 @@ double Ladder::refittedDrop(const Inquiry& inquiry, std::size_t candidate) const
 std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
   constexpr double near = 10;
   constexpr std::size_t most = 4;
-  std::vector<std::size_t> order(inquiry.candidates().size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    order[i] = i;
-  }
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return inquiry.ofCandidate(a).bayes > inquiry.ofCandidate(b).bayes; });
+  const std::vector<std::size_t> order = byEvidence(inquiry);
   std::optional<std::size_t> best;
   double bestBayes = 0;
   for (std::size_t i = 0; i < std::min(most, order.size()); ++i) {

@@ -32,7 +32,6 @@ public:
 
 private:
   CandidateFinding& findingOf(const Term& term);
-  std::vector<std::string> labels() const;
   double refittedDrop(const Inquiry& inquiry, std::size_t candidate) const;
 
   CalibrationResult calibrated(const Model& model, std::optional<Eigen::VectorXd> start) const;
