@@ -1,3 +1,4 @@
+#include "blind/NaoV6.hpp"
 #include "writer/Mechanism.hpp"
 #include "writer/Pictures.hpp"
 #include "writer/Question.hpp"
@@ -6,12 +7,6 @@
 
 namespace blind {
 namespace {
-
-const Drawing& naoV6() {
-  static const Drawing drawing =
-      readDrawing(std::string{NAOCAL_SOURCE_DIR} + "/home/configuration/drawings/NaoV6.json");
-  return drawing;
-}
 
 Question soundRobot(int poses = 8) {
   Chance chance{7, "mechanism"};

@@ -1,3 +1,4 @@
+#include "blind/NaoV6.hpp"
 #include "writer/Noncentrality.hpp"
 #include "writer/Question.hpp"
 #include "writer/SetFile.hpp"
@@ -7,12 +8,6 @@
 
 namespace blind {
 namespace {
-
-const Drawing& naoV6() {
-  static const Drawing drawing =
-      readDrawing(std::string{NAOCAL_SOURCE_DIR} + "/home/configuration/drawings/NaoV6.json");
-  return drawing;
-}
 
 Eigen::VectorXd stacked(const SeenCorners& seen) {
   std::vector<double> values;

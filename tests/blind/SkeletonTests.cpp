@@ -1,4 +1,5 @@
 #include "SharedData.hpp"
+#include "blind/NaoV6.hpp"
 #include "writer/Skeleton.hpp"
 
 #include <catch2/catch.hpp>
@@ -12,10 +13,6 @@ Flaws none(const Drawing& drawing) {
   Flaws flaws;
   flaws.joints.resize(drawing.joints.size());
   return flaws;
-}
-
-Drawing naoV6() {
-  return readDrawing(std::string{NAOCAL_SOURCE_DIR} + "/home/configuration/drawings/NaoV6.json");
 }
 
 Eigen::Matrix4d matrix(const nlohmann::json& rows) {

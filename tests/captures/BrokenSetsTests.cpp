@@ -2,6 +2,7 @@
 #include "GoodSet.hpp"
 #include "captures/CaptureSetFile.hpp"
 #include "captures/InputError.hpp"
+#include "captures/Refusal.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -24,15 +25,6 @@ json broken(const Break& how) {
     document[place] = json::parse(value);
   }
   return document;
-}
-
-std::string refusal(const std::string& text) {
-  try {
-    parseCaptureSet(text, "some/captures.json");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "not refused";
 }
 
 } // namespace

@@ -2,21 +2,13 @@
 #include "captures/CaptureSetFile.hpp"
 #include "captures/InputError.hpp"
 #include "captures/JsonText.hpp"
+#include "captures/Refusal.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>
 
 namespace naocal {
 namespace {
-
-std::string refusal(const std::string& text) {
-  try {
-    parseCaptureSet(text, "captures.json");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "not refused";
-}
 
 std::string replaced(std::string text, const std::string& part, const std::string& by) {
   return text.replace(text.find(part), part.size(), by);

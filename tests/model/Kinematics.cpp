@@ -1,4 +1,5 @@
 #include "model/Kinematics.hpp"
+#include "RobotV6.hpp"
 #include "captures/Files.hpp"
 #include "geometry/Angles.hpp"
 
@@ -9,10 +10,6 @@
 using namespace naocal;
 
 namespace {
-
-Robot v6() {
-  return loadRobot(std::filesystem::path{NAOCAL_SOURCE_DIR} / "home/configuration", "V6");
-}
 
 /// The robot's posture with all angles zero but the given ones [degrees].
 Posture postureAt(const Robot& robot, const std::vector<std::pair<std::string, double>>& angles) {

@@ -1,4 +1,5 @@
 #include "model/LegInverseKinematics.hpp"
+#include "RobotV6.hpp"
 #include "captures/InputError.hpp"
 #include "geometry/Angles.hpp"
 #include "model/Kinematics.hpp"
@@ -9,10 +10,6 @@
 using namespace naocal;
 
 namespace {
-
-Robot v6() {
-  return loadRobot(std::filesystem::path{NAOCAL_SOURCE_DIR} / "home/configuration", "V6");
-}
 
 RigidTransform torsoFromSole(const Robot& robot, const Leg& leg, const char* side, const LegAngles& angles) {
   Eigen::VectorXd all = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.joints.size()));

@@ -1,4 +1,5 @@
 #include "model/Masses.hpp"
+#include "RobotV6.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>
@@ -6,10 +7,6 @@
 using namespace naocal;
 
 namespace {
-
-Robot v6() {
-  return loadRobot(std::filesystem::path{NAOCAL_SOURCE_DIR} / "home/configuration", "V6");
-}
 
 Belief randomBelief(const Robot& robot, std::mt19937& random) {
   Belief belief = drawnBelief(robot, Quantities{robot.joints.size(), robot.lengths.size(), 0});

@@ -1,4 +1,5 @@
 #include "poses/PoseGenerator.hpp"
+#include "RobotV6.hpp"
 #include "captures/InputError.hpp"
 #include "model/Masses.hpp"
 #include "poses/Outline.hpp"
@@ -10,10 +11,6 @@
 using namespace naocal;
 
 namespace {
-
-Robot v6() {
-  return loadRobot(std::filesystem::path{NAOCAL_SOURCE_DIR} / "home/configuration", "V6");
-}
 
 /// Three A2 boards before the robot; their sheets' top left corners at these places.
 std::vector<Board> boards() {

@@ -1,4 +1,5 @@
 #include "poses/Stability.hpp"
+#include "RobotV6.hpp"
 #include "captures/InputError.hpp"
 #include "geometry/Angles.hpp"
 #include "poses/Outline.hpp"
@@ -8,10 +9,6 @@
 using namespace naocal;
 
 namespace {
-
-Robot v6() {
-  return loadRobot(std::filesystem::path{NAOCAL_SOURCE_DIR} / "home/configuration", "V6");
-}
 
 /// On the left foot, the right one drawn up; `ankleRoll` [degrees] leans the whole robot.
 Belief onLeftFoot(const Robot& robot, double ankleRoll) {

@@ -1,3 +1,4 @@
+#include "RobotV6.hpp"
 #include "synthetic/HandMadePoses.hpp"
 
 #include <Eigen/Geometry>
@@ -6,11 +7,6 @@
 using namespace naocal;
 
 namespace {
-
-const Robot& v6() {
-  static const Robot robot = loadRobot(configurationDirectory(), "V6");
-  return robot;
-}
 
 /// Corner errors of one simulation against the same one without noise, both axes of all corners [px].
 std::vector<Eigen::Vector2d> cornerErrors(SimulationPlan plan) {

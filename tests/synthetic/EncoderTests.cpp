@@ -1,3 +1,4 @@
+#include "RobotV6.hpp"
 #include "synthetic/HandMadePoses.hpp"
 
 #include <catch2/catch.hpp>
@@ -5,11 +6,6 @@
 using namespace naocal;
 
 namespace {
-
-const Robot& v6() {
-  static const Robot robot = loadRobot(configurationDirectory(), "V6");
-  return robot;
-}
 
 constexpr double step = 2 * std::numbers::pi / 4096; // of a NAO's encoders [rad]
 

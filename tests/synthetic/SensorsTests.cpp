@@ -1,17 +1,9 @@
+#include "RobotV6.hpp"
 #include "synthetic/HandMadePoses.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace naocal;
-
-namespace {
-
-const Robot& v6() {
-  static const Robot robot = loadRobot(configurationDirectory(), "V6");
-  return robot;
-}
-
-} // namespace
 
 TEST_CASE("on both feet both soles lie flat on the floor, whatever the offsets") {
   // Proves that the floor's constraint holds for the true angles to 0.1 mm and 0.1 mrad (motors still turn a little

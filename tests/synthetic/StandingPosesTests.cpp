@@ -1,3 +1,4 @@
+#include "RobotV6.hpp"
 #include "captures/InputError.hpp"
 #include "synthetic/Simulation.hpp"
 #include "synthetic/StandingPoses.hpp"
@@ -7,11 +8,6 @@
 using namespace naocal;
 
 namespace {
-
-const Robot& v6() {
-  static const Robot robot = loadRobot(configurationDirectory(), "V6");
-  return robot;
-}
 
 /// Where the centre of mass stands in the frame of the (left, on both) support foot's sole [m].
 Eigen::Vector3d centreOverSole(const CommandedPose& pose) {

@@ -1,3 +1,4 @@
+#include "RobotV6.hpp"
 #include "captures/CaptureSetFile.hpp"
 #include "synthetic/HandMadePoses.hpp"
 
@@ -8,11 +9,6 @@
 using namespace naocal;
 
 namespace {
-
-const Robot& v6() {
-  static const Robot robot = loadRobot(configurationDirectory(), "V6");
-  return robot;
-}
 
 /// Where `other` lies as seen from `own`: x, y, yaw.
 Eigen::Vector3d between(const Placement& own, const Placement& other) {

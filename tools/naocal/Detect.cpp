@@ -55,11 +55,11 @@ std::map<std::string, BoardCount> boardCounts(const CaptureSet& set) {
 }
 
 nlohmann::json detectionJson(const CaptureSet& set, const SetDetection& detection) {
-  nlohmann::json json{{"format", "naocal-detection"},        {"version", 1},
-                      {"pictures", detection.pictures},      {"boards", nlohmann::json::object()},
-                      {"findings", nlohmann::json::array()}, {"unreadable", detection.unreadable}};
+  nlohmann::json document{{"format", "naocal-detection"},        {"version", 1},
+                          {"pictures", detection.pictures},      {"boards", nlohmann::json::object()},
+                          {"findings", nlohmann::json::array()}, {"unreadable", detection.unreadable}};
   for (const auto& [board, count] : boardCounts(set)) {
-    json["boards"][board] = {{"pictures", count.pictures}, {"corners", count.corners}};
+    document["boards"][board] = {{"pictures", count.pictures}, {"corners", count.corners}};
   }
   for (const auto& [capture, finding] : detection.findings) {
     nlohmann::json entry{{"capture", capture}, {"kind", name(finding.kind)}, {"sentence", finding.sentence}};
@@ -70,9 +70,9 @@ nlohmann::json detectionJson(const CaptureSet& set, const SetDetection& detectio
       entry["corner"] = *finding.corner;
       entry["uv"] = {finding.place->x(), finding.place->y()};
     }
-    json["findings"].push_back(entry);
+    document["findings"].push_back(entry);
   }
-  return json;
+  return document;
 }
 
 /// Captures about which the same is to be said.

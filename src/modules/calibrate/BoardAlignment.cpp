@@ -1,6 +1,6 @@
 #include "calibrate/BoardAlignment.hpp"
-
 #include "calibrate/BoardPose.hpp"
+#include "geometry/Index.hpp"
 #include "residuals/PictureGram.hpp"
 
 #include <Eigen/Cholesky>
@@ -18,10 +18,6 @@ constexpr double angleScale = 0.1;    // [rad]
 constexpr double distanceScale = 0.1; // of the depth
 constexpr double huber = 2;           // in units of those
 constexpr double cornerNoise = 1;     // [px]: generous, false corners and a wrong lens included
-
-Eigen::Index at(std::size_t i) {
-  return static_cast<Eigen::Index>(i);
-}
 
 Eigen::Vector3d rotationVector(const Eigen::Matrix3d& rotation) {
   const Eigen::AngleAxisd turn{rotation};

@@ -1,4 +1,5 @@
 #include "calibrate/FloorError.hpp"
+#include "geometry/Index.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,10 +9,6 @@
 namespace naocal {
 
 namespace {
-
-Eigen::Index at(std::size_t i) {
-  return static_cast<Eigen::Index>(i);
-}
 
 /// The error with the legs as in one picture; absent where it sees no floor board or the point lies behind.
 std::optional<double> errorIn(const Picture& picture, const Measurements& measurements, const Model& model,

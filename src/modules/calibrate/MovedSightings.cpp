@@ -34,8 +34,8 @@ double chi2Of(const SightingMotion& motion, const PoseSystem& pose, const Elimin
   }
   hessian.matrixL().solveInPlace(scattered);
   kept -= scattered.transpose() * scattered;
-  constexpr double nothing = 1e-6; // share of its information that a motion keeps where the fit absorbs it
-  kept.diagonal() += nothing * information * motion.gram.diagonal();
+  constexpr double absorbed = 1e-6; // share of its information that a motion keeps where the fit absorbs it
+  kept.diagonal() += absorbed * information * motion.gram.diagonal();
   return score.dot(kept.ldlt().solve(score));
 }
 

@@ -1,6 +1,6 @@
 #include "calibrate/WeakDirections.hpp"
-
 #include "calibrate/Words.hpp"
+#include "geometry/Index.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -8,14 +8,6 @@
 #include <fmt/format.h>
 
 namespace naocal {
-
-namespace {
-
-Eigen::Index at(std::size_t i) {
-  return static_cast<Eigen::Index>(i);
-}
-
-} // namespace
 
 std::vector<WeakDirection> weakDirections(const Model& model, const CalibrationResult& result) {
   constexpr double wide = 0.3;   // of the prior's sigma

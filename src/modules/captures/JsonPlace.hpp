@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -16,6 +17,8 @@ struct Range {
   double lowest, highest;
   std::string_view unit;
 };
+inline constexpr Range anyNumber{-1e15, 1e15, ""};
+inline constexpr int largestNumber = std::numeric_limits<int>::max();
 
 /// One place in a JSON document and what it is called, so that every refusal (InputError) names file, path, what was
 /// expected and what was found. The document must outlive it.

@@ -1,4 +1,5 @@
 #include "diagnose/DriverColumns.hpp"
+#include "geometry/Index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +9,6 @@
 namespace naocal {
 
 namespace {
-
-Eigen::Index at(std::size_t i) {
-  return static_cast<Eigen::Index>(i);
-}
 
 /// A motor's deflections of one pose: where they stand, and the pictures that each of them bends.
 struct Bent {

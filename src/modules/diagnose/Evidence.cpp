@@ -1,6 +1,6 @@
 #include "diagnose/Evidence.hpp"
-
 #include "geometry/Angles.hpp"
+#include "geometry/Index.hpp"
 
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
@@ -11,10 +11,6 @@
 namespace naocal {
 
 namespace {
-
-Eigen::Index at(std::size_t i) {
-  return static_cast<Eigen::Index>(i);
-}
 
 double tail(double fall, Eigen::Index freedom) {
   return freedom < 1 || fall <= 0

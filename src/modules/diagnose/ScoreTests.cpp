@@ -1,4 +1,5 @@
 #include "diagnose/ScoreTests.hpp"
+#include "geometry/Index.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -9,10 +10,6 @@ namespace {
 
 /// Less than this part of a direction's information left: the model's own unknowns absorb it.
 constexpr double absorbed = 1e-4;
-
-Eigen::Index at(std::size_t i) {
-  return static_cast<Eigen::Index>(i);
-}
 
 /// W with |W s|^2 = s^T block^-1 s over those directions that are not absorbed.
 Eigen::MatrixXd whiteningOf(const Eigen::MatrixXd& block, const Eigen::MatrixXd& whole) {

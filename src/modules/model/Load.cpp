@@ -1,5 +1,5 @@
 #include "model/Load.hpp"
-
+#include "geometry/Index.hpp"
 #include "model/Masses.hpp"
 
 #include <Eigen/Geometry>
@@ -9,10 +9,6 @@
 namespace naocal {
 
 namespace {
-
-Eigen::Index at(std::size_t i) {
-  return static_cast<Eigen::Index>(i);
-}
 
 /// A joint with all that it turns, seen from the held link.
 struct Turning {

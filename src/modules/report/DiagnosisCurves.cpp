@@ -14,8 +14,6 @@ using nlohmann::json;
 
 namespace {
 
-constexpr Range anyNumber{-1e15, 1e15, ""};
-
 /// The unit of a driver by its name in expressions: "rad" for "q" and "LHipPitch", "Nm" for "tau_LHipPitch".
 std::string driverUnit(const std::string& driver) {
   static const std::map<std::string, std::string> own{

@@ -5,7 +5,6 @@
 #include "report/ShownUnit.hpp"
 
 #include <fmt/format.h>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace naocal {
@@ -13,9 +12,6 @@ namespace naocal {
 using nlohmann::json;
 
 namespace {
-
-constexpr Range anyNumber{-1e15, 1e15, ""};
-constexpr int largestNumber = std::numeric_limits<int>::max();
 
 /// A number, or null where the diagnosis has none.
 json numberOrNull(const JsonPlace& place, double scale = 1) {

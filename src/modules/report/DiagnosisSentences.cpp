@@ -38,7 +38,7 @@ Fact alarmFact(double alarm) {
                           "reason to add anything."};
 }
 
-Fact misfitFact(const JsonPlace& lackOfFit) {
+Fact lackOfFitFact(const JsonPlace& lackOfFit) {
   const double p = lackOfFit.at("pValue").number(probability);
   return {fmt::format("F = {:.3g}", lackOfFit.at("statistic").number({0, 1e15, ""})),
           fmt::format("what the model as given leaves from pose to pose, in units of what repeats differ by; noise "
@@ -81,7 +81,8 @@ std::vector<Fact> diagnosisFacts(const JsonPlace& diagnosis) {
   }
   const double scatter = scatterOf(diagnosis);
   std::vector<Fact> facts{heldOutFact(steps, floorName(diagnosis)),
-                          alarmFact(diagnosis.at("alarm").number(probability)), misfitFact(diagnosis.at("lackOfFit"))};
+                          alarmFact(diagnosis.at("alarm").number(probability)),
+                          lackOfFitFact(diagnosis.at("lackOfFit"))};
   if (scatter > 0) {
     facts.push_back({fmt::format("{:.3f}°", degrees(scatter)),
                      "by which joints deflect at random from pose to pose (1 sigma) beyond what the model explains."});

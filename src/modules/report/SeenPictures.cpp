@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -10,8 +9,6 @@
 namespace naocal {
 
 namespace {
-
-constexpr int largestNumber = std::numeric_limits<int>::max();
 
 /// A list of [u, v]; predictions may lie far outside the picture.
 Eigen::Matrix2Xd points(const JsonPlace& place, std::size_t count) {

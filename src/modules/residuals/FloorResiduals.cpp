@@ -1,14 +1,11 @@
+#include "geometry/Index.hpp"
 #include "residuals/Workspace.hpp"
 
 #include <Eigen/Geometry>
 
 namespace naocal {
 
-namespace {
-Eigen::Index at(std::size_t i) {
-  return static_cast<Eigen::Index>(i);
-}
-} // namespace
+namespace {} // namespace
 
 /// The other sole's height over the floor and its tilt are zero but for `FloorContact`; in units of pixels, as all sums
 /// are.

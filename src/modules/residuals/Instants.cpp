@@ -1,5 +1,5 @@
 #include "residuals/Instants.hpp"
-
+#include "geometry/Index.hpp"
 #include "model/Load.hpp"
 
 #include <array>
@@ -7,10 +7,6 @@
 namespace naocal {
 
 namespace {
-
-Eigen::Index at(std::size_t i) {
-  return static_cast<Eigen::Index>(i);
-}
 
 Load loadOn(const Robot& robot, const Belief& belief, const Posture& torsoFromLink, std::size_t heldLink) {
   return gravityLoad(robot, belief, torsoFromLink, heldLink, torsoFromLink[heldLink].rotation.col(2));

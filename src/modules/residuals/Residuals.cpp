@@ -1,5 +1,5 @@
 #include "residuals/Residuals.hpp"
-
+#include "geometry/Index.hpp"
 #include "residuals/Workspace.hpp"
 
 #include <algorithm>
@@ -8,10 +8,6 @@
 namespace naocal {
 
 namespace {
-
-Eigen::Index at(std::size_t i) {
-  return static_cast<Eigen::Index>(i);
-}
 
 /// How the torso sees the floor, where the inertial unit's tilt is an unknown and its reading was recorded.
 std::optional<View> torsoOverFloor(const Measurements& measurements, const Model& model, const Picture& picture) {

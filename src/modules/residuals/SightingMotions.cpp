@@ -1,14 +1,11 @@
+#include "geometry/Index.hpp"
 #include "residuals/Workspace.hpp"
 
 #include <algorithm>
 
 namespace naocal {
 
-namespace {
-Eigen::Index at(std::size_t i) {
-  return static_cast<Eigen::Index>(i);
-}
-} // namespace
+namespace {} // namespace
 
 std::optional<std::vector<SightingMotion>> Residuals::sightingMotions(const State& state) const {
   std::vector<SightingMotion> result;

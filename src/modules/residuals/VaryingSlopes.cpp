@@ -1,3 +1,4 @@
+#include "geometry/Index.hpp"
 #include "residuals/Slopes.hpp"
 
 #include <algorithm>
@@ -5,10 +6,6 @@
 namespace naocal {
 
 namespace {
-
-Eigen::Index at(std::size_t i) {
-  return static_cast<Eigen::Index>(i);
-}
 
 double& driverIn(Instant& instant, const Elsewhere& which) {
   switch (which.driver) {

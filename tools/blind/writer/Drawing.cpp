@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <stdexcept>
 
 namespace blind {
@@ -12,8 +11,6 @@ namespace blind {
 namespace {
 
 using nlohmann::json;
-
-constexpr double radiansPerDegree = std::numbers::pi / 180;
 
 Eigen::Vector3d vectorOf(const json& list, double unit) {
   return Eigen::Vector3d{list.at(0).get<double>(), list.at(1).get<double>(), list.at(2).get<double>()} * unit;

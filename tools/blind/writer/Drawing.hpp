@@ -4,10 +4,13 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
 namespace blind {
+
+inline constexpr double radiansPerDegree = std::numbers::pi / 180;
 
 /// The numbers of a drawing file, as the file has them but in metres and radians. All frames are parallel to the
 /// torso's at zero angles, so a place there is a sum of vectors.

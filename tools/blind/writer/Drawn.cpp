@@ -1,12 +1,9 @@
 #include "writer/Drawn.hpp"
-
-#include <numbers>
+#include "writer/Drawing.hpp"
 
 namespace blind {
 
-namespace {
-constexpr double radiansPerDegree = std::numbers::pi / 180;
-}
+namespace {}
 
 SessionPlan drawnPlan(const Item& item, Chance& chance) {
   SessionPlan plan;

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "model/Robot.hpp"
+
+namespace naocal {
+
+inline const Robot& v6() {
+  static const Robot robot = loadRobot(configurationDirectory(), "V6");
+  return robot;
+}
+
+} // namespace naocal

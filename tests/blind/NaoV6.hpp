@@ -1,0 +1,15 @@
+#pragma once
+
+#include "writer/Drawing.hpp"
+
+#include <string>
+
+namespace blind {
+
+inline const Drawing& naoV6() {
+  static const Drawing drawing =
+      readDrawing(std::string{NAOCAL_SOURCE_DIR} + "/home/configuration/drawings/NaoV6.json");
+  return drawing;
+}
+
+} // namespace blind
