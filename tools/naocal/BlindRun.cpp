@@ -48,7 +48,8 @@ public:
       }
     }
     const auto start = std::chrono::steady_clock::now();
-    const Finished said = run({naocal_, "diagnose", set_.string(), "--json", between_ / "diagnosis.json"});
+    const Finished said =
+        run({naocal_, "diagnose", set_.string(), "--json", between_ / "diagnosis.json", "--next-count", "0"});
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     if (said.exitCode != 0 && said.exitCode != 3) {
       return refused(said);

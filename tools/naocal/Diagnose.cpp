@@ -1,8 +1,10 @@
 #include "Commands.hpp"
 #include "DiagnosisStory.hpp"
+#include "NextStory.hpp"
 #include "Sets.hpp"
 
 #include "diagnose/DiagnosisFile.hpp"
+#include "poses/PoseFile.hpp"
 #include "residuals/ModelFile.hpp"
 
 #include <CLI/CLI.hpp>
@@ -15,9 +17,10 @@ namespace {
 
 struct DiagnoseCommand {
   std::vector<std::string> sets;
-  std::string json, model;
-  bool samePlace = false, skipBad = false;
+  std::string json, model, poses;
+  bool skipBad = false;
   DiagnosisOptions options;
+  NextOptions next;
 };
 
 /// Adds a model file's terms and effects to what the command line gave.
@@ -32,16 +35,32 @@ void readModel(DiagnoseCommand& command, const Robot& robot) {
   options.effects = std::move(file.effects);
 }
 
+/// What to measure next; only what is open where nobody asked for poses.
+NextPoses asked(const DiagnoseCommand& command, const GivenSets& given, const Measurements& measurements,
+                const Diagnosis& diagnosis) {
+  NextOptions options = command.next;
+  options.count = command.json.empty() && command.poses.empty() ? 0 : options.count;
+  options.seed = command.options.inquiry.seed;
+  return nextPoses(given.sets, measurements, diagnosis, command.options, options);
+}
+
 int diagnose(DiagnoseCommand& command) {
   const GivenSets given = readSets(command.sets, command.skipBad);
-  const Measurements measurements = measurementsOf(given.sets, given.robot, command.samePlace);
+  const Measurements measurements = measurementsOf(given.sets, given.robot, command.next.samePlace);
   readModel(command, measurements.robot);
   const Diagnosis diagnosis = diagnose(given.sets, measurements, command.options);
+  const NextPoses next = asked(command, given, measurements, diagnosis);
   if (!command.json.empty()) {
-    writeJson(diagnosisJson(diagnosis), command.json);
+    nlohmann::json json = diagnosisJson(diagnosis);
+    json["next"] = nextJson(next, given.robot);
+    writeJson(json, command.json);
+  }
+  if (!command.poses.empty() && !next.poses.empty()) {
+    writeJson(posesJson(next, given.robot), command.poses);
   }
   if (command.json != "-") {
     printDiagnosis(diagnosis, command.sets);
+    printNext(next, command.sets, command.poses);
   }
   return diagnosis.verdict == Verdict::badCaptures ? 3 : 0;
 }
@@ -59,11 +78,15 @@ void addDiagnose(CLI::App& app, int& exitCode) {
       ->delimiter(',');
   diagnoser->add_option("--without", command->options.without, "leave effects out")->delimiter(',');
   diagnoser->add_option("--model", command->model, "a model file: further terms, and effects of your own");
+  diagnoser->add_option("--next", command->poses, "a file for the poses that would best tell what is left open");
+  diagnoser->add_option("--next-count", command->next.count, "how many of them")
+      ->check(CLI::Range(0, 100))
+      ->capture_default_str();
   diagnoser->add_option("--seed", command->options.inquiry.seed, "of the draws of pure noise")->capture_default_str();
   diagnoser->add_option("--draws", command->options.inquiry.draws, "of pure noise, for the rate of false alarms")
       ->check(CLI::Range(19, 100000))
       ->capture_default_str();
-  diagnoser->add_flag("--same-place", command->samePlace,
+  diagnoser->add_flag("--same-place", command->next.samePlace,
                       "boards and stances of equal names lie at the same place in all sets");
   diagnoser->add_flag("--skip-bad", command->skipBad,
                       "use the other captures when some cannot be used, and list those");

@@ -7,7 +7,6 @@
 #include "captures/Files.hpp"
 #include "captures/InputError.hpp"
 #include "synthetic/Pictures.hpp"
-#include "synthetic/StandingPoses.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -66,8 +65,7 @@ std::size_t cornerCount(const CaptureSet& set) {
 void simulateSet(const SimulateOptions& options) {
   refuseForeignFolder(options.output);
   const Robot robot = loadRobot(configurationDirectory(), options.robot);
-  SimulationPlan plan = planOf(options);
-  plan.poses = standingPoses(robot, plan, supportFoot(options), options.poses, options.seed);
+  const SimulationPlan plan = planOf(options, robot);
   Simulation simulation = simulate(robot, plan, options.seed);
   if (plan.images) {
     takePictures(options, simulation);
@@ -103,7 +101,10 @@ void addSimulate(CLI::App& app) {
   auto options = std::make_shared<SimulateOptions>();
   CLI::App* simulator =
       app.add_subcommand("simulate", "writes a synthetic robot's captures; the truth lies beside them");
-  simulator->footer("Example: naocal simulate captures/left --poses 24 --images");
+  simulator->footer(
+      "Example: naocal simulate captures/left --poses 24 --images\n"
+      "The same robot in other poses: naocal simulate captures/more --poses poses.json --seed 2 --robot-seed 1 "
+      "--same-place");
   addOptions(*simulator, *options);
   simulator->callback([options] { simulateSet(*options); });
 }

@@ -2,8 +2,11 @@
 
 #include "captures/InputError.hpp"
 #include "geometry/Angles.hpp"
+#include "poses/PoseFile.hpp"
+#include "synthetic/StandingPoses.hpp"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cstdio>
 #include <fmt/core.h>
 
@@ -24,6 +27,25 @@ std::map<std::string, CameraIntrinsics> cameras(const std::string& size) {
     throw InputError{fmt::format("--size: expected WIDTHxHEIGHT in pixels such as 640x480, found {}", size)};
   }
   return drawnCameras(width, height);
+}
+
+/// As many as asked for, or those of a file.
+void addPoses(const SimulateOptions& options, const Robot& robot, SimulationPlan& plan) {
+  constexpr std::size_t most = 1000;
+  std::size_t count = 0;
+  const char* end = options.poses.data() + options.poses.size();
+  if (const auto [rest, error] = std::from_chars(options.poses.data(), end, count); rest == end) {
+    if (error != std::errc{} || count < 1 || count > most) {
+      throw InputError{fmt::format("--poses: expected 1 to {} or a pose file, found {}", most, options.poses)};
+    }
+    plan.poses = standingPoses(robot, plan, feet.at(options.support), count, options.seed);
+    return;
+  }
+  PoseFile file = readPoseFile(options.poses, robot);
+  plan.firstStance = file.firstStance;
+  for (PlayablePose& pose : file.poses) {
+    plan.poses.push_back({std::move(pose.id), pose.supportFoot, std::move(pose.angles), std::move(pose.approach)});
+  }
 }
 
 void addNoise(CLI::App& simulator, SimulateOptions& options) {
@@ -80,7 +102,7 @@ void addOptions(CLI::App& simulator, SimulateOptions& options) {
   simulator.add_option("--support", options.support, "the foot it stands on")
       ->check(CLI::IsMember(feet))
       ->capture_default_str();
-  simulator.add_option("--poses", options.poses, "how many")->check(CLI::Range(1, 1000))->capture_default_str();
+  simulator.add_option("--poses", options.poses, "how many, or a pose file to play")->capture_default_str();
   simulator.add_option("--samples", options.plan.samples, "per pose")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
@@ -92,17 +114,17 @@ void addOptions(CLI::App& simulator, SimulateOptions& options) {
   simulator.add_flag("--surveyed", options.plan.surveyed, "the set states where boards and feet are");
   simulator.add_option("--seed", options.seed, "the same seed gives the same set")->capture_default_str();
   simulator.add_option("--robot-seed", options.plan.robotSeed, "takes the robot of another set, by that set's seed");
+  simulator.add_flag("--same-place", options.samePlace, "the boards of that set too, still where they lay");
   simulator.add_option("--json", options.json, "what was written, as JSON to a file or - for standard output");
   addNoise(simulator, options);
   addPictures(simulator, options);
 }
 
-SupportFoot supportFoot(const SimulateOptions& options) {
-  return feet.at(options.support);
-}
-
-SimulationPlan planOf(const SimulateOptions& options) {
+SimulationPlan planOf(const SimulateOptions& options, const Robot& robot) {
   SimulationPlan plan = options.plan;
+  if (options.samePlace) {
+    plan.boardSeed = plan.robotSeed;
+  }
   plan.repeatKind = kinds.at(options.repeatKind);
   plan.offsetRange = radians(options.offsetDegrees);
   plan.mountRange = radians(options.mountDegrees);
@@ -111,6 +133,7 @@ SimulationPlan planOf(const SimulateOptions& options) {
   plan.mechanics.approachScatter = radians(options.approachDegrees);
   plan.corners.displacedBoard = options.displacedBoard ? 0.03 : 0;
   plan.cameras = cameras(options.size);
+  addPoses(options, robot, plan);
   return plan;
 }
 

@@ -8,17 +8,23 @@
 
 namespace naocal {
 
-std::vector<PlannedPose> stablePoses(const Robot& robot, const std::vector<Board>& boards,
-                                     const std::map<std::string, CameraIntrinsics>& cameras,
-                                     const PoseOptions& options) {
-  const Scene scene{robot, supportSole(robot, options.supportFoot), boards, cameras, options.sight};
+std::vector<Belief> stableAttitudes(const Robot& robot, const Scene& scene, const PoseOptions& options,
+                                    std::size_t count) {
   RandomAttitude attitudes{robot, scene, options};
   std::vector<Belief> found;
-  for (std::size_t tried = 0; tried < options.tries && found.size() < options.choice * options.count; ++tried) {
+  for (std::size_t tried = 0; tried < options.tries && found.size() < count; ++tried) {
     if (const auto belief = attitudes.draw()) {
       found.push_back(*belief);
     }
   }
+  return found;
+}
+
+std::vector<PlannedPose> stablePoses(const Robot& robot, const std::vector<Board>& boards,
+                                     const std::map<std::string, CameraIntrinsics>& cameras,
+                                     const PoseOptions& options) {
+  const Scene scene{robot, supportSole(robot, options.supportFoot), boards, cameras, options.sight};
+  const std::vector<Belief> found = stableAttitudes(robot, scene, options, options.choice * options.count);
   if (found.size() < options.count) {
     throw InputError{fmt::format("expected {} stable poses that see a board, found {} in {} attempts; put the boards "
                                  "nearer or ask for fewer poses",

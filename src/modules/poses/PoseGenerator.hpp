@@ -11,6 +11,11 @@ struct PlannedPose {
   std::vector<Sight> sights; // by the drawn robot
 };
 
+/// The first `count` attitudes that the draw finds acceptable (PoseOptions, RandomAttitude), in the scene's terms;
+/// fewer where `options.tries` do not suffice.
+std::vector<Belief> stableAttitudes(const Robot& robot, const Scene& scene, const PoseOptions& options,
+                                    std::size_t count);
+
 /// Poses on one foot for boards around it (placements in the support sole's frame), arms hanging: within joint limits,
 /// stable, the soles apart, a board in sight. Each is the most informative one beside those before it: greedily the
 /// largest determinant of the information about offsets, cameras and boards. The same seed gives the same poses.

@@ -99,7 +99,7 @@ Simulation simulate(const Robot& drawing, const SimulationPlan& plan, std::uint6
     Randomness flawChance{robotSeed, "flaw"};
     errors.flaw = drawnFlaw(drawing, plan.poses.front().supportFoot, flawChance);
   }
-  const std::vector<Placement> boards = drawnBoards(plan, Randomness{seed, "boards"});
+  const std::vector<Placement> boards = drawnBoards(plan, Randomness{plan.boardSeed.value_or(seed), "boards"});
   Walk taken = walk(SyntheticRobot{drawing, errors, plan.mechanics}, plan, boards, seed);
 
   Simulation result{emptySet(drawing, plan, robotSeed), {}, {}};

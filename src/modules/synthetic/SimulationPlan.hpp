@@ -13,6 +13,8 @@ struct CommandedPose {
   std::string name;
   SupportFoot supportFoot = SupportFoot::left; // not `none`: a hanging robot tells nothing about boards on the floor
   Eigen::VectorXd angles;                      // one per joint of the drawing [rad]
+  Eigen::VectorXd approach = {}; // per joint: the motion that ends in the pose, -1 from above, +1 from below, 0 or
+                                 // empty: as it comes
 };
 
 /// How corners are measured in the pictures.
@@ -49,6 +51,8 @@ struct SimulationPlan {
   double stanceShiftRange = 0.04;         // of the robot against the origin, per stance [m]
   double stanceTurnRange = 0.1;           // [rad]
   std::optional<std::uint64_t> robotSeed; // of offsets and mounts, where another set's robot is wanted
+  std::optional<std::uint64_t> boardSeed; // of where boards lie, where they lie as another set's
+  int firstStance = 0;                    // numbers count from here
   bool hiddenFlaw = false;                // a part of the leg it stands on is not as drawn
   Mechanics mechanics;
   CornerNoise corners;

@@ -65,7 +65,7 @@ private:
       return;
     }
     const double y = foot == SupportFoot::right ? -halfStance : halfStance;
-    stance_ = Stance{static_cast<int>(walk_.stances.size()), foot, Placement{}};
+    stance_ = Stance{plan_.firstStance + static_cast<int>(walk_.stances.size()), foot, Placement{}};
     Placement& placement = *stance_->placement;
     placement.x = stanceChance_.within(plan_.stanceShiftRange);
     placement.y = y + stanceChance_.within(plan_.stanceShiftRange);
@@ -83,7 +83,8 @@ private:
     }
     for (Eigen::Index joint = 0; joint < commanded.size(); ++joint) {
       const double way = commanded[joint] - commanded_[joint];
-      approach_[joint] = way == 0 ? approach_[joint] : std::copysign(1, way);
+      const double asked = target.approach.size() > 0 ? target.approach[joint] : 0;
+      approach_[joint] = asked != 0 ? asked : way == 0 ? approach_[joint] : std::copysign(1, way);
     }
     commanded_ = commanded;
     taken_ = robot_.approach(commanded, approach_, target.supportFoot, poseDeflections_[pose], motion_);

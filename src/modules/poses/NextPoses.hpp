@@ -1,0 +1,52 @@
+#pragma once
+
+#include "poses/OpenQuestion.hpp"
+#include "poses/PlannedCaptures.hpp"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+struct NextOptions {
+  std::size_t count = 4;        // poses to propose
+  std::size_t candidates = 300; // stable attitudes to choose from
+  std::uint64_t seed = 1;
+  bool samePlace = false; // as the measurements were made
+};
+
+/// A model that was fitted to captures.
+struct FittedModel {
+  const Model& model;
+  const Eigen::VectorXd& unknowns;
+  Noise noise;
+};
+
+/// Poses that would best answer what captures leave open.
+struct NextPoses {
+  std::vector<ProposedPose> poses; // in the order to take them: drawn at random, so that nothing drifts with them
+  std::string why;                 // as the question's; empty: nothing is open
+  double growth = 1;               // of what tells the suspects apart, with these poses (Discrimination)
+  std::map<std::string, double> predictedSigma; // of joint offsets, with these poses [rad]
+
+  // What that assumes.
+  std::vector<Surroundings> around;
+  std::size_t seeing = 0; // stable attitudes that see a board, to choose from
+  Noise noise;            // of the fit
+  double samples = 1;     // per pose and camera, as in the captures
+  int firstStance = 0;    // that they are taken in
+};
+
+/// Chooses among stable poses in sight of the boards (PoseGenerator), on the captures' feet, each approached from above
+/// and from below where that matters: greedily the one with the largest Discrimination::gain beside the captures and
+/// those before it. The measurement model is linearised at the fit, noise as there. The same seed proposes the same.
+NextPoses nextPoses(const std::vector<CaptureSet>& sets, const Measurements& measurements, const FittedModel& fit,
+                    const OpenQuestion& question, const NextOptions& options = {});
+
+/// After a diagnosis: of its last model and what it leaves open.
+NextPoses nextPoses(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Diagnosis& diagnosis,
+                    const DiagnosisOptions& asked, const NextOptions& options = {});
+
+} // namespace naocal

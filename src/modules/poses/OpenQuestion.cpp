@@ -1,0 +1,160 @@
+#include "poses/OpenQuestion.hpp"
+
+#include "calibrate/Words.hpp"
+#include "effects/UserEffect.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+namespace {
+
+/// More are neither said in a sentence nor worth the time.
+constexpr std::size_t mostSuspects = 5;
+
+Eigen::VectorXd plausibleSizes(const Effect& effect) {
+  Eigen::VectorXd result(static_cast<Eigen::Index>(effect.unknowns.size()));
+  for (Eigen::Index i = 0; i < result.size(); ++i) {
+    result[i] = effect.unknowns[static_cast<std::size_t>(i)].sigma;
+  }
+  return result;
+}
+
+/// The likeliest of these, their evidence turned into odds.
+void suspect(std::vector<Suspect> suspects, std::vector<double> evidence, OpenQuestion& question) {
+  std::vector<std::size_t> order(suspects.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    order[i] = i;
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return evidence[a] > evidence[b]; });
+  order.resize(std::min(order.size(), mostSuspects));
+  std::vector<double> kept;
+  for (const std::size_t i : order) {
+    question.suspects.push_back(std::move(suspects[i]));
+    kept.push_back(evidence[i]);
+  }
+  const std::vector<double> odds = probabilities(kept);
+  for (std::size_t i = 0; i < odds.size(); ++i) {
+    question.suspects[i].odds = odds[i];
+  }
+}
+
+std::vector<std::string> labels(const std::vector<Suspect>& suspects, std::size_t first) {
+  std::vector<std::string> result;
+  for (std::size_t i = first; i < suspects.size(); ++i) {
+    result.push_back(suspects[i].label);
+  }
+  return result;
+}
+
+/// False: its only twins are in the model as well.
+bool askWhichOne(const Diagnosis& diagnosis, const CandidateFinding& head, OpenQuestion& question) {
+  std::vector<Suspect> suspects;
+  std::vector<double> evidence;
+  for (const CandidateFinding& finding : diagnosis.ranking) {
+    const std::string label = finding.term.label();
+    const bool twin = std::find(head.equivalent.begin(), head.equivalent.end(), label) != head.equivalent.end();
+    const bool taken = std::find(question.with.begin(), question.with.end(), label) != question.with.end();
+    if (label == head.term.label() || (twin && !taken)) {
+      suspects.push_back({label, finding.evidence.estimate, plausibleSizes(finding.term.effect)});
+      evidence.push_back(finding.evidence.bayes);
+    }
+  }
+  if (suspects.size() < 2) {
+    return false;
+  }
+  std::erase(question.with, head.term.label());
+  suspect(std::move(suspects), std::move(evidence), question);
+  question.rivals = true;
+  question.why =
+      fmt::format("tells {} from {}", question.suspects.front().label, enumerated(labels(question.suspects, 1)));
+  return true;
+}
+
+/// The curve that the misfit follows, as an effect of its own, against the best of the catalogue.
+void askAboutCurve(const Diagnosis& diagnosis, const Robot& robot, OpenQuestion& question) {
+  const DriverFinding& curve = diagnosis.drivers.front();
+  const auto rival = std::find_if(diagnosis.ranking.begin(), diagnosis.ranking.end(), [&](const auto& finding) {
+    return finding.state != State::noData && finding.state != State::present && finding.evidence.freedom > 0;
+  });
+  if (rival == diagnosis.ranking.end() || curve.expression.empty()) {
+    return;
+  }
+  nlohmann::json definition{{"name", "curve"}, {"at", curve.joint}, {"correction", curve.expression}};
+  Eigen::VectorXd size(static_cast<Eigen::Index>(curve.coefficients.size()));
+  for (Eigen::Index i = 0; i < size.size(); ++i) {
+    const auto& [name, value] = curve.coefficients[static_cast<std::size_t>(i)];
+    size[i] = value;
+    definition["unknowns"][name] = {{"unit", "rad"}, {"sigma", std::max(std::abs(value), 1e-6)}};
+  }
+  question.effects.push_back(userEffect(JsonPlace{definition, "the curve"}, robot));
+  const Eigen::VectorXd plausible = plausibleSizes(question.effects.back());
+  suspect({{"curve@" + curve.joint, size, plausible},
+           {rival->term.label(), rival->evidence.estimate, plausibleSizes(rival->term.effect)}},
+          {curve.bayes, rival->evidence.bayes}, question);
+  question.rivals = true;
+  question.why = fmt::format("tells a curve of {} over {} from {}", curve.joint, curve.driver, rival->term.label());
+}
+
+void askWhether(const Diagnosis& diagnosis, State state, OpenQuestion& question) {
+  constexpr std::size_t few = 3;
+  std::vector<Suspect> suspects;
+  std::vector<double> evidence;
+  for (const CandidateFinding& finding : diagnosis.ranking) { // the strongest come first
+    if (finding.state == state && suspects.size() < few) {
+      const Eigen::VectorXd plausible = plausibleSizes(finding.term.effect);
+      suspects.push_back({finding.term.label(), plausible, plausible});
+      evidence.push_back(finding.evidence.bayes);
+    }
+  }
+  if (!suspects.empty()) {
+    suspect(std::move(suspects), std::move(evidence), question);
+    question.why = fmt::format("shows whether {} {} there", enumerated(labels(question.suspects, 0)),
+                               question.suspects.size() == 1 ? "is" : "are");
+  }
+}
+
+} // namespace
+
+std::vector<double> probabilities(const std::vector<double>& evidence) {
+  const double most = *std::max_element(evidence.begin(), evidence.end());
+  std::vector<double> result;
+  double sum = 0;
+  for (const double each : evidence) {
+    result.push_back(std::exp((each - most) / 2));
+    sum += result.back();
+  }
+  for (double& each : result) {
+    each /= sum;
+  }
+  return result;
+}
+
+OpenQuestion openQuestion(const Diagnosis& diagnosis, const Robot& robot, const DiagnosisOptions& asked) {
+  OpenQuestion question{
+      .suspects = {}, .with = diagnosis.with, .without = asked.without, .effects = asked.effects, .why = {}};
+  if (diagnosis.verdict == Verdict::badCaptures) {
+    return question;
+  }
+  if (diagnosis.verdict == Verdict::unknownEffect) {
+    askAboutCurve(diagnosis, robot, question);
+    return question;
+  }
+  for (const std::string& label : diagnosis.suggested) {
+    const auto head = std::find_if(diagnosis.ranking.begin(), diagnosis.ranking.end(),
+                                   [&](const CandidateFinding& finding) { return finding.term.label() == label; });
+    if (head != diagnosis.ranking.end() && askWhichOne(diagnosis, *head, question)) {
+      return question;
+    }
+  }
+  askWhether(diagnosis, State::inconclusive, question);
+  if (question.suspects.empty()) {
+    askWhether(diagnosis, State::absorbed, question);
+  }
+  return question;
+}
+
+} // namespace naocal

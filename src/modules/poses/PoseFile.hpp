@@ -1,0 +1,42 @@
+#pragma once
+
+#include "captures/Capture.hpp"
+#include "model/Robot.hpp"
+#include "poses/NextPoses.hpp"
+
+#include <array>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace naocal {
+
+/// Joints of a NAO that no drawing holds: fingers. Files name them, at rest.
+inline constexpr std::array<std::string_view, 2> fingers{"LHand", "RHand"};
+
+/// A pose as a file has it.
+struct PlayablePose {
+  std::string id;
+  SupportFoot supportFoot = SupportFoot::left;
+  Eigen::VectorXd angles;   // per joint, to be sent as they are [rad]
+  Eigen::VectorXd approach; // per joint: the motion that ends in the pose, -1 from above, +1 from below, 0 any
+};
+
+/// POSES.json, as far as it takes to play it.
+struct PoseFile {
+  std::vector<PlayablePose> poses; // in the order to take them
+  int firstStance = 0;             // the number of the first stance that they are taken in
+};
+
+/// Throws InputError for a file that is none, is of another robot, or holds angles that its joints cannot take.
+PoseFile readPoseFile(const std::filesystem::path& file, const Robot& robot);
+
+/// POSES.json of what was proposed.
+nlohmann::json posesJson(const NextPoses& next, const Robot& robot);
+
+/// The same as `next` of a diagnosis file: the poses and why.
+nlohmann::json nextJson(const NextPoses& next, const Robot& robot);
+
+} // namespace naocal

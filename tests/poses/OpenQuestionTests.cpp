@@ -1,0 +1,80 @@
+#include "RobotV6.hpp"
+#include "poses/OpenQuestion.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace naocal {
+namespace {
+
+CandidateFinding finding(const std::string& effect, const std::string& place, State state, double evidence) {
+  CandidateFinding result;
+  for (const Effect& each : allEffects()) {
+    if (each.name == effect) {
+      result.term.effect = each;
+    }
+  }
+  result.term.place = place;
+  result.state = state;
+  result.evidence.bayes = evidence;
+  result.evidence.freedom = 1;
+  result.evidence.estimate =
+      Eigen::VectorXd::Constant(static_cast<Eigen::Index>(result.term.effect.unknowns.size()), 0.004);
+  return result;
+}
+
+std::vector<std::string> labels(const OpenQuestion& question) {
+  std::vector<std::string> result;
+  for (const Suspect& suspect : question.suspects) {
+    result.push_back(suspect.label);
+  }
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("twins are asked first, then a curve's rival, then what captures hardly test") {
+  // Proves which question each kind of diagnosis leaves open, on made-up diagnoses.
+  Diagnosis diagnosis;
+  diagnosis.verdict = Verdict::effectMissing;
+  diagnosis.ranking = {finding("elasticity", "LKneePitch", State::present, 30),
+                       finding("backlash", "LKneePitch", State::aliased, 28),
+                       finding("thermalDrift", "LHipRoll", State::inconclusive, 1),
+                       finding("encoderGain", "HeadYaw", State::absent, -3)};
+  diagnosis.suggested = diagnosis.with = {"elasticity@LKneePitch"};
+  diagnosis.ranking[0].equivalent = {"backlash@LKneePitch"};
+  const auto ask = [&] { return openQuestion(diagnosis, v6(), {}); };
+
+  const OpenQuestion twins = ask();
+  CHECK(twins.rivals);
+  CHECK(labels(twins) == std::vector<std::string>{"elasticity@LKneePitch", "backlash@LKneePitch"});
+  CHECK(twins.with.empty()); // none of the suspects is in the model
+  CHECK(twins.suspects[0].odds == Approx(1 / (1 + std::exp(-1.0))));
+  CHECK(twins.why == "tells elasticity@LKneePitch from backlash@LKneePitch");
+
+  diagnosis.ranking[0].equivalent.clear();
+  const OpenQuestion whether = ask();
+  CHECK_FALSE(whether.rivals);
+  CHECK(labels(whether) == std::vector<std::string>{"thermalDrift@LHipRoll"});
+  CHECK(whether.with == std::vector<std::string>{"elasticity@LKneePitch"});
+  CHECK(whether.why == "shows whether thermalDrift@LHipRoll is there");
+
+  diagnosis.verdict = Verdict::unknownEffect;
+  diagnosis.suggested = diagnosis.with = {};
+  diagnosis.ranking[0].state = State::aliased;
+  diagnosis.drivers = {{.joint = "LKneePitch",
+                        .driver = "q",
+                        .bayes = 60,
+                        .expression = "a*sin(6*q) + b*cos(6*q)",
+                        .coefficients = {{"a", 0.003}, {"b", 0.001}}}};
+  const OpenQuestion curve = ask();
+  CHECK(curve.rivals);
+  CHECK(labels(curve) == std::vector<std::string>{"curve@LKneePitch", "elasticity@LKneePitch"});
+  CHECK(curve.suspects[0].size == Eigen::Vector2d{0.003, 0.001});
+  CHECK(curve.effects.size() == allEffects().size() + 1);
+
+  diagnosis.verdict = Verdict::badCaptures;
+  CHECK(ask().suspects.empty());
+  CHECK(ask().why.empty());
+}
+
+} // namespace naocal

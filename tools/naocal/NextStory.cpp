@@ -1,0 +1,22 @@
+#include "NextStory.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+namespace naocal {
+
+void printNext(const NextPoses& next, const std::vector<std::string>& sets, const std::string& file) {
+  if (next.why.empty()) {
+    return;
+  }
+  if (next.poses.empty() || file.empty()) {
+    fmt::print("measure next what {}:  naocal diagnose {} --next poses.json\n", next.why, fmt::join(sets, " "));
+    return;
+  }
+  fmt::print(
+      "\n{} holds {} poses; what {} grows {:.1f}-fold with them. Take them with the boards where they lie, then:\n"
+      "  naocal diagnose {} FURTHER-SET --same-place\n",
+      file, next.poses.size(), next.why, next.growth, fmt::join(sets, " "));
+}
+
+} // namespace naocal
