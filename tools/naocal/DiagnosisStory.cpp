@@ -33,8 +33,9 @@ void printLadder(const Diagnosis& diagnosis) {
     most = std::max(most, step.heldOutPx);
   }
   for (const Step& step : diagnosis.steps) {
-    fmt::print("  {:32} {} {:6.3f} px\n", step.added.empty() ? "the model as given" : "+ " + step.added,
-               bar(step.heldOutPx, most, 30), step.heldOutPx);
+    fmt::print("  {:32} {} {:6.3f} px{}\n", step.added.empty() ? "the model as given" : "+ " + step.added,
+               bar(step.heldOutPx, most, 30), step.heldOutPx,
+               step.dropped.empty() ? "" : fmt::format("   no longer needed: {}", fmt::join(step.dropped, ", ")));
   }
   const double floor = diagnosis.steps.back().noiseFloorPx;
   fmt::print("  {:32} {} {:6.3f} px\n", "noise alone", bar(floor, most, 30), floor);

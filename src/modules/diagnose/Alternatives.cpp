@@ -37,7 +37,7 @@ std::vector<std::size_t> equivalents(const Inquiry& inquiry, std::size_t chosen)
   const GroupEvidence& best = inquiry.ofCandidate(chosen);
   for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
     const GroupEvidence& other = inquiry.ofCandidate(i);
-    if (i == chosen || other.freedom < 1) {
+    if (i == chosen || other.freedom < 1 || other.bayes <= 0) {
       continue;
     }
     const double behind = best.bayes - other.bayes;

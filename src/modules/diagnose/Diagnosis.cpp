@@ -2,6 +2,7 @@
 
 #include "captures/InputError.hpp"
 #include "diagnose/Drivers.hpp"
+#include "diagnose/Judgement.hpp"
 #include "diagnose/Ladder.hpp"
 #include "diagnose/Sentences.hpp"
 #include "diagnose/SetUps.hpp"
@@ -11,29 +12,14 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
-#include <numeric>
 
 namespace naocal {
 
 namespace {
 
-/// The map's cell that explains most.
-std::size_t bestCell(const Inquiry& inquiry) {
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < inquiry.map().cells.size(); ++i) {
-    if (inquiry.ofCell(i).bayes > inquiry.ofCell(best).bayes) {
-      best = i;
-    }
-  }
-  return best;
-}
-
-/// The best curves of the map, one per joint.
+/// The best curves of the map.
 std::vector<DriverFinding> curves(const Inquiry& inquiry, const Measurements& measurements) {
-  std::vector<std::size_t> order(inquiry.map().cells.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return inquiry.ofCell(a).bayes > inquiry.ofCell(b).bayes; });
+  const std::vector<std::size_t> order = inquiry.cellsByEvidence();
   std::vector<DriverFinding> result;
   for (std::size_t i = 0; i < std::min<std::size_t>(3, order.size()); ++i) {
     result.push_back(driverFinding(inquiry, measurements, order[i]));
@@ -50,6 +36,15 @@ std::vector<MapCell> wholeMap(const Inquiry& inquiry, const Measurements& measur
                       inquiry.ofCell(i).pValue});
   }
   return result;
+}
+
+/// A curve of the map explains the misfit better than any effect that has a name. Where the evidence is large, a curve,
+/// being free, must be ahead by a share of it: it follows several effects at once, each of which is then named in turn.
+bool isUnknown(const Inquiry& inquiry, std::optional<std::size_t> candidate) {
+  constexpr double better = 6, share = 0.15; // in 2 ln of the Bayes factor
+  const double curve = inquiry.ofCell(inquiry.cellsByEvidence().front()).bayes;
+  const double named = candidate ? inquiry.ofCandidate(*candidate).bayes : -better;
+  return curve > 0 && curve - named > std::max(better, share * named);
 }
 
 Verdict verdictOf(const Diagnosis& diagnosis, const Inquiry& last, bool unknown) {
@@ -99,9 +94,7 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
     const bool alarm = inquiry.evidence().pValue <= options.alarm && result.suspicious.empty();
     const std::optional<std::size_t> candidate = alarm ? ladder.best(inquiry) : std::nullopt;
     if (alarm && !inquiry.map().cells.empty()) {
-      constexpr double better = 6; // in 2 ln of the Bayes factor
-      const double curve = inquiry.ofCell(bestCell(inquiry)).bayes;
-      unknown = curve > 0 && (!candidate || curve > inquiry.ofCandidate(*candidate).bayes + better);
+      unknown = isUnknown(inquiry, candidate);
     }
     if (!options.grow || !alarm || unknown || !candidate || !ladder.add(inquiry, *candidate, result)) {
       result.drivers = curves(inquiry, measurements);
@@ -112,7 +105,8 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
         result.suspicious.insert(result.suspicious.end(), moved.begin(), moved.end());
       }
       result.verdict = verdictOf(result, inquiry, unknown);
-      ladder.judge(inquiry, result);
+      result.with = ladder.added();
+      result.ranking = judged(ladder.findings(), inquiry, ladder.model(), ladder.fit(), result.suggested);
       break;
     }
   }

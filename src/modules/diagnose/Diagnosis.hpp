@@ -65,7 +65,8 @@ struct Suspicion {
 
 /// One rung of the ladder: the model with one more effect.
 struct Step {
-  std::string added; // its label; empty for the model as it was given
+  std::string added;                // its label; empty for the model as it was given
+  std::vector<std::string> dropped; // labels of earlier additions that it made superfluous
   double rmsPx = 0, heldOutPx = 0, noiseFloorPx = 0;
   double chi2 = 0, dof = 0;
   double alarm = 1; // family-wise p-value that something is missing here

@@ -94,6 +94,7 @@ Json diagnosisJson(const Diagnosis& diagnosis) {
   }
   for (const Step& step : diagnosis.steps) {
     result["steps"].push_back({{"added", step.added.empty() ? Json(nullptr) : Json(step.added)},
+                               {"dropped", step.dropped},
                                {"rmsPx", step.rmsPx},
                                {"heldOutPx", step.heldOutPx},
                                {"noiseFloorPx", step.noiseFloorPx},

@@ -3,9 +3,21 @@
 #include "captures/InputError.hpp"
 #include "diagnose/Drivers.hpp"
 
+#include <algorithm>
+#include <numeric>
+#include <span>
+
 namespace naocal {
 
 namespace {
+
+std::vector<std::size_t> byBayes(std::span<const GroupEvidence> groups) {
+  std::vector<std::size_t> order(groups.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return groups[a].bayes > groups[b].bayes; });
+  return order;
+}
 
 /// The sums of model and candidates at the fit, candidates at zero.
 Residuals::Linear linearisedAt(const Measurements& measurements, const Model& model, const CalibrationResult& fit) {
@@ -54,6 +66,14 @@ Inquiry::Inquiry(const Measurements& measurements, const Model& model, const Cal
   problem_ = std::make_unique<ScoreProblem>(
       ScoreProblem{&linear_, &map_, fit.unknowns, model.sigmas(), std::move(groups), columns, std::move(plausible)});
   evidence_ = evidenceOf(*problem_, noise_, options.levels, options.draws, options.seed);
+}
+
+std::vector<std::size_t> Inquiry::candidatesByEvidence() const {
+  return byBayes({evidence_.groups.data(), candidates_.size()});
+}
+
+std::vector<std::size_t> Inquiry::cellsByEvidence() const {
+  return byBayes({evidence_.groups.data() + candidates_.size(), map_.cells.size()});
 }
 
 Noise Inquiry::noise() const {

@@ -36,6 +36,11 @@ public:
   /// The noise of the fit, with the pose level found here.
   Noise noise() const;
 
+  /// Places among the candidates, the likeliest first.
+  std::vector<std::size_t> candidatesByEvidence() const;
+  /// Places among the map's cells, the one that explains most first.
+  std::vector<std::size_t> cellsByEvidence() const;
+
   const GroupEvidence& ofCandidate(std::size_t candidate) const { return evidence_.groups[candidate]; }
   const GroupEvidence& ofCell(std::size_t cell) const { return evidence_.groups[candidates_.size() + cell]; }
 

@@ -3,13 +3,11 @@
 #include "calibrate/Fit.hpp"
 #include "diagnose/Alternatives.hpp"
 #include "diagnose/HeldOut.hpp"
-#include "diagnose/Power.hpp"
 #include "residuals/Candidates.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace naocal {
 
@@ -40,25 +38,17 @@ bool has(const Model& model, const std::string& label) {
 /// No lens and no detector is known better, however well corners repeat: smaller misfits are not worth a cause [px].
 constexpr double knownLens = 0.1;
 
-Eigen::VectorXd plausibleSizes(const Term& term) {
-  Eigen::VectorXd result(static_cast<Eigen::Index>(term.effect.unknowns.size()));
-  for (Eigen::Index i = 0; i < result.size(); ++i) {
-    result[i] = term.effect.unknowns[static_cast<std::size_t>(i)].sigma;
-  }
-  return result;
-}
-
-/// All candidates, the likeliest first.
-std::vector<std::size_t> byEvidence(const Inquiry& inquiry) {
-  std::vector<std::size_t> order(inquiry.candidates().size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return inquiry.ofCandidate(a).bayes > inquiry.ofCandidate(b).bayes; });
-  return order;
-}
-
 bool isPlausible(const GroupEvidence& evidence, const Eigen::VectorXd& sigmas) {
   return (evidence.estimate.cwiseAbs().array() <= 3 * sigmas.array()).all();
+}
+
+/// Its unknowns differ from zero by more than their errors (Wald).
+bool isNeeded(const Term& term, const CalibrationResult& fit) {
+  constexpr double leastZ = 2;
+  const auto first = static_cast<Eigen::Index>(term.first), count = term.sigmas().size();
+  const Eigen::VectorXd values = fit.unknowns.segment(first, count);
+  const double chi2 = values.dot(fit.covariance.block(first, first, count, count).ldlt().solve(values));
+  return chi2 > leastZ * leastZ * static_cast<double>(count);
 }
 
 } // namespace
@@ -82,7 +72,7 @@ CalibrationResult Ladder::calibrated(const Model& model, std::optional<Eigen::Ve
   CalibrationOptions options = options_.calibration;
   options.start = std::move(start);
   options.setAside = false;
-  options.repeatedCornerError = knownLens;
+  options.largestCornerError = knownLens;
   CalibrationResult result = calibrate(measurements_, model, options);
   std::size_t doubted = 0;
   for (const Doubt& doubt : result.doubts) {
@@ -125,10 +115,10 @@ void Ladder::look(const Inquiry& inquiry, Diagnosis& diagnosis) {
     if (inquiry.ofCandidate(i).bayes > finding.evidence.bayes) {
       finding.evidence = inquiry.ofCandidate(i);
       finding.step = diagnosis.steps.size();
-      finding.plausible = isPlausible(finding.evidence, plausibleSizes(finding.term));
+      finding.plausible = isPlausible(finding.evidence, finding.term.sigmas());
     }
   }
-  std::vector<std::size_t> order = byEvidence(inquiry);
+  std::vector<std::size_t> order = inquiry.candidatesByEvidence();
   order.resize(std::min<std::size_t>(order.size(), 10));
   const HeldOut held = heldOut(inquiry, order);
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -142,7 +132,7 @@ void Ladder::look(const Inquiry& inquiry, Diagnosis& diagnosis) {
   if (diagnosis.steps.empty()) {
     diagnosis.lackOfFit = misfit;
   }
-  diagnosis.steps.push_back({added_.size() > options_.with.size() ? added_.back() : "", fit_.rmsPx, held.beforePx,
+  diagnosis.steps.push_back({diagnosis.steps.empty() ? "" : added_.back(), dropped_, fit_.rmsPx, held.beforePx,
                              misfit.noiseFloorPx, fit_.chi2, fit_.dof, inquiry.evidence().pValue});
 }
 
@@ -157,7 +147,7 @@ double Ladder::refittedDrop(const Inquiry& inquiry, std::size_t candidate) const
     loss.scale = fit_.loss.scale * fit_.sigmaScale;
     Fit from{Noise{.pixel = noise.pixel, .encoder = -1, .pose = -1}, loss, {}};
     from.minimum.state.unknowns = start;
-    return refit(measurements_, model, noise, loss, std::move(from)).minimum.linear.cost;
+    return naocal::refit(measurements_, model, noise, loss, std::move(from)).minimum.linear.cost;
   };
   return 2 * (cost(model_, fit_.unknowns) - cost(larger, carried(model_, fit_.unknowns, larger)));
 }
@@ -165,7 +155,7 @@ double Ladder::refittedDrop(const Inquiry& inquiry, std::size_t candidate) const
 std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
   constexpr double near = 10;
   constexpr std::size_t most = 4;
-  const std::vector<std::size_t> order = byEvidence(inquiry);
+  const std::vector<std::size_t> order = inquiry.candidatesByEvidence();
   std::optional<std::size_t> best;
   double bestBayes = 0;
   for (std::size_t i = 0; i < std::min(most, order.size()); ++i) {
@@ -186,7 +176,7 @@ std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
 
 bool Ladder::add(const Inquiry& inquiry, std::size_t candidate, Diagnosis& diagnosis) {
   const std::size_t most = std::max<std::size_t>(1, measurements_.poses.size() / 4);
-  if (diagnosis.suggested.size() >= most) {
+  if (diagnosis.steps.size() > most) {
     return false;
   }
   const Term& term = inquiry.candidates()[candidate];
@@ -203,68 +193,33 @@ bool Ladder::add(const Inquiry& inquiry, std::size_t candidate, Diagnosis& diagn
   }
   added_.push_back(term.label());
   diagnosis.suggested.push_back(term.label());
-  const Model larger = makeModel(measurements_, added_, options_.without, options_.effects);
-  fit_ = calibrated(larger, carried(model_, fit_.unknowns, larger));
-  model_ = larger;
+  refit();
+  dropSuperfluous(diagnosis.suggested);
   return true;
 }
 
-void Ladder::judge(const Inquiry& last, Diagnosis& diagnosis) {
-  const double criticalP = last.evidence().criticalP;
-  for (std::size_t i = 0; i < last.candidates().size(); ++i) {
-    CandidateFinding& finding = findingOf(last.candidates()[i]);
-    const GroupEvidence& evidence = last.ofCandidate(i);
-    const Sensitivity sensed = sensitivity(evidence, plausibleSizes(finding.term), criticalP);
-    finding.power = sensed.power;
-    finding.minimalDetectable = sensed.detectable;
-    const Eigen::VectorXd sigmas = plausibleSizes(finding.term);
-    bool blind = true; // nothing of a plausible size would be noticed
-    for (std::size_t k = 0; k < sensed.detectable.size(); ++k) {
-      blind &= sensed.detectable[k] > 3 * sigmas[static_cast<Eigen::Index>(k)];
-    }
-    if (finding.state == State::inconclusive) {
-      finding.state = evidence.freedom < 1 || blind ? State::absorbed
-                      : evidence.pValue < criticalP ? State::present
-                      : finding.power >= 0.8        ? State::absent
-                                                    : State::inconclusive;
+void Ladder::refit() {
+  const Model changed = makeModel(measurements_, added_, options_.without, options_.effects);
+  fit_ = calibrated(changed, carried(model_, fit_.unknowns, changed));
+  model_ = changed;
+}
+
+void Ladder::dropSuperfluous(std::vector<std::string>& suggested) {
+  dropped_.clear();
+  for (const Term& term : model_.terms()) {
+    const bool earlier = std::find(suggested.begin(), suggested.end(), term.label()) < suggested.end() - 1;
+    if (earlier && !isNeeded(term, fit_)) {
+      dropped_.push_back(term.label());
+      findingOf(term).state = State::inconclusive;
     }
   }
-  for (CandidateFinding& finding : findings_) {
-    if (!has(model_, finding.term.label())) {
-      continue;
-    }
-    for (const Term& term : model_.terms()) {
-      if (term.label() == finding.term.label()) {
-        const Sensitivity sensed = sensitivity(finding.evidence, plausibleSizes(finding.term), criticalP);
-        finding.power = sensed.power;
-        finding.minimalDetectable = sensed.detectable;
-        for (std::size_t k = 0; k < term.effect.unknowns.size(); ++k) {
-          const Estimate& estimate = fit_.estimates[term.first + k];
-          const auto row = static_cast<Eigen::Index>(k);
-          finding.evidence.estimate[row] = estimate.value;
-          finding.evidence.covariance(row, row) = estimate.sigma * estimate.sigma;
-        }
-      }
-    }
+  for (const std::string& label : dropped_) {
+    std::erase(added_, label);
+    std::erase(suggested, label);
   }
-  diagnosis.with = added_;
-  diagnosis.ranking = findings_;
-  const auto place = [&](const CandidateFinding& finding) { // suggested first, in their order
-    const auto found = std::find(diagnosis.suggested.begin(), diagnosis.suggested.end(), finding.term.label());
-    return found - diagnosis.suggested.begin();
-  };
-  std::stable_sort(
-      diagnosis.ranking.begin(), diagnosis.ranking.end(), [&](const CandidateFinding& a, const CandidateFinding& b) {
-        const bool ledA = place(a) == 0 && !diagnosis.suggested.empty(),
-                   ledB = place(b) == 0 && !diagnosis.suggested.empty();
-        if (ledA != ledB) {
-          return ledA;
-        }
-        const auto shown = [](const CandidateFinding& finding) {
-          return finding.state != State::noData && (finding.state != State::absorbed || finding.evidence.bayes > 2);
-        };
-        return shown(a) != shown(b) ? shown(a) : a.evidence.bayes > b.evidence.bayes;
-      });
+  if (!dropped_.empty()) {
+    refit();
+  }
 }
 
 } // namespace naocal

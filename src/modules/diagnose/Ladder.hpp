@@ -27,11 +27,16 @@ public:
   bool add(const Inquiry& inquiry, std::size_t candidate, Diagnosis& diagnosis);
   /// The model's fit once more, now with boards set aside that moved for a moment: its doubts name them.
   CalibrationResult withoutMovedBoards() const;
-  /// The last word on each candidate, and the ranking.
-  void judge(const Inquiry& last, Diagnosis& diagnosis);
+  /// What was found about each candidate.
+  const std::vector<CandidateFinding>& findings() const { return findings_; }
+  /// Labels of what the model has beyond the base.
+  const std::vector<std::string>& added() const { return added_; }
 
 private:
   CandidateFinding& findingOf(const Term& term);
+  void refit();
+  /// Earlier additions that the last one has made superfluous.
+  void dropSuperfluous(std::vector<std::string>& suggested);
   double refittedDrop(const Inquiry& inquiry, std::size_t candidate) const;
 
   CalibrationResult calibrated(const Model& model, std::optional<Eigen::VectorXd> start) const;
@@ -40,6 +45,7 @@ private:
   const DiagnosisOptions& options_;
   std::vector<Term> candidates_;
   std::vector<std::string> added_;
+  std::vector<std::string> dropped_; // by the last addition
   Model model_;
   CalibrationResult fit_;
   std::vector<CandidateFinding> findings_; // as the candidates

@@ -13,13 +13,19 @@ void Model::add(Term term) {
   terms_.push_back(std::move(term));
 }
 
+Eigen::VectorXd Term::sigmas() const {
+  Eigen::VectorXd result(static_cast<Eigen::Index>(effect.unknowns.size()));
+  for (std::size_t i = 0; i < effect.unknowns.size(); ++i) {
+    result[static_cast<Eigen::Index>(i)] = effect.unknowns[i].sigma;
+  }
+  return result;
+}
+
 Eigen::VectorXd Model::sigmas() const {
   Eigen::VectorXd result(static_cast<Eigen::Index>(unknownCount_));
-  Eigen::Index i = 0;
   for (const Term& term : terms_) {
-    for (const Unknown& unknown : term.effect.unknowns) {
-      result[i++] = unknown.sigma;
-    }
+    result.segment(static_cast<Eigen::Index>(term.first), static_cast<Eigen::Index>(term.effect.unknowns.size())) =
+        term.sigmas();
   }
   return result;
 }

@@ -24,6 +24,8 @@ struct Term {
   std::span<const double> values(const Eigen::VectorXd& unknowns) const {
     return {unknowns.data() + first, effect.unknowns.size()};
   }
+  /// How large its unknowns plausibly are.
+  Eigen::VectorXd sigmas() const;
 };
 
 /// What is to be estimated: effects at places, then the unknown placements.
