@@ -1,44 +1,10 @@
 #include "SharedData.hpp"
-
-#include "calibrate/Calibration.hpp"
-#include "calibrate/Comparison.hpp"
-#include "captures/CaptureSetFile.hpp"
-#include "captures/Files.hpp"
+#include "Solved.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 namespace naocal {
-namespace {
-
-struct Solved {
-  std::vector<CaptureSet> sets;
-  Measurements measurements;
-  Model model;
-  CalibrationResult result;
-
-  StoredResult stored() const {
-    const std::filesystem::path file = std::filesystem::temp_directory_path() / "naocal-real-data-test.json";
-    writeAtomically(file, resultJson(sets, measurements, model, result, {{""}, {""}}).dump());
-    StoredResult read = readResult(file);
-    std::filesystem::remove(file);
-    return read;
-  }
-};
-
-Robot robotOf(const CaptureSet& set) {
-  return loadRobot(configurationDirectory(), set.model);
-}
-
-Solved solved(const std::filesystem::path& folder, const std::vector<std::string>& with = {}) {
-  Solved all{{readCaptureSet(folder).set}, {}, {}, {}};
-  all.measurements = measurementsOf(all.sets, robotOf(all.sets.front()));
-  all.model = makeModel(all.measurements, with);
-  all.result = calibrate(all.measurements, all.model);
-  return all;
-}
-
-} // namespace
 
 TEST_CASE("a real NAO's arm and leg are predicted better than published") {
   // Proves the whole chain on measurements of a robot nobody here has touched (Freiburg, 2014): training set fitted

@@ -15,11 +15,10 @@ namespace naocal {
 
 namespace {
 
-using nlohmann::json;
 namespace files = std::filesystem;
 
-json jsonOf(const files::path& file) {
-  return json::parse(fileContent(file));
+nlohmann::json jsonOf(const files::path& file) {
+  return nlohmann::json::parse(fileContent(file));
 }
 
 std::string setName(std::size_t number) {
@@ -40,7 +39,7 @@ public:
   Question& operator=(const Question&) = delete;
 
   /// What naocal says. Absent: it was stopped.
-  std::optional<json> answer(bool pictures) const {
+  std::optional<nlohmann::json> answer(bool pictures) const {
     if (pictures) {
       const Finished found = run({naocal_, "detect", set_.string(), "--threads", "1"});
       if (found.exitCode != 0) {
@@ -54,7 +53,8 @@ public:
     if (said.exitCode != 0 && said.exitCode != 3) {
       return refused(said);
     }
-    json answer{{"exitCode", said.exitCode}, {"seconds", seconds.count()}, {"locked", json::object()}};
+    nlohmann::json answer{
+        {"exitCode", said.exitCode}, {"seconds", seconds.count()}, {"locked", nlohmann::json::object()}};
     answer["diagnosis"] = jsonOf(between_ / "diagnosis.json");
     const auto suggested = answer["diagnosis"].value("suggested", std::vector<std::string>{});
     const auto before = lockedError({});
@@ -66,12 +66,14 @@ public:
   }
 
 private:
-  static std::optional<json> refused(const Finished& finished) {
+  static std::optional<nlohmann::json> refused(const Finished& finished) {
     if (finished.stopped) {
       return std::nullopt;
     }
-    return json{
-        {"exitCode", finished.exitCode}, {"error", finished.said}, {"diagnosis", nullptr}, {"locked", json::object()}};
+    return nlohmann::json{{"exitCode", finished.exitCode},
+                          {"error", finished.said},
+                          {"diagnosis", nullptr},
+                          {"locked", nlohmann::json::object()}};
   }
 
   /// rms on poses that were never used for choosing, with these effects in the model. Absent where it cannot be solved.
@@ -153,7 +155,7 @@ bool BlindRun::ask(std::size_t number) const {
   if (written.exitCode != 0) {
     throw InputError{written.said};
   }
-  const json manifest = jsonOf(plan_.out / "manifest" / (name + ".json"));
+  const nlohmann::json manifest = jsonOf(plan_.out / "manifest" / (name + ".json"));
   auto answer = Question{naocal_, plan_.out, name}.answer(manifest.at("pictures").get<bool>());
   if (!answer) {
     return false;

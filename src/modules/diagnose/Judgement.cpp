@@ -37,10 +37,13 @@ void judgeLeftOut(const GroupEvidence& evidence, double criticalP, CandidateFind
   senseFrom(evidence, criticalP, finding);
   if (finding.state == State::inconclusive) {
     constexpr double enough = 0.8;
-    finding.state = evidence.freedom < 1 || isBlind(finding) ? State::absorbed
-                    : evidence.pValue < criticalP            ? State::present
-                    : finding.power >= enough                ? State::absent
-                                                             : State::inconclusive;
+    const bool untestable = evidence.freedom < 1 || isBlind(finding);
+    const bool taken = finding.evidence.bayes > evidence.bayes + 2; // by what was added since
+    finding.state = untestable && taken           ? State::aliased
+                    : untestable                  ? State::absorbed
+                    : evidence.pValue < criticalP ? State::present
+                    : finding.power >= enough     ? State::absent
+                                                  : State::inconclusive;
   }
 }
 

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "calibrate/Calibration.hpp"
+#include "calibrate/Comparison.hpp"
+#include "captures/CaptureSetFile.hpp"
+#include "captures/Files.hpp"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// A capture set and its calibration.
+struct Solved {
+  std::vector<CaptureSet> sets;
+  Measurements measurements;
+  Model model;
+  CalibrationResult result;
+
+  StoredResult stored() const {
+    const std::filesystem::path file = std::filesystem::temp_directory_path() / "naocal-real-data-test.json";
+    writeAtomically(file, resultJson(sets, measurements, model, result, {{""}, {""}}).dump());
+    StoredResult read = readResult(file);
+    std::filesystem::remove(file);
+    return read;
+  }
+};
+
+inline Robot robotOf(const CaptureSet& set) {
+  return loadRobot(configurationDirectory(), set.model);
+}
+
+inline Solved solved(const std::filesystem::path& folder, const std::vector<std::string>& with = {}) {
+  Solved all{{readCaptureSet(folder).set}, {}, {}, {}};
+  all.measurements = measurementsOf(all.sets, robotOf(all.sets.front()));
+  all.model = makeModel(all.measurements, with);
+  all.result = calibrate(all.measurements, all.model);
+  return all;
+}
+
+} // namespace naocal
