@@ -1,7 +1,6 @@
 #include "RobotV6.hpp"
 #include "poses/Discrimination.hpp"
 #include "poses/NextPoses.hpp"
-#include "residuals/Candidates.hpp"
 #include "residuals/Carried.hpp"
 #include "synthetic/Simulation.hpp"
 
@@ -65,14 +64,7 @@ struct Fitted {
 
 /// What these captures tell about the question, by the measurements alone; noise and fit as of `before`.
 Eigen::VectorXd misfits(const Fitted& fitted, const Noise& noise, const OpenQuestion& question) {
-  Model model = fitted.model;
-  for (const Suspect& suspect : question.suspects) {
-    for (const Term& term : candidateTerms(fitted.measurements)) {
-      if (term.label() == suspect.label) {
-        model.add(term);
-      }
-    }
-  }
+  const Model model = withSuspects(fitted.measurements, fitted.model, question);
   const Residuals residuals{fitted.measurements, model, noise};
   const auto linear = residuals.linearised(residuals.start(carried(fitted.model, fitted.unknowns, model)));
   Eigen::MatrixXd hessian = model.sigmas().cwiseAbs2().cwiseInverse().asDiagonal();

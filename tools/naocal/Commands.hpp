@@ -17,5 +17,6 @@ void addExplore(CLI::App& app);
 void addReport(CLI::App& app);
 void addDemo(CLI::App& app, int& exitCode);
 void addEvaluate(CLI::App& app);
+void addEvaluateNext(CLI::App& evaluate); // one more way to evaluate
 
 } // namespace naocal

@@ -145,6 +145,7 @@ void addEvaluate(CLI::App& app) {
   merge->add_option("--out", merged->out, "the folder that gets all of them")->required();
   addReports(*merge, *merged);
   merge->callback([merged] { mergeShards(*merged); });
+  addEvaluateNext(*evaluate);
 }
 
 } // namespace naocal

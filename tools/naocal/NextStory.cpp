@@ -6,7 +6,10 @@
 namespace naocal {
 
 void printNext(const NextPoses& next, const std::vector<std::string>& sets, const std::string& file) {
-  if (next.why.empty()) {
+  if (!next.whyNone.empty()) {
+    if (!file.empty()) {
+      fmt::print("no poses are proposed, and {} is not written: {}\n", file, next.whyNone);
+    }
     return;
   }
   if (next.poses.empty() || file.empty()) {

@@ -2,6 +2,7 @@
 
 #include "geometry/Index.hpp"
 
+#include <Eigen/Cholesky>
 #include <cmath>
 
 namespace naocal {
@@ -71,21 +72,6 @@ double Discrimination::growth(const Eigen::VectorXd& before, const Eigen::Vector
     sum += pairs_[i].weight * std::log((after[at(i)] + nothing) / (before[at(i)] + nothing));
   }
   return std::exp(sum);
-}
-
-void PoseInformation::addTo(Eigen::MatrixXd& sum) const {
-  for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    for (std::size_t j = 0; j < unknowns.size(); ++j) {
-      sum(at(unknowns[i]), at(unknowns[j])) += hessian(at(i), at(j));
-    }
-  }
-}
-
-PoseInformation informationOf(PoseSystem pose, const Noise& noise, double samples) {
-  pose.unknownGram *= samples;
-  pose.cross *= samples;
-  pose.deflectionGram *= samples;
-  return {pose.unknowns, eliminated(pose, noise, deflectionRoot(pose, noise)).hessian};
 }
 
 } // namespace naocal

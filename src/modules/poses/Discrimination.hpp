@@ -1,10 +1,10 @@
 #pragma once
 
 #include "poses/OpenQuestion.hpp"
-#include "residuals/Residuals.hpp"
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace naocal {
@@ -42,16 +42,5 @@ private:
   std::vector<Eigen::Index> first_; // column of each suspect behind the own ones
   std::vector<Pair> pairs_;
 };
-
-/// A pose's information about the unknowns that it depends on, its joints' deflections eliminated.
-struct PoseInformation {
-  std::vector<std::size_t> unknowns;
-  Eigen::MatrixXd hessian;
-
-  void addTo(Eigen::MatrixXd& sum) const;
-};
-
-/// `samples`: pictures taken without moving, that is, with the same encoder errors.
-PoseInformation informationOf(PoseSystem pose, const Noise& noise, double samples = 1);
 
 } // namespace naocal

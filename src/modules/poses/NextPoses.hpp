@@ -1,7 +1,6 @@
 #pragma once
 
-#include "poses/OpenQuestion.hpp"
-#include "poses/PlannedCaptures.hpp"
+#include "poses/PlannedInformation.hpp"
 
 #include <cstdint>
 #include <map>
@@ -17,23 +16,18 @@ struct NextOptions {
   bool samePlace = false; // as the measurements were made
 };
 
-/// A model that was fitted to captures.
-struct FittedModel {
-  const Model& model;
-  const Eigen::VectorXd& unknowns;
-  Noise noise;
-};
-
 /// Poses that would best answer what captures leave open.
 struct NextPoses {
   std::vector<ProposedPose> poses; // in the order to take them: drawn at random, so that nothing drifts with them
   std::string why;                 // as the question's; empty: nothing is open
+  std::string whyNone;             // in words, where poses were asked for and there are none to propose
   double growth = 1;               // of what tells the suspects apart, with these poses (Discrimination)
   std::map<std::string, double> predictedSigma; // of joint offsets, with these poses [rad]
 
   // What that assumes.
   std::vector<Surroundings> around;
-  std::size_t seeing = 0; // stable attitudes that see a board, to choose from
+  std::size_t stable = 0,
+              seeing = 0; // attitudes of the drawn robot that are stable; of the fitted one that see a board
   Noise noise;            // of the fit
   double samples = 1;     // per pose and camera, as in the captures
   int firstStance = 0;    // that they are taken in

@@ -81,6 +81,7 @@ Json assumptions(const NextPoses& next) {
           {"samples", next.samples},
           {"angles", "sent to the motors as they stand, without compensation"},
           {"boards", "lie where they lay when the last captures were taken; here seen from the first pose's sole"},
+          {"collisions", "legs and arms are not checked against each other"},
           {"stance", "the robot stands anew, about where it stood"},
           {"predictedSigma", "from the captures and these poses together"}};
 }
@@ -99,7 +100,7 @@ Json posesJson(const NextPoses& next, const Robot& robot) {
   result["version"] = 1;
   result["robot"] = robot.model;
   result["support"] = oneFoot ? foot(next.around.front().supportFoot) : "both";
-  result["candidates"] = {{"seeing", next.seeing}};
+  result["candidates"] = {{"stable", next.stable}, {"seeing", next.seeing}};
   result["boards"] = boardsOf(next);
   result["firstStance"] = next.firstStance;
   result["predictedSigma"] = next.predictedSigma;

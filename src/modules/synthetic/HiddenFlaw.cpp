@@ -6,6 +6,14 @@
 
 namespace naocal {
 
+HiddenFlaw HiddenFlaw::scaled(double factor) const {
+  HiddenFlaw result = *this;
+  result.compliance *= factor;
+  result.play *= factor;
+  result.excess *= factor;
+  return result;
+}
+
 Eigen::VectorXd HiddenFlaw::lag(const Eigen::VectorXd& lastMotion) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(lastMotion.size());
   if (looseJoint) {

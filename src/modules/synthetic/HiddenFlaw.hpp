@@ -18,6 +18,8 @@ struct HiddenFlaw {
   double play = 0;                                            // of the loose one [rad]
   double excess = 0;                                          // of the bone [m]
 
+  /// The same part, as many times as bad.
+  HiddenFlaw scaled(double factor) const;
   /// How far the gears give way: the play's end that the last motion left the joint at.
   Eigen::VectorXd lag(const Eigen::VectorXd& lastMotion) const;
   /// The robot as it is: the drawing with its longer bone.

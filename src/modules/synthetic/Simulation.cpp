@@ -97,7 +97,7 @@ Simulation simulate(const Robot& drawing, const SimulationPlan& plan, std::uint6
   RobotErrors errors = drawnErrors(drawing, plan.offsetRange, plan.mountRange, plan.mountShiftRange, errorChance);
   if (plan.hiddenFlaw && !plan.poses.empty()) {
     Randomness flawChance{robotSeed, "flaw"};
-    errors.flaw = drawnFlaw(drawing, plan.poses.front().supportFoot, flawChance);
+    errors.flaw = drawnFlaw(drawing, plan.poses.front().supportFoot, flawChance).scaled(plan.flawScale);
   }
   const std::vector<Placement> boards = drawnBoards(plan, Randomness{plan.boardSeed.value_or(seed), "boards"});
   Walk taken = walk(SyntheticRobot{drawing, errors, plan.mechanics}, plan, boards, seed);

@@ -53,6 +53,7 @@ struct SimulationPlan {
   std::optional<std::uint64_t> robotSeed; // of offsets and mounts, where another set's robot is wanted
   std::optional<std::uint64_t> boardSeed; // of where boards lie, where they lie as another set's
   int firstStance = 0;                    // numbers count from here
+  double flawScale = 1;                   // of the hidden flaw's size: 1 is a worn NAO's
   bool hiddenFlaw = false;                // a part of the leg it stands on is not as drawn
   Mechanics mechanics;
   CornerNoise corners;
