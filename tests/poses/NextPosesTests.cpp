@@ -117,6 +117,46 @@ TEST_CASE("four proposed poses tell twins apart better than four random ones, by
   CHECK(proposed > times * random[2]);
 }
 
+TEST_CASE("poses are proposed for captures that tell little or much of the joints, and only where boards lie") {
+  // Proves that fingers, which no drawing has, and readings that are missing do no harm; that every proposed pose sees
+  // a board of the captures; that the same seed proposes the same; and that a hanging robot is proposed nothing.
+  CaptureSet set = captures(randomPoses(8, 3), 0);
+  set.jointNames.push_back("LHand");
+  for (Capture& capture : set.captures) {
+    capture.joints = {.measured = capture.joints.measured};
+    capture.joints.measured.push_back(0.3);
+    capture.fsr.reset();
+    capture.imu.reset();
+  }
+  const OpenQuestion question = between("elasticity@LKneePitch", 0.006, "elasticity@LAnklePitch", 0.006);
+  const Fitted fitted{{set}};
+  const NextPoses next = nextPoses(fitted.sets, fitted.measurements, fitted.fit(), question);
+  const NextPoses again = nextPoses(fitted.sets, fitted.measurements, fitted.fit(), question);
+  REQUIRE(next.poses.size() == 4);
+  CHECK(next.growth > 1);
+  CHECK(next.whyNone.empty());
+  for (std::size_t i = 0; i < next.poses.size(); ++i) {
+    const PlannedPose& pose = next.poses[i].pose;
+    CHECK(pose.angles == again.poses[i].pose.angles);
+    REQUIRE_FALSE(pose.sights.empty());
+    for (const Sight& sight : pose.sights) {
+      CHECK(std::any_of(set.boards.begin(), set.boards.end(),
+                        [&](const Board& board) { return board.id == sight.board; }));
+    }
+  }
+
+  CaptureSet hanging = set;
+  hanging.stances[0].supportFoot = SupportFoot::none;
+  for (Capture& capture : hanging.captures) {
+    capture.supportFoot = SupportFoot::none;
+  }
+  const Measurements measurements = measurementsOf({hanging}, v6());
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(fitted.model.unknownCount()));
+  const NextPoses nothing = nextPoses({hanging}, measurements, {fitted.model, none, {}}, question);
+  CHECK(nothing.poses.empty());
+  CHECK(nothing.whyNone == "no board lies on the floor before a standing robot");
+}
+
 TEST_CASE("what a rival cannot imitate is told by hand") {
   // Proves the formula for one own unknown and two suspects: V by elimination, I_jk by the rival with its prior.
   const OpenQuestion question = between("a", 2, "b", 0.5);

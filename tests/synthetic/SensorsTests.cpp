@@ -1,6 +1,7 @@
 #include "RobotV6.hpp"
 #include "synthetic/HandMadePoses.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 using namespace naocal;
@@ -78,6 +79,22 @@ TEST_CASE("a joint's approach is the direction of its last motion") {
   }
   for (const Capture& capture : simulate(v6(), plan, 1).set.captures) {
     CHECK(capture.joints.approach[knee] == expected[static_cast<std::size_t>(capture.pose.back() - '0')]);
+  }
+}
+
+TEST_CASE("a pose is approached as it asks") {
+  // Proves that every joint's last motion is the one asked for, against its way from the pose before; joints that ask
+  // for none keep theirs.
+  SimulationPlan plan = handMadePlan(v6(), 2), asked = plan;
+  for (CommandedPose& pose : asked.poses) {
+    pose.approach = Eigen::VectorXd::Constant(pose.angles.size(), -1);
+    pose.approach[0] = 0;
+  }
+  const Simulation free = simulate(v6(), plan, 1), bound = simulate(v6(), asked, 1);
+  for (std::size_t i = 0; i < bound.set.captures.size(); ++i) {
+    const std::vector<double>& approach = bound.set.captures[i].joints.approach;
+    CHECK(approach[0] == free.set.captures[i].joints.approach[0]);
+    CHECK(std::all_of(approach.begin() + 1, approach.end(), [](double each) { return each == -1; }));
   }
 }
 

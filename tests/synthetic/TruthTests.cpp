@@ -33,6 +33,31 @@ TEST_CASE("the same seed gives the same set and truth, another seed another robo
   CHECK(captureSetText(one.set) != captureSetText(elsewhere.set));
 }
 
+TEST_CASE("a robot can be taken up again among its boards") {
+  // Proves that robot and board seeds give another set's offsets, mounts, hidden flaw and boards, that stances are
+  // numbered on and lie elsewhere, and that readings are new.
+  SimulationPlan plan = handMadePlan(v6());
+  plan.hiddenFlaw = true;
+  const Simulation first = simulate(v6(), plan, 4);
+  plan.robotSeed = plan.boardSeed = 4;
+  plan.firstStance = 7;
+  const Simulation again = simulate(v6(), plan, 5);
+  REQUIRE(again.truth.effects.size() == first.truth.effects.size());
+  for (const TrueEffect& effect : first.truth.effects) {
+    for (const TrueUnknown& unknown : effect.unknowns) {
+      CHECK(again.truth.value(effect.effect, effect.at, unknown.name) == unknown.value);
+    }
+  }
+  for (const auto& [id, placement] : first.truth.ownWorld.boards) {
+    CHECK(again.truth.ownWorld.boards.at(id).x == placement.x);
+    CHECK(again.truth.ownWorld.boards.at(id).yaw == placement.yaw);
+  }
+  REQUIRE(again.set.stances.size() == 1);
+  CHECK(again.set.stances[0].id == 7);
+  CHECK(again.truth.ownWorld.stances.at(7).x != first.truth.ownWorld.stances.at(0).x);
+  CHECK(again.set.captures[0].joints.measured != first.set.captures[0].joints.measured);
+}
+
 TEST_CASE("the truth names every motor's offset, every camera's rotation and every placement, with units") {
   // Proves completeness against the robot and the set, and the keys that others read. Values are checked elsewhere.
   const Simulation simulation = simulate(v6(), handMadePlan(v6(), 3), 1);

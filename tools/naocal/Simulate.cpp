@@ -101,10 +101,9 @@ void addSimulate(CLI::App& app) {
   auto options = std::make_shared<SimulateOptions>();
   CLI::App* simulator =
       app.add_subcommand("simulate", "writes a synthetic robot's captures; the truth lies beside them");
-  simulator->footer(
-      "Example: naocal simulate captures/left --poses 24 --images\n"
-      "The same robot in other poses: naocal simulate captures/more --poses poses.json --seed 2 --robot-seed 1 "
-      "--same-place");
+  simulator->footer("Example: naocal simulate captures/left --poses 24 --images\n"
+                    "The same robot in further poses, its other flags repeated:\n"
+                    "  naocal simulate captures/more --poses poses.json --seed 2 --robot-seed 1 --same-place");
   addOptions(*simulator, *options);
   simulator->callback([options] { simulateSet(*options); });
 }

@@ -113,8 +113,10 @@ void addOptions(CLI::App& simulator, SimulateOptions& options) {
                      "a part of the leg is not as drawn; which one, only the truth file tells");
   simulator.add_flag("--surveyed", options.plan.surveyed, "the set states where boards and feet are");
   simulator.add_option("--seed", options.seed, "the same seed gives the same set")->capture_default_str();
-  simulator.add_option("--robot-seed", options.plan.robotSeed, "takes the robot of another set, by that set's seed");
-  simulator.add_flag("--same-place", options.samePlace, "the boards of that set too, still where they lay");
+  CLI::Option* other = simulator.add_option("--robot-seed", options.plan.robotSeed,
+                                            "takes the robot of another set, by that set's seed");
+  simulator.add_flag("--same-place", options.samePlace, "the boards of that set too, still where they lay")
+      ->needs(other);
   simulator.add_option("--json", options.json, "what was written, as JSON to a file or - for standard output");
   addNoise(simulator, options);
   addPictures(simulator, options);

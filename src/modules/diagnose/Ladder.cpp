@@ -4,6 +4,7 @@
 #include "diagnose/Alternatives.hpp"
 #include "diagnose/HeldOut.hpp"
 #include "residuals/Candidates.hpp"
+#include "residuals/Carried.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,23 +13,6 @@
 namespace naocal {
 
 namespace {
-
-/// Unknowns of one model in the order of another; new ones at zero.
-Eigen::VectorXd carried(const Model& from, const Eigen::VectorXd& unknowns, const Model& to) {
-  std::map<std::string, double> values;
-  const std::vector<std::string> names = from.names();
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    values[names[i]] = unknowns[static_cast<Eigen::Index>(i)];
-  }
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(to.unknownCount()));
-  const std::vector<std::string> wanted = to.names();
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    if (const auto found = values.find(wanted[i]); found != values.end()) {
-      result[static_cast<Eigen::Index>(i)] = found->second;
-    }
-  }
-  return result;
-}
 
 bool has(const Model& model, const std::string& label) {
   return std::any_of(model.terms().begin(), model.terms().end(),

@@ -26,8 +26,8 @@ struct NextPoses {
 
   // What that assumes.
   std::vector<Surroundings> around;
-  std::size_t stable = 0,
-              seeing = 0; // attitudes of the drawn robot that are stable; of the fitted one that see a board
+  std::size_t stable = 0; // attitudes of the drawn robot
+  std::size_t seeing = 0; // those that stand and see a board by the fit, to choose from
   Noise noise;            // of the fit
   double samples = 1;     // per pose and camera, as in the captures
   int firstStance = 0;    // that they are taken in

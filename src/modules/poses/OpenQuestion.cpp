@@ -12,16 +12,8 @@ namespace naocal {
 
 namespace {
 
-/// More are neither said in a sentence nor worth the time.
-constexpr std::size_t mostSuspects = 5;
-
-Eigen::VectorXd plausibleSizes(const Effect& effect) {
-  Eigen::VectorXd result(static_cast<Eigen::Index>(effect.unknowns.size()));
-  for (Eigen::Index i = 0; i < result.size(); ++i) {
-    result[i] = effect.unknowns[static_cast<std::size_t>(i)].sigma;
-  }
-  return result;
-}
+/// More are not worth the time.
+constexpr std::size_t mostSuspects = 8;
 
 /// The likeliest of these, their evidence turned into odds.
 void suspect(std::vector<Suspect> suspects, std::vector<double> evidence, OpenQuestion& question) {
@@ -42,12 +34,17 @@ void suspect(std::vector<Suspect> suspects, std::vector<double> evidence, OpenQu
   }
 }
 
-std::vector<std::string> labels(const std::vector<Suspect>& suspects, std::size_t first) {
-  std::vector<std::string> result;
-  for (std::size_t i = first; i < suspects.size(); ++i) {
-    result.push_back(suspects[i].label);
+/// "a, b and c", from the suspect `first` on: three of them by name.
+std::string named(const std::vector<Suspect>& suspects, std::size_t first) {
+  constexpr std::size_t most = 3;
+  std::vector<std::string> words;
+  for (std::size_t i = first; i < std::min(suspects.size(), first + most); ++i) {
+    words.push_back(suspects[i].label);
   }
-  return result;
+  if (suspects.size() > first + most) {
+    words.push_back(fmt::format("{} more", suspects.size() - first - most));
+  }
+  return enumerated(words);
 }
 
 /// False: its only twins are in the model as well.
@@ -59,7 +56,7 @@ bool askWhichOne(const Diagnosis& diagnosis, const CandidateFinding& head, OpenQ
     const bool twin = std::find(head.equivalent.begin(), head.equivalent.end(), label) != head.equivalent.end();
     const bool taken = std::find(question.with.begin(), question.with.end(), label) != question.with.end();
     if (label == head.term.label() || (twin && !taken)) {
-      suspects.push_back({label, finding.evidence.estimate, plausibleSizes(finding.term.effect)});
+      suspects.push_back({label, finding.evidence.estimate, finding.term.sigmas()});
       evidence.push_back(finding.evidence.bayes);
     }
   }
@@ -69,8 +66,7 @@ bool askWhichOne(const Diagnosis& diagnosis, const CandidateFinding& head, OpenQ
   std::erase(question.with, head.term.label());
   suspect(std::move(suspects), std::move(evidence), question);
   question.rivals = true;
-  question.why =
-      fmt::format("tells {} from {}", question.suspects.front().label, enumerated(labels(question.suspects, 1)));
+  question.why = fmt::format("tells {} from {}", question.suspects.front().label, named(question.suspects, 1));
   return true;
 }
 
@@ -91,9 +87,9 @@ void askAboutCurve(const Diagnosis& diagnosis, const Robot& robot, OpenQuestion&
     definition["unknowns"][name] = {{"unit", "rad"}, {"sigma", std::max(std::abs(value), 1e-6)}};
   }
   question.effects.push_back(userEffect(JsonPlace{definition, "the curve"}, robot));
-  const Eigen::VectorXd plausible = plausibleSizes(question.effects.back());
+  const Eigen::VectorXd plausible = Term{question.effects.back()}.sigmas();
   suspect({{"curve@" + curve.joint, size, plausible},
-           {rival->term.label(), rival->evidence.estimate, plausibleSizes(rival->term.effect)}},
+           {rival->term.label(), rival->evidence.estimate, rival->term.sigmas()}},
           {curve.bayes, rival->evidence.bayes}, question);
   question.rivals = true;
   question.why = fmt::format("tells a curve of {} over {} from {}", curve.joint, curve.driver, rival->term.label());
@@ -105,14 +101,14 @@ void askWhether(const Diagnosis& diagnosis, State state, OpenQuestion& question)
   std::vector<double> evidence;
   for (const CandidateFinding& finding : diagnosis.ranking) { // the strongest come first
     if (finding.state == state && suspects.size() < few) {
-      const Eigen::VectorXd plausible = plausibleSizes(finding.term.effect);
+      const Eigen::VectorXd plausible = finding.term.sigmas();
       suspects.push_back({finding.term.label(), plausible, plausible});
       evidence.push_back(finding.evidence.bayes);
     }
   }
   if (!suspects.empty()) {
     suspect(std::move(suspects), std::move(evidence), question);
-    question.why = fmt::format("shows whether {} {} there", enumerated(labels(question.suspects, 0)),
+    question.why = fmt::format("shows whether {} {} there", named(question.suspects, 0),
                                question.suspects.size() == 1 ? "is" : "are");
   }
 }

@@ -1,11 +1,8 @@
 #include "poses/PlannedCaptures.hpp"
 
-#include "geometry/Angles.hpp"
-
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
-#include <set>
+#include <map>
 
 namespace naocal {
 
@@ -14,11 +11,12 @@ namespace {
 /// Of the fitted robot: half of what is asked of the drawn one, for what the fit does not know.
 constexpr Footing fittedFooting{0.01, 0.01};
 
-/// In the order of the set's joints.
+/// In the order of the set's joints; 0 for those that the drawing does not hold (fingers).
 std::vector<double> listed(const CaptureSet& set, const Robot& robot, const Eigen::VectorXd& perJoint) {
   std::vector<double> result;
   for (const std::string& name : set.jointNames) {
-    result.push_back(perJoint[static_cast<Eigen::Index>(*robot.jointIndex(name))]);
+    const auto joint = robot.jointIndex(name);
+    result.push_back(joint ? perJoint[static_cast<Eigen::Index>(*joint)] : 0);
   }
   return result;
 }
@@ -45,66 +43,14 @@ std::vector<BoardCorners> seenBy(const std::string& camera, const std::vector<Si
   std::vector<BoardCorners> result;
   for (const Sight& sight : sights) {
     if (sight.camera == camera) {
-      result.push_back({sight.board, sight.corners, std::vector<Eigen::Vector2d>(sight.corners.size())});
+      const std::vector<Eigen::Vector2d> nothing(sight.corners.size(), Eigen::Vector2d::Zero());
+      result.push_back({sight.board, sight.corners, nothing});
     }
   }
-  return result;
-}
-
-/// A placement on the floor in the frame of another.
-Placement seenFrom(const Placement& sole, const Placement& board) {
-  const double x = board.x - sole.x, y = board.y - sole.y, c = std::cos(sole.yaw), s = std::sin(sole.yaw);
-  Placement result;
-  result.x = c * x + s * y;
-  result.y = c * y - s * x;
-  result.yaw = wrapped(board.yaw - sole.yaw);
-  return result;
-}
-
-template <typename Numbers> Placement onFloor(const Numbers& numbers) {
-  Placement result;
-  result.x = numbers[0];
-  result.y = numbers[1];
-  result.yaw = numbers[5];
   return result;
 }
 
 } // namespace
-
-std::vector<Surroundings> surroundings(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                       const Model& model, const Eigen::VectorXd& unknowns) {
-  const std::size_t lastSet = sets.size() - 1;
-  std::map<SupportFoot, const Picture*> latest; // per foot
-  std::set<std::size_t> seen;
-  for (const Picture& picture : measurements.pictures) {
-    const SupportFoot foot =
-        picture.instant.supportFoot == SupportFoot::both ? SupportFoot::left : picture.instant.supportFoot;
-    if (picture.set != lastSet || foot == SupportFoot::none) {
-      continue;
-    }
-    const Picture*& last = latest[foot];
-    last = !last || last->instant.time < picture.instant.time ? &picture : last;
-    for (const Sighting& sighting : picture.sightings) {
-      if (measurements.targets[sighting.view.board()].onFloor) {
-        seen.insert(sighting.view.board());
-      }
-    }
-  }
-  std::vector<Surroundings> result;
-  for (const auto& [foot, picture] : latest) {
-    const Belief belief = believed(measurements, model, *picture, unknowns);
-    Surroundings here{foot, onFloor(belief.ground()), {}};
-    for (const std::size_t target : seen) {
-      Board board = measurements.targets[target].board; // its id as in its set
-      board.placement = seenFrom(here.sole, onFloor(belief.boardPlacement(target)));
-      here.boards.push_back(std::move(board));
-    }
-    if (!here.boards.empty()) {
-      result.push_back(std::move(here));
-    }
-  }
-  return result;
-}
 
 std::string plannedName(std::size_t pose) {
   return fmt::format("planned {:06}", pose);

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "poses/PoseGenerator.hpp"
-#include "residuals/Model.hpp"
+#include "poses/Surroundings.hpp"
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -14,17 +13,6 @@ struct ProposedPose {
   PlannedPose pose;         // its sights: as the fitted model predicts them
   Eigen::VectorXd approach; // per joint: the motion that ends in the pose, -1 from above, +1 from below
 };
-
-/// Where a robot stood last and what lies around it, by a fit: where it would take further poses.
-struct Surroundings {
-  SupportFoot supportFoot = SupportFoot::left;
-  Placement sole;            // in the fit's world
-  std::vector<Board> boards; // on the floor, seen in the last set; placements in the sole's frame
-};
-
-/// One for each foot that the last set stands on (of both feet, the left one); none where no board lies on the floor.
-std::vector<Surroundings> surroundings(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                       const Model& model, const Eigen::VectorXd& unknowns);
 
 /// The sets with captures of planned poses behind the last one's, as if they had been taken after it: the boards lie
 /// where they lay, the robot stands anew on each foot; every camera takes one picture a pose, and joints read what they
