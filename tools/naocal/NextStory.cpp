@@ -17,9 +17,9 @@ void printNext(const NextPoses& next, const std::vector<std::string>& sets, cons
     return;
   }
   fmt::print(
-      "\n{} holds {} poses; what {} grows {:.1f}-fold with them. Take them with the boards where they lie, then:\n"
-      "  naocal diagnose {} FURTHER-SET --same-place\n",
-      file, next.poses.size(), next.why, next.growth, fmt::join(sets, " "));
+      "\n{} holds {} poses; what {} grows {:.1f}-fold with them. Take them with the boards where they lie, number "
+      "their stance {}, then:\n  naocal diagnose {} FURTHER-SET --same-place\n",
+      file, next.poses.size(), next.why, next.growth, next.firstStance, fmt::join(sets, " "));
 }
 
 } // namespace naocal

@@ -111,6 +111,9 @@ void addOptions(CLI::App& simulator, SimulateOptions& options) {
       ->capture_default_str();
   simulator.add_flag("--hidden-flaw", options.plan.hiddenFlaw,
                      "a part of the leg is not as drawn; which one, only the truth file tells");
+  simulator.add_option("--flaw-scale", options.plan.flawScale, "how bad that part is: 1 as in a worn NAO")
+      ->check(CLI::Range(0.01, 10.0))
+      ->capture_default_str();
   simulator.add_flag("--surveyed", options.plan.surveyed, "the set states where boards and feet are");
   simulator.add_option("--seed", options.seed, "the same seed gives the same set")->capture_default_str();
   CLI::Option* other = simulator.add_option("--robot-seed", options.plan.robotSeed,
