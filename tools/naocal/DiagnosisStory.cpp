@@ -28,7 +28,7 @@ std::string bar(double value, double most, std::size_t width) {
 
 void printLadder(const Diagnosis& diagnosis) {
   fmt::print("\nerror on poses that the fit has not seen\n");
-  double most = 0;
+  double most = diagnosis.steps.back().noiseFloorPx;
   for (const Step& step : diagnosis.steps) {
     most = std::max(most, step.heldOutPx);
   }

@@ -70,7 +70,8 @@ Verdict verdictOf(const Diagnosis& diagnosis, const Inquiry& last, bool unknown)
 Diagnosis withoutFit(const std::vector<CaptureSet>& sets, const Measurements& measurements, const InputError& error) {
   Diagnosis result;
   result.verdict = Verdict::badCaptures;
-  const auto setUp = wrongSetUp(sets, measurements, std::numeric_limits<double>::infinity());
+  const auto setUp =
+      wrongSetUp(sets, measurements, std::numeric_limits<double>::infinity(), [](std::size_t) { return true; });
   result.suspicious.push_back(setUp.value_or(Suspicion{{}, error.what()}));
   result.sentence = sentence(result);
   return result;

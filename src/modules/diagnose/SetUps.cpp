@@ -2,6 +2,7 @@
 
 #include "captures/InputError.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 
 namespace naocal {
@@ -9,6 +10,7 @@ namespace naocal {
 namespace {
 
 constexpr double impossible = 25; // [px]: counts for a fit that could not start
+constexpr double nonsense = 100;  // [px]: neither physics nor an accident does this
 constexpr double good = 5;        // [px]: of a set that is right but for its physics
 constexpr double gross = 3;       // [px] rms: physics of a robot that still walks is smaller
 constexpr double mends = 0.4;     // of the misfit must be left at most
@@ -50,8 +52,8 @@ std::vector<CaptureSet> camerasSwapped(std::vector<CaptureSet> sets) {
 
 } // namespace
 
-std::optional<Suspicion> wrongSetUp(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                    double rmsPx) {
+std::optional<Suspicion> wrongSetUp(const std::vector<CaptureSet>& sets, const Measurements& measurements, double rmsPx,
+                                    const std::function<bool(std::size_t)>& mayBeMirrored) {
   if (rmsPx < gross) {
     return std::nullopt;
   }
@@ -65,10 +67,18 @@ std::optional<Suspicion> wrongSetUp(const std::vector<CaptureSet>& sets, const M
   };
   for (std::size_t joint : measurements.joints) {
     const std::string& name = measurements.robot.joints[joint].name;
-    consider(mirrored(sets, name), fmt::format("{}'s angles have the wrong sign", name));
+    if (mayBeMirrored(joint)) {
+      consider(mirrored(sets, name), fmt::format("{}'s angles have the wrong sign", name));
+    }
   }
   if (sets.front().cameras.size() == 2) {
     consider(camerasSwapped(sets), "the cameras' names are swapped");
+  }
+  if (!best && rmsPx > nonsense && std::isfinite(rmsPx)) {
+    best = Suspicion{{},
+                     fmt::format("predictions are {:.0f} px off and no robot is so wrong: a board of another pattern "
+                                 "(legacyPattern), other boards or another robot than the file says",
+                                 rmsPx)};
   }
   return best;
 }

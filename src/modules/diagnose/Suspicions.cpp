@@ -41,12 +41,26 @@ std::optional<Suspicion> setUpFrom(const Inquiry& inquiry) {
   return std::nullopt;
 }
 
+/// Mirrored, a joint's gain is off by -2, of which the linearised estimate shows a good part.
+bool mayBeMirrored(const Inquiry& inquiry, std::size_t motor) {
+  constexpr double notable = -0.3;
+  for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
+    const Term& term = inquiry.candidates()[i];
+    if (term.effect.name == "encoderGain" && term.at == motor && inquiry.ofCandidate(i).freedom > 0) {
+      const GroupEvidence& gain = inquiry.ofCandidate(i);
+      return gain.estimate[0] - 3 * std::sqrt(gain.covariance(0, 0)) < notable;
+    }
+  }
+  return true;
+}
+
 } // namespace
 
 std::vector<Suspicion> suspicions(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                                   const Model& model, const CalibrationResult& fit, const Inquiry& inquiry) {
   std::vector<Suspicion> result;
-  if (const auto setUp = wrongSetUp(sets, measurements, fit.rmsPx)) {
+  const auto mirrored = [&](std::size_t motor) { return mayBeMirrored(inquiry, motor); };
+  if (const auto setUp = wrongSetUp(sets, measurements, fit.rmsPx, mirrored)) {
     return {*setUp};
   }
   if (const auto setUp = setUpFrom(inquiry)) {
