@@ -71,7 +71,7 @@ void addDiagnose(CLI::App& app, int& exitCode) {
   auto command = std::make_shared<DiagnoseCommand>();
   CLI::App* diagnoser =
       app.add_subcommand("diagnose", "says where and why the model fails, and which effect is missing");
-  diagnoser->footer("Example: naocal diagnose captures/ --json diagnosis.json");
+  diagnoser->footer("Example: naocal diagnose captures/ --json diagnosis.json --next poses.json");
   diagnoser->add_option("SET", command->sets, "folders with captures.json")->required();
   diagnoser->add_option("--json", command->json, "the diagnosis as JSON to a file, or - for standard output");
   diagnoser->add_option("--with", command->options.with, "effects that are in the model already: EFFECT@PLACE")
@@ -82,7 +82,10 @@ void addDiagnose(CLI::App& app, int& exitCode) {
   diagnoser->add_option("--next-count", command->next.count, "how many of them")
       ->check(CLI::Range(0, 100))
       ->capture_default_str();
-  diagnoser->add_option("--seed", command->options.inquiry.seed, "of the draws of pure noise")->capture_default_str();
+  diagnoser
+      ->add_option("--seed", command->options.inquiry.seed,
+                   "of the draws of pure noise, and of the poses to choose from")
+      ->capture_default_str();
   diagnoser->add_option("--draws", command->options.inquiry.draws, "of pure noise, for the rate of false alarms")
       ->check(CLI::Range(19, 100000))
       ->capture_default_str();
