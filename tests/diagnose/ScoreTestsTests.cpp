@@ -1,41 +1,12 @@
-#include "SimulatedSets.hpp"
-#include "diagnose/Inquiry.hpp"
+#include "Questioned.hpp"
 #include "diagnose/Power.hpp"
-#include "residuals/Candidates.hpp"
 
 #include <Eigen/LU>
-#include <algorithm>
 #include <catch2/catch.hpp>
 #include <numeric>
 
 namespace naocal {
 namespace {
-
-/// A fitted base model with every testable candidate, linearised at the fit.
-struct Questioned {
-  explicit Questioned(std::size_t poses, bool map)
-      : measurements{measurementsOf({simulatedSet(poses, 3)}, loadRobot(configurationDirectory(), "V6"))},
-        model{makeModel(measurements)}, fit{calibrate(measurements, model)}, inquiry{measurements,
-                                                                                     model,
-                                                                                     fit,
-                                                                                     testable(),
-                                                                                     {.draws = 0, .map = map}} {}
-
-  std::vector<Term> testable() const {
-    std::vector<Term> terms = candidateTerms(measurements);
-    std::erase_if(terms, [&](const Term& term) {
-      return whyUntestable(term.effect, term.at, measurements) ||
-             std::any_of(model.terms().begin(), model.terms().end(),
-                         [&](const Term& own) { return own.label() == term.label(); });
-    });
-    return terms;
-  }
-
-  Measurements measurements;
-  Model model;
-  CalibrationResult fit;
-  Inquiry inquiry;
-};
 
 /// min over the chosen unknowns of the quadratic with this Hessian and gradient.
 double least(const Eigen::MatrixXd& hessian, const Eigen::VectorXd& gradient, const std::vector<Eigen::Index>& chosen) {
@@ -49,7 +20,7 @@ double least(const Eigen::MatrixXd& hessian, const Eigen::VectorXd& gradient, co
 TEST_CASE("a score test's fall of chi2 is what adding the candidate gains") {
   // Proves projection, whitening and bookkeeping of ScoreTests against the dense normal equations of the model with
   // that one candidate, for every candidate. The linearisation itself is the residuals' and tested there.
-  const Questioned asked{8, false};
+  const Questioned asked{simulatedSet(8, 3), false};
   const ScoreProblem& problem = asked.inquiry.problem();
   const Noise noise{asked.fit.noise.pixel, asked.fit.noise.encoder, 4e-4};
   const ScoreTests tests{problem, noise};
@@ -90,7 +61,7 @@ TEST_CASE("pure noise lowers chi2 by as much as a candidate has unknowns") {
   // Proves that drawn noise has the covariance that the tests assume: T ~ chi2 of the group's freedom has that mean,
   // for candidates and for curves of the map, pose noise included. It does not prove that a robot's noise is of that
   // kind.
-  const Questioned asked{8, true};
+  const Questioned asked{simulatedSet(8, 3), true};
   const ScoreProblem& problem = asked.inquiry.problem();
   const Noise noise{asked.fit.noise.pixel, asked.fit.noise.encoder, 6e-4};
   constexpr Eigen::Index draws = 3000;
@@ -102,7 +73,8 @@ TEST_CASE("pure noise lowers chi2 by as much as a candidate has unknowns") {
     const auto freedom = static_cast<double>(tests.freedom(i));
     if (freedom > 0) {
       const double error = falls.row(static_cast<Eigen::Index>(i)).mean() - freedom;
-      const std::string name = i < asked.inquiry.candidates().size() ? asked.inquiry.candidates()[i].label() : "a curve";
+      const std::string name =
+          i < asked.inquiry.candidates().size() ? asked.inquiry.candidates()[i].label() : "a curve";
       CAPTURE(name, freedom, error);
       CHECK(std::abs(error) < 5 * std::sqrt(2 * freedom / draws));
       worst = std::max(worst, std::abs(error) / std::sqrt(2 * freedom / draws));

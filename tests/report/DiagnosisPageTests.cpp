@@ -60,6 +60,70 @@ TEST_CASE("a page about a diagnosis shows every candidate with its numbers") {
   CHECK(data["curves"].size() == 3);
 }
 
+TEST_CASE("a page about a diagnosis shows each figure's numbers in units that people read") {
+  // Proves that added variables, likeness and imprints come as the file has them, per degree instead of per radian;
+  // that their numbers are right is proved where they are made.
+  const json& file = diagnosed();
+  const json data = shown(pageOf(file));
+  std::size_t plots = 0, imprints = 0;
+  for (std::size_t i = 0; i < file["ranking"].size(); ++i) {
+    const json &entry = file["ranking"][i], &candidate = data["candidates"][i];
+    plots += entry.contains("addedVariable");
+    imprints += entry.contains("imprint");
+    CHECK(candidate["added"].is_null() != entry.contains("addedVariable"));
+    CHECK(candidate["imprint"].is_null() != entry.contains("imprint"));
+    if (entry.contains("addedVariable") && entry["addedVariable"]["unit"] == "rad/Nm") {
+      const json &plot = entry["addedVariable"], &shownPlot = candidate["added"];
+      CHECK(shownPlot["slope"].get<double>() == Approx(degrees(plot["slope"].get<double>())));
+      REQUIRE(shownPlot["points"].size() == plot["points"].size());
+      CHECK(degrees(shownPlot["points"][0][1].get<double>()) == Approx(plot["points"][0]["signature"].get<double>()));
+      CHECK(shownPlot["points"][0][2] == plot["points"][0]["residual"]);
+    }
+    if (entry.contains("imprint")) {
+      REQUIRE(candidate["imprint"]["pictures"].size() == entry["imprint"]["pictures"].size());
+      CHECK(candidate["imprint"]["pictures"][0]["corners"] == entry["imprint"]["pictures"][0]["corners"]);
+    }
+  }
+  CHECK(plots >= 5);
+  CHECK(imprints == 10);
+  CHECK(data["aliases"]["candidates"] == file["aliases"]["candidates"]);
+  CHECK(data["aliases"]["correlations"] == file["aliases"]["correlations"]);
+  CHECK(data["poses"].size() == file["poses"].size());
+}
+
+TEST_CASE("a page says in words which candidates the captures cannot tell apart") {
+  // Proves the sentence for each of the three cases: something cannot be told, something was told from all others,
+  // nothing was found.
+  json file = diagnosed();
+  file["aliases"] = {{"candidates", {"elasticity@LKneePitch", "encoderGain@LKneePitch"}},
+                     {"correlations", {{1, 0.97}, {0.97, 1}}},
+                     {"confusable", json::array()}};
+  file["suggested"] = json::array();
+  const auto sentence = [&] { return shown(pageOf(file))["aliases"]["sentence"].get<std::string>(); };
+  CHECK_THAT(sentence(), Catch::Contains("would hardly tell which"));
+  file["suggested"] = {"elasticity@LKneePitch"};
+  CHECK_THAT(sentence(), Catch::Contains("tell elasticity@LKneePitch from"));
+  file["aliases"]["confusable"] = {{{"taken", "elasticity@LKneePitch"},
+                                    {"other", "encoderGain@LKneePitch"},
+                                    {"correlation", 0.97},
+                                    {"timesTheData", 2.34}}};
+  CHECK_THAT(sentence(), Catch::Contains("cannot tell elasticity@LKneePitch from encoderGain@LKneePitch"));
+  CHECK_THAT(sentence(), Catch::Contains("2.3 times as much data"));
+}
+
+TEST_CASE("a diagnosis file from before its figures were written still has a page") {
+  // Proves that every further key may be absent.
+  json file = diagnosed();
+  for (const char* key : {"poses", "pictures", "cameras", "aliases"}) {
+    file.erase(key);
+  }
+  for (json& entry : file["ranking"]) {
+    entry.erase("addedVariable");
+    entry.erase("imprint");
+  }
+  CHECK(shown(pageOf(file))["candidates"].size() == file["ranking"].size());
+}
+
 TEST_CASE("the expression that a page proposes is a model that can be calibrated") {
   // Proves that the text to copy is accepted as a model file is; that it describes the curve is the diagnosis's matter.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
@@ -108,6 +172,10 @@ TEST_CASE("a broken diagnosis file is refused with one sentence") {
   CHECK_THAT(refusal("/ranking/3/equivalent", 1), Catch::Contains("ranking[3].equivalent"));
   CHECK_THAT(refusal("/drivers/0/curve/5", {1, 2}), Catch::Contains("drivers[0].curve[5]"));
   CHECK_THAT(refusal("/drivers/0/curve", json::array()), Catch::Contains("drivers[0].curve: expected at least two"));
+  CHECK_THAT(refusal("/poses/0/pictures/0", 100000), Catch::Contains("poses[0].pictures[0]"));
+  CHECK_THAT(refusal("/aliases/correlations/1", {1}), Catch::Contains("aliases.correlations[1]"));
+  CHECK_THAT(refusal("/ranking/0/addedVariable/points/0/pose", -1), Catch::Contains("addedVariable.points[0].pose"));
+  CHECK_THAT(refusal("/ranking/0/imprint/pictures/0/corners/0", {1, 2}), Catch::Contains("corners[0]"));
   CHECK_THAT(refusal("/steps/0/heldOutPx", "small"), Catch::Contains("steps[0].heldOutPx"));
   CHECK_THAT(refusal("/suspicious", 3), Catch::Contains("suspicious"));
 }
@@ -130,8 +198,8 @@ TEST_CASE("a browser draws the whole diagnosis without complaint") {
     return;
   }
   CHECK_THAT(*output, Catch::Contains("Something that no known effect explains is at work.</h1>"));
-  CHECK(occurrences(*output, "<canvas") == 1 + 3); // the map and the curves
-  CHECK(occurrences(*output, "<textarea") >= 1);   // of the curve that tells something
-  CHECK(occurrences(*output, "<tr>") == 1 + 12);   // the head and the first candidates
+  CHECK(occurrences(*output, "<canvas") == 4 + 1 + 2 + 1 + 3); // added variables, aliases, imprint, map, curves
+  CHECK(occurrences(*output, "<textarea") >= 1);               // of the curve that tells something
+  CHECK(occurrences(*output, "<tr>") == 1 + 12);               // the head and the first candidates
   CHECK(occurrences(*output, "CONSOLE") == 0);
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
+#include <algorithm>
 
 namespace naocal {
 
@@ -9,7 +10,6 @@ namespace {
 
 constexpr double asLikely = 6;    // in 2 ln of the Bayes factor: a twentieth as likely
 constexpr double hardlyLess = 14; // beyond that, correlation is no excuse
-constexpr double tellable = 5.4;
 
 /// W with W^T block W = 1 over what is not absorbed.
 Eigen::MatrixXd orthonormaliser(const Eigen::MatrixXd& block) {
@@ -22,27 +22,33 @@ Eigen::MatrixXd orthonormaliser(const Eigen::MatrixXd& block) {
 
 } // namespace
 
-double correlation(const Inquiry& inquiry, std::size_t one, std::size_t other) {
-  const Eigen::MatrixXd& information = inquiry.evidence().information;
-  const ColumnGroup& a = inquiry.problem().groups[one];
-  const ColumnGroup& b = inquiry.problem().groups[other];
-  const Eigen::MatrixXd between = orthonormaliser(information.block(a.first, a.first, a.count, a.count)).transpose() *
-                                  information.block(a.first, b.first, a.count, b.count) *
-                                  orthonormaliser(information.block(b.first, b.first, b.count, b.count));
-  return Eigen::JacobiSVD<Eigen::MatrixXd>{between}.singularValues()[0];
+double correlation(const Eigen::MatrixXd& information, const ColumnGroup& one, const ColumnGroup& other) {
+  const Eigen::MatrixXd between =
+      orthonormaliser(information.block(one.first, one.first, one.count, one.count)).transpose() *
+      information.block(one.first, other.first, one.count, other.count) *
+      orthonormaliser(information.block(other.first, other.first, other.count, other.count));
+  return std::min(1.0, Eigen::JacobiSVD<Eigen::MatrixXd>{between}.singularValues()[0]);
+}
+
+double evidenceToTell(double correlation) {
+  return 5.4 / std::max(1e-9, 1 - correlation);
 }
 
 std::vector<std::size_t> equivalents(const Inquiry& inquiry, std::size_t chosen) {
   std::vector<std::size_t> result;
   const GroupEvidence& best = inquiry.ofCandidate(chosen);
+  const std::vector<ColumnGroup>& groups = inquiry.problem().groups;
+  const auto tells = [&](std::size_t other) {
+    const double alike = correlation(inquiry.evidence().information, groups[chosen], groups[other]);
+    return best.likelihoodRatio >= evidenceToTell(alike);
+  };
   for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
     const GroupEvidence& other = inquiry.ofCandidate(i);
     if (i == chosen || other.freedom < 1 || other.bayes <= 0) {
       continue;
     }
     const double behind = best.bayes - other.bayes;
-    if (behind < asLikely ||
-        (behind < hardlyLess && best.likelihoodRatio * (1 - correlation(inquiry, chosen, i)) < tellable)) {
+    if (behind < asLikely || (behind < hardlyLess && !tells(i))) {
       result.push_back(i);
     }
   }

@@ -8,11 +8,15 @@
 namespace naocal {
 
 /// Largest canonical correlation of what two candidates would do to the pictures, everything in the model projected
-/// out.
-double correlation(const Inquiry& inquiry, std::size_t one, std::size_t other);
+/// out. `information`: of all candidates' columns, projected (`Evidence::information`).
+double correlation(const Eigen::MatrixXd& information, const ColumnGroup& one, const ColumnGroup& other);
+
+/// How much evidence lambda (as a likelihood ratio) tells two candidates apart in 19 of 20 cases:
+/// lambda (1 - correlation) = 5.4.
+double evidenceToTell(double correlation);
 
 /// Candidates that these captures cannot tell from `chosen`: almost as likely, or so correlated that chance may have
-/// put them behind, lambda (1 - rho) < 5.4: a wrong order in 5 % of cases (lambda: the evidence).
+/// put them behind: the evidence does not suffice to tell (`evidenceToTell`).
 std::vector<std::size_t> equivalents(const Inquiry& inquiry, std::size_t chosen);
 
 } // namespace naocal

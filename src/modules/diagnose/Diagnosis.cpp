@@ -8,10 +8,12 @@
 #include "diagnose/SetUps.hpp"
 #include "diagnose/Shapes.hpp"
 #include "diagnose/Suspicions.hpp"
+#include "diagnose/Views.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <list>
 
 namespace naocal {
 
@@ -85,8 +87,13 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
   result.fit = ladder.fit();
   result.rmsPx = result.fit.rmsPx;
   bool unknown = false;
+  std::list<Inquiry> inquiries; // the first of the model as given, and the latest
   while (true) {
-    const Inquiry inquiry{measurements, ladder.model(), ladder.fit(), ladder.testable(), options.inquiry};
+    if (inquiries.size() > 1) {
+      inquiries.pop_back();
+    }
+    const Inquiry& inquiry =
+        inquiries.emplace_back(measurements, ladder.model(), ladder.fit(), ladder.testable(), options.inquiry);
     ladder.look(inquiry, result);
     if (result.steps.size() == 1) {
       result.suspicious = suspicions(sets, measurements, ladder.model(), ladder.fit(), inquiry);
@@ -112,6 +119,7 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
     }
   }
   result.lastFit = ladder.fit();
+  addViews(sets, measurements, asked, inquiries.front(), result);
   result.sentence = sentence(result);
   return result;
 }

@@ -1,8 +1,12 @@
 #pragma once
 
 #include "calibrate/Calibration.hpp"
+#include "diagnose/AddedVariables.hpp"
+#include "diagnose/Aliases.hpp"
+#include "diagnose/Imprint.hpp"
 #include "diagnose/Inquiry.hpp"
 #include "diagnose/LackOfFit.hpp"
+#include "diagnose/Taken.hpp"
 #include "effects/AllEffects.hpp"
 
 #include <optional>
@@ -38,6 +42,8 @@ struct CandidateFinding {
   std::optional<double> heldOutBefore, heldOutAfter; // [px]
   bool plausible = true;                             // within three of its sigmas
   std::vector<std::string> equivalent;               // labels of effects that these captures cannot tell from it
+  std::optional<AddedVariable> addedVariable;        // of the first few
+  std::optional<Imprint> imprint;                    // of the first few, in the model as given
 };
 
 /// A curve of a joint over a driver that would explain what is left over.
@@ -85,6 +91,8 @@ struct Diagnosis {
   std::vector<DriverFinding> drivers;    // on the last model, best first
   std::vector<MapCell> map;              // on the last model
   std::vector<Suspicion> suspicious;
+  AliasMatrix aliases;           // of the first of the ranking, in the model as given
+  Taken taken;                   // poses and pictures, as the figures count them
   CalibrationResult fit;         // of the model as given
   CalibrationResult lastFit;     // with everything suggested
   std::vector<std::string> with; // what the last model has beyond the base

@@ -1,6 +1,7 @@
 #include "diagnose/DiagnosisFile.hpp"
 
 #include "diagnose/Sentences.hpp"
+#include "diagnose/ViewsJson.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -56,6 +57,7 @@ Json rankingEntry(const CandidateFinding& finding) {
   if (!finding.why.empty()) {
     entry["why"] = finding.why;
   }
+  addViews(finding, entry);
   return entry;
 }
 
@@ -114,6 +116,7 @@ Json diagnosisJson(const Diagnosis& diagnosis) {
     }
     result["suspicious"].push_back(std::move(entry));
   }
+  addViews(diagnosis, result);
   return result;
 }
 

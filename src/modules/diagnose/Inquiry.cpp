@@ -76,6 +76,13 @@ std::vector<std::size_t> Inquiry::cellsByEvidence() const {
   return byBayes({evidence_.groups.data() + candidates_.size(), map_.cells.size()});
 }
 
+std::optional<std::size_t> Inquiry::find(const std::string& label) const {
+  const auto found = std::find_if(candidates_.begin(), candidates_.end(),
+                                  [&](const Term& candidate) { return candidate.label() == label; });
+  return found == candidates_.end() ? std::nullopt
+                                    : std::optional{static_cast<std::size_t>(found - candidates_.begin())};
+}
+
 Noise Inquiry::noise() const {
   Noise result = noise_;
   result.pose = evidence_.level;

@@ -5,6 +5,8 @@
 #include "residuals/Model.hpp"
 
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace naocal {
@@ -41,6 +43,8 @@ public:
   /// Places among the map's cells, the one that explains most first.
   std::vector<std::size_t> cellsByEvidence() const;
 
+  /// The place of a candidate among them, by its label.
+  std::optional<std::size_t> find(const std::string& label) const;
   const GroupEvidence& ofCandidate(std::size_t candidate) const { return evidence_.groups[candidate]; }
   const GroupEvidence& ofCell(std::size_t cell) const { return evidence_.groups[candidates_.size() + cell]; }
 

@@ -110,6 +110,7 @@ void Ladder::look(const Inquiry& inquiry, Diagnosis& diagnosis) {
     if (finding.step == diagnosis.steps.size()) {
       finding.heldOutBefore = held.beforePx;
       finding.heldOutAfter = held.afterPx[i];
+      finding.addedVariable = addedVariable(inquiry, model_, order[i]);
     }
   }
   const LackOfFit misfit = lackOfFit(inquiry);

@@ -2,6 +2,7 @@
 
 #include "report/DiagnosisCurves.hpp"
 #include "report/DiagnosisSentences.hpp"
+#include "report/DiagnosisViews.hpp"
 #include "report/ShownUnit.hpp"
 
 #include <fmt/format.h>
@@ -39,25 +40,27 @@ json sizesJson(const JsonPlace& unknowns) {
   return sizes;
 }
 
-json candidateJson(const JsonPlace& entry) {
+json candidateJson(const JsonPlace& entry, const json& views) {
   const auto& states = candidateStates();
   const std::size_t state = entry.at("state").oneOf(states);
   const auto why = entry.find("why");
-  return {{"label", entry.at("effect").text() + "@" + entry.at("at").text()},
-          {"state", std::string{states[state]}},
-          {"why", why ? why->text() : ""},
-          {"sizes", sizesJson(entry.at("unknowns"))},
-          {"power", numberOrNull(entry.at("power"))},
-          {"kept", numberOrNull(entry.at("keptFraction"))},
-          {"evidence", numberOrNull(entry.at("evidence"))},
-          {"pValue", numberOrNull(entry.at("pValue"))},
-          {"predictedDrop", numberOrNull(entry.at("predictedChi2Drop"))},
-          {"realDrop", numberOrNull(entry.at("chi2Drop"))},
-          {"before", numberOrNull(entry.at("heldOutPxBefore"))},
-          {"after", numberOrNull(entry.at("heldOutPxAfter"))},
-          {"step", entry.at("step").integer(0, largestNumber)},
-          {"plausible", entry.at("plausible").boolean()},
-          {"equivalent", texts(entry.at("equivalent"))}};
+  json result{{"label", entry.at("effect").text() + "@" + entry.at("at").text()},
+              {"state", std::string{states[state]}},
+              {"why", why ? why->text() : ""},
+              {"sizes", sizesJson(entry.at("unknowns"))},
+              {"power", numberOrNull(entry.at("power"))},
+              {"kept", numberOrNull(entry.at("keptFraction"))},
+              {"evidence", numberOrNull(entry.at("evidence"))},
+              {"pValue", numberOrNull(entry.at("pValue"))},
+              {"predictedDrop", numberOrNull(entry.at("predictedChi2Drop"))},
+              {"realDrop", numberOrNull(entry.at("chi2Drop"))},
+              {"before", numberOrNull(entry.at("heldOutPxBefore"))},
+              {"after", numberOrNull(entry.at("heldOutPxAfter"))},
+              {"step", entry.at("step").integer(0, largestNumber)},
+              {"plausible", entry.at("plausible").boolean()},
+              {"equivalent", texts(entry.at("equivalent"))}};
+  addViews(entry, views, result);
+  return result;
 }
 
 json stepJson(const JsonPlace& step) {
@@ -86,6 +89,7 @@ json diagnosisData(const JsonPlace& diagnosis) {
             {"floorName", floorName(diagnosis)},
             {"suggested", texts(diagnosis.at("suggested"))},
             {"map", mapJson(diagnosis)}};
+  addViews(diagnosis, data);
   const auto list = [&](const char* key, const char* from, const auto& entryJson) {
     data[key] = json::array();
     for (const JsonPlace& entry : diagnosis.at(from).elements()) {
@@ -93,7 +97,7 @@ json diagnosisData(const JsonPlace& diagnosis) {
     }
   };
   list("steps", "steps", stepJson);
-  list("candidates", "ranking", candidateJson);
+  list("candidates", "ranking", [&](const JsonPlace& entry) { return candidateJson(entry, data); });
   list("curves", "drivers", curveJson);
   list("suspicious", "suspicious", suspicionJson);
   if (const auto next = diagnosis.find("next"); next && !next->value().is_null()) {

@@ -27,6 +27,19 @@ const withUnit = (text, unit) => unit.startsWith("°") || !unit ? text + unit : 
 // "p = 0.02"
 const chance = p => p < 0.001 ? "p < 0.001" : "p = " + Number(p.toPrecision(2));
 
+// "0.80 px to the right, 0.30 px down"
+const direction = ([x, y]) =>
+  px(Math.abs(x)) + (x < 0 ? " to the left, " : " to the right, ") + px(Math.abs(y)) + (y < 0 ? " up" : " down");
+
+const lengthOf = ([x, y]) => Math.hypot(x, y);
+const mean = values => values.reduce((a, b) => a + b, 0) / values.length;
+
+// The value that a share of the values does not exceed; 0 when there are none.
+function quantile(values, share) {
+  const sorted = Float64Array.from(values).sort();
+  return sorted.length ? sorted[Math.floor(share * (sorted.length - 1))] : 0;
+}
+
 function showTip(event, text) {
   const tip = at("tip");
   tip.hidden = false;

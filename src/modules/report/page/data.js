@@ -36,23 +36,11 @@ for (const set of new Set(data.pictures.map(picture => picture.set))) {
 const severalSets = new Set(data.pictures.map(picture => picture.set)).size > 1;
 const byTime = [...data.pictures].sort((a, b) => a.when - b.when);
 
-const lengthOf = ([x, y]) => Math.hypot(x, y);
-const mean = values => values.reduce((a, b) => a + b, 0) / values.length;
 const rms = list => Math.sqrt(mean(list.map(corner => lengthOf(corner[layer]) ** 2)));
 const meanError = list => [mean(list.map(corner => corner[layer][0])), mean(list.map(corner => corner[layer][1]))];
-
-// The value that a share of the values does not exceed; 0 when there are none.
-function quantile(values, share) {
-  const sorted = Float64Array.from(values).sort();
-  return sorted.length ? sorted[Math.floor(share * (sorted.length - 1))] : 0;
-}
 
 // "capture 17, pose P05 (repeat 1), top camera"
 function pictureName(picture) {
   return (severalSets ? picture.set + ", " : "") + "capture " + picture.capture + ", pose " + (picture.pose || "–") +
     (picture.repeat ? " (repeat " + picture.repeat + ")" : "") + ", " + picture.camera + " camera";
 }
-
-// "0.80 px to the right, 0.30 px down"
-const direction = ([x, y]) =>
-  px(Math.abs(x)) + (x < 0 ? " to the left, " : " to the right, ") + px(Math.abs(y)) + (y < 0 ? " up" : " down");

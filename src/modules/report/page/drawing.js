@@ -7,7 +7,7 @@ const redrawAll = () => redraws.forEach(redraw => redraw());
 let colours = {};
 function readColours() {
   const style = getComputedStyle(document.documentElement);
-  for (const name of ["panel", "soft", "line", "blue", "orange", "pink"]) {
+  for (const name of ["paper", "panel", "soft", "line", "blue", "orange", "pink"]) {
     colours[name] = style.getPropertyValue("--" + name).trim();
   }
 }
@@ -134,3 +134,17 @@ function axes(context, box, [xLow, xHigh], [yLow, yHigh], {title, xLabel}) {
 const enlargement = (lengths, longest) =>
   [100, 50, 20, 10, 5, 2].find(factor => factor * quantile(lengths, 0.9) <= longest) || 1;
 const enlargedWords = factor => factor === 1 ? "not enlarged" : "enlarged " + factor + " times";
+
+function arrow(context, colour, thick, x, y, dx, dy) {
+  const length = Math.hypot(dx, dy), head = Math.min(5 + thick, 0.5 * length), angle = Math.atan2(dy, dx);
+  context.strokeStyle = colour;
+  context.lineWidth = thick;
+  context.beginPath();
+  context.moveTo(x, y);
+  context.lineTo(x + dx, y + dy);
+  for (const side of [-2.6, 2.6]) {
+    context.moveTo(x + dx, y + dy);
+    context.lineTo(x + dx + head * Math.cos(angle + side), y + dy + head * Math.sin(angle + side));
+  }
+  context.stroke();
+}

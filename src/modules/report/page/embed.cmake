@@ -4,7 +4,7 @@ set(result_style style.css)
 set(result_script basics.js data.js drawing.js estimates.js pictures.js fields.js trends.js groups.js main.js)
 set(diagnosis_skeleton diagnosis.html)
 set(diagnosis_style style.css diagnosis.css)
-set(diagnosis_script basics.js drawing.js ladder.js candidates.js map.js curves.js diagnosis.js)
+set(diagnosis_script basics.js drawing.js ladder.js candidates.js taken.js added.js aliases.js imprint.js map.js curves.js diagnosis.js)
 
 if(CMAKE_SCRIPT_MODE_FILE)
   set(source "#include \"report/PageFiles.hpp\"\n\nnamespace naocal::pageFiles {\n\n")

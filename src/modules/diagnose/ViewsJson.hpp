@@ -1,0 +1,18 @@
+#pragma once
+
+#include "diagnose/Diagnosis.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+namespace naocal {
+
+/// What the diagnosis file holds for figures: numbers with as many digits as a figure can show.
+///
+/// Adds poses, pictures and cameras, and how much alike candidates are, with each pair that the captures cannot tell
+/// apart how many times as much data could.
+void addViews(const Diagnosis& diagnosis, nlohmann::json& file);
+/// Adds a candidate's figures.
+void addViews(const CandidateFinding& finding, nlohmann::json& entry);
+
+} // namespace naocal

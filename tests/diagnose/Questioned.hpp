@@ -1,0 +1,34 @@
+#pragma once
+
+#include "SimulatedSets.hpp"
+#include "diagnose/Inquiry.hpp"
+#include "residuals/Candidates.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace naocal {
+
+/// A fitted base model with every testable candidate, linearised at the fit.
+struct Questioned {
+  Questioned(const CaptureSet& set, bool map)
+      : measurements{measurementsOf({set}, loadRobot(configurationDirectory(), "V6"))}, model{makeModel(measurements)},
+        fit{calibrate(measurements, model)}, inquiry{measurements, model, fit, testable(), {.draws = 0, .map = map}} {}
+
+  std::vector<Term> testable() const {
+    std::vector<Term> terms = candidateTerms(measurements);
+    std::erase_if(terms, [&](const Term& term) {
+      return whyUntestable(term.effect, term.at, measurements) ||
+             std::any_of(model.terms().begin(), model.terms().end(),
+                         [&](const Term& own) { return own.label() == term.label(); });
+    });
+    return terms;
+  }
+
+  Measurements measurements;
+  Model model;
+  CalibrationResult fit;
+  Inquiry inquiry;
+};
+
+} // namespace naocal
