@@ -1,5 +1,6 @@
 #include "Questioned.hpp"
 #include "diagnose/Aliases.hpp"
+#include "residuals/Carried.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -26,14 +27,7 @@ TEST_CASE("a candidate that is like another keeps little once that one is in the
   for (std::size_t i = 1; i < labels.size(); ++i) {
     const Model larger = makeModel(asked.measurements, {labels[0]});
     CalibrationResult fit = asked.fit; // taken over: what is compared does not depend on where
-    fit.unknowns = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(larger.unknownCount()));
-    const std::vector<std::string> names = larger.names(), known = asked.model.names();
-    for (std::size_t k = 0; k < names.size(); ++k) {
-      const auto place = std::find(known.begin(), known.end(), names[k]) - known.begin();
-      if (static_cast<std::size_t>(place) < known.size()) {
-        fit.unknowns[static_cast<Eigen::Index>(k)] = asked.fit.unknowns[place];
-      }
-    }
+    fit.unknowns = carried(asked.model, asked.fit.unknowns, larger);
     const Inquiry with{asked.measurements, larger, fit, {candidates[i]}, options};
     const Eigen::Index place = without.problem().groups[i].first;
     const double kept = with.evidence().information(0, 0) / without.evidence().information(place, place);

@@ -89,6 +89,44 @@ TEST_CASE("a page about a diagnosis shows each figure's numbers in units that pe
   CHECK(data["aliases"]["candidates"] == file["aliases"]["candidates"]);
   CHECK(data["aliases"]["correlations"] == file["aliases"]["correlations"]);
   CHECK(data["poses"].size() == file["poses"].size());
+  const json &point = file["left"]["asGiven"]["whatIf"][0]["points"][0],
+             &shownPoint = data["left"]["asGiven"]["whatIf"][0]["points"][0];
+  CHECK(shownPoint[0] == point["pictures"]);
+  CHECK(shownPoint[1].get<double>() == Approx(degrees(point["deflection"].get<double>())));
+  CHECK(shownPoint[2].get<double>() == Approx(degrees(point["sigma"].get<double>())));
+  CHECK(data["left"]["asGiven"]["within"]["cells"].size() == file["left"]["asGiven"]["withinPictures"]["cells"].size());
+}
+
+TEST_CASE("only drivers that were recorded and varied are offered") {
+  // Proves the list that the page offers, with the values of every picture; readings without temperatures offer none.
+  const json& file = diagnosed();
+  const json data = shown(pageOf(file));
+  REQUIRE(data["drivers"].size() > 10);
+  for (const json& driver : data["drivers"]) {
+    CHECK(driver["values"].size() == data["pictures"].size());
+    const auto [least, most] = std::minmax_element(driver["values"].begin(), driver["values"].end());
+    CHECK(*least < *most);
+  }
+  const auto offered = [&](const std::string& unit) {
+    return std::count_if(data["drivers"].begin(), data["drivers"].end(),
+                         [&](const json& driver) { return driver["unit"] == unit; });
+  };
+  CHECK(offered("°") > 5);
+  CHECK(offered("Nm") > 5);
+  CHECK(offered("s") == 1);
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  CaptureSet bare = simulate(robot, handMadePlan(robot), 7).set;
+  for (Capture& capture : bare.captures) {
+    capture.joints.temperature.clear();
+    capture.joints.approach.clear();
+  }
+  DiagnosisOptions quick;
+  quick.inquiry.draws = 0;
+  const json without = diagnosisJson(diagnose({bare}, measurementsOf({bare}, robot), quick));
+  for (const json& driver : without["recorded"]) {
+    CHECK(driver["driver"] != "T");
+    CHECK(driver["driver"] != "approach");
+  }
 }
 
 TEST_CASE("a page says in words which candidates the captures cannot tell apart") {
@@ -114,7 +152,7 @@ TEST_CASE("a page says in words which candidates the captures cannot tell apart"
 TEST_CASE("a diagnosis file from before its figures were written still has a page") {
   // Proves that every further key may be absent.
   json file = diagnosed();
-  for (const char* key : {"poses", "pictures", "cameras", "aliases"}) {
+  for (const char* key : {"poses", "pictures", "cameras", "aliases", "recorded", "left"}) {
     file.erase(key);
   }
   for (json& entry : file["ranking"]) {
@@ -175,6 +213,8 @@ TEST_CASE("a broken diagnosis file is refused with one sentence") {
   CHECK_THAT(refusal("/poses/0/pictures/0", 100000), Catch::Contains("poses[0].pictures[0]"));
   CHECK_THAT(refusal("/aliases/correlations/1", {1}), Catch::Contains("aliases.correlations[1]"));
   CHECK_THAT(refusal("/ranking/0/addedVariable/points/0/pose", -1), Catch::Contains("addedVariable.points[0].pose"));
+  CHECK_THAT(refusal("/recorded/0/values", {1, 2}), Catch::Contains("recorded[0].values"));
+  CHECK_THAT(refusal("/left/asGiven/whatIf/0/points/0/pictures", json::array()), Catch::Contains("points[0].pictures"));
   CHECK_THAT(refusal("/ranking/0/imprint/pictures/0/corners/0", {1, 2}), Catch::Contains("corners[0]"));
   CHECK_THAT(refusal("/steps/0/heldOutPx", "small"), Catch::Contains("steps[0].heldOutPx"));
   CHECK_THAT(refusal("/suspicious", 3), Catch::Contains("suspicious"));
@@ -198,8 +238,9 @@ TEST_CASE("a browser draws the whole diagnosis without complaint") {
     return;
   }
   CHECK_THAT(*output, Catch::Contains("Something that no known effect explains is at work.</h1>"));
-  CHECK(occurrences(*output, "<canvas") == 4 + 1 + 2 + 1 + 3); // added variables, aliases, imprint, map, curves
-  CHECK(occurrences(*output, "<textarea") >= 1);               // of the curve that tells something
-  CHECK(occurrences(*output, "<tr>") == 1 + 12);               // the head and the first candidates
+  CHECK(occurrences(*output, "<canvas") ==
+        4 + 1 + 2 + 1 + 3 + 1 + 2 + 1);          // added variables, aliases, imprint, map, curves, what if, within
+  CHECK(occurrences(*output, "<textarea") >= 1); // of the curve that tells something
+  CHECK(occurrences(*output, "<tr>") == 1 + 12); // the head and the first candidates
   CHECK(occurrences(*output, "CONSOLE") == 0);
 }

@@ -101,7 +101,7 @@ TEST_CASE("a report loads nothing from elsewhere") {
 }
 
 TEST_CASE("names cannot become part of the page's code") {
-  // Proves that a board's or pose's name ends no script and fills no place of the skeleton; that scripts put names into
+  // Proves that a board's or pose's name ends no script and fills no place of the frame; that scripts put names into
   // the page as text only is proved by there being no innerHTML.
   CalibratedFolder calibrated;
   const std::string harmless = calibrated.page();

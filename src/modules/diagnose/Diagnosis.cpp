@@ -1,6 +1,7 @@
 #include "diagnose/Diagnosis.hpp"
 
 #include "captures/InputError.hpp"
+#include "diagnose/DiagnosisFigures.hpp"
 #include "diagnose/Drivers.hpp"
 #include "diagnose/Judgement.hpp"
 #include "diagnose/Ladder.hpp"
@@ -8,7 +9,6 @@
 #include "diagnose/SetUps.hpp"
 #include "diagnose/Shapes.hpp"
 #include "diagnose/Suspicions.hpp"
-#include "diagnose/Views.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -119,7 +119,8 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
     }
   }
   result.lastFit = ladder.fit();
-  addViews(sets, measurements, asked, inquiries.front(), result);
+  addFigures(sets, measurements, {asked, result.fit, inquiries.front()},
+             {ladder.model(), result.lastFit, inquiries.back()}, result);
   result.sentence = sentence(result);
   return result;
 }

@@ -2,11 +2,10 @@
 
 #include "calibrate/Calibration.hpp"
 #include "diagnose/AddedVariables.hpp"
-#include "diagnose/Aliases.hpp"
+#include "diagnose/Figures.hpp"
 #include "diagnose/Imprint.hpp"
 #include "diagnose/Inquiry.hpp"
 #include "diagnose/LackOfFit.hpp"
-#include "diagnose/Taken.hpp"
 #include "effects/AllEffects.hpp"
 
 #include <optional>
@@ -91,8 +90,7 @@ struct Diagnosis {
   std::vector<DriverFinding> drivers;    // on the last model, best first
   std::vector<MapCell> map;              // on the last model
   std::vector<Suspicion> suspicious;
-  AliasMatrix aliases;           // of the first of the ranking, in the model as given
-  Taken taken;                   // poses and pictures, as the figures count them
+  Figures figures;
   CalibrationResult fit;         // of the model as given
   CalibrationResult lastFit;     // with everything suggested
   std::vector<std::string> with; // what the last model has beyond the base

@@ -1,7 +1,7 @@
 #include "diagnose/DiagnosisFile.hpp"
 
+#include "diagnose/FiguresJson.hpp"
 #include "diagnose/Sentences.hpp"
-#include "diagnose/ViewsJson.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -57,7 +57,7 @@ Json rankingEntry(const CandidateFinding& finding) {
   if (!finding.why.empty()) {
     entry["why"] = finding.why;
   }
-  addViews(finding, entry);
+  addFigures(finding, entry);
   return entry;
 }
 
@@ -116,7 +116,7 @@ Json diagnosisJson(const Diagnosis& diagnosis) {
     }
     result["suspicious"].push_back(std::move(entry));
   }
-  addViews(diagnosis, result);
+  addFigures(diagnosis, result);
   return result;
 }
 

@@ -14,8 +14,7 @@ namespace naocal {
 
 namespace {
 
-constexpr std::size_t picturesPerCamera = 6;
-constexpr Eigen::Index cornersPerPicture = 30;
+constexpr Eigen::Index cornersPerPicture = 30, cornersPerCamera = 180; // that are shown
 
 /// The size that was found where that explains something; else that direction, as far as is plausible.
 Eigen::VectorXd shownSize(const GroupEvidence& evidence, const Effect& effect) {
@@ -97,9 +96,11 @@ void summarise(const Measurements& measurements, Imprint& imprint) {
   imprint.afterPx = std::sqrt(after / std::max(1.0, count));
   std::stable_sort(imprint.pictures.begin(), imprint.pictures.end(),
                    [](const auto& a, const auto& b) { return a.beforePx > b.beforePx; });
-  std::map<std::size_t, std::size_t> taken; // per camera
+  std::map<std::size_t, Eigen::Index> taken; // per camera
   std::erase_if(imprint.pictures, [&](const Imprint::Seen& seen) {
-    return ++taken[measurements.pictures[seen.picture].camera] > picturesPerCamera;
+    Eigen::Index& corners = taken[measurements.pictures[seen.picture].camera];
+    corners += seen.corners.cols();
+    return corners > cornersPerCamera;
   });
 }
 

@@ -22,7 +22,7 @@ struct Imprint {
     double beforePx = 0, afterPx = 0;                 // rms over this picture's corners [px]
     Eigen::Matrix<double, 6, Eigen::Dynamic> corners; // of some: u, v, their shift before, their shift after [px]
   };
-  std::vector<Seen> pictures; // of each camera those that shift most, the largest shift first
+  std::vector<Seen> pictures; // of each camera those that shift most, largest first, as many as show 180 corners
 };
 
 /// Of each of these candidates of an inquiry into `model` at its `fit`. A candidate that explains something has the

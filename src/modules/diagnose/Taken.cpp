@@ -6,6 +6,12 @@ namespace naocal {
 
 Taken takenIn(const std::vector<CaptureSet>& sets, const Measurements& measurements) {
   Taken result;
+  for (const auto& joint : measurements.robot.joints) {
+    result.joints.push_back(joint.name);
+  }
+  for (const Target& target : measurements.targets) {
+    result.boards.push_back(target.name);
+  }
   for (const Picture& picture : measurements.pictures) {
     const Capture& capture = sets[picture.set].captures[picture.capture];
     result.pictures.push_back({capture.id, capture.camera});

@@ -21,6 +21,7 @@ struct Taken {
   };
   std::vector<Pose> poses;                           // as in the measurements
   std::vector<Picture> pictures;                     // as in the measurements
+  std::vector<std::string> joints, boards;           // names, as in the measurements
   std::map<std::string, std::array<int, 2>> cameras; // width and height of their pictures [px]
 };
 

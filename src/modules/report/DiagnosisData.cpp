@@ -2,7 +2,7 @@
 
 #include "report/DiagnosisCurves.hpp"
 #include "report/DiagnosisSentences.hpp"
-#include "report/DiagnosisViews.hpp"
+#include "report/FiguresData.hpp"
 #include "report/ShownUnit.hpp"
 
 #include <fmt/format.h>
@@ -40,7 +40,7 @@ json sizesJson(const JsonPlace& unknowns) {
   return sizes;
 }
 
-json candidateJson(const JsonPlace& entry, const json& views) {
+json candidateJson(const JsonPlace& entry, const json& figures) {
   const auto& states = candidateStates();
   const std::size_t state = entry.at("state").oneOf(states);
   const auto why = entry.find("why");
@@ -59,13 +59,15 @@ json candidateJson(const JsonPlace& entry, const json& views) {
               {"step", entry.at("step").integer(0, largestNumber)},
               {"plausible", entry.at("plausible").boolean()},
               {"equivalent", texts(entry.at("equivalent"))}};
-  addViews(entry, views, result);
+  addFigures(entry, figures, result);
   return result;
 }
 
 json stepJson(const JsonPlace& step) {
   constexpr Range pixels{0, 1e9, "px"};
+  const auto dropped = step.find("dropped");
   return {{"added", step.at("added").value().is_null() ? "" : step.at("added").text()},
+          {"dropped", dropped ? texts(*dropped) : json::array()},
           {"rms", step.at("rmsPx").number(pixels)},
           {"heldOut", step.at("heldOutPx").number(pixels)},
           {"floor", step.at("noiseFloorPx").number(pixels)},
@@ -89,7 +91,7 @@ json diagnosisData(const JsonPlace& diagnosis) {
             {"floorName", floorName(diagnosis)},
             {"suggested", texts(diagnosis.at("suggested"))},
             {"map", mapJson(diagnosis)}};
-  addViews(diagnosis, data);
+  addFigures(diagnosis, data);
   const auto list = [&](const char* key, const char* from, const auto& entryJson) {
     data[key] = json::array();
     for (const JsonPlace& entry : diagnosis.at(from).elements()) {

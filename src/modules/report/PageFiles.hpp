@@ -5,9 +5,11 @@
 /// The files of page/, put into the program when it is built (page/embed.cmake).
 namespace naocal::pageFiles {
 
+/// What all pages share: head and verdict, with {{style}}, {{sections}}, {{data}} and {{script}} to be filled in.
+extern const std::string_view frame;
+
 struct Page {
-  std::string_view skeleton; // with {{style}}, {{script}} and {{data}}
-  std::string_view style, script;
+  std::string_view sections, style, script;
 };
 
 extern const Page result, diagnosis;

@@ -30,16 +30,16 @@ std::string harmless(const json& data) {
   return text;
 }
 
-/// The skeleton with its {{places}} filled; what is filled in is not looked at again.
-std::string filled(std::string_view skeleton, const std::map<std::string_view, std::string_view>& parts) {
+/// The frame with its {{places}} filled; what is filled in is not looked at again.
+std::string filled(std::string_view frame, const std::map<std::string_view, std::string_view>& parts) {
   std::string page;
-  for (std::size_t open = skeleton.find("{{"); open != skeleton.npos; open = skeleton.find("{{")) {
-    const std::size_t close = skeleton.find("}}", open);
-    assert(close != skeleton.npos);
-    page.append(skeleton.substr(0, open)).append(parts.at(skeleton.substr(open + 2, close - open - 2)));
-    skeleton.remove_prefix(close + 2);
+  for (std::size_t open = frame.find("{{"); open != frame.npos; open = frame.find("{{")) {
+    const std::size_t close = frame.find("}}", open);
+    assert(close != frame.npos);
+    page.append(frame.substr(0, open)).append(parts.at(frame.substr(open + 2, close - open - 2)));
+    frame.remove_prefix(close + 2);
   }
-  return page.append(skeleton);
+  return page.append(frame);
 }
 
 } // namespace
@@ -55,7 +55,8 @@ std::string reportPage(const std::filesystem::path& file) {
   top.at("version").integer(1, 1);
   const std::string data = harmless(isDiagnosis ? diagnosisData(top) : pageData(top, Sources{top, file}));
   const pageFiles::Page& page = isDiagnosis ? pageFiles::diagnosis : pageFiles::result;
-  return filled(page.skeleton, {{"style", page.style}, {"script", page.script}, {"data", data}});
+  return filled(pageFiles::frame,
+                {{"style", page.style}, {"sections", page.sections}, {"data", data}, {"script", page.script}});
 }
 
 } // namespace naocal

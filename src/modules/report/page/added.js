@@ -1,9 +1,10 @@
 // Added-variable plots: for each of the first candidates a point per pose, whose slope is the candidate's size.
 
-const plotsFirst = 4;
+const plotsFirst = 4, plotsMost = 10;
+const twoDigits = value => short(Number(value.toPrecision(2)));
 
 function showAdded(parent) {
-  const plotted = data.candidates.filter(candidate => candidate.added);
+  const plotted = data.candidates.filter(candidate => candidate.added).slice(0, plotsMost);
   at("overAdded").hidden = !plotted.length;
   const show = count => parent.replaceChildren(...plotted.slice(0, count).map(addedFigure));
   const more = at("moreAdded");
@@ -38,11 +39,11 @@ function addedWords(added) {
   const weakest = without.reduce((a, b) => Math.abs(a.slope) / a.sigma < Math.abs(b.slope) / b.sigma ? a : b);
   const left = Math.abs(weakest.slope) / weakest.sigma;
   const stray = Math.sqrt(mean(without.map(({y}) => y * y)));
-  const words = slopeWords(added, slope, sigma) + ", " + short(strength) + " sigma from none; poses stray from the line by " +
-    short(stray) + " sigma";
+  const words = slopeWords(added, slope, sigma) + ", " + twoDigits(strength) + " sigma from none; poses stray from the line by " +
+    twoDigits(stray) + " sigma";
   if (strength < 2) return words + ": it lies flat.";
   return words + (left < strength / 2 ? "; " + poseName(weakest.pose) + " alone carries most of it: " : "; without " +
-    poseName(weakest.pose) + ", which counts most, ") + short(left) + " sigma" + (left < strength / 2 ? " without it." : ".");
+    poseName(weakest.pose) + ", which counts most, ") + twoDigits(left) + " sigma" + (left < strength / 2 ? " without it." : ".");
 }
 
 function drawAdded(context, width, height, {label, added}) {

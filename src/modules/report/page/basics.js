@@ -76,3 +76,14 @@ function copyBox(title, text) {
   frame.append(box);
   return frame;
 }
+
+// The head of a page: the headline, a sentence, figures to remember, and what to beware of.
+function showVerdict(sentence, warnings) {
+  at("headline").textContent = document.title = data.headline;
+  at("sentence").textContent = sentence;
+  for (const {figure, sentence} of data.facts) {
+    const fact = at("facts").appendChild(element("div"));
+    fact.append(element("dt", "", figure), element("dd", "", sentence));
+  }
+  warnings.forEach(warning => at("warnings").append(element("li", "", warning)));
+}

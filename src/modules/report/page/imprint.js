@@ -12,7 +12,7 @@ function showImprint(parent) {
   const turn = step => {
     const own = shown[at("imprintOf").selectedIndex];
     imprint = own.imprint;
-    const count = Math.max(1, ...cameras.map(camera => seenBy(camera).length));
+    const count = Math.max(1, ...cameras.map(camera => pagesOf(camera).length));
     imprintRank = Math.max(0, Math.min(count - 1, imprintRank + step));
     at("imprintWords").textContent = imprintWords(own);
     at("imprintRank").textContent = imprintRank + 1 + " of " + count;
@@ -26,7 +26,16 @@ function showImprint(parent) {
   turn(0);
 }
 
-const seenBy = camera => imprint.pictures.filter(({picture}) => data.pictures[picture].camera === camera);
+// The pictures of a camera, a page after the other: one on each, or several where they show few corners.
+function pagesOf(camera) {
+  const pages = [], few = 12;
+  for (const seen of imprint.pictures.filter(({picture}) => data.pictures[picture].camera === camera)) {
+    const last = pages[pages.length - 1];
+    if (last && last.reduce((sum, {corners}) => sum + corners.length, 0) + seen.corners.length <= few) last.push(seen);
+    else pages.push([seen]);
+  }
+  return pages;
+}
 
 function imprintWords({label, imprint: {found, sizes, before, after, imitator}}) {
   const size = sizes.map(({name, value, unit}) => withUnit(name + " = " + short(value), unit)).join(", ");
@@ -40,7 +49,7 @@ function imprintFigure(parent, camera) {
   const {width: full, height: tall} = data.cameras[camera], figure = parent.appendChild(element("figure"));
   const caption = element("figcaption");
   const redraw = canvasFigure(figure, width => width * tall / full, (context, width, height) => {
-    const seen = imprint && seenBy(camera)[imprintRank];
+    const seen = imprint && pagesOf(camera)[imprintRank];
     figure.hidden = !seen;
     return seen ? drawImprint(context, width, height, {seen, scale: width / full, caption, camera}) : [];
   }, "shifts of corners in the " + camera + " camera");
@@ -51,15 +60,17 @@ function imprintFigure(parent, camera) {
 function drawImprint(context, width, height, {seen, scale, caption, camera}) {
   context.fillStyle = colours.panel;
   context.fillRect(0, 0, width, height);
-  const lengths = seen.corners.map(([, , du, dv]) => scale * Math.hypot(du, dv));
-  const enlarged = enlargement(lengths, 0.1 * width);
-  caption.replaceChildren(element("b", "", camera + " camera"), ", " + captureName(seen.picture) + ": " + px(seen.before) +
-    " rms, " + px(seen.after) + " after refitting; " + enlargedWords(enlarged));
-  return seen.corners.map(([u, v, du, dv, left, down]) => {
+  const corners = seen.flatMap(one => one.corners.map(corner => ({picture: one.picture, corner})));
+  const enlarged = enlargement(corners.map(({corner: [, , du, dv]}) => scale * Math.hypot(du, dv)), 0.1 * width);
+  const over = value => px(Math.sqrt(mean(seen.map(one => value(one) ** 2))));
+  caption.replaceChildren(element("b", "", camera + " camera"), ", " + (seen.length > 1 ? seen.length + " captures"
+    : captureName(seen[0].picture)) + ": " + over(({before}) => before) + " rms, " + over(({after}) => after) +
+    " after refitting; " + enlargedWords(enlarged));
+  return corners.map(({picture, corner: [u, v, du, dv, left, down]}) => {
     const x = scale * (u + 0.5), y = scale * (v + 0.5);
     arrow(context, colours.orange, 3, x, y, scale * enlarged * du, scale * enlarged * dv);
     arrow(context, colours.blue, 1.5, x, y, scale * enlarged * left, scale * enlarged * down);
-    return {x, y, tip: () => captureName(seen.picture) + "\nshifted by " + direction([du, dv]) + "\nafter refitting " +
+    return {x, y, tip: () => captureName(picture) + "\nshifted by " + direction([du, dv]) + "\nafter refitting " +
       direction([left, down])};
   });
 }

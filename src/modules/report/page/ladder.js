@@ -8,10 +8,12 @@ function showLadder(parent) {
     const row = parent.appendChild(element("div", "rung")), axis = element("div", "axis");
     axis.appendChild(element("div", "band")).style.width = place(floor);
     axis.appendChild(element("div", "bar")).style.width = place(step.heldOut);
-    row.append(element("span", "", step.added ? "+ " + step.added : "the model as given"), axis,
+    const dropped = step.dropped.map(label => " − " + label).join("");
+    row.append(element("span", "", step.added ? "+ " + step.added + dropped : "the model as given"), axis,
       element("span", "number", px(step.heldOut)));
     const previous = i ? data.steps[i - 1].heldOut : step.heldOut;
-    tipOver(row, (step.added ? "with " + step.added : "the model as given") + "\non unseen poses: " + px(step.heldOut) +
+    tipOver(row, (step.added ? "with " + step.added : "the model as given") +
+      (step.dropped.length ? ", which makes superfluous: " + step.dropped.join(", ") : "") + "\non unseen poses: " + px(step.heldOut) +
       (i ? " (" + px(previous) + " before)" : "") + "\non the poses it was fitted to: " + px(step.rms) +
       " rms\n" + data.floorName + ": " + px(floor) + "\nchance that noise looks like something missing: " + chance(step.alarm));
   });

@@ -11,8 +11,8 @@ namespace naocal {
 ///
 /// Adds poses, pictures and cameras, and how much alike candidates are, with each pair that the captures cannot tell
 /// apart how many times as much data could.
-void addViews(const Diagnosis& diagnosis, nlohmann::json& file);
+void addFigures(const Diagnosis& diagnosis, nlohmann::json& file);
 /// Adds a candidate's figures.
-void addViews(const CandidateFinding& finding, nlohmann::json& entry);
+void addFigures(const CandidateFinding& finding, nlohmann::json& entry);
 
 } // namespace naocal

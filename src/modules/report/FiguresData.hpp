@@ -8,10 +8,10 @@ namespace naocal {
 
 /// Adds what the figures of a diagnosis show beside its candidates, in units that people read: which captures belong to
 /// each pose, the cameras, how much alike the first candidates are. What the file does not have stays empty or null.
-void addViews(const JsonPlace& diagnosis, nlohmann::json& data);
+void addFigures(const JsonPlace& diagnosis, nlohmann::json& data);
 
 /// Adds to a candidate its added-variable plot, a point (pose or null, signature, residual) for each pose, and what it
-/// would look like. What the file does not have is null. `views`: as `addViews` made it.
-void addViews(const JsonPlace& entry, const nlohmann::json& views, nlohmann::json& candidate);
+/// would look like. What the file does not have is null. `figures`: as `addFigures` made it.
+void addFigures(const JsonPlace& entry, const nlohmann::json& figures, nlohmann::json& candidate);
 
 } // namespace naocal

@@ -1,6 +1,7 @@
-#include "report/DiagnosisViews.hpp"
+#include "report/FiguresData.hpp"
 
 #include "report/AliasesData.hpp"
+#include "report/LeftData.hpp"
 #include "report/ShownUnit.hpp"
 
 #include <nlohmann/json.hpp>
@@ -49,7 +50,7 @@ void addTaken(const JsonPlace& diagnosis, json& data) {
   }
 }
 
-json addedVariableData(const JsonPlace& candidate, const json& views) {
+json addedVariableData(const JsonPlace& candidate, const json& figures) {
   const auto view = candidate.find("addedVariable");
   if (!view) {
     return nullptr;
@@ -58,7 +59,7 @@ json addedVariableData(const JsonPlace& candidate, const json& views) {
   json points = json::array();
   for (const JsonPlace& point : view->at("points").elements()) {
     const JsonPlace pose = point.at("pose");
-    points.push_back({pose.value().is_null() ? json(nullptr) : json(placeIn(views["poses"], pose)),
+    points.push_back({pose.value().is_null() ? json(nullptr) : json(placeIn(figures["poses"], pose)),
                       point.at("signature").number(anyNumber) / scale, point.at("residual").number(anyNumber)});
   }
   return {{"of", view->at("of").text()},
@@ -69,7 +70,7 @@ json addedVariableData(const JsonPlace& candidate, const json& views) {
           {"points", points}};
 }
 
-json imprintData(const JsonPlace& candidate, const json& views) {
+json imprintData(const JsonPlace& candidate, const json& figures) {
   const auto view = candidate.find("imprint");
   if (!view) {
     return nullptr;
@@ -84,7 +85,7 @@ json imprintData(const JsonPlace& candidate, const json& views) {
     for (const JsonPlace& corner : picture.at("corners").elements()) {
       corners.push_back(corner.numbers(6, anyNumber, "u, v, shift before, shift after refitting"));
     }
-    pictures.push_back({{"picture", placeIn(views["pictures"], picture.at("picture"))},
+    pictures.push_back({{"picture", placeIn(figures["pictures"], picture.at("picture"))},
                         {"before", picture.at("rmsPxBefore").number(anyNumber)},
                         {"after", picture.at("rmsPxAfter").number(anyNumber)},
                         {"corners", std::move(corners)}});
@@ -99,14 +100,15 @@ json imprintData(const JsonPlace& candidate, const json& views) {
 
 } // namespace
 
-void addViews(const JsonPlace& diagnosis, json& data) {
+void addFigures(const JsonPlace& diagnosis, json& data) {
   addTaken(diagnosis, data);
   data["aliases"] = aliasesData(diagnosis);
+  addLeft(diagnosis, data);
 }
 
-void addViews(const JsonPlace& entry, const json& views, json& candidate) {
-  candidate["added"] = addedVariableData(entry, views);
-  candidate["imprint"] = imprintData(entry, views);
+void addFigures(const JsonPlace& entry, const json& figures, json& candidate) {
+  candidate["added"] = addedVariableData(entry, figures);
+  candidate["imprint"] = imprintData(entry, figures);
 }
 
 } // namespace naocal

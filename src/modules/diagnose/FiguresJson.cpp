@@ -1,11 +1,11 @@
-#include "diagnose/ViewsJson.hpp"
+#include "diagnose/FiguresJson.hpp"
 
 #include "diagnose/Alternatives.hpp"
+#include "diagnose/LeftJson.hpp"
+#include "diagnose/Shortened.hpp"
 #include "geometry/Index.hpp"
 
 #include <algorithm>
-#include <cassert>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace naocal {
@@ -13,16 +13,6 @@ namespace naocal {
 using Json = nlohmann::json;
 
 namespace {
-
-/// Finer than any figure shows, and a file that stays small.
-double shortened(double value, int digits = 5) {
-  assert(std::isfinite(value));
-  if (value == 0) {
-    return 0;
-  }
-  const double scale = std::pow(10.0, digits - 1 - std::floor(std::log10(std::abs(value))));
-  return std::round(value * scale) / scale;
-}
 
 Json posesJson(const Taken& taken) {
   Json result = Json::array();
@@ -41,9 +31,9 @@ Json picturesJson(const Taken& taken) {
 }
 
 Json aliasesJson(const Diagnosis& diagnosis) {
-  const std::vector<std::string>& labels = diagnosis.aliases.labels;
+  const std::vector<std::string>& labels = diagnosis.figures.aliases.labels;
   Json rows = Json::array(), pairs = Json::array();
-  for (const auto& row : diagnosis.aliases.correlations.rowwise()) {
+  for (const auto& row : diagnosis.figures.aliases.correlations.rowwise()) {
     Json& numbers = rows.emplace_back(Json::array());
     for (const double alike : row) {
       numbers.push_back(shortened(alike));
@@ -59,7 +49,7 @@ Json aliasesJson(const Diagnosis& diagnosis) {
       if (other == labels.end()) {
         continue;
       }
-      const double alike = diagnosis.aliases.correlations(one - labels.begin(), other - labels.begin());
+      const double alike = diagnosis.figures.aliases.correlations(one - labels.begin(), other - labels.begin());
       pairs.push_back({{"taken", *one},
                        {"other", equivalent},
                        {"correlation", shortened(alike)},
@@ -113,17 +103,18 @@ Json addedVariableJson(const AddedVariable& view, const Effect& effect) {
 
 } // namespace
 
-void addViews(const Diagnosis& diagnosis, Json& file) {
-  file["poses"] = posesJson(diagnosis.taken);
-  file["pictures"] = picturesJson(diagnosis.taken);
+void addFigures(const Diagnosis& diagnosis, Json& file) {
+  file["poses"] = posesJson(diagnosis.figures.taken);
+  file["pictures"] = picturesJson(diagnosis.figures.taken);
   file["cameras"] = Json::object();
-  for (const auto& [camera, size] : diagnosis.taken.cameras) {
+  for (const auto& [camera, size] : diagnosis.figures.taken.cameras) {
     file["cameras"][camera] = {{"width", size[0]}, {"height", size[1]}};
   }
   file["aliases"] = aliasesJson(diagnosis);
+  addLeft(diagnosis.figures, file);
 }
 
-void addViews(const CandidateFinding& finding, Json& entry) {
+void addFigures(const CandidateFinding& finding, Json& entry) {
   if (finding.addedVariable) {
     entry["addedVariable"] = addedVariableJson(*finding.addedVariable, finding.term.effect);
   }

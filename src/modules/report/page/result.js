@@ -1,16 +1,4 @@
-// Puts the page together.
-
-function showVerdict() {
-  at("verdict").classList.toggle("usable", data.usable);
-  at("headline").textContent = data.headline;
-  document.title = "NAO " + data.robot + ": " + data.headline;
-  at("about").textContent = "Calibration of a NAO " + data.robot + " from " + data.sets.join(", ");
-  for (const {figure, sentence} of data.facts) {
-    const fact = at("facts").appendChild(element("div"));
-    fact.append(element("dt", "", figure), element("dd", "", sentence));
-  }
-  data.warnings.forEach(warning => at("warnings").append(element("li", "", warning)));
-}
+// Puts the page about a result together.
 
 // Pictures of one pose share its joints' errors.
 const poseOf = picture => (severalSets ? picture.set + "/" : "") + picture.pose;
@@ -76,7 +64,9 @@ at("layer").addEventListener("change", () => {
 at("order").addEventListener("change", () => { firstShown = 0; showPage(); });
 at("previous").addEventListener("click", () => turnPage(-1));
 at("next").addEventListener("click", () => turnPage(1));
-showVerdict();
+showVerdict("Calibration of a NAO " + data.robot + " from " + data.sets.join(", "), data.warnings);
+at("verdict").classList.toggle("usable", data.usable);
+document.title = "NAO " + data.robot + ": " + data.headline;
 showEstimates(at("estimates"));
 showWeak(at("weak"));
 showPictures();

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "diagnose/Aliases.hpp"
+#include "diagnose/DriverColumns.hpp"
+#include "diagnose/Leftover.hpp"
+#include "diagnose/Taken.hpp"
+#include "diagnose/WhatIf.hpp"
+
+#include <vector>
+
+namespace naocal {
+
+/// What a diagnosis's figures show beside its candidates' own.
+struct Figures {
+  /// What a model leaves over.
+  struct Left {
+    std::vector<WhatIfs> whatIfs; // per joint
+    Leftover leftover;
+  };
+  Taken taken;                        // poses and pictures, as the figures count them
+  AliasMatrix aliases;                // of the first of the ranking, in the model as given
+  std::vector<DriverValues> recorded; // what joints' deflections may vary with
+  Left given, last;                   // of the model as given, and with everything suggested (empty where nothing is)
+};
+
+} // namespace naocal

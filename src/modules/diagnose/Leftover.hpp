@@ -1,0 +1,38 @@
+#pragma once
+
+#include "calibrate/Calibration.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// What is left of the corners' errors when each picture may move as a whole: lens, boards and corner detection do it.
+struct Leftover {
+  /// The mean over a cell of one camera's picture.
+  struct Cell {
+    double u = 0, v = 0;          // where its corners were measured, in the mean [px]
+    double du = 0, dv = 0;        // predicted - measured, in the mean [px]
+    double sigma = 0;             // standard error of either
+    std::size_t corners = 0;      // that count
+    std::size_t worstPicture = 0; // the picture with the largest error among them
+  };
+  /// One board in one picture.
+  struct Seen {
+    std::size_t picture = 0, board = 0;
+    double distance = 0; // of the board's origin from the camera [m]
+    double rmsPx = 0;    // per axis, freed of what the picture's motion took with it [px]
+  };
+  double noisePx = 0; // of a corner, per axis
+  std::vector<Cell> cells;
+  std::vector<Seen> boards;
+};
+
+/// Takes the rigid motion (omega, v) of the scene before each camera out of a fit's residuals:
+///
+///   r - L (L^T W L)^-1 L^T W r,  L = `SightingResidual::motionRows`, W the corners' weights
+Leftover leftover(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& model,
+                  const CalibrationResult& fit);
+
+} // namespace naocal
