@@ -43,7 +43,7 @@ std::string confusedSentence(const std::vector<JsonPlace>& confusable) {
   const JsonPlace& hardest =
       *std::max_element(confusable.begin(), confusable.end(),
                         [&](const JsonPlace& a, const JsonPlace& b) { return times(a) < times(b); });
-  return fmt::format("These captures cannot tell {} from {} (correlation {:.3g}{}): {}.", hardest.at("taken").text(),
+  return fmt::format("These captures cannot tell {} from {} (correlation {:.4g}{}): {}.", hardest.at("taken").text(),
                      hardest.at("other").text(), hardest.at("correlation").number(share),
                      confusable.size() > 1 ? fmt::format("; the hardest of {} such pairs", confusable.size()) : "",
                      times(hardest) > 1
@@ -65,14 +65,14 @@ std::string aliasSentence(const Aliases& aliases, const std::vector<JsonPlace>& 
   for (std::size_t i = 0; i < aliases.candidates.size(); ++i) {
     if (std::find(taken.begin(), taken.end(), aliases.candidates[i]) != taken.end()) {
       const std::size_t other = aliases.closest(i).second;
-      return fmt::format("These captures tell {} from all others here; most alike is {} (correlation {:.2g}).",
+      return fmt::format("These captures tell {} from all others here; most alike is {} (correlation {:.4g}).",
                          aliases.candidates[i], aliases.candidates[other], aliases.alike[i][other]);
     }
   }
   const auto [one, other] = aliases.closest();
   const double most = aliases.alike[one][other];
   return fmt::format(
-      "Most alike are {} and {} (correlation {:.2g}): were one of them there, these poses would {} which.",
+      "Most alike are {} and {} (correlation {:.4g}): were one of them there, these poses would {} which.",
       aliases.candidates[one], aliases.candidates[other], most, most > 0.9 ? "hardly tell" : "tell");
 }
 
