@@ -12,7 +12,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr Range pixels{-1e9, 1e9, "px"};
+constexpr Range shiftPx{-1e9, 1e9, "px"};
 
 std::size_t pictureAt(const JsonPlace& place, const json& data) {
   return static_cast<std::size_t>(place.integer(0, static_cast<int>(data["pictures"].size()) - 1));
@@ -61,16 +61,16 @@ json withinData(const JsonPlace& within, const json& data) {
                      {"corners", cell.at("corners").integer(1, largestNumber)},
                      {"worst", pictureAt(cell.at("worstPicture"), data)}});
     for (const char* number : {"u", "v", "du", "dv", "sigma"}) {
-      cells.back()[number] = cell.at(number).number(pixels);
+      cells.back()[number] = cell.at(number).number(shiftPx);
     }
   }
   for (const JsonPlace& board : within.at("boards").elements()) {
     boards.push_back({{"picture", pictureAt(board.at("picture"), data)},
                       {"board", board.at("board").text()},
                       {"distance", board.at("distance").number({0, 1e6, "m"})},
-                      {"rms", board.at("rmsPx").number(pixels)}});
+                      {"rms", board.at("rmsPx").number(shiftPx)}});
   }
-  return {{"noise", within.at("noisePx").number(pixels)}, {"cells", std::move(cells)}, {"boards", std::move(boards)}};
+  return {{"noise", within.at("noisePx").number(shiftPx)}, {"cells", std::move(cells)}, {"boards", std::move(boards)}};
 }
 
 } // namespace
