@@ -33,8 +33,8 @@ Levels levels(const Measurements& measurements, const Model& model, const Fit& f
     result.fromRepeats = true;
     const double within = pixelNoiseWithinPictures(sightings).value_or(*repeats);
     const double beyondRepeats = std::sqrt(std::max(0.0, within * within - *repeats * *repeats));
-    noise.pixel =
-        std::hypot(*repeats, std::clamp(beyondRepeats, options.repeatedCornerError, options.largestCornerError));
+    const double alike = std::clamp(beyondRepeats, options.repeatedCornerError, options.largestCornerError);
+    noise.pixel = std::max(std::hypot(*repeats, alike), options.largestCornerError);
     const bool encoderToo = std::any_of(measurements.poses.begin(), measurements.poses.end(),
                                         [](const PoseGroup& pose) { return pose.repeated; });
     result.joint = jointNoise(fit.minimum.linear, fit.minimum.state.unknowns, model.sigmas(), noise, encoderToo);

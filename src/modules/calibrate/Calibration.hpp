@@ -18,7 +18,8 @@ struct CalibrationOptions {
   /// What a corner's fit is off by in every picture of a pose alike, so that repeats cannot show it: its place between
   /// the pixels stays (rendered pictures: 0.02 px where boards are near) [px].
   double repeatedCornerError = 0.02;
-  /// As much misfit within single pictures as repeats do not show may be put down to that error, too [px].
+  /// As much misfit within single pictures as repeats do not show may be put down to that error, too; and no corner is
+  /// trusted better than this, however well it repeats [px].
   double largestCornerError = 0.02;
   bool robust = true;     // doubtful corners lose their weight (and are listed)
   bool setAside = true;   // so are, if robust, sightings whose board moved

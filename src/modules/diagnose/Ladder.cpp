@@ -19,7 +19,7 @@ bool has(const Model& model, const std::string& label) {
                      [&](const Term& term) { return term.label() == label; });
 }
 
-/// No lens and no detector is known better, however well corners repeat: smaller misfits are not worth a cause [px].
+/// No lens and no detector is known better: smaller misfits within pictures are not worth a cause [px].
 constexpr double knownLens = 0.1;
 
 bool isPlausible(const GroupEvidence& evidence, const Eigen::VectorXd& sigmas) {
