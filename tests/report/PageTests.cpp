@@ -44,7 +44,8 @@ TEST_CASE("a report's pictures come worst first") {
   // Proves the order in which pictures are offered, and photographs kept.
   const CalibratedFolder calibrated;
   double last = 1e9;
-  for (const json& picture : shown(calibrated.page())["pictures"]) {
+  const json page = shown(calibrated.page());
+  for (const json& picture : page["pictures"]) {
     double squares = 0, corners = 0;
     for (const json& board : picture["boards"]) {
       for (const json& error : board["reported"]) {

@@ -24,7 +24,7 @@ constexpr double mostAsymmetry = 0.03; // 0.001 to 0.01 where nothing lies in th
 class Walk {
 public:
   Walk(const SmoothPicture& picture, const Lens& lens, const CharucoPattern& pattern,
-       const std::vector<Sighting>& markerCorners)
+       const std::vector<SeenPoint>& markerCorners)
       : picture_{picture}, lens_{lens}, pattern_{pattern}, markerCorners_{markerCorners},
         reach_{symmetricReach(pattern, int(markerCells(pattern.dictionary, pattern.firstMarkerId).rows()))} {}
 
@@ -46,14 +46,14 @@ public:
 private:
   struct Found {
     Eigen::Vector2d pixel;
-    Sighting sighting;
+    SeenPoint sighting;
   };
 
   Eigen::Vector2d onBoard(int id) const { return cornerOnBoard(pattern_, id); }
 
   /// What is known but for corner `id`.
-  std::vector<Sighting> others(int id) const {
-    std::vector<Sighting> sightings = markerCorners_;
+  std::vector<SeenPoint> others(int id) const {
+    std::vector<SeenPoint> sightings = markerCorners_;
     for (const auto& [foundId, corner] : found_) {
       if (foundId != id) {
         sightings.push_back(corner.sighting);
@@ -90,7 +90,7 @@ private:
   bool isNear(int id) const {
     const auto sightings = others(id);
     return std::any_of(sightings.begin(), sightings.end(),
-                       [&](const Sighting& one) { return (one.onBoard - onBoard(id)).norm() <= walkingDistance; });
+                       [&](const SeenPoint& one) { return (one.onBoard - onBoard(id)).norm() <= walkingDistance; });
   }
 
   void spread() {
@@ -134,7 +134,7 @@ private:
   /// two predictions, one with and one without itself. In least squares it scatters equally for all corners, those in
   /// the middle and those that the others hardly determine.
   double misplacement(int id) const {
-    const auto distance = [&](const std::vector<Sighting>& sightings) {
+    const auto distance = [&](const std::vector<SeenPoint>& sightings) {
       return (found_.at(id).pixel - pixel(*localHomography(sightings, onBoard(id)), onBoard(id))).norm();
     };
     auto sightings = others(id);
@@ -184,7 +184,7 @@ private:
   const SmoothPicture& picture_;
   const Lens& lens_;
   const CharucoPattern& pattern_;
-  const std::vector<Sighting>& markerCorners_;
+  const std::vector<SeenPoint>& markerCorners_;
   double reach_;               // [squares]
   double tolerance_ = loosest; // [px]
   std::map<int, Found> found_;
@@ -194,7 +194,7 @@ private:
 } // namespace
 
 BoardSearchResult boardSearch(const SmoothPicture& picture, const Lens& lens, const CharucoPattern& pattern,
-                              const std::vector<Sighting>& markerCorners) {
+                              const std::vector<SeenPoint>& markerCorners) {
   return Walk{picture, lens, pattern, markerCorners}.result();
 }
 

@@ -33,6 +33,6 @@ struct BoardSearchResult {
 ///
 /// `markerCorners`: corners of markers that were read and agree with each other.
 BoardSearchResult boardSearch(const SmoothPicture& picture, const Lens& lens, const CharucoPattern& pattern,
-                              const std::vector<Sighting>& markerCorners);
+                              const std::vector<SeenPoint>& markerCorners);
 
 } // namespace naocal

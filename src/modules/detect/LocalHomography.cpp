@@ -10,16 +10,16 @@ constexpr double reach = 2;         // [squares]
 constexpr double perspective = 0.1; // how much nearer the next square typically is: tames four noisy corners
 
 /// Moves the sightings' weighted mean to zero and their spread to about one.
-Eigen::Matrix3d normalisation(const std::vector<Sighting>& sightings) {
+Eigen::Matrix3d normalisation(const std::vector<SeenPoint>& sightings) {
   double sum = 0;
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  for (const Sighting& one : sightings) {
+  for (const SeenPoint& one : sightings) {
     sum += one.weight;
     mean += one.weight * one.seenAt;
   }
   mean /= sum;
   double spread = 0;
-  for (const Sighting& one : sightings) {
+  for (const SeenPoint& one : sightings) {
     spread += one.weight * (one.seenAt - mean).squaredNorm();
   }
   const double scale = std::sqrt(2 * sum / spread);
@@ -31,13 +31,13 @@ Eigen::Matrix3d normalisation(const std::vector<Sighting>& sightings) {
 
 } // namespace
 
-std::optional<Eigen::Matrix3d> localHomography(const std::vector<Sighting>& sightings, const Eigen::Vector2d& around) {
+std::optional<Eigen::Matrix3d> localHomography(const std::vector<SeenPoint>& sightings, const Eigen::Vector2d& around) {
   if (sightings.size() < 4) {
     return std::nullopt;
   }
   const Eigen::Matrix3d normalised = normalisation(sightings);
   Eigen::Matrix<double, 9, 9> normal = Eigen::Matrix<double, 9, 9>::Zero();
-  for (const Sighting& one : sightings) {
+  for (const SeenPoint& one : sightings) {
     const Eigen::Vector3d x = (one.onBoard - around).homogeneous();
     const Eigen::Vector2d u = (normalised * one.seenAt.homogeneous()).head<2>();
     const double nearness = 1 / (1 + (one.onBoard - around).squaredNorm() / (reach * reach));

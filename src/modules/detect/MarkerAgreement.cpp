@@ -14,9 +14,9 @@ constexpr double leastTolerance = 3; // [px]
 constexpr double toleranceInSides = 0.1;
 constexpr double markerWeight = 0.04; // a marker's corner is about five times as far off as a fitted board's corner
 
-std::vector<Sighting> sightings(const Marker& marker, const CharucoPattern& pattern, const Lens& lens) {
+std::vector<SeenPoint> sightings(const Marker& marker, const CharucoPattern& pattern, const Lens& lens) {
   const auto onBoard = *markerOnBoard(pattern, marker.id);
-  std::vector<Sighting> result;
+  std::vector<SeenPoint> result;
   for (std::size_t i = 0; i < 4; ++i) {
     result.push_back({onBoard[i], lens.withoutDistortion(marker.corners[i]), markerWeight});
   }
@@ -28,7 +28,7 @@ std::vector<Sighting> sightings(const Marker& marker, const CharucoPattern& patt
 MarkerAgreement markerAgreement(const std::vector<Marker>& markers, const CharucoPattern& pattern, const Lens& lens) {
   std::vector<cv::Point2d> onBoard, seenAt;
   for (const Marker& marker : markers) {
-    for (const Sighting& corner : sightings(marker, pattern, lens)) {
+    for (const SeenPoint& corner : sightings(marker, pattern, lens)) {
       onBoard.emplace_back(corner.onBoard.x(), corner.onBoard.y());
       seenAt.emplace_back(corner.seenAt.x(), corner.seenAt.y());
     }
@@ -45,7 +45,7 @@ MarkerAgreement markerAgreement(const std::vector<Marker>& markers, const Charuc
     const auto corners = sightings(marker, pattern, lens);
     const double side = (marker.corners[0] - marker.corners[2]).norm() / std::sqrt(2);
     const double tolerance = std::max(leastTolerance, toleranceInSides * side);
-    const bool agrees = std::all_of(corners.begin(), corners.end(), [&](const Sighting& corner) {
+    const bool agrees = std::all_of(corners.begin(), corners.end(), [&](const SeenPoint& corner) {
       return ((homography * corner.onBoard.homogeneous()).hnormalized() - corner.seenAt).norm() <= tolerance;
     });
     (agrees ? result.agreeing : result.others).push_back(marker);

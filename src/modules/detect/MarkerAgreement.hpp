@@ -12,7 +12,7 @@ namespace naocal {
 /// Markers that lie in the picture as one flat board's do, and those of the same board that do not.
 struct MarkerAgreement {
   std::vector<Marker> agreeing, others;
-  std::vector<Sighting> corners; // of the agreeing ones
+  std::vector<SeenPoint> corners; // of the agreeing ones
 };
 
 /// The largest group of a board's markers that one homography maps onto the pattern, each corner within 3 px (or a

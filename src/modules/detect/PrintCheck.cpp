@@ -35,7 +35,7 @@ Eigen::ArrayXd seenCells(const SmoothPicture& picture, const Lens& lens, const E
 
 double printLikeness(const SmoothPicture& picture, const Lens& lens, const CharucoPattern& pattern,
                      const std::map<int, Eigen::Vector2d>& corners) {
-  std::vector<Sighting> sightings;
+  std::vector<SeenPoint> sightings;
   for (const auto& [id, place] : corners) {
     sightings.push_back({cornerOnBoard(pattern, id), lens.withoutDistortion(place), 1});
   }
@@ -44,7 +44,7 @@ double printLikeness(const SmoothPicture& picture, const Lens& lens, const Charu
     const auto marker = *markerOnBoard(pattern, id);
     const Eigen::Vector2d centre = (marker[0] + marker[2]) / 2;
     const bool near = std::any_of(sightings.begin(), sightings.end(),
-                                  [&](const Sighting& corner) { return (corner.onBoard - centre).norm() <= beside; });
+                                  [&](const SeenPoint& corner) { return (corner.onBoard - centre).norm() <= beside; });
     if (!near) {
       continue;
     }
