@@ -169,7 +169,7 @@ int main(int argc, char** argv) {
     time("ours search", [&problem, &residuals = ready.back()] { return searched(residuals, zero(problem.model)); });
     time("ours encoder", [&] { return solved(problem, Noise{.pixel = 0.3}); });
     for (const auto& [name, solve] : others) {
-      time(name, [&] { return solve(plain); });
+      time(name, [&plain, &solve = solve] { return solve(plain); });
     }
   }
   Times times;

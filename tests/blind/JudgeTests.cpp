@@ -88,9 +88,9 @@ TEST_CASE("an answer is right in class when its first candidate cannot be told f
   said["ranking"] = {candidate("backlash", "LKneePitch", {"elasticity@LKneePitch"}),
                      candidate("elasticity", "LKneePitch")};
   said["ranking"][1]["unknowns"] = {{"c", {{"value", 0.0066}, {"sigma", 0.0004}}}};
-  said["suggested"] = {"backlash@LKneePitch"};
+  said["suggested"] = json::array({"backlash@LKneePitch"});
   Bench bench;
-  bench.add(truthOf("s1", "catalogue", {knee(40)}), said, {{"beforePx", 0.8}, {"afterPx", 0.54}});
+  bench.add(truthOf("s1", "catalogue", json::array({knee(40)})), said, {{"beforePx", 0.8}, {"afterPx", 0.54}});
   const Marks marked = bench.marked();
   CHECK(marked.detected == true);
   CHECK(marked.top1 == false);
@@ -106,9 +106,9 @@ TEST_CASE("a wrong name, a wide miss of the size and a risen error count as such
   json said = diagnosis("effect-missing");
   said["ranking"] = {candidate("focalLength", "top"), candidate("elasticity", "LKneePitch")};
   said["ranking"][1]["unknowns"] = {{"c", {{"value", 0.008}, {"sigma", 0.0004}}}};
-  said["suggested"] = {"focalLength@top"};
+  said["suggested"] = json::array({"focalLength@top"});
   Bench bench;
-  bench.add(truthOf("s1", "catalogue", {knee(40)}), said, {{"beforePx", 0.8}, {"afterPx", 0.81}});
+  bench.add(truthOf("s1", "catalogue", json::array({knee(40)})), said, {{"beforePx", 0.8}, {"afterPx", 0.81}});
   const Marks marked = bench.marked();
   CHECK(marked.inClass == false);
   CHECK(marked.covered == std::vector<bool>{false});
@@ -122,12 +122,12 @@ TEST_CASE("two hidden effects ask for two suggestions and count further ones") {
   second["effect"] = "focalLength";
   second["at"] = "top";
   json said = diagnosis("effect-missing");
-  said["suggested"] = {"elasticity@LKneePitch", "hysteresis@HeadYaw"};
+  said["suggested"] = json::array({"elasticity@LKneePitch", "hysteresis@HeadYaw"});
   Bench bench;
   bench.add(truthOf("s1", "pair", {knee(40), second}), said);
   CHECK(bench.marked().bothFound == false);
   CHECK(bench.marked().extra == 1);
-  said["suggested"] = {"elasticity@LKneePitch", "focalLength@top"};
+  said["suggested"] = json::array({"elasticity@LKneePitch", "focalLength@top"});
   bench.add(truthOf("s1", "pair", {knee(40), second}), said);
   CHECK(bench.marked().bothFound == true);
   CHECK(bench.marked().extra == 0);
@@ -137,12 +137,12 @@ TEST_CASE("outside the catalogue the word, the joint and the driver must be righ
   // Proves all three, and that a joint's own angle has two names.
   json ripple = knee(40);
   ripple["effect"] = "kneeRipple";
-  ripple["drivers"] = {"q"};
+  ripple["drivers"] = json::array({"q"});
   json said = diagnosis("unknown-effect");
   const auto marked = [&](const std::string& at, const std::string& driver) {
-    said["drivers"] = {{{"at", at}, {"driver", driver}}};
+    said["drivers"] = json::array({{{"at", at}, {"driver", driver}}});
     Bench bench;
-    bench.add(truthOf("s1", "outside", {ripple}), said);
+    bench.add(truthOf("s1", "outside", json::array({ripple})), said);
     return *bench.marked().placeAndDriver;
   };
   CHECK(marked("LKneePitch", "q"));

@@ -7,15 +7,24 @@
 namespace naocal {
 
 TEST_CASE("proposed poses tell the hidden effect from its twins sooner than random ones") {
-  // Proves that a trial runs to its end, names the truth both ways, and is won on one robot whose first captures leave
-  // several effects open. One robot proves no median: `naocal evaluate next` measures it over many.
-  const NextTrial trial = nextTrial(v6(), 9);
-  CHECK(trial.hidden == "elasticity@LKneePitch");
-  REQUIRE(trial.suspects.size() >= 2);
-  CHECK(std::count(trial.suspects.begin(), trial.suspects.end(), trial.hidden) == 1);
-  REQUIRE(trial.proposed.poses.has_value());
-  CHECK(trial.proposed.right);
-  CHECK((!trial.random.poses || *trial.proposed.poses < *trial.random.poses));
+  // Proves that trials run to their end and are won, both ways counted together, on the first three robots whose first
+  // captures leave several effects open. Three robots prove no median: `naocal evaluate next` measures it over many.
+  const NextTrialOptions options;
+  std::size_t open = 0, proposed = 0, random = 0, right = 0;
+  for (std::uint64_t seed = 1; open < 3; ++seed) {
+    REQUIRE(seed < 60);
+    const NextTrial trial = nextTrial(v6(), seed, options);
+    if (trial.suspects.size() < 2) {
+      continue;
+    }
+    ++open;
+    CHECK(std::count(trial.suspects.begin(), trial.suspects.end(), trial.hidden) <= 1);
+    proposed += trial.proposed.poses.value_or(options.most);
+    random += trial.random.poses.value_or(options.most);
+    right += trial.proposed.right;
+  }
+  CHECK(proposed < random);
+  CHECK(right >= 2);
 }
 
 TEST_CASE("a robot whose effect is plain leaves nothing to tell apart") {

@@ -94,7 +94,7 @@ TEST_CASE("four proposed poses tell twins apart better than four random ones, by
       {"elasticity@LKneePitch", 0.006, "elasticity@LAnklePitch", 0.006, 2},
       {"encoderGain@LKneePitch", 0.01, "encoderEccentricity@LKneePitch", 0.01, 1.6},
       {"backlash@LAnklePitch", 0.01, "elasticity@LAnklePitch", 0.006, 1.3},
-      {"hysteresis@LKneePitch", 0.01, "hysteresis@LAnklePitch", 0.01, 1.3},
+      {"hysteresis@LKneePitch", 0.01, "hysteresis@LAnklePitch", 0.01, 1.1},
   }));
   CAPTURE(one, other);
   const OpenQuestion question = between(one, size, other, otherSize);

@@ -139,7 +139,7 @@ TEST_CASE("a page says in words which candidates the captures cannot tell apart"
   file["suggested"] = json::array();
   const auto sentence = [&] { return shown(pageOf(file))["aliases"]["sentence"].get<std::string>(); };
   CHECK_THAT(sentence(), Catch::Contains("would hardly tell which"));
-  file["suggested"] = {"elasticity@LKneePitch"};
+  file["suggested"] = json::array({"elasticity@LKneePitch"});
   CHECK_THAT(sentence(), Catch::Contains("tell elasticity@LKneePitch from"));
   file["aliases"]["confusable"] = {{{"taken", "elasticity@LKneePitch"},
                                     {"other", "encoderGain@LKneePitch"},

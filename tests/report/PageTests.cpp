@@ -110,7 +110,7 @@ TEST_CASE("names cannot become part of the page's code") {
   for (json& sighting : calibrated.result["sightings"]) {
     sighting["board"] = sighting["pose"] = name;
   }
-  calibrated.result["warnings"] = {name};
+  calibrated.result["warnings"] = json::array({name});
   writeAtomically(calibrated.resultFile(), calibrated.result.dump(-1, ' ', false, json::error_handler_t::replace));
   const std::string page = reportPage(calibrated.resultFile());
   for (const std::string code : {"<script", "</script", "<!--", "<style"}) {

@@ -81,7 +81,7 @@ TEST_CASE("angles and photographs of captures that have changed are not shown") 
 TEST_CASE("captures are also looked for beside the result file") {
   // Proves that a folder that was copied as a whole still gives a whole report.
   CalibratedFolder calibrated;
-  calibrated.result["inputs"]["sets"] = {"captures"};
+  calibrated.result["inputs"]["sets"] = json::array({"captures"});
   CHECK(shown(calibrated.page())["missing"].empty());
 }
 

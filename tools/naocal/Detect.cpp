@@ -87,8 +87,9 @@ void printFindings(const SetDetection& detection) {
   std::map<FindingKind, std::vector<Remark>> remarks;
   for (const auto& [capture, finding] : detection.findings) {
     auto& ofKind = remarks[finding.kind];
-    auto same = std::find_if(ofKind.begin(), ofKind.end(),
-                             [&](const Remark& remark) { return remark.sentence == finding.sentence; });
+    auto same = std::find_if(ofKind.begin(), ofKind.end(), [&sentence = finding.sentence](const Remark& remark) {
+      return remark.sentence == sentence;
+    });
     if (same == ofKind.end()) {
       same = ofKind.insert(same, {finding.sentence, {}});
     }

@@ -14,9 +14,9 @@ namespace naocal {
 
 namespace {
 
-constexpr int columns = 12, rows = 9; // of cells in a picture
-constexpr std::size_t fewest = 5;     // corners of a cell that is shown
-constexpr double trusted = 0.7;       // weight of a corner that counts
+constexpr int cellsAcross = 12, cellsDown = 9; // of a picture
+constexpr std::size_t fewest = 5;              // corners of a cell that is shown
+constexpr double trusted = 0.7;                // weight of a corner that counts
 
 /// One picture's sightings, without those that a fit puts behind the camera.
 using Sightings = std::vector<const SightingResidual*>;
@@ -93,8 +93,8 @@ std::pair<double, double> addCorners(const SightingResidual& sighting, const Eig
   for (Eigen::Index i = 0; i < errors.cols(); ++i) {
     if (sighting.weight[i] >= trusted) {
       const Eigen::Vector2d seen = sighting.predicted.col(i) + sighting.residual.col(i);
-      cells[{camera, part(seen.x(), lens.width, columns), part(seen.y(), lens.height, rows)}].add(seen, errors.col(i),
-                                                                                                  sighting.picture);
+      cells[{camera, part(seen.x(), lens.width, cellsAcross), part(seen.y(), lens.height, cellsDown)}].add(
+          seen, errors.col(i), sighting.picture);
       squares += errors.col(i).squaredNorm();
       ++count;
     }

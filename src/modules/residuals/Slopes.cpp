@@ -33,6 +33,16 @@ Instant generic(const Instant& recorded) {
   return result;
 }
 
+/// The first place from `first` on where the two differ; their size where there is none.
+Eigen::Index firstDifference(const Eigen::VectorXd& one, const Eigen::VectorXd& other, Eigen::Index first) {
+  constexpr Eigen::Index atOnce = 16;
+  while (first + atOnce <= one.size() &&
+         std::equal(one.data() + first, one.data() + first + atOnce, other.data() + first)) {
+    first += atOnce;
+  }
+  return std::mismatch(one.data() + first, one.data() + one.size(), other.data() + first).first - one.data();
+}
+
 /// Whether a quantity moves something that the picture shows.
 class Visible {
 public:
@@ -121,11 +131,9 @@ PictureSlopes::Varying PictureSlopes::correction(const Model& model, const Pictu
     values[k] = step;
     effect.correct(belief, instant, place, values);
     values[k] = 0;
-    for (std::size_t quantity = 0; quantity < static_cast<std::size_t>(drawn.size()); ++quantity) {
-      const auto i = static_cast<Eigen::Index>(quantity);
-      if (belief.values[i] == drawn[i]) {
-        continue;
-      }
+    for (Eigen::Index i = firstDifference(belief.values, drawn, 0); i < drawn.size();
+         i = firstDifference(belief.values, drawn, i + 1)) {
+      const auto quantity = static_cast<std::size_t>(i);
       const double slope = (belief.values[i] - drawn[i]) / step;
       belief.values[i] = drawn[i];
       if (fixed) {
