@@ -17,6 +17,7 @@ void addExplore(CLI::App& app);
 void addReport(CLI::App& app);
 void addDemo(CLI::App& app, int& exitCode);
 void addEvaluate(CLI::App& app);
-void addEvaluateNext(CLI::App& evaluate); // one more way to evaluate
+void addEvaluateNext(CLI::App& evaluate); // further ways to evaluate
+void addEvaluateThesis(CLI::App& evaluate);
 
 } // namespace naocal

@@ -1,6 +1,8 @@
 #include "BlindRun.hpp"
 #include "Commands.hpp"
+#include "EvaluateThesis.hpp"
 #include "Progress.hpp"
+#include "Shard.hpp"
 
 #include "captures/InputError.hpp"
 
@@ -21,15 +23,6 @@ struct EvaluateCommand {
   bool full = false;
   std::vector<std::string> shards;
 };
-
-/// "2/8": the third of eight parts.
-std::pair<std::size_t, std::size_t> readShard(const std::string& text) {
-  std::size_t part = 0, parts = 0;
-  if (std::sscanf(text.c_str(), "%zu/%zu", &part, &parts) != 2 || part >= parts) {
-    throw InputError{fmt::format("--shard: expected i/n with i from 0 to n - 1, found \"{}\"", text)};
-  }
-  return {part, parts};
-}
 
 /// Asks all sets that have no answer yet, several at a time.
 void askAll(const BlindRun& run, const std::vector<std::size_t>& numbers, unsigned jobs) {
@@ -87,9 +80,17 @@ void evaluateEffects(EvaluateCommand command) {
   judgeBlindly(command.out, command.json, command.page);
 }
 
-/// Brings seals, truths and answers of all shards into one folder and judges them.
+/// Brings seals, truths and answers of all shards into one folder and judges them; files are of the thesis's
+/// evaluation.
 void mergeShards(const EvaluateCommand& command) {
   namespace files = std::filesystem;
+  if (files::is_regular_file(command.shards.front())) {
+    mergeThesis(command.shards, command.json);
+    return;
+  }
+  if (command.out.empty()) {
+    throw InputError{"--out: expected the folder that gets all shards of 'naocal evaluate effects', found none"};
+  }
   for (const std::string& shard : command.shards) {
     for (const char* folder : {"manifest", "truth", "answers"}) {
       if (!files::is_directory(files::path{shard} / folder)) {
@@ -140,12 +141,17 @@ void addEvaluate(CLI::App& app) {
 
   auto merged = std::make_shared<EvaluateCommand>();
   CLI::App* merge = evaluate->add_subcommand("merge", "judges the shards of an evaluation together");
-  merge->footer("Example: naocal evaluate merge --out /tmp/all shard0 shard1 --json evaluation.json");
-  merge->add_option("SHARDS", merged->shards, "folders of 'naocal evaluate effects'")->required();
-  merge->add_option("--out", merged->out, "the folder that gets all of them")->required();
+  merge->footer("Example: naocal evaluate merge --out /tmp/all shard0 shard1 --json evaluation.json\n"
+                "         naocal evaluate merge part0.json part1.json --json evaluation.json");
+  merge
+      ->add_option("SHARDS", merged->shards,
+                   "folders of 'naocal evaluate effects', or files of 'naocal evaluate thesis'")
+      ->required();
+  merge->add_option("--out", merged->out, "the folder that gets all of them, where they are folders");
   addReports(*merge, *merged);
   merge->callback([merged] { mergeShards(*merged); });
   addEvaluateNext(*evaluate);
+  addEvaluateThesis(*evaluate);
 }
 
 } // namespace naocal

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace naocal {
+
+/// What the cameras look at: a grid of floor points seen by correspondence, or four ChArUco boards on the floor.
+enum class ThesisFeature { grid, boards };
+
+/// What is noisy: corners, the angles that the robot reports, or both.
+enum class ThesisNoise { none, pixel, joint, both };
+
+/// Readings of the thesis's joint noise, whose unit it does not state: sigma 0.007 rad or 0.007 degrees before the
+/// 12-bit encoder rounds (4.1); and the real encoder's, whose readings flip between two steps at rest.
+enum class AngleNoise { radians, degrees, encoder };
+
+/// Plain Levenberg-Marquardt on pixels, all alike, from zero; the best of it from random starts; and ours: corners
+/// weighed with the readings' noise marginalised, offsets with their prior.
+enum class ThesisSolver { plain, randomStarts, ours };
+
+/// Everything that decides about an error set but its number.
+struct ThesisSetting {
+  ThesisFeature feature = ThesisFeature::boards;
+  std::size_t poses = 3;
+  ThesisNoise noise = ThesisNoise::none;
+  AngleNoise jointNoise = AngleNoise::radians; // where the noise is of joints
+  std::size_t samples = 1;                     // per pose, each with readings of its own
+  bool largeErrors = false;                    // of 1 to 6.5 degrees instead of 0 to 6.5, either sign
+
+  auto key() const { return std::tuple{feature, poses, noise, jointNoise, samples, largeErrors}; }
+  bool operator==(const ThesisSetting& other) const { return key() == other.key(); }
+  bool operator<(const ThesisSetting& other) const { return key() < other.key(); }
+
+  bool pixelNoise() const { return noise == ThesisNoise::pixel || noise == ThesisNoise::both; }
+  bool angleNoise() const { return noise == ThesisNoise::joint || noise == ThesisNoise::both; }
+  /// "boards, 3 poses, both (0.007rad), 3 samples"
+  std::string name() const;
+};
+
+/// A figure of the thesis's tables 5.5 to 5.8. Joint noise makes three cells of one figure: one per reading.
+struct ThesisCell {
+  std::string table; // "5.8"
+  ThesisSetting setting;
+  ThesisSolver solver = ThesisSolver::plain; // the thesis's in this table
+  double published = 0;                      // success [1]
+};
+
+/// All cells, by table. Table 5.5 is printed without its feature and poses: its 13 % of failures are the grid's 3 poses
+/// of table 5.6.
+std::vector<ThesisCell> thesisCells();
+
+/// The settings of all cells, each once, and which solvers they are for: ours and plain for all.
+std::vector<std::pair<ThesisSetting, std::vector<ThesisSolver>>> thesisSettings();
+
+/// As in evaluation files.
+std::string_view word(ThesisFeature feature);
+std::string_view word(ThesisNoise noise);
+std::string_view word(AngleNoise noise);
+std::string_view word(ThesisSolver solver);
+
+} // namespace naocal

@@ -1,0 +1,135 @@
+#include "evaluate/ThesisStage.hpp"
+
+#include "evaluate/ThesisScenery.hpp"
+#include "geometry/Index.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <numeric>
+
+namespace naocal {
+
+namespace {
+
+/// Captures of the poses, in each of which everything is to be seen.
+CaptureSet unseenCaptures(const Robot& robot, const ThesisScenery& scenery, const std::vector<Eigen::VectorXd>& poses,
+                          std::size_t samples) {
+  CaptureSet set{.name = "thesis", .model = robot.model, .cameras = scenery.cameras, .boards = scenery.targets};
+  set.stances = {{0, SupportFoot::left, Placement{}}};
+  for (const Joint& joint : robot.joints) {
+    set.jointNames.push_back(joint.name);
+  }
+  std::vector<BoardCorners> all;
+  for (const Board& board : scenery.targets) {
+    BoardCorners& corners = all.emplace_back(BoardCorners{board.id, std::vector<int>(board.points.size()), {}});
+    std::iota(corners.ids.begin(), corners.ids.end(), 0);
+    corners.uv.assign(board.points.size(), Eigen::Vector2d::Zero());
+  }
+  for (std::size_t pose = 0; pose < poses.size(); ++pose) {
+    for (std::size_t sample = 0; sample < samples; ++sample) {
+      for (const auto& [camera, lens] : scenery.cameras) {
+        Capture& capture = set.captures.emplace_back();
+        capture.id = static_cast<int>(set.captures.size());
+        capture.pose = fmt::format("P{:04}", pose);
+        capture.repeat = static_cast<int>(sample);
+        capture.repeatKind = RepeatKind::reapproach; // so that each sample's readings have errors of their own
+        capture.camera = camera;
+        capture.joints.measured.assign(poses[pose].begin(), poses[pose].end());
+        capture.corners = all;
+      }
+    }
+  }
+  return set;
+}
+
+/// The corner blocks of those corners of a target that are in sight.
+Sighting inSight(const Sighting& all, const Board& target, const Attitude& attitude, const ProjectedBlocks& projected,
+                 const CameraIntrinsics& lens, const SightLimits& limits) {
+  const double height = attitude.opticalFromBoard.inverse().translation.z(); // of the camera over the floor
+  BoardCorners seen{target.id, {}, {}};
+  for (std::size_t i = 0; i < all.ids.size(); ++i) {
+    const double u = projected[i / 4].u[i % 4], v = projected[i / 4].v[i % 4];
+    if (u < limits.border || u > lens.width - 1 - limits.border || v < limits.border ||
+        v > lens.height - 1 - limits.border) {
+      continue;
+    }
+    const double distance = (attitude.opticalFromBoard * target.points[i]).norm();
+    if (distance >= limits.nearest && distance <= limits.farthest && height >= distance * std::sin(limits.grazing)) {
+      seen.ids.push_back(static_cast<int>(i));
+      seen.uv.emplace_back(u, v);
+    }
+  }
+  return {all.view, seen.ids.size() < limits.corners ? CornerBlocks{} : cornerBlocks(target, seen), seen.ids};
+}
+
+} // namespace
+
+ThesisStage::ThesisStage(const Robot& robot, ThesisFeature feature, const std::vector<Eigen::VectorXd>& poses,
+                         std::size_t samples)
+    : scenery_{thesisScenery(feature)}, everything_{
+                                            measurementsOf({unseenCaptures(robot, scenery_, poses, samples)}, robot)} {}
+
+/// Fills `seen` with what its camera shows when the stage's joints truly are at these angles.
+void ThesisStage::look(const Picture& all, const Eigen::VectorXd& angles, Picture& seen) const {
+  thread_local Posture torsoFromLink;
+  thread_local ProjectedBlocks projected;
+  const Robot& robot = everything_.robot;
+  Belief truth = all.drawn;
+  for (std::size_t i = 0; i < joints().size(); ++i) {
+    truth.angle(joints()[i]) = angles[at(i)];
+  }
+  posture(robot, truth, all.sightings.front().view.links(), torsoFromLink);
+  Attitude attitude = all.sightings.front().view.pathAttitude(robot, truth, torsoFromLink);
+  const CameraIntrinsics& lens = scenery_.cameras.at(robot.cameras[all.camera].name);
+  seen.sightings.clear();
+  for (const Sighting& sighting : all.sightings) {
+    sighting.view.placeBoard(placed(truth.boardPlacement(sighting.view.board())), attitude);
+    if (!sighting.view.project(attitude, truth, sighting.corners, projected)) {
+      continue;
+    }
+    Sighting shown =
+        inSight(sighting, everything_.targets[sighting.view.board()].board, attitude, projected, lens, scenery_.limits);
+    if (!shown.corners.empty()) {
+      seen.sightings.push_back(std::move(shown));
+    }
+  }
+}
+
+void ThesisStage::take(const Eigen::VectorXd& offsets, const std::function<AngleReading(double)>& read, double pixel,
+                       Randomness& chance, Measurements& taken) const {
+  Eigen::VectorXd angles{offsets.size()};
+  for (const PoseGroup& pose : everything_.poses) {
+    for (const Reading& each : pose.readings) {
+      const Belief& commanded = everything_.pictures[each.pictures.front()].drawn;
+      for (std::size_t i = 0; i < joints().size(); ++i) {
+        const AngleReading reading = read(commanded.angle(joints()[i]));
+        angles[at(i)] = reading.raw - offsets[at(i)];
+        for (const std::size_t index : each.pictures) {
+          Picture& picture = taken.pictures[index];
+          picture.drawn.angle(joints()[i]) = picture.instant.q[at(joints()[i])] = reading.reported;
+        }
+      }
+      for (const std::size_t index : each.pictures) {
+        look(everything_.pictures[index], angles, taken.pictures[index]);
+      }
+    }
+  }
+  for (Picture& picture : taken.pictures) {
+    for (Sighting& sighting : picture.sightings) {
+      for (CornerBlock& block : sighting.corners) {
+        for (int i = 0; pixel > 0 && i < 4; ++i) {
+          block.u[i] += chance.normal(pixel);
+          block.v[i] += chance.normal(pixel);
+        }
+      }
+    }
+  }
+}
+
+Model offsetModel(const ThesisStage& stage, double sigma) {
+  Effect offset = jointOffset();
+  offset.unknowns.front().sigma = sigma;
+  return makeModel(stage.everything(), {}, {}, {offset});
+}
+
+} // namespace naocal

@@ -1,0 +1,165 @@
+#include "evaluate/ThesisTrial.hpp"
+
+#include "geometry/Index.hpp"
+#include "solve/LevenbergMarquardt.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace naocal {
+
+namespace {
+
+const double range = radians(6.5), least = radians(1); // of errors [rad]
+
+/// Flat over the search: ten radians of freedom per offset.
+constexpr double noPrior = 10;
+constexpr Noise onePixel{.pixel = 1, .encoder = 0, .pose = 0};
+
+/// Before rounding [rad].
+double angleSigma(AngleNoise noise) {
+  return noise == AngleNoise::radians ? 0.007 : noise == AngleNoise::degrees ? radians(0.007) : 0;
+}
+
+double numbersOf(const Residuals::Linear& linear) {
+  double sum = 0;
+  for (const PoseSystem& pose : linear.poses) {
+    sum += pose.numbers;
+  }
+  return sum;
+}
+
+} // namespace
+
+/// Where a search ended.
+struct ThesisTrial::Search {
+  bool ended = false; // by itself, in a possible state
+  Eigen::VectorXd offsets;
+  double cost = std::numeric_limits<double>::infinity();
+  bool better(const Search& other) const { return ended && (!other.ended || cost < other.cost); }
+};
+
+ThesisStatus ThesisAnswer::status(double tolerance) const {
+  return !solved                    ? ThesisStatus::solverFailure
+         : rms > rmsTolerance       ? ThesisStatus::noConvergence
+         : largestError > tolerance ? ThesisStatus::localMinimum
+                                    : ThesisStatus::success;
+}
+
+Noise thesisNoise(const ThesisSetting& setting, double pixel) {
+  const double noPixelNoise = setting.angleNoise() ? 0.03 : 0.01;                                       // [px]
+  const double rounding = encoderStep * (setting.jointNoise == AngleNoise::encoder ? 1 / std::sqrt(6.0) // and dither
+                                                                                   : 1 / std::sqrt(12.0));
+  return {.pixel = setting.pixelNoise() ? pixel : noPixelNoise,
+          .encoder = setting.angleNoise() ? std::hypot(angleSigma(setting.jointNoise), rounding) : 0,
+          .pose = 0};
+}
+
+AngleReading angleReading(double commanded, const ThesisSetting& setting, Randomness& chance) {
+  if (!setting.angleNoise()) {
+    return {commanded, commanded};
+  }
+  const double raw = commanded + chance.within(encoderStep / 2);
+  const bool dithered = setting.jointNoise == AngleNoise::encoder;
+  const double noise = dithered ? chance.within(encoderStep / 2) : chance.normal(angleSigma(setting.jointNoise));
+  return {raw, encoderStep * std::round((raw + noise) / encoderStep)};
+}
+
+ThesisTrial::ThesisTrial(const ThesisStage& stage, const ThesisSetting& setting, double pixel)
+    : stage_{stage}, setting_{setting}, noise_{thesisNoise(setting, pixel)}, plainModel_{offsetModel(stage, noPrior)},
+      ourModel_{offsetModel(stage, range / std::sqrt(3.0))}, taken_{stage.everything()} {}
+
+void ThesisTrial::draw(std::uint64_t seed, std::size_t number) {
+  const std::string set = fmt::format("thesis set {}", number);
+  Randomness errors{seed, set}, measuring{seed, set + ", measured"};
+  offsets_.resize(at(stage_.joints().size()));
+  for (double& offset : offsets_) {
+    do {
+      offset = errors.within(range);
+    } while (setting_.largeErrors && std::abs(offset) < least);
+  }
+  const double pixel = setting_.pixelNoise() ? noise_.pixel : 0;
+  stage_.take(
+      offsets_, [&](double angle) { return angleReading(angle, setting_, measuring); }, pixel, measuring, taken_);
+  pixels_.emplace(taken_, plainModel_, onePixel);
+  whitened_.emplace(taken_, ourModel_, noise_);
+  const auto atTruth = pixels_->linearised(pixels_->start(offsets_));
+  numbers_ = atTruth ? numbersOf(*atTruth) : 0;
+  rmsAtTruth_ = atTruth ? std::sqrt(2 * atTruth->cost / numbers_) : 0;
+  starts_.emplace(seed, set + ", starts");
+  limits_.emplace(seed, set + ", limit");
+}
+
+Eigen::VectorXd ThesisTrial::randomStart() {
+  Eigen::VectorXd start{offsets_.size()};
+  for (double& offset : start) {
+    offset = starts_->within(range);
+  }
+  return start;
+}
+
+ThesisTrial::Search ThesisTrial::search(const Residuals& residuals, const Eigen::VectorXd& start) {
+  auto minimum = levenbergMarquardt(residuals, residuals.start(start));
+  return minimum ? Search{minimum->converged, std::move(minimum->state.unknowns), minimum->linear.cost} : Search{};
+}
+
+/// The best of searches from zero and at random, until three have ended in it; at most fifty (the thesis's number).
+ThesisTrial::Search ThesisTrial::fromRandomStarts() {
+  constexpr int most = 50, enough = 3;
+  Search best = search(*pixels_, Eigen::VectorXd::Zero(offsets_.size()));
+  for (int tries = 1, same = best.ended ? 1 : 0; tries < most && same < enough; ++tries) {
+    Search next = search(*pixels_, randomStart());
+    if (next.ended && std::abs(next.cost - best.cost) <= 1e-6 * (1 + best.cost)) {
+      ++same;
+    } else if (next.better(best)) {
+      best = std::move(next);
+      same = 1;
+    }
+  }
+  return best;
+}
+
+/// From zero; from random starts as well as long as what is left is more than the noise explains (five sigmas of chi2).
+ThesisTrial::Search ThesisTrial::ours() {
+  constexpr int most = 20;
+  Search best = search(*whitened_, Eigen::VectorXd::Zero(offsets_.size()));
+  const double explained = 0.5 * (numbers_ + 5 * std::sqrt(2 * numbers_));
+  for (int tries = 1; tries < most && !(best.ended && best.cost < explained); ++tries) {
+    if (Search next = search(*whitened_, randomStart()); next.better(best)) {
+      best = std::move(next);
+    }
+  }
+  return best;
+}
+
+ThesisAnswer ThesisTrial::answer(ThesisSolver solver) {
+  const Search found = solver == ThesisSolver::ours ? ours()
+                       : solver == ThesisSolver::randomStarts
+                           ? fromRandomStarts()
+                           : search(*pixels_, Eigen::VectorXd::Zero(offsets_.size()));
+  const auto there = found.ended ? pixels_->linearised(pixels_->start(found.offsets)) : std::nullopt;
+  if (!there) {
+    return {};
+  }
+  return {true, std::sqrt(2 * there->cost / numbers_), 2 * rmsAtTruth_ + 1,
+          (found.offsets - offsets_).cwiseAbs().maxCoeff()};
+}
+
+std::vector<double> ThesisTrial::limit(std::size_t draws) {
+  std::vector<double> result(draws, 0);
+  if (setting_.noise == ThesisNoise::none) {
+    return result;
+  }
+  const Eigen::LLT<Eigen::MatrixXd> root{whitened_->linearised(whitened_->start(offsets_))->hessian};
+  for (double& largest : result) {
+    Eigen::VectorXd error{offsets_.size()};
+    for (double& number : error) {
+      number = limits_->normal(1);
+    }
+    largest = root.matrixU().solve(error).cwiseAbs().maxCoeff();
+  }
+  return result;
+}
+
+} // namespace naocal

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "evaluate/ThesisStage.hpp"
+
+#include <cstdint>
+
+namespace naocal {
+
+/// How a calibration ended (algorithms 2 to 4), tested in this order.
+enum class ThesisStatus { solverFailure, noConvergence, localMinimum, success };
+
+/// What a solver made of an error set.
+struct ThesisAnswer {
+  bool solved = false;                         // the solver ended by itself, in a possible state
+  double rms = 0;                              // of the corners at its offsets, per axis [px]
+  double rmsTolerance = 0;                     // twice what the true offsets leave, and a pixel [px]
+  double largestError = 0;                     // of a joint's offset [rad]
+  ThesisStatus status(double tolerance) const; // of each offset [rad]
+};
+
+/// The noise that a setting's measurements have and that our solver is told of. What is not noisy gets a little, so
+/// that the problem stays regular: 0.01 px, 0.03 px where angles are noisy.
+Noise thesisNoise(const ThesisSetting& setting, double pixel);
+
+/// A joint that was commanded to an angle comes to stand anywhere within a step of its encoder, which tells its angle
+/// with the setting's noise, rounded to 12 bits (4.1). Exact where the setting has no joint noise.
+AngleReading angleReading(double commanded, const ThesisSetting& setting, Randomness& chance);
+
+/// Error sets of one setting, one after the other: the same number gives the same offsets in all settings, and the same
+/// measurements for all solvers.
+class ThesisTrial {
+public:
+  /// `pixel`: corner noise where there is any [px].
+  ThesisTrial(const ThesisStage& stage, const ThesisSetting& setting, double pixel);
+
+  void draw(std::uint64_t seed, std::size_t number);
+  ThesisAnswer answer(ThesisSolver solver);
+
+  /// Largest offset errors [rad] that an efficient estimator would make on this set: draws of N(0, H^-1), H our
+  /// solver's information at the true offsets, its prior included (Cramer-Rao limit; zero without noise).
+  std::vector<double> limit(std::size_t draws);
+
+  const Measurements& taken() const { return taken_; }
+  const Eigen::VectorXd& offsets() const { return offsets_; } // the true ones, per joint of the stage [rad]
+  const Noise& noise() const { return noise_; }
+
+private:
+  struct Search;
+  static Search search(const Residuals& residuals, const Eigen::VectorXd& start);
+  Search fromRandomStarts();
+  Search ours();
+  Eigen::VectorXd randomStart();
+
+  const ThesisStage& stage_;
+  ThesisSetting setting_;
+  Noise noise_;
+  Model plainModel_, ourModel_;
+  Measurements taken_;
+  Eigen::VectorXd offsets_;
+  std::optional<Residuals> pixels_, whitened_; // plain least squares; our weights and priors
+  double numbers_ = 0;                         // measured: two per corner
+  double rmsAtTruth_ = 0;                      // [px]
+  std::optional<Randomness> starts_, limits_;
+};
+
+} // namespace naocal

@@ -1,0 +1,125 @@
+#include "ThesisStory.hpp"
+
+#include <cmath>
+#include <fmt/core.h>
+#include <map>
+#include <vector>
+
+namespace naocal {
+
+namespace {
+
+constexpr double withinPoints = 0.02; // of the limit
+
+/// Success of ours, of the thesis's solver here, its limit, and the thesis's own figure [%].
+std::string figures(const ThesisEvaluation& evaluation, const ThesisCell& cell, std::size_t tolerance) {
+  const ThesisTally* ours = evaluation.tally(cell.setting, ThesisSolver::ours);
+  const ThesisTally* theirs = evaluation.tally(cell.setting, cell.solver);
+  if (!ours || !theirs) {
+    return fmt::format("{:>26}", "not done");
+  }
+  return fmt::format("{:5.1f}  {:5.1f}  {:5.1f}  {:5.1f}", 100 * ours->successAt(tolerance),
+                     100 * theirs->successAt(tolerance), 100 * ours->limitAt(tolerance), 100 * cell.published);
+}
+
+std::string rowName(const ThesisCell& cell) {
+  const ThesisSetting& setting = cell.setting;
+  if (cell.table == "5.5") {
+    return fmt::format("{}, {}", setting.largeErrors ? "1..6.5 deg" : "6.5 deg", word(cell.solver));
+  }
+  return fmt::format("{}{}{}", word(setting.noise),
+                     setting.angleNoise() ? fmt::format(" {}", word(setting.jointNoise)) : "",
+                     setting.samples > 1 ? fmt::format(", {} samples", setting.samples) : "");
+}
+
+const char* title(const std::string& table) {
+  return table == "5.5"   ? "table 5.5: floor grid, no noise"
+         : table == "5.6" ? "table 5.6: floor grid, Levenberg-Marquardt"
+         : table == "5.7" ? "table 5.7: boards, Levenberg-Marquardt"
+                          : "table 5.8: boards, random starts";
+}
+
+/// One table: a row per noise, four figures per number of poses.
+void printTable(const ThesisEvaluation& evaluation, const std::string& table, std::size_t tolerance) {
+  std::vector<std::string> rows;
+  std::map<std::string, std::map<std::size_t, std::string>> cells;
+  std::map<std::size_t, bool> poses;
+  for (const ThesisCell& cell : thesisCells()) {
+    if (cell.table == table) {
+      const std::string row = rowName(cell);
+      if (!cells.contains(row)) {
+        rows.push_back(row);
+      }
+      cells[row][cell.setting.poses] = figures(evaluation, cell, tolerance);
+      poses[cell.setting.poses] = true;
+    }
+  }
+  fmt::print("\n{}\n{:28}", title(table), "");
+  for (const auto& [count, used] : poses) {
+    fmt::print("{:<28}", fmt::format("{} poses", count));
+  }
+  fmt::print("\n{:28}", "");
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    fmt::print("{:<28}", " ours     LM  limit thesis");
+  }
+  fmt::print("\n");
+  for (const std::string& row : rows) {
+    fmt::print("{:28}", row);
+    for (const auto& [count, text] : cells[row]) {
+      fmt::print("{:<28}", text);
+    }
+    fmt::print("\n");
+  }
+}
+
+void printSummary(const ThesisEvaluation& evaluation, std::size_t tolerance) {
+  std::size_t settings = 0, atLeastPlain = 0, nearLimit = 0, noiseless = 0, perfect = 0;
+  double worst = 1;
+  std::string worstName;
+  for (const auto& [setting, solvers] : thesisSettings()) {
+    const ThesisTally* ours = evaluation.tally(setting, ThesisSolver::ours);
+    const ThesisTally* plain = evaluation.tally(setting, ThesisSolver::plain);
+    if (!ours || !plain) {
+      continue;
+    }
+    ++settings;
+    atLeastPlain += ours->success[tolerance] >= plain->success[tolerance];
+    const double above = ours->successAt(tolerance) - ours->limitAt(tolerance);
+    nearLimit += above >= -withinPoints;
+    if (above < worst) {
+      worst = above;
+      worstName = setting.name();
+    }
+    if (setting.noise == ThesisNoise::none) {
+      ++noiseless;
+      perfect += ours->success[tolerance] == ours->sets;
+    }
+  }
+  if (settings == 0) {
+    return;
+  }
+  fmt::print(
+      "\nOf {} settings ours succeeds at least as often as plain Levenberg-Marquardt in {}, and in {} at most {:.0f} "
+      "points less often than the Cramer-Rao limit (worst: {:+.1f} points, {}). Without noise it never fails in "
+      "{} of {}.\n",
+      settings, atLeastPlain, nearLimit, 100 * withinPoints, 100 * worst, worstName, perfect, noiseless);
+  const ThesisReading best = bestReading(evaluation);
+  fmt::print("The thesis's own solvers, run here, come nearest to its figures with joint noise {} and a tolerance of "
+             "{:.1f} deg: {:.0f} points apart (root mean square over {} cells).\n",
+             word(best.jointNoise), toleranceDegrees(best.tolerance), 100 * best.difference, best.cells);
+}
+
+} // namespace
+
+void printThesisTables(const ThesisEvaluation& evaluation, double degrees) {
+  const auto tolerance = static_cast<std::size_t>(std::lround(degrees / toleranceDegrees(0))) - 1;
+  fmt::print("success in % with all 8 offsets within {:.1f} deg: ours, the thesis's solver with our derivatives (LM), "
+             "Cramer-Rao limit, thesis\n",
+             toleranceDegrees(tolerance));
+  for (const char* table : {"5.5", "5.6", "5.7", "5.8"}) {
+    printTable(evaluation, table, tolerance);
+  }
+  printSummary(evaluation, tolerance);
+}
+
+} // namespace naocal
