@@ -4,18 +4,14 @@
 #include "Progress.hpp"
 #include "Sets.hpp"
 #include "Shard.hpp"
+#include "ThesisRun.hpp"
 #include "ThesisStory.hpp"
 
 #include "captures/InputError.hpp"
-#include "evaluate/ThesisEvaluation.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <fmt/core.h>
-#include <map>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -30,115 +26,6 @@ struct ThesisCommand {
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
   bool resume = false;
 };
-
-/// What one worker finds, per solver.
-using Tallies = std::map<ThesisSolver, ThesisTally>;
-
-/// Error sets of one setting on all cores.
-class SettingRun {
-public:
-  SettingRun(const ThesisStage& stage, const ThesisSetting& setting, const std::vector<ThesisSolver>& solvers,
-             const ThesisEvaluation& evaluation)
-      : stage_{stage}, setting_{setting}, solvers_{solvers}, evaluation_{evaluation} {}
-
-  /// `told(count)` hears of sets that are done and says whether to go on. Absent: it said no.
-  template <typename Told> std::optional<Tallies> tallies(unsigned jobs, Told told) {
-    std::vector<std::thread> workers;
-    for (unsigned job = 0; job < jobs; ++job) {
-      workers.emplace_back([&] {
-        const Tallies own = work(told);
-        const std::lock_guard lock{adding_};
-        for (const auto& [solver, tally] : own) {
-          sum_[solver].add(tally);
-        }
-      });
-    }
-    for (std::thread& worker : workers) {
-      worker.join();
-    }
-    return stopped_ ? std::nullopt : std::optional{sum_};
-  }
-
-private:
-  template <typename Told> Tallies work(Told told) {
-    constexpr std::size_t atOnce = 50;
-    ThesisTrial trial{stage_, setting_, evaluation_.pixel};
-    Tallies own;
-    for (std::size_t first = next_.fetch_add(atOnce); first < evaluation_.sets && !stopped_;
-         first = next_.fetch_add(atOnce)) {
-      const std::size_t end = std::min(first + atOnce, evaluation_.sets);
-      for (std::size_t set = first; set < end; ++set) {
-        if (set % evaluation_.parts == evaluation_.done.front()) {
-          addSet(trial, set, own);
-        }
-      }
-      if (!told(end - first)) {
-        stopped_ = true;
-      }
-    }
-    return own;
-  }
-
-  void addSet(ThesisTrial& trial, std::size_t set, Tallies& own) const {
-    constexpr std::size_t draws = 10;
-    trial.draw(evaluation_.seed, set);
-    const std::vector<double> limit = trial.limit(draws);
-    for (const ThesisSolver solver : solvers_) {
-      const auto start = std::chrono::steady_clock::now();
-      const ThesisAnswer answer = trial.answer(solver);
-      own[solver].seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      own[solver].add(answer, limit);
-    }
-  }
-
-  const ThesisStage& stage_;
-  const ThesisSetting& setting_;
-  const std::vector<ThesisSolver>& solvers_;
-  const ThesisEvaluation& evaluation_;
-  std::atomic<std::size_t> next_ = 0;
-  std::atomic<bool> stopped_ = false;
-  std::mutex adding_;
-  Tallies sum_;
-};
-
-/// Runs all settings that the evaluation does not hold yet; keeps what is done after each.
-void runSettings(ThesisEvaluation& evaluation, unsigned jobs, const std::string& json) {
-  const Robot robot = loadRobot(configurationDirectory(), "V6");
-  const auto settings = thesisSettings();
-  std::map<ThesisFeature, std::vector<Eigen::VectorXd>> poses;
-  const Progress progress{"error sets"};
-  std::mutex telling;
-  std::size_t done = 0;
-  const auto told = [&](std::size_t sets) {
-    const std::lock_guard lock{telling};
-    return progress(done += sets, settings.size() * evaluation.sets);
-  };
-  for (const auto& [setting, solvers] : settings) {
-    if (std::all_of(solvers.begin(), solvers.end(),
-                    [&, &setting = setting](ThesisSolver solver) { return evaluation.tally(setting, solver); })) {
-      told(evaluation.sets);
-      continue;
-    }
-    std::vector<Eigen::VectorXd>& nested = poses[setting.feature];
-    if (nested.empty()) {
-      nested = thesisPoses(robot, setting.feature, 8);
-    }
-    const ThesisStage stage{robot,
-                            setting.feature,
-                            {nested.begin(), nested.begin() + static_cast<std::ptrdiff_t>(setting.poses)},
-                            setting.samples};
-    const auto tallies = SettingRun{stage, setting, solvers, evaluation}.tallies(jobs, told);
-    if (!tallies) {
-      return;
-    }
-    for (const auto& [solver, tally] : *tallies) {
-      evaluation.outcomes.push_back({setting, solver, tally});
-    }
-    if (!json.empty() && json != "-") {
-      writeJson(evaluationJson(evaluation), json);
-    }
-  }
-}
 
 /// Takes over what an interrupted run of the same evaluation kept.
 void resume(ThesisEvaluation& evaluation, const std::string& json) {
@@ -165,7 +52,11 @@ void evaluateThesis(ThesisCommand command) {
   if (command.resume) {
     resume(command.evaluation, command.json);
   }
-  runSettings(command.evaluation, command.jobs, command.json);
+  runThesis(command.evaluation, command.jobs, [&command] {
+    if (!command.json.empty() && command.json != "-") {
+      writeJson(evaluationJson(command.evaluation), command.json);
+    }
+  });
   if (Progress::interrupted()) {
     fmt::print(stderr, "stopped; what is done is kept{}\n",
                command.json.empty() ? "" : ", with --resume the same command goes on");

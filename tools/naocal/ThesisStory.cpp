@@ -103,10 +103,12 @@ void printSummary(const ThesisEvaluation& evaluation, std::size_t tolerance) {
       "points less often than the Cramer-Rao limit (worst: {:+.1f} points, {}). Without noise it never fails in "
       "{} of {}.\n",
       settings, atLeastPlain, nearLimit, 100 * withinPoints, 100 * worst, worstName, perfect, noiseless);
-  const ThesisReading best = bestReading(evaluation);
-  fmt::print("The thesis's own solvers, run here, come nearest to its figures with joint noise {} and a tolerance of "
-             "{:.1f} deg: {:.0f} points apart (root mean square over {} cells).\n",
-             word(best.jointNoise), toleranceDegrees(best.tolerance), 100 * best.difference, best.cells);
+  if (const auto best = bestReading(evaluation)) {
+    fmt::print("The thesis's own solvers, run here, come nearest to its figures with joint noise {} and a tolerance of "
+               "{:.1f} deg: {:.0f} points apart (root mean square over the {} cells with joint noise in which the "
+               "thesis had any success).\n",
+               word(best->jointNoise), toleranceDegrees(best->tolerance), 100 * best->difference, best->cells);
+  }
 }
 
 } // namespace

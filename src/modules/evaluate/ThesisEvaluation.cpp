@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
 namespace naocal {
 
@@ -47,21 +46,21 @@ ThesisEvaluation merged(const std::vector<ThesisEvaluation>& parts) {
   return result;
 }
 
-ThesisReading bestReading(const ThesisEvaluation& evaluation) {
-  ThesisReading best{.difference = std::numeric_limits<double>::infinity()};
+std::optional<ThesisReading> bestReading(const ThesisEvaluation& evaluation) {
+  std::optional<ThesisReading> best;
   for (const AngleNoise reading : {AngleNoise::radians, AngleNoise::degrees, AngleNoise::encoder}) {
     for (std::size_t tolerance = 0; tolerance < toleranceCount; ++tolerance) {
       double squares = 0;
       std::size_t cells = 0;
       for (const ThesisCell& cell : thesisCells()) {
         const ThesisTally* tally = evaluation.tally(cell.setting, cell.solver);
-        if (tally && (!cell.setting.angleNoise() || cell.setting.jointNoise == reading)) {
+        if (tally && cell.setting.angleNoise() && cell.setting.jointNoise == reading && cell.published > 0) {
           squares += std::pow(tally->successAt(tolerance) - cell.published, 2);
           ++cells;
         }
       }
-      const double difference = std::sqrt(squares / static_cast<double>(cells));
-      if (difference < best.difference) {
+      const double difference = std::sqrt(squares / static_cast<double>(std::max<std::size_t>(cells, 1)));
+      if (cells > 0 && (!best || difference < best->difference)) {
         best = {reading, tolerance, difference, cells};
       }
     }

@@ -41,11 +41,13 @@ ThesisEvaluation merged(const std::vector<ThesisEvaluation>& parts);
 struct ThesisReading {
   AngleNoise jointNoise = AngleNoise::radians;
   std::size_t tolerance = 0; // index
-  double difference = 0;     // root mean square over the cells [1]
+  double difference = 0;     // root mean square over those cells [1]
   std::size_t cells = 0;
 };
 
-/// Of all readings of the joint noise and all tolerances the pair that meets the thesis's figures best.
-ThesisReading bestReading(const ThesisEvaluation& evaluation);
+/// Of all readings of the joint noise and all tolerances the pair that meets the thesis's figures best, over the cells
+/// with joint noise, which alone depend on the reading, but for those in which the thesis never succeeded. Absent: none
+/// was evaluated.
+std::optional<ThesisReading> bestReading(const ThesisEvaluation& evaluation);
 
 } // namespace naocal

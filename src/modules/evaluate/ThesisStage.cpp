@@ -42,12 +42,13 @@ CaptureSet unseenCaptures(const Robot& robot, const ThesisScenery& scenery, cons
   return set;
 }
 
-/// The corner blocks of those corners of a target that are in sight.
-Sighting inSight(const Sighting& all, const Board& target, const Attitude& attitude, const ProjectedBlocks& projected,
-                 const CameraIntrinsics& lens, const SightLimits& limits) {
+/// Which corners of a target are in sight, and where; few ones count as none.
+void findSeen(const Board& target, const Attitude& attitude, const ProjectedBlocks& projected,
+              const CameraIntrinsics& lens, const SightLimits& limits, BoardCorners& seen) {
   const double height = attitude.opticalFromBoard.inverse().translation.z(); // of the camera over the floor
-  BoardCorners seen{target.id, {}, {}};
-  for (std::size_t i = 0; i < all.ids.size(); ++i) {
+  seen.ids.clear();
+  seen.uv.clear();
+  for (std::size_t i = 0; i < target.points.size(); ++i) {
     const double u = projected[i / 4].u[i % 4], v = projected[i / 4].v[i % 4];
     if (u < limits.border || u > lens.width - 1 - limits.border || v < limits.border ||
         v > lens.height - 1 - limits.border) {
@@ -59,7 +60,9 @@ Sighting inSight(const Sighting& all, const Board& target, const Attitude& attit
       seen.uv.emplace_back(u, v);
     }
   }
-  return {all.view, seen.ids.size() < limits.corners ? CornerBlocks{} : cornerBlocks(target, seen), seen.ids};
+  if (seen.ids.size() < limits.corners) {
+    seen.ids.clear();
+  }
 }
 
 } // namespace
@@ -73,6 +76,7 @@ ThesisStage::ThesisStage(const Robot& robot, ThesisFeature feature, const std::v
 void ThesisStage::look(const Picture& all, const Eigen::VectorXd& angles, Picture& seen) const {
   thread_local Posture torsoFromLink;
   thread_local ProjectedBlocks projected;
+  thread_local BoardCorners corners;
   const Robot& robot = everything_.robot;
   Belief truth = all.drawn;
   for (std::size_t i = 0; i < joints().size(); ++i) {
@@ -87,10 +91,10 @@ void ThesisStage::look(const Picture& all, const Eigen::VectorXd& angles, Pictur
     if (!sighting.view.project(attitude, truth, sighting.corners, projected)) {
       continue;
     }
-    Sighting shown =
-        inSight(sighting, everything_.targets[sighting.view.board()].board, attitude, projected, lens, scenery_.limits);
-    if (!shown.corners.empty()) {
-      seen.sightings.push_back(std::move(shown));
+    const Board& target = everything_.targets[sighting.view.board()].board;
+    findSeen(target, attitude, projected, lens, scenery_.limits, corners);
+    if (!corners.ids.empty()) {
+      seen.sightings.push_back({sighting.view, cornerBlocks(target, corners), corners.ids});
     }
   }
 }

@@ -84,9 +84,9 @@ void ThesisTrial::draw(std::uint64_t seed, std::size_t number) {
       offsets_, [&](double angle) { return angleReading(angle, setting_, measuring); }, pixel, measuring, taken_);
   pixels_.emplace(taken_, plainModel_, onePixel);
   whitened_.emplace(taken_, ourModel_, noise_);
-  const auto atTruth = pixels_->linearised(pixels_->start(offsets_));
-  numbers_ = atTruth ? numbersOf(*atTruth) : 0;
-  rmsAtTruth_ = atTruth ? std::sqrt(2 * atTruth->cost / numbers_) : 0;
+  const auto atTruth = pixels_->linearised(pixels_->start(offsets_)).value(); // what is seen lies before the camera
+  numbers_ = numbersOf(atTruth);
+  rmsAtTruth_ = std::sqrt(2 * atTruth.cost / numbers_);
   starts_.emplace(seed, set + ", starts");
   limits_.emplace(seed, set + ", limit");
 }
@@ -100,7 +100,8 @@ Eigen::VectorXd ThesisTrial::randomStart() {
 }
 
 ThesisTrial::Search ThesisTrial::search(const Residuals& residuals, const Eigen::VectorXd& start) {
-  auto minimum = levenbergMarquardt(residuals, residuals.start(start));
+  constexpr double smallestFall = 1e-7; // a thousandth of the noise, or of a pixel
+  auto minimum = levenbergMarquardt(residuals, residuals.start(start), {.smallestFall = smallestFall});
   return minimum ? Search{minimum->converged, std::move(minimum->state.unknowns), minimum->linear.cost} : Search{};
 }
 
@@ -151,7 +152,7 @@ std::vector<double> ThesisTrial::limit(std::size_t draws) {
   if (setting_.noise == ThesisNoise::none) {
     return result;
   }
-  const Eigen::LLT<Eigen::MatrixXd> root{whitened_->linearised(whitened_->start(offsets_))->hessian};
+  const Eigen::LLT<Eigen::MatrixXd> root{whitened_->linearised(whitened_->start(offsets_)).value().hessian};
   for (double& largest : result) {
     Eigen::VectorXd error{offsets_.size()};
     for (double& number : error) {
