@@ -16,6 +16,7 @@ ThesisEvaluation evaluated(const ThesisSetting& setting, std::size_t sets, std::
   ThesisEvaluation result{.seed = 3, .sets = sets, .parts = parts, .done = {part}};
   const ThesisStage stage = thesisStageFor(setting);
   ThesisTrial trial{stage, setting, result.pixel};
+  result.joints = stage.jointNames();
   for (const ThesisSolver solver : {ThesisSolver::plain, ThesisSolver::ours}) {
     ThesisTally tally;
     for (std::size_t set = part; set < sets; set += parts) {
@@ -47,7 +48,7 @@ TEST_CASE("without noise our solver finds all offsets of every error set, from t
 
 TEST_CASE("statuses are told apart in the thesis's order") {
   // Proves the order of the questions on made-up answers, not that searches end so.
-  ThesisAnswer answer{.solved = true, .rms = 0.5, .rmsTolerance = 1, .largestError = radians(0.15)};
+  ThesisAnswer answer{.solved = true, .rms = 0.5, .rmsTolerance = 1, .errors = Eigen::Vector2d{0, -radians(0.15)}};
   CHECK(answer.status(radians(0.2)) == ThesisStatus::success);
   CHECK(answer.status(radians(0.1)) == ThesisStatus::localMinimum);
   answer.rms = 2;
@@ -55,14 +56,16 @@ TEST_CASE("statuses are told apart in the thesis's order") {
   answer.solved = false;
   CHECK(answer.status(radians(0.1)) == ThesisStatus::solverFailure);
   ThesisTally tally;
-  tally.add(answer, {});
-  answer = {.solved = true, .rms = 0.5, .rmsTolerance = 1, .largestError = radians(0.25)};
+  tally.add({}, {});
+  answer = {.solved = true, .rms = 0.5, .rmsTolerance = 1, .errors = Eigen::Vector2d{radians(0.25), 0}};
   tally.add(answer, {radians(0.15), radians(0.5)});
   CHECK(tally.status[static_cast<std::size_t>(ThesisStatus::solverFailure)] == 1);
   CHECK(tally.status[static_cast<std::size_t>(ThesisStatus::localMinimum)] == 1);
   CHECK(tally.successAt(1) == 0);
   CHECK(tally.successAt(2) == 0.5);
   CHECK(tally.limitAt(1) == 0.5);
+  REQUIRE(tally.errors.size() == 2);
+  CHECK(tally.errors[0][32] == 1); // 0.2 to 0.3 degrees
 }
 
 TEST_CASE("readings are as noisy as our solver is told") {
@@ -95,7 +98,7 @@ TEST_CASE("error sets repeat by their number and keep to the range of errors") {
   other.draw(7, 19);
   CHECK(one.offsets() == other.offsets());
   for (const ThesisSolver solver : {ThesisSolver::ours, ThesisSolver::randomStarts}) {
-    CHECK(one.answer(solver).largestError == other.answer(solver).largestError);
+    CHECK(one.answer(solver).errors == other.answer(solver).errors);
   }
 }
 

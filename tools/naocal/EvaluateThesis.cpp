@@ -42,6 +42,7 @@ void resume(ThesisEvaluation& evaluation, const std::string& json) {
                                  "another; go on with those, or leave --resume out",
                                  json)};
   }
+  evaluation.joints = std::move(kept.joints);
   evaluation.outcomes = std::move(kept.outcomes);
 }
 

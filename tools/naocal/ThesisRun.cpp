@@ -110,6 +110,7 @@ void runThesis(ThesisEvaluation& evaluation, unsigned jobs, const std::function<
                             setting.feature,
                             {nested.begin(), nested.begin() + static_cast<std::ptrdiff_t>(setting.poses)},
                             setting.samples};
+    evaluation.joints = stage.jointNames();
     const auto tallies = SettingRun{stage, setting, solvers, evaluation}.tallies(jobs, told);
     if (!tallies) {
       return;

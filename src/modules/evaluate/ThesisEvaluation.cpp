@@ -25,6 +25,7 @@ ThesisEvaluation merged(const std::vector<ThesisEvaluation>& parts) {
                                    result.seed, result.sets, result.pixel, result.parts, part->seed, part->sets,
                                    part->pixel, part->parts)};
     }
+    result.joints = result.joints.empty() ? part->joints : result.joints; // empty: stopped before the first setting
     for (const std::size_t done : part->done) {
       if (std::find(result.done.begin(), result.done.end(), done) != result.done.end()) {
         throw InputError{fmt::format("expected every part once, found {}/{} twice", done, result.parts)};

@@ -21,7 +21,8 @@ struct ThesisEvaluation {
   std::size_t sets = 10'000; // per setting, of all parts together
   double pixel = 0.3;        // corner noise where there is any [px]
   std::size_t parts = 1;
-  std::vector<std::size_t> done = {}; // which parts
+  std::vector<std::size_t> done = {};   // which parts
+  std::vector<std::string> joints = {}; // whose offsets are found
   std::vector<ThesisOutcome> outcomes;
 
   /// nullptr: not evaluated.

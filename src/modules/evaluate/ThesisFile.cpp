@@ -28,7 +28,8 @@ template <typename Share> nlohmann::json byTolerance(const Share& share) {
   return result;
 }
 
-nlohmann::json cellJson(const ThesisCell& cell, ThesisSolver solver, const ThesisTally& tally) {
+nlohmann::json cellJson(const ThesisCell& cell, ThesisSolver solver, const ThesisTally& tally,
+                        const std::vector<std::string>& joints) {
   const ThesisSetting& setting = cell.setting;
   nlohmann::json result = {
       {"table", cell.table},
@@ -49,6 +50,9 @@ nlohmann::json cellJson(const ThesisCell& cell, ThesisSolver solver, const Thesi
   }
   result["counts"] = {
       {"sets", tally.sets}, {"success", tally.success}, {"draws", tally.limitDraws}, {"limit", tally.limit}};
+  for (std::size_t joint = 0; joint < tally.errors.size(); ++joint) {
+    result["errorCounts"][joints[joint]] = tally.errors[joint];
+  }
   return result;
 }
 
@@ -73,13 +77,13 @@ ThesisSetting settingAt(const JsonPlace& cell) {
   return setting;
 }
 
-void readCounts(const JsonPlace& list, std::array<std::size_t, toleranceCount>& counts) {
-  const std::vector<double> numbers = list.numbers(counts.size(), {0, 1e12, ""}, "one per tolerance");
+template <std::size_t size> void readCounts(const JsonPlace& list, std::array<std::size_t, size>& counts) {
+  const std::vector<double> numbers = list.numbers(size, {0, 1e12, ""}, "one per tolerance or bin");
   std::transform(numbers.begin(), numbers.end(), counts.begin(),
                  [](double number) { return static_cast<std::size_t>(number); });
 }
 
-ThesisTally tallyAt(const JsonPlace& cell) {
+ThesisTally tallyAt(const JsonPlace& cell, const std::vector<std::string>& joints) {
   const JsonPlace counts = cell.at("counts");
   ThesisTally tally;
   tally.sets = static_cast<std::size_t>(counts.at("sets").integer(0, largestNumber));
@@ -89,6 +93,9 @@ ThesisTally tallyAt(const JsonPlace& cell) {
   for (const auto& [key, status] : statusKeys) {
     tally.status[static_cast<std::size_t>(status)] =
         static_cast<std::size_t>(cell.at("status").at(key).integer(0, largestNumber));
+  }
+  for (std::size_t joint = 0; cell.find("errorCounts") && joint < joints.size(); ++joint) {
+    readCounts(cell.at("errorCounts").at(joints[joint]), tally.errors.emplace_back());
   }
   tally.seconds = cell.at("secondsPerSolve").number({0, 1e6, "s"}) * static_cast<double>(tally.sets);
   return tally;
@@ -101,14 +108,20 @@ nlohmann::json evaluationJson(const ThesisEvaluation& evaluation) {
   for (const ThesisCell& cell : thesisCells()) {
     for (const ThesisSolver solver : {ThesisSolver::ours, ThesisSolver::plain, ThesisSolver::randomStarts}) {
       if (const ThesisTally* tally = evaluation.tally(cell.setting, solver)) {
-        cells.push_back(cellJson(cell, solver, *tally));
+        cells.push_back(cellJson(cell, solver, *tally, evaluation.joints));
       }
     }
   }
-  return {{"format", "naocal-evaluation"},  {"version", 1},
-          {"sets", evaluation.sets},        {"seed", evaluation.seed},
-          {"pixelNoise", evaluation.pixel}, {"parts", evaluation.parts},
-          {"done", evaluation.done},        {"cells", cells}};
+  return {{"format", "naocal-evaluation"},
+          {"version", 1},
+          {"sets", evaluation.sets},
+          {"seed", evaluation.seed},
+          {"pixelNoise", evaluation.pixel},
+          {"parts", evaluation.parts},
+          {"done", evaluation.done},
+          {"joints", evaluation.joints},
+          {"errorBins", {{"firstDegrees", firstErrorDegrees}, {"widthDegrees", errorBinDegrees}}},
+          {"cells", cells}};
 }
 
 ThesisEvaluation readEvaluation(const std::filesystem::path& file) {
@@ -128,12 +141,15 @@ ThesisEvaluation readEvaluation(const std::filesystem::path& file) {
   for (const JsonPlace& part : top.at("done").elements()) {
     result.done.push_back(static_cast<std::size_t>(part.integer(0, static_cast<int>(result.parts) - 1)));
   }
+  for (const JsonPlace& joint : top.at("joints").elements()) {
+    result.joints.push_back(joint.text());
+  }
   for (const JsonPlace& cell : top.at("cells").elements()) {
     const ThesisSetting setting = settingAt(cell);
     const auto solver =
         wordAt<ThesisSolver>(cell, "solver", {ThesisSolver::plain, ThesisSolver::randomStarts, ThesisSolver::ours});
     if (!result.tally(setting, solver)) { // a setting may be in two tables
-      result.outcomes.push_back({setting, solver, tallyAt(cell)});
+      result.outcomes.push_back({setting, solver, tallyAt(cell, result.joints)});
     }
   }
   return result;

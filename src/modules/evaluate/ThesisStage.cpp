@@ -72,6 +72,14 @@ ThesisStage::ThesisStage(const Robot& robot, ThesisFeature feature, const std::v
     : scenery_{thesisScenery(feature)}, everything_{
                                             measurementsOf({unseenCaptures(robot, scenery_, poses, samples)}, robot)} {}
 
+std::vector<std::string> ThesisStage::jointNames() const {
+  std::vector<std::string> names;
+  for (const std::size_t joint : joints()) {
+    names.push_back(everything_.robot.joints[joint].name);
+  }
+  return names;
+}
+
 /// Fills `seen` with what its camera shows when the stage's joints truly are at these angles.
 void ThesisStage::look(const Picture& all, const Eigen::VectorXd& angles, Picture& seen) const {
   thread_local Posture torsoFromLink;

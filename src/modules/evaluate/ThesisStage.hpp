@@ -27,6 +27,7 @@ public:
   const Measurements& everything() const { return everything_; }
   /// Motors whose offsets are to be found, ascending.
   const std::vector<std::size_t>& joints() const { return everything_.joints; }
+  std::vector<std::string> jointNames() const;
 
   /// Takes the poses with a robot whose joints report an angle as `read` says and stand at the reading's `raw` angle
   /// less their offset; `pixel` is the corners' noise [px].

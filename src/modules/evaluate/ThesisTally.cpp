@@ -1,13 +1,30 @@
 #include "evaluate/ThesisTally.hpp"
 
+#include "geometry/Index.hpp"
+
 #include <algorithm>
+#include <cmath>
 
 namespace naocal {
+
+namespace {
+
+/// Of an error [rad].
+std::size_t errorBin(double error) {
+  const double bin = std::floor((degrees(error) - firstErrorDegrees) / errorBinDegrees);
+  return static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(errorBins - 1)));
+}
+
+} // namespace
 
 void ThesisTally::add(const ThesisAnswer& answer, const std::vector<double>& limitErrors) {
   ++sets;
   ++status[static_cast<std::size_t>(answer.status(radians(toleranceDegrees(statusTolerance))))];
   limitDraws += limitErrors.size();
+  errors.resize(std::max(errors.size(), static_cast<std::size_t>(answer.errors.size())));
+  for (std::size_t joint = 0; joint < static_cast<std::size_t>(answer.errors.size()); ++joint) {
+    ++errors[joint][errorBin(answer.errors[at(joint)])];
+  }
   for (std::size_t i = 0; i < toleranceCount; ++i) {
     const double tolerance = radians(toleranceDegrees(i));
     success[i] += answer.status(tolerance) == ThesisStatus::success;
@@ -20,6 +37,12 @@ void ThesisTally::add(const ThesisTally& other) {
   sets += other.sets;
   limitDraws += other.limitDraws;
   seconds += other.seconds;
+  errors.resize(std::max(errors.size(), other.errors.size()));
+  for (std::size_t joint = 0; joint < other.errors.size(); ++joint) {
+    for (std::size_t bin = 0; bin < errorBins; ++bin) {
+      errors[joint][bin] += other.errors[joint][bin];
+    }
+  }
   for (std::size_t i = 0; i < status.size(); ++i) {
     status[i] += other.status[i];
   }

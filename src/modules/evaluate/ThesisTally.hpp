@@ -15,13 +15,18 @@ constexpr double toleranceDegrees(std::size_t index) {
 /// The tolerance at which statuses are counted: 0.2 degrees, that of the author's published set-up.
 constexpr std::size_t statusTolerance = 1;
 
+/// Bins of an offset's error: 0.1 degrees wide from -3 to 3, the outermost hold what is beyond.
+constexpr std::size_t errorBins = 60;
+constexpr double firstErrorDegrees = -3, errorBinDegrees = 0.1;
+
 /// How often a solver succeeded in a setting. Only counts, so that parts add up to the whole.
 struct ThesisTally {
   std::size_t sets = 0, limitDraws = 0;
-  std::array<std::size_t, 4> status{};               // by ThesisStatus
-  std::array<std::size_t, toleranceCount> success{}; // sets
-  std::array<std::size_t, toleranceCount> limit{};   // draws of an efficient estimator's errors
-  double seconds = 0;                                // in the solver
+  std::array<std::size_t, 4> status{};                    // by ThesisStatus
+  std::array<std::size_t, toleranceCount> success{};      // sets
+  std::array<std::size_t, toleranceCount> limit{};        // draws of an efficient estimator's errors
+  std::vector<std::array<std::size_t, errorBins>> errors; // per joint: sets that were solved, by the offset's error
+  double seconds = 0;                                     // in the solver
 
   void add(const ThesisAnswer& answer, const std::vector<double>& limitErrors);
   void add(const ThesisTally& other);

@@ -41,10 +41,10 @@ struct ThesisTrial::Search {
 };
 
 ThesisStatus ThesisAnswer::status(double tolerance) const {
-  return !solved                    ? ThesisStatus::solverFailure
-         : rms > rmsTolerance       ? ThesisStatus::noConvergence
-         : largestError > tolerance ? ThesisStatus::localMinimum
-                                    : ThesisStatus::success;
+  return !solved                                    ? ThesisStatus::solverFailure
+         : rms > rmsTolerance                       ? ThesisStatus::noConvergence
+         : errors.cwiseAbs().maxCoeff() > tolerance ? ThesisStatus::localMinimum
+                                                    : ThesisStatus::success;
 }
 
 Noise thesisNoise(const ThesisSetting& setting, double pixel) {
@@ -143,8 +143,7 @@ ThesisAnswer ThesisTrial::answer(ThesisSolver solver) {
   if (!there) {
     return {};
   }
-  return {true, std::sqrt(2 * there->cost / numbers_), 2 * rmsAtTruth_ + 1,
-          (found.offsets - offsets_).cwiseAbs().maxCoeff()};
+  return {true, std::sqrt(2 * there->cost / numbers_), 2 * rmsAtTruth_ + 1, found.offsets - offsets_};
 }
 
 std::vector<double> ThesisTrial::limit(std::size_t draws) {

@@ -14,7 +14,7 @@ struct ThesisAnswer {
   bool solved = false;                         // the solver ended by itself, in a possible state
   double rms = 0;                              // of the corners at its offsets, per axis [px]
   double rmsTolerance = 0;                     // twice what the true offsets leave, and a pixel [px]
-  double largestError = 0;                     // of a joint's offset [rad]
+  Eigen::VectorXd errors;                      // of the offsets, per joint of the stage [rad]
   ThesisStatus status(double tolerance) const; // of each offset [rad]
 };
 
