@@ -53,7 +53,7 @@ Eigen::MatrixXd cornerSlopes(const ThesisTrial& trial, const ThesisStage& stage,
 /// J^T Sigma^-1 J over all readings, dense, with the offsets' prior.
 Eigen::MatrixXd denseInformation(const ThesisTrial& trial, const ThesisStage& stage) {
   const auto joints = at(stage.joints().size());
-  const double prior = radians(6.5) / std::sqrt(3.0);
+  constexpr double prior = 0.1; // as in naocal solve [rad]
   Eigen::MatrixXd information = Eigen::MatrixXd::Identity(joints, joints) / (prior * prior);
   for (const PoseGroup& pose : trial.taken().poses) {
     for (const Reading& reading : pose.readings) {

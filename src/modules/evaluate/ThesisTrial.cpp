@@ -68,7 +68,7 @@ AngleReading angleReading(double commanded, const ThesisSetting& setting, Random
 
 ThesisTrial::ThesisTrial(const ThesisStage& stage, const ThesisSetting& setting, double pixel)
     : stage_{stage}, setting_{setting}, noise_{thesisNoise(setting, pixel)}, plainModel_{offsetModel(stage, noPrior)},
-      ourModel_{offsetModel(stage, range / std::sqrt(3.0))}, taken_{stage.everything()} {}
+      ourModel_{offsetModel(stage, jointOffset().unknowns.front().sigma)}, taken_{stage.everything()} {}
 
 void ThesisTrial::draw(std::uint64_t seed, std::size_t number) {
   const std::string set = fmt::format("thesis set {}", number);

@@ -37,7 +37,8 @@ public:
   ThesisAnswer answer(ThesisSolver solver);
 
   /// Largest offset errors [rad] that an efficient estimator would make on this set: draws of N(0, H^-1), H our
-  /// solver's information at the true offsets, its prior included (Cramer-Rao limit; zero without noise).
+  /// solver's information at the true offsets, the prior of `naocal solve` included (Cramer-Rao limit; zero without
+  /// noise). Rounding errors count as normal ones of the same variance.
   std::vector<double> limit(std::size_t draws);
 
   const Measurements& taken() const { return taken_; }
