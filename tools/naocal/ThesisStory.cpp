@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -79,6 +80,7 @@ struct Standing {
   std::size_t settings = 0, atLeastPlain = 0, nearLimit = 0, noiseless = 0, perfect = 0;
   double behindPlain = 0, aboveLimit = 1; // worst [1]
   std::string worst;                      // where farthest below the limit
+  std::size_t leastSets = std::numeric_limits<std::size_t>::max();
 };
 
 Standing standing(const ThesisEvaluation& evaluation, std::size_t tolerance) {
@@ -90,6 +92,7 @@ Standing standing(const ThesisEvaluation& evaluation, std::size_t tolerance) {
       continue;
     }
     ++result.settings;
+    result.leastSets = std::min(result.leastSets, ours->sets);
     result.atLeastPlain += ours->success[tolerance] >= plain->success[tolerance];
     result.behindPlain = std::max(result.behindPlain, plain->successAt(tolerance) - ours->successAt(tolerance));
     const double above = ours->successAt(tolerance) - ours->limitAt(tolerance);
@@ -111,13 +114,14 @@ void printSummary(const ThesisEvaluation& evaluation, std::size_t tolerance) {
   if (all.settings == 0) {
     return;
   }
+  const double uncertainty = 50 / std::sqrt(static_cast<double>(all.leastSets)); // points, of a share of one half
   fmt::print(
       "\nOf {} settings ours succeeds at least as often as plain Levenberg-Marquardt on the same sets in {}{}; in {} "
-      "it is at most {:.0f} points below the Cramer-Rao limit (worst: {:+.1f} points, {}). Without noise it never "
-      "fails in {} of {}.\n",
+      "it is at most {:.0f} points below the Cramer-Rao limit (worst: {:+.1f} points, {}; shares are uncertain by up "
+      "to {:.1f}). Without noise it never fails in {} of {}.\n",
       all.settings, all.atLeastPlain,
       all.behindPlain > 0 ? fmt::format(" (elsewhere at most {:.2f} points less)", 100 * all.behindPlain) : "",
-      all.nearLimit, 100 * withinPoints, 100 * all.aboveLimit, all.worst, all.perfect, all.noiseless);
+      all.nearLimit, 100 * withinPoints, 100 * all.aboveLimit, all.worst, uncertainty, all.perfect, all.noiseless);
   if (const auto best = bestReading(evaluation); best && all.settings == thesisSettings().size()) {
     fmt::print("The thesis's own solvers, run here, come nearest to its figures with joint noise {} and a tolerance of "
                "{:.1f} deg: {:.0f} points apart (root mean square over the {} cells with joint noise in which the "

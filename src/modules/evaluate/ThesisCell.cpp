@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fmt/format.h>
 #include <map>
 #include <set>
@@ -64,7 +65,7 @@ std::vector<ThesisCell> thesisCells() {
       ThesisSetting setting{.feature = row.feature, .poses = poses, .noise = row.noise, .samples = row.samples};
       for (const AngleNoise reading : readings(setting)) {
         setting.jointNoise = reading;
-        cells.push_back({row.table, setting, row.solver, percent / 100});
+        cells.push_back({row.table, setting, row.solver, std::round(100 * percent) / 1e4});
       }
     }
   }

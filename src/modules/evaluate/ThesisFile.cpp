@@ -112,16 +112,23 @@ nlohmann::json evaluationJson(const ThesisEvaluation& evaluation) {
       }
     }
   }
-  return {{"format", "naocal-evaluation"},
-          {"version", 1},
-          {"sets", evaluation.sets},
-          {"seed", evaluation.seed},
-          {"pixelNoise", evaluation.pixel},
-          {"parts", evaluation.parts},
-          {"done", evaluation.done},
-          {"joints", evaluation.joints},
-          {"errorBins", {{"firstDegrees", firstErrorDegrees}, {"widthDegrees", errorBinDegrees}}},
-          {"cells", cells}};
+  nlohmann::json result = {{"format", "naocal-evaluation"},
+                           {"version", 1},
+                           {"sets", evaluation.sets},
+                           {"seed", evaluation.seed},
+                           {"pixelNoise", evaluation.pixel},
+                           {"parts", evaluation.parts},
+                           {"done", evaluation.done},
+                           {"joints", evaluation.joints},
+                           {"errorBins", {{"firstDegrees", firstErrorDegrees}, {"widthDegrees", errorBinDegrees}}},
+                           {"cells", cells}};
+  if (const auto best = bestReading(evaluation)) {
+    result["reproduction"] = {{"jointNoise", word(best->jointNoise)},
+                              {"toleranceDegrees", toleranceDegrees(best->tolerance)},
+                              {"rmsDifference", best->difference},
+                              {"cells", best->cells}};
+  }
+  return result;
 }
 
 ThesisEvaluation readEvaluation(const std::filesystem::path& file) {

@@ -8,13 +8,14 @@
 #include "poses/PoseSelection.hpp"
 #include "synthetic/SimulationPlan.hpp"
 
-#include <cassert>
 #include <cmath>
 #include <fmt/format.h>
 
 namespace naocal {
 
 namespace {
+
+const double range = radians(6.5); // of offsets [rad]
 
 /// Floor points every quarter of a metre up to 4 m away, square metres of them.
 std::vector<Board> floorTiles() {
@@ -63,10 +64,34 @@ std::size_t cornersSeen(const PoseGroup& pose, const Measurements& taken) {
   return corners;
 }
 
-/// A pose's information about all offsets.
-Eigen::MatrixXd spread(const PoseInformation& information, std::size_t unknowns) {
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(at(unknowns), at(unknowns));
-  information.addTo(result);
+/// What a pose is worth over robots with unknown offsets.
+struct Prospect {
+  Eigen::MatrixXd information; // about the offsets, on average
+  bool sees = true;            // every robot sees enough
+};
+
+std::vector<Prospect> prospects(const ThesisStage& stage, const Model& model, const Noise& noise) {
+  constexpr std::size_t robots = 40, enough = 24;
+  const auto unknowns = at(model.unknownCount());
+  Measurements taken = stage.everything();
+  std::vector<Prospect> result(taken.poses.size(), Prospect{Eigen::MatrixXd::Zero(unknowns, unknowns)});
+  Randomness chance{1, "robots before the thesis's poses"};
+  const auto exact = [](double angle) { return AngleReading{angle, angle}; };
+  for (std::size_t robot = 0; robot < robots; ++robot) {
+    Eigen::VectorXd offsets{unknowns};
+    for (double& offset : offsets) {
+      offset = chance.within(range);
+    }
+    stage.take(offsets, exact, 0, chance, taken);
+    const Residuals residuals{taken, model, noise};
+    const auto linear = residuals.linearised(residuals.start(offsets)).value(); // what is seen lies before the camera
+    for (std::size_t pose = 0; pose < result.size(); ++pose) {
+      PoseInformation told = informationOf(linear.poses[pose], noise);
+      told.hessian /= robots;
+      told.addTo(result[pose].information);
+      result[pose].sees = result[pose].sees && cornersSeen(taken.poses[pose], taken) >= enough;
+    }
+  }
   return result;
 }
 
@@ -89,41 +114,17 @@ ThesisScenery thesisScenery(ThesisFeature feature) {
 }
 
 std::vector<Eigen::VectorXd> thesisPoses(const Robot& robot, ThesisFeature feature, std::size_t count) {
-  constexpr std::size_t candidates = 300, robots = 40, enough = 24;
-  const double range = radians(6.5);
+  constexpr std::size_t candidates = 300;
   const std::vector<Eigen::VectorXd> poses = candidatePoses(robot, thesisScenery(feature), candidates);
   const ThesisStage stage{robot, feature, poses, 1};
   const Model model = offsetModel(stage, range / std::sqrt(3.0));
-  const Noise noise;
-  std::vector<Eigen::MatrixXd> information(poses.size(), spread({}, model.unknownCount()));
-  std::vector<bool> sees(poses.size(), true);
-  Measurements taken = stage.everything();
-  Randomness chance{1, "robots before the thesis's poses"};
-  for (std::size_t i = 0; i < robots; ++i) {
-    Eigen::VectorXd offsets{at(model.unknownCount())};
-    for (double& offset : offsets) {
-      offset = chance.within(range);
-    }
-    stage.take(
-        offsets,
-        [](double angle) {
-          return AngleReading{angle, angle};
-        },
-        0, chance, taken);
-    const Residuals residuals{taken, model, noise};
-    const auto linear = residuals.linearised(residuals.start(offsets));
-    assert(linear); // what is seen lies before the camera
-    for (std::size_t pose = 0; pose < poses.size(); ++pose) {
-      information[pose] += spread(informationOf(linear->poses[pose], noise), model.unknownCount()) / robots;
-      sees[pose] = sees[pose] && cornersSeen(taken.poses[pose], taken) >= enough;
-    }
-  }
+  const std::vector<Prospect> all = prospects(stage, model, Noise{});
   std::vector<std::size_t> usable;
-  std::vector<Eigen::MatrixXd> told;
+  std::vector<Eigen::MatrixXd> informations;
   for (std::size_t pose = 0; pose < poses.size(); ++pose) {
-    if (sees[pose]) {
+    if (all[pose].sees) {
       usable.push_back(pose);
-      told.push_back(information[pose]);
+      informations.push_back(all[pose].information);
     }
   }
   if (usable.size() < count) {
@@ -132,7 +133,7 @@ std::vector<Eigen::VectorXd> thesisPoses(const Robot& robot, ThesisFeature featu
   }
   const Eigen::MatrixXd prior = model.sigmas().cwiseAbs2().cwiseInverse().asDiagonal();
   std::vector<Eigen::VectorXd> result;
-  for (const std::size_t chosen : mostInformative(prior, told, count)) {
+  for (const std::size_t chosen : mostInformative(prior, informations, count)) {
     result.push_back(poses[usable[chosen]]);
   }
   return result;

@@ -11,9 +11,9 @@ namespace naocal {
 
 namespace {
 
-/// Captures of the poses, in each of which everything is to be seen.
-CaptureSet unseenCaptures(const Robot& robot, const ThesisScenery& scenery, const std::vector<Eigen::VectorXd>& poses,
-                          std::size_t samples) {
+/// Measurements in the poses, in each of which everything is to be seen.
+Measurements everythingInSight(const Robot& robot, const ThesisScenery& scenery,
+                               const std::vector<Eigen::VectorXd>& poses, std::size_t samples) {
   CaptureSet set{.name = "thesis", .model = robot.model, .cameras = scenery.cameras, .boards = scenery.targets};
   set.stances = {{0, SupportFoot::left, Placement{}}};
   for (const Joint& joint : robot.joints) {
@@ -39,7 +39,7 @@ CaptureSet unseenCaptures(const Robot& robot, const ThesisScenery& scenery, cons
       }
     }
   }
-  return set;
+  return measurementsOf({set}, robot);
 }
 
 /// Which corners of a target are in sight, and where; few ones count as none.
@@ -69,8 +69,7 @@ void findSeen(const Board& target, const Attitude& attitude, const ProjectedBloc
 
 ThesisStage::ThesisStage(const Robot& robot, ThesisFeature feature, const std::vector<Eigen::VectorXd>& poses,
                          std::size_t samples)
-    : scenery_{thesisScenery(feature)}, everything_{
-                                            measurementsOf({unseenCaptures(robot, scenery_, poses, samples)}, robot)} {}
+    : scenery_{thesisScenery(feature)}, everything_{everythingInSight(robot, scenery_, poses, samples)} {}
 
 std::vector<std::string> ThesisStage::jointNames() const {
   std::vector<std::string> names;

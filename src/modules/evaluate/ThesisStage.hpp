@@ -1,18 +1,13 @@
 #pragma once
 
+#include "evaluate/ThesisNoise.hpp"
 #include "evaluate/ThesisScenery.hpp"
 #include "residuals/Residuals.hpp"
-#include "synthetic/Randomness.hpp"
 
 #include <functional>
 #include <vector>
 
 namespace naocal {
-
-/// Where a joint stands when an angle was commanded, in the encoder's space, and what the encoder tells [rad].
-struct AngleReading {
-  double raw, reported;
-};
 
 /// Floor points or boards around a robot that stands on its left foot, where everything lies being known, poses before
 /// them, and what a robot with wrong joint zeros reports of them with both cameras at 640 x 480. Its 8 offsets are

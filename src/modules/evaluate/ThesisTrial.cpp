@@ -11,16 +11,11 @@ namespace naocal {
 
 namespace {
 
-const double range = radians(6.5), least = radians(1); // of errors [rad]
+const double mostError = radians(6.5), leastError = radians(1); // of offsets [rad]
 
 /// Flat over the search: ten radians of freedom per offset.
 constexpr double noPrior = 10;
 constexpr Noise onePixel{.pixel = 1, .encoder = 0, .pose = 0};
-
-/// Before rounding [rad].
-double angleSigma(AngleNoise noise) {
-  return noise == AngleNoise::radians ? 0.007 : noise == AngleNoise::degrees ? radians(0.007) : 0;
-}
 
 double numbersOf(const Residuals::Linear& linear) {
   double sum = 0;
@@ -47,25 +42,6 @@ ThesisStatus ThesisAnswer::status(double tolerance) const {
                                                     : ThesisStatus::success;
 }
 
-Noise thesisNoise(const ThesisSetting& setting, double pixel) {
-  const double noPixelNoise = setting.angleNoise() ? 0.03 : 0.01;                                       // [px]
-  const double rounding = encoderStep * (setting.jointNoise == AngleNoise::encoder ? 1 / std::sqrt(6.0) // and dither
-                                                                                   : 1 / std::sqrt(12.0));
-  return {.pixel = setting.pixelNoise() ? pixel : noPixelNoise,
-          .encoder = setting.angleNoise() ? std::hypot(angleSigma(setting.jointNoise), rounding) : 0,
-          .pose = 0};
-}
-
-AngleReading angleReading(double commanded, const ThesisSetting& setting, Randomness& chance) {
-  if (!setting.angleNoise()) {
-    return {commanded, commanded};
-  }
-  const double raw = commanded + chance.within(encoderStep / 2);
-  const bool dithered = setting.jointNoise == AngleNoise::encoder;
-  const double noise = dithered ? chance.within(encoderStep / 2) : chance.normal(angleSigma(setting.jointNoise));
-  return {raw, encoderStep * std::round((raw + noise) / encoderStep)};
-}
-
 ThesisTrial::ThesisTrial(const ThesisStage& stage, const ThesisSetting& setting, double pixel)
     : stage_{stage}, setting_{setting}, noise_{thesisNoise(setting, pixel)}, plainModel_{offsetModel(stage, noPrior)},
       ourModel_{offsetModel(stage, jointOffset().unknowns.front().sigma)}, taken_{stage.everything()} {}
@@ -76,8 +52,8 @@ void ThesisTrial::draw(std::uint64_t seed, std::size_t number) {
   offsets_.resize(at(stage_.joints().size()));
   for (double& offset : offsets_) {
     do {
-      offset = errors.within(range);
-    } while (setting_.largeErrors && std::abs(offset) < least);
+      offset = errors.within(mostError);
+    } while (setting_.largeErrors && std::abs(offset) < leastError);
   }
   const double pixel = setting_.pixelNoise() ? noise_.pixel : 0;
   stage_.take(
@@ -94,7 +70,7 @@ void ThesisTrial::draw(std::uint64_t seed, std::size_t number) {
 Eigen::VectorXd ThesisTrial::randomStart() {
   Eigen::VectorXd start{offsets_.size()};
   for (double& offset : start) {
-    offset = starts_->within(range);
+    offset = starts_->within(mostError);
   }
   return start;
 }

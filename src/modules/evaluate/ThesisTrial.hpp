@@ -1,5 +1,6 @@
 #pragma once
 
+#include "evaluate/ThesisNoise.hpp"
 #include "evaluate/ThesisStage.hpp"
 
 #include <cstdint>
@@ -17,14 +18,6 @@ struct ThesisAnswer {
   Eigen::VectorXd errors;                      // of the offsets, per joint of the stage [rad]
   ThesisStatus status(double tolerance) const; // of each offset [rad]
 };
-
-/// The noise that a setting's measurements have and that our solver is told of. What is not noisy gets a little, so
-/// that the problem stays regular: 0.01 px, 0.03 px where angles are noisy.
-Noise thesisNoise(const ThesisSetting& setting, double pixel);
-
-/// A joint that was commanded to an angle comes to stand anywhere within a step of its encoder, which tells its angle
-/// with the setting's noise, rounded to 12 bits (4.1). Exact where the setting has no joint noise.
-AngleReading angleReading(double commanded, const ThesisSetting& setting, Randomness& chance);
 
 /// Error sets of one setting, one after the other: the same number gives the same offsets in all settings, and the same
 /// measurements for all solvers.
