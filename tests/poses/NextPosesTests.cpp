@@ -90,11 +90,11 @@ TEST_CASE("four proposed poses tell twins apart better than four random ones, by
   // more than with random stable poses (the median of five draws). Does not prove that an effect is named sooner:
   // `naocal evaluate next` measures that.
   static const Fitted before{{captures(randomPoses(12, 7), 0)}};
-  const auto [one, size, other, otherSize, times] = GENERATE(table<std::string, double, std::string, double, double>({
-      {"elasticity@LKneePitch", 0.006, "elasticity@LAnklePitch", 0.006, 2},
-      {"encoderGain@LKneePitch", 0.01, "encoderEccentricity@LKneePitch", 0.01, 1.6},
-      {"backlash@LAnklePitch", 0.01, "elasticity@LAnklePitch", 0.006, 1.3},
-      {"hysteresis@LKneePitch", 0.01, "hysteresis@LAnklePitch", 0.01, 1.1},
+  const auto [one, size, other, otherSize] = GENERATE(table<std::string, double, std::string, double>({
+      {"elasticity@LKneePitch", 0.006, "elasticity@LAnklePitch", 0.006},
+      {"encoderGain@LKneePitch", 0.01, "encoderEccentricity@LKneePitch", 0.01},
+      {"backlash@LAnklePitch", 0.01, "elasticity@LAnklePitch", 0.006},
+      {"hysteresis@LKneePitch", 0.01, "hysteresis@LAnklePitch", 0.01},
   }));
   CAPTURE(one, other);
   const OpenQuestion question = between(one, size, other, otherSize);
@@ -114,7 +114,7 @@ TEST_CASE("four proposed poses tell twins apart better than four random ones, by
   std::nth_element(random.begin(), random.begin() + 2, random.end());
   CAPTURE(next.growth, proposed, random[2]);
   CHECK(next.growth == Approx(proposed).epsilon(0.2));
-  CHECK(proposed > times * random[2]);
+  CHECK(proposed - 1 > 1.5 * (random[2] - 1));
 }
 
 TEST_CASE("poses are proposed for captures that tell little or much of the joints, and only where boards lie") {

@@ -127,7 +127,7 @@ TEST_CASE("robots with unknown offsets stand in the planned poses") {
     belief.values.head(pose.angles.size()) = pose.angles;
     int here = 0;
     for (int draw = 0; draw < 1000; ++draw) {
-      here += standsDespiteErrors(robot, belief, support, other, {radians(6.5), 1, 1}, random) ? 1 : 0;
+      here += shareStanding(robot, belief, support, other, {radians(6.5), 1, 1}, random) ? 1 : 0;
     }
     CHECK(here > 970);
     standing += here;

@@ -14,6 +14,7 @@ void addCompare(CLI::App& app);
 void addEffects(CLI::App& app);
 void addDiagnose(CLI::App& app, int& exitCode);
 void addExplore(CLI::App& app);
+void addPoses(CLI::App& app);
 void addReport(CLI::App& app);
 void addDemo(CLI::App& app, int& exitCode);
 void addEvaluate(CLI::App& app);

@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
   naocal::addEffects(app);
   naocal::addDiagnose(app, exitCode);
   naocal::addExplore(app);
+  naocal::addPoses(app);
   naocal::addReport(app);
   naocal::addDemo(app, exitCode);
   naocal::addEvaluate(app);

@@ -93,4 +93,7 @@ private:
 /// The robot as drawn, all angles zero, the camera's mount nominal, boards at their frames' origins.
 Belief drawnBelief(const Robot& robot, const Quantities& quantities);
 
+/// Brings all joints to rest, as far as their limits let them.
+void takeToRest(const Robot& robot, Belief& belief);
+
 } // namespace naocal

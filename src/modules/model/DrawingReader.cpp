@@ -91,11 +91,26 @@ void readCameras(const JsonPlace& drawing, Robot& robot) {
   }
 }
 
+void readHull(const JsonPlace& drawing, Robot& robot) {
+  const auto hull = drawing.find("hull");
+  if (!hull) {
+    return;
+  }
+  allowOnly(*hull, {"capsules"});
+  for (const JsonPlace& place : hull->at("capsules").elements()) {
+    allowOnly(place, {"link", "fromMillimetres", "toMillimetres", "radiusMillimetres"});
+    robot.hull.push_back({.link = linkAt(place.at("link"), robot),
+                          .from = metres3(place.at("fromMillimetres")),
+                          .to = metres3(place.at("toMillimetres")),
+                          .radius = place.at("radiusMillimetres").number({0, 1000, "millimetres"}) / 1000});
+  }
+}
+
 } // namespace
 
 Robot readDrawing(const JsonPlace& drawing) {
   allowOnly(drawing, {"format", "version", "base", "model", "lengthsMillimetres", "tree", "joints", "masses", "cameras",
-                      "soles"});
+                      "soles", "hull"});
   Robot robot;
   robot.model = drawing.at("model").text();
   readLengths(drawing, robot); // each section may name things of the sections before it
@@ -104,6 +119,7 @@ Robot readDrawing(const JsonPlace& drawing) {
   readMasses(drawing, robot);
   readCameras(drawing, robot);
   readSoles(drawing, robot);
+  readHull(drawing, robot);
   return robot;
 }
 

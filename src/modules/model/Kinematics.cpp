@@ -30,6 +30,13 @@ Belief drawnBelief(const Robot& robot, const Quantities& quantities) {
   return belief;
 }
 
+void takeToRest(const Robot& robot, Belief& belief) {
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    const AngleRange limits = robot.joints[joint].limits;
+    belief.angle(joint) = std::clamp(robot.joints[joint].resting, limits.lower, limits.upper);
+  }
+}
+
 std::vector<std::size_t> linksTowards(const Robot& robot, const std::vector<std::size_t>& links) {
   std::vector<bool> needed(robot.links.size(), false);
   for (std::size_t link : links) {

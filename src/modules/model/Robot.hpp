@@ -72,6 +72,13 @@ struct Sole {
   std::vector<Eigen::Vector2d> forceSensors; // FL, FR, RL, RR in the sole's frame [m]
 };
 
+/// A piece of a link's shell: all points within `radius` of a segment, in the link's frame [m].
+struct Capsule {
+  std::size_t link = 0;
+  Eigen::Vector3d from = Eigen::Vector3d::Zero(), to = Eigen::Vector3d::Zero();
+  double radius = 0;
+};
+
 /// The drawing of a robot: a tree of links with masses, joints and cameras. Parents stand before their children.
 struct Robot {
   std::string model;
@@ -80,6 +87,7 @@ struct Robot {
   std::vector<Joint> joints;
   std::vector<CameraMount> cameras;
   std::vector<Sole> soles;
+  std::vector<Capsule> hull; // none: nobody knows when it touches itself
 
   std::optional<std::size_t> jointIndex(std::string_view name) const;
   std::optional<std::size_t> linkIndex(std::string_view name) const;

@@ -20,7 +20,7 @@ std::vector<ProposedPose> candidates(const Robot& robot, const CaptureSet& set, 
     PoseOptions wanted;
     wanted.supportFoot = here.supportFoot;
     wanted.seed = options.seed;
-    wanted.tries = 200 * options.candidates;
+    wanted.tries = 400 * options.candidates;
     wanted.stability.draws = 0; // the offsets are known by now: the fitted robot is tried, not any that might be
     const Scene scene{robot, supportSole(robot, here.supportFoot), here.boards, set.cameras, wanted.sight};
     for (const Belief& belief : stableAttitudes(robot, scene, wanted, options.candidates / around.size())) {

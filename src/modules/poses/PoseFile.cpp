@@ -1,66 +1,16 @@
 #include "poses/PoseFile.hpp"
 
 #include "captures/CaptureWords.hpp"
+#include "poses/PoseJson.hpp"
+#include "poses/PoseOrder.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <set>
 
 namespace naocal {
 
 namespace {
 
 using Json = nlohmann::json;
-
-/// From one pose to another with every joint at its full speed [s].
-double secondsBetween(const Robot& robot, const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
-  double seconds = 0;
-  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-    const auto i = static_cast<Eigen::Index>(joint);
-    if (robot.joints[joint].maxSpeed > 0) {
-      seconds = std::max(seconds, std::abs(to[i] - from[i]) / robot.joints[joint].maxSpeed);
-    }
-  }
-  return seconds;
-}
-
-Json perJoint(const Robot& robot, const Eigen::VectorXd& values, bool whole) {
-  Json result = Json::object();
-  for (const std::string_view name : fingers) {
-    result[std::string{name}] = 0;
-  }
-  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-    const double value = values[static_cast<Eigen::Index>(joint)];
-    result[robot.joints[joint].name] = whole ? Json(std::lround(value)) : Json(value);
-  }
-  return result;
-}
-
-Json poseJson(const ProposedPose& proposed, std::size_t number, const Eigen::VectorXd& before, const Robot& robot) {
-  const PlannedPose& pose = proposed.pose;
-  std::set<std::string> boards;
-  for (const Sight& sight : pose.sights) {
-    boards.insert(sight.board);
-  }
-  return {{"id", fmt::format("{}{:02}", pose.supportFoot == SupportFoot::right ? 'R' : 'L', number)},
-          {"supportFoot", supportFootWords[static_cast<std::size_t>(pose.supportFoot)]},
-          {"joints", perJoint(robot, pose.angles, false)},
-          {"approach", perJoint(robot, proposed.approach, true)},
-          {"observes", boards},
-          {"secondsToReach", secondsBetween(robot, before, pose.angles)}};
-}
-
-Json posesOf(const NextPoses& next, const Robot& robot) {
-  Json result = Json::array();
-  Eigen::VectorXd before = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.joints.size()));
-  for (const ProposedPose& pose : next.poses) {
-    result.push_back(poseJson(pose, result.size(), before, robot));
-    before = pose.pose.angles;
-  }
-  return result;
-}
 
 /// Where boards are thought to lie, seen from the first pose's sole.
 Json boardsOf(const NextPoses& next) {
@@ -72,6 +22,17 @@ Json boardsOf(const NextPoses& next) {
         result.push_back({{"id", board.id}, {"placement", {{"x", place.x}, {"y", place.y}, {"yaw", place.yaw}}}});
       }
     }
+  }
+  return result;
+}
+
+/// As fast as the joints can.
+std::vector<std::optional<double>> secondsAtFullSpeed(const NextPoses& next, const Robot& robot) {
+  std::vector<std::optional<double>> result;
+  Eigen::VectorXd before = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.joints.size()));
+  for (const ProposedPose& pose : next.poses) {
+    result.push_back(secondsBetween(robot, before, pose.pose.angles, 1));
+    before = pose.pose.angles;
   }
   return result;
 }
@@ -89,7 +50,9 @@ Json assumptions(const NextPoses& next) {
 } // namespace
 
 Json nextJson(const NextPoses& next, const Robot& robot) {
-  return {{"poses", posesOf(next, robot)}, {"why", next.why}, {"growth", next.growth}};
+  return {{"poses", posesOf(next.poses, secondsAtFullSpeed(next, robot), robot)},
+          {"why", next.why},
+          {"growth", next.growth}};
 }
 
 Json posesJson(const NextPoses& next, const Robot& robot) {

@@ -12,9 +12,10 @@ std::vector<Belief> stableAttitudes(const Robot& robot, const Scene& scene, cons
                                     std::size_t count) {
   RandomAttitude attitudes{robot, scene, options};
   std::vector<Belief> found;
+  Sieve sieve;
   for (std::size_t tried = 0; tried < options.tries && found.size() < count; ++tried) {
-    if (const auto belief = attitudes.draw()) {
-      found.push_back(*belief);
+    if (const auto attitude = attitudes.draw(sieve)) {
+      found.push_back(attitude->belief);
     }
   }
   return found;

@@ -2,6 +2,7 @@
 
 #include "poses/Scene.hpp"
 #include "poses/Stability.hpp"
+#include "poses/UnitPoints.hpp"
 
 #include <cstdint>
 
@@ -12,16 +13,27 @@ struct Interval {
   double lower, upper;
 };
 
+/// How many attitudes passed each test, in this order.
+struct Sieve {
+  std::size_t generated = 0;
+  std::size_t reachable = 0;     // the legs reach, within their joints' limits and the margin
+  std::size_t collisionFree = 0; // no part touches another
+  std::size_t stable = 0;        // the robot stands, and so do enough others with joint errors
+  std::size_t seeing = 0;        // it sees a board, still stable with its head turned there
+
+  Sieve& operator+=(const Sieve& other);
+};
+
 /// What to draw and what to accept. Defaults are for a robot of which nothing is known but that its offsets lie within
-/// 6.5 degrees: about one attitude in 300 is accepted then, one in 200 without the demand that 99 of 100 such robots
-/// stand (of those accepted without it 97 of 100 do on average, 78 at worst), one in 60 without the margin from limits
-/// either. Measured with four A2 boards around the robot.
+/// 6.5 degrees: of 200 000 attitudes the legs reach 1518 clear of their limits, 780 touch nothing, 364 stand (of which
+/// 99 of 100 such robots do), 339 see one of four A2 boards around the robot.
 struct PoseOptions {
   SupportFoot supportFoot = SupportFoot::left; // or right
   std::size_t count = 24;
   std::uint64_t seed = 1;
   std::size_t choice = 10;     // candidates per pose, of which the most informative ones are taken
   std::size_t tries = 400'000; // attitudes drawn, until it is given up
+  Sampling sampling = Sampling::random;
 
   // The torso over the support sole.
   Interval height{0.25, 0.33};                                       // [m]
@@ -34,6 +46,7 @@ struct PoseOptions {
   double limitMargin = radians(6.5); // of legs and head from their limits [rad]
   Footing footing{0.02, 0.02};       // of the drawn robot
   Stability stability{radians(6.5)}; // of robots with unknown offsets
+  double clearance = 0.005;          // between parts that must not touch [m]
   SightLimits sight;
 };
 

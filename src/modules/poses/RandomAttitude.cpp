@@ -11,6 +11,8 @@ namespace naocal {
 
 namespace {
 
+constexpr std::size_t legRanges = 11; // that `standUp` draws from
+
 std::vector<std::size_t> headJoints(const Robot& robot) {
   std::set<std::size_t> joints;
   for (const CameraMount& camera : robot.cameras) {
@@ -30,27 +32,74 @@ Eigen::Vector2d middle(const Outline& outline) {
 
 } // namespace
 
-RandomAttitude::RandomAttitude(const Robot& robot, const Scene& scene, const PoseOptions& options)
-    : robot_{robot}, scene_{scene}, options_{options}, support_{supportSole(robot, options.supportFoot)},
-      other_{otherSole(robot, options.supportFoot)}, supportLeg_{robot, support_.name}, otherLeg_{robot, other_.name},
-      head_{headJoints(robot)}, hanging_{scene.drawn()}, random_{options.seed} {
-  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-    const AngleRange limits = robot.joints[joint].limits;
-    hanging_.angle(joint) = std::clamp(robot.joints[joint].resting, limits.lower, limits.upper);
-  }
+Sieve& Sieve::operator+=(const Sieve& other) {
+  generated += other.generated;
+  reachable += other.reachable;
+  collisionFree += other.collisionFree;
+  stable += other.stable;
+  seeing += other.seeing;
+  return *this;
 }
 
-std::optional<Belief> RandomAttitude::draw() {
+RandomAttitude::RandomAttitude(const Robot& robot, const Scene& scene, const PoseOptions& options, std::size_t first)
+    : robot_{robot}, scene_{scene}, options_{options}, checks_{robot, options}, supportLeg_{robot,
+                                                                                            checks_.support().name},
+      otherLeg_{robot, checks_.other().name}, head_{headJoints(robot)}, hanging_{scene.drawn()},
+      point_(legRanges + head_.size()) {
+  points_ = unitPoints(options.sampling, options.seed, point_.size(), options.tries, first);
+  std::seed_seq mixed{options.seed, static_cast<std::uint64_t>(first), std::uint64_t{1}};
+  random_.seed(mixed);
+  takeToRest(robot, hanging_);
+}
+
+std::optional<SievedPose> RandomAttitude::draw(Sieve& sieve) {
+  points_->next(point_);
+  return attempt(30, sieve);
+}
+
+std::optional<SievedPose> RandomAttitude::at(const std::vector<double>& point, Sieve& sieve) {
+  point_ = point;
+  return attempt(1, sieve);
+}
+
+std::optional<Belief> RandomAttitude::reached(const std::vector<double>& point) {
+  point_ = point;
+  used_ = 0;
   Belief belief = hanging_;
-  if (!standUp(belief) || !lookAround(belief)) {
+  if (!standUp(belief)) {
     return std::nullopt;
   }
-  const Posture torsoFromLink = posture(robot_, belief);
-  if (!stands(robot_, torsoFromLink, support_, other_, options_.footing) || !solesApart(torsoFromLink) ||
-      !standsDespiteErrors(robot_, belief, support_, other_, options_.stability, random_)) {
-    return std::nullopt;
-  }
+  turnHead(belief, [&](const Interval& interval) { return from(interval); });
   return belief;
+}
+
+std::optional<SievedPose> RandomAttitude::attempt(int glances, Sieve& sieve) {
+  ++sieve.generated;
+  const auto belief = reached(point_);
+  if (!belief) {
+    return std::nullopt;
+  }
+  ++sieve.reachable;
+  const Posture torsoFromLink = posture(robot_, *belief);
+  if (checks_.touchesItself(torsoFromLink)) {
+    return std::nullopt;
+  }
+  ++sieve.collisionFree;
+  const auto share = checks_.standing(*belief, torsoFromLink, random_);
+  if (!share) {
+    return std::nullopt;
+  }
+  ++sieve.stable;
+  SievedPose result{*belief, point_, *share};
+  if (!lookAround(result, glances)) {
+    return std::nullopt;
+  }
+  ++sieve.seeing;
+  for (std::size_t i = 0; i < head_.size(); ++i) {
+    const AngleRange& limits = robot_.joints[head_[i]].limits;
+    result.point[legRanges + i] = (result.belief.angle(head_[i]) - limits.lower) / (limits.upper - limits.lower);
+  }
+  return result;
 }
 
 bool RandomAttitude::standUp(Belief& belief) {
@@ -64,7 +113,7 @@ bool RandomAttitude::standUp(Belief& belief) {
   soleFromOther.translation.x() = from(options_.otherForwards);
   soleFromOther.translation.y() = -outwards * from(options_.otherSideways);
   soleFromOther.translation.z() = from(options_.otherUp);
-  Eigen::Vector2d wanted = middle(support_.outline);
+  Eigen::Vector2d wanted = middle(checks_.support().outline);
   wanted.x() += from(options_.centreForwards);
   wanted.y() += outwards * from(options_.centreOutwards);
   soleFromTorso.translation << wanted, from(options_.height);
@@ -77,8 +126,8 @@ bool RandomAttitude::standUp(Belief& belief) {
     const Eigen::Vector3d centre = soleFromTorso * centreOfMass(robot_, posture(robot_, belief)).inTorso;
     soleFromTorso.translation.head<2>() += wanted - centre.head<2>();
   }
-  return bendLegs(belief, soleFromTorso, soleFromOther) && withinLimits(belief, supportLeg_.joints()) &&
-         withinLimits(belief, otherLeg_.joints());
+  return bendLegs(belief, soleFromTorso, soleFromOther) && checks_.withinLimits(belief, supportLeg_.joints()) &&
+         checks_.withinLimits(belief, otherLeg_.joints());
 }
 
 bool RandomAttitude::bendLegs(Belief& belief, const RigidTransform& soleFromTorso,
@@ -96,39 +145,38 @@ bool RandomAttitude::bendLegs(Belief& belief, const RigidTransform& soleFromTors
   return true;
 }
 
-bool RandomAttitude::lookAround(Belief& belief) {
-  constexpr int glances = 30;
+void RandomAttitude::turnHead(Belief& belief, const std::function<double(const Interval&)>& draw) const {
+  for (const std::size_t joint : head_) {
+    belief.angle(joint) = draw({robot_.joints[joint].limits.lower, robot_.joints[joint].limits.upper});
+  }
+}
+
+bool RandomAttitude::lookAround(SievedPose& attitude, int glances) {
+  Belief& belief = attitude.belief;
   for (int glance = 0; glance < glances; ++glance) {
-    for (const std::size_t joint : head_) {
-      belief.angle(joint) = from({robot_.joints[joint].limits.lower, robot_.joints[joint].limits.upper});
+    if (glance > 0) {
+      turnHead(belief, [&](const Interval& interval) {
+        return std::uniform_real_distribution{interval.lower, interval.upper}(random_);
+      });
     }
-    if (withinLimits(belief, head_) && !scene_.sights(belief, posture(robot_, belief)).empty()) {
-      return true;
+    if (!checks_.withinLimits(belief, head_)) {
+      continue;
     }
+    const Posture torsoFromLink = posture(robot_, belief);
+    if (scene_.sights(belief, torsoFromLink).empty()) {
+      continue;
+    }
+    const auto share = checks_.touchesItself(torsoFromLink) ? std::nullopt
+                       : glance == 0                        ? std::optional{attitude.standing}
+                                                            : checks_.standing(belief, torsoFromLink, random_);
+    attitude.standing = share.value_or(0);
+    return share.has_value();
   }
   return false;
 }
 
-template <typename Joints> bool RandomAttitude::withinLimits(const Belief& belief, const Joints& joints) const {
-  const Eigen::VectorXd angles = belief.values.head(static_cast<Eigen::Index>(robot_.joints.size()));
-  return std::all_of(joints.begin(), joints.end(), [&](std::size_t joint) {
-    const AngleRange limits = limitsAt(robot_, joint, angles);
-    return belief.angle(joint) >= limits.lower + options_.limitMargin &&
-           belief.angle(joint) <= limits.upper - options_.limitMargin;
-  });
-}
-
-bool RandomAttitude::solesApart(const Posture& torsoFromLink) const {
-  const RigidTransform soleFromOther = torsoFromLink[support_.link].inverse() * torsoFromLink[other_.link];
-  Outline shadow;
-  for (const Eigen::Vector2d& corner : other_.outline) {
-    shadow.push_back((soleFromOther * Eigen::Vector3d{corner.x(), corner.y(), 0}).head<2>());
-  }
-  return apart(support_.outline, shadow);
-}
-
 double RandomAttitude::from(const Interval& interval) {
-  return std::uniform_real_distribution{interval.lower, interval.upper}(random_);
+  return interval.lower + point_[used_++] * (interval.upper - interval.lower);
 }
 
 } // namespace naocal

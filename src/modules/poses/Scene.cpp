@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <numeric>
+#include <set>
 
 namespace naocal {
 
@@ -91,6 +92,16 @@ Scene::Projection Scene::projection(const Outlook& outlook, Belief& belief, cons
     result.seen.clear();
   }
   return result;
+}
+
+std::vector<std::size_t> Scene::joints() const {
+  std::set<std::size_t> motors;
+  for (const Outlook& outlook : outlooks_) {
+    for (const std::size_t joint : outlook.view.joints()) {
+      motors.insert(robot_.joints[joint].motor);
+    }
+  }
+  return {motors.begin(), motors.end()};
 }
 
 std::vector<Sight> Scene::sights(const Belief& belief, const Posture& torsoFromLink) const {

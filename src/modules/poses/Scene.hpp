@@ -34,6 +34,9 @@ public:
   /// The drawn robot on its sole among the boards, all angles zero.
   const Belief& drawn() const { return drawn_; }
 
+  /// Joints between the sole and the cameras, by their motors.
+  std::vector<std::size_t> joints() const;
+
   std::vector<Sight> sights(const Belief& belief, const Posture& torsoFromLink) const;
 
   /// J^T J over the corners in sight, for 1 px of noise: what the pictures of a pose tell about the unknowns: an offset

@@ -45,23 +45,24 @@ bool stands(const Robot& robot, const Posture& torsoFromLink, const Sole& suppor
   });
 }
 
-bool standsDespiteErrors(const Robot& robot, const Belief& belief, const Sole& support, const Sole& other,
-                         const Stability& wanted, std::mt19937_64& random) {
+std::optional<double> shareStanding(const Robot& robot, const Belief& belief, const Sole& support, const Sole& other,
+                                    const Stability& wanted, std::mt19937_64& random) {
   std::uniform_real_distribution<double> error{-wanted.jointError, wanted.jointError};
   const int mayFall = static_cast<int>(std::floor((1 - wanted.share) * wanted.draws + 1e-9));
   Belief erroneous = belief;
   std::vector<double> errors(robot.joints.size());
-  for (int draw = 0, fallen = 0; draw < wanted.draws; ++draw) {
+  int fallen = 0;
+  for (int draw = 0; draw < wanted.draws; ++draw) {
     std::generate(errors.begin(), errors.end(), [&] { return error(random); });
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
       erroneous.angle(joint) = belief.angle(joint) + errors[robot.joints[joint].motor];
     }
     fallen += stands(robot, posture(robot, erroneous), support, other, {}) ? 0 : 1;
     if (fallen > mayFall) {
-      return false;
+      return std::nullopt;
     }
   }
-  return true;
+  return 1 - static_cast<double>(fallen) / wanted.draws;
 }
 
 } // namespace naocal

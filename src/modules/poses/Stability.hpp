@@ -3,6 +3,7 @@
 #include "captures/Capture.hpp"
 #include "model/Kinematics.hpp"
 
+#include <optional>
 #include <random>
 
 namespace naocal {
@@ -29,8 +30,9 @@ struct Stability {
 bool stands(const Robot& robot, const Posture& torsoFromLink, const Sole& support, const Sole& other,
             const Footing& least);
 
-/// As many of the robots drawn stand (by the least Footing there is) as wanted. Stops as soon as that is decided.
-bool standsDespiteErrors(const Robot& robot, const Belief& belief, const Sole& support, const Sole& other,
-                         const Stability& wanted, std::mt19937_64& random);
+/// The share of robots drawn that stand by the least Footing there is; absent, as soon as that is decided, where it is
+/// smaller than wanted.
+std::optional<double> shareStanding(const Robot& robot, const Belief& belief, const Sole& support, const Sole& other,
+                                    const Stability& wanted, std::mt19937_64& random);
 
 } // namespace naocal

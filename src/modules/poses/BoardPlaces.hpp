@@ -1,0 +1,27 @@
+#pragma once
+
+#include "captures/Capture.hpp"
+#include "model/Robot.hpp"
+#include "poses/Outline.hpp"
+
+#include <vector>
+
+namespace naocal {
+
+/// Where boards may lie on the floor around a robot.
+class BoardPlaces {
+public:
+  /// `farthest`: a board's middle from the support sole [m]; `gap`: between boards, and from where feet stand [m].
+  BoardPlaces(const Robot& robot, SupportFoot supportFoot, double farthest, double gap);
+
+  /// Whether one of the boards, in the support sole's frame, lies well beside feet and other boards.
+  bool allow(const std::vector<Board>& boards, std::size_t one) const;
+
+private:
+  Outline sheet(const Board& board, double margin) const;
+
+  double farthest_, gap_;
+  std::vector<Outline> feet_; // the support sole, and the other one beside it
+};
+
+} // namespace naocal

@@ -1,0 +1,113 @@
+#include "poses/PlanFile.hpp"
+
+#include "captures/CaptureWords.hpp"
+#include "captures/Files.hpp"
+#include "captures/InputError.hpp"
+#include "poses/PoseFile.hpp"
+#include "poses/PoseJson.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace naocal {
+
+namespace {
+
+using Json = nlohmann::json;
+
+bool hasFingers(const Joint& wrist) {
+  return wrist.name.ends_with("WristYaw");
+}
+
+Json boardsOf(const PosePlan& plan) {
+  Json result = Json::array();
+  for (const Board& board : plan.boards) {
+    const Placement& place = *board.placement;
+    result.push_back({{"id", board.id}, {"placement", {{"x", place.x}, {"y", place.y}, {"yaw", place.yaw}}}});
+  }
+  return result;
+}
+
+std::vector<std::optional<double>> secondsOf(const PosePlan& plan) {
+  std::vector<std::optional<double>> result;
+  for (const auto& way : plan.ways) {
+    result.push_back(way ? std::optional{way->seconds} : std::nullopt);
+  }
+  return result;
+}
+
+Json assumptions(const PlanOptions& options) {
+  return {{"noise", {{"pixel", options.noise.pixel}, {"encoder", options.noise.encoder}, {"pose", options.noise.pose}}},
+          {"samples", 1},
+          {"jointError", options.poses.stability.jointError},
+          {"boards", "placements in the frame of the sole that the robot stands on"},
+          {"unknowns", "joint offsets, rotations of both cameras, x, y and yaw of every board"}};
+}
+
+} // namespace
+
+Json planJson(const PosePlan& plan, const Robot& robot) {
+  Json poses = posesOf(plan.poses, secondsOf(plan), robot);
+  for (std::size_t i = 0; i < plan.standing.size(); ++i) {
+    poses[i]["standing"] = plan.standing[i];
+    for (const Eigen::VectorXd& angles : plan.ways[i].value_or(PoseWay{}).via) {
+      poses[i]["via"].push_back(anglesJson(angles, robot));
+    }
+  }
+  return {{"format", "naocal-poses"},
+          {"version", 1},
+          {"robot", robot.model},
+          {"support", supportFootWords[static_cast<std::size_t>(plan.supportFoot)]},
+          {"candidates",
+           {{"generated", plan.sieve.generated},
+            {"reachable", plan.sieve.reachable},
+            {"collisionFree", plan.sieve.collisionFree},
+            {"stable", plan.sieve.stable},
+            {"seeing", plan.sieve.seeing}}},
+          {"poses", poses},
+          {"boards", boardsOf(plan)},
+          {"predictedSigma", plan.sigma},
+          {"predictedSigmaKnown", plan.sigmaKnown},
+          {"predictedSigmaOfRobots", plan.sigmaOfRobots},
+          {"criterion", name(plan.options.criterion)},
+          {"assumptions", assumptions(plan.options)}};
+}
+
+void writePoseFiles(const PosePlan& plan, const Robot& robot, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  const Json poses = posesOf(plan.poses, secondsOf(plan), robot);
+  for (std::size_t i = 0; i < plan.poses.size(); ++i) {
+    std::string text;
+    for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+      text += fmt::format("{:.17g} ", plan.poses[i].pose.angles[static_cast<Eigen::Index>(joint)]);
+      text += hasFingers(robot.joints[joint]) ? "0 " : "";
+    }
+    text.back() = '\n';
+    writeAtomically(folder / (poses[i].at("id").get<std::string>() + ".pose"), text);
+  }
+}
+
+Eigen::VectorXd readAnglesFile(const std::filesystem::path& file, const Robot& robot) {
+  std::istringstream text{fileContent(file)};
+  std::vector<double> numbers;
+  for (double number = 0; text >> number;) {
+    numbers.push_back(number);
+  }
+  const std::size_t wanted = robot.joints.size() + fingers.size();
+  if (!text.eof() || numbers.size() != wanted) {
+    throw InputError{fmt::format("{}: expected {} angles in radians and nothing else, found {} before the end or "
+                                 "something that is no number",
+                                 file.string(), wanted, numbers.size())};
+  }
+  Eigen::VectorXd angles(static_cast<Eigen::Index>(robot.joints.size()));
+  std::size_t next = 0;
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    angles[static_cast<Eigen::Index>(joint)] = numbers[next];
+    next += hasFingers(robot.joints[joint]) ? 2 : 1;
+  }
+  return angles;
+}
+
+} // namespace naocal

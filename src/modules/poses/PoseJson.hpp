@@ -1,0 +1,17 @@
+#pragma once
+
+#include "poses/PlannedCaptures.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+
+namespace naocal {
+
+/// `poses` of POSES.json: each with the seconds from the one before it, where these are known.
+nlohmann::json posesOf(const std::vector<ProposedPose>& poses, const std::vector<std::optional<double>>& seconds,
+                       const Robot& robot);
+
+/// Angles by name, fingers at rest.
+nlohmann::json anglesJson(const Eigen::VectorXd& angles, const Robot& robot);
+
+} // namespace naocal

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "poses/PoseOptions.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace naocal {
+
+/// How a robot goes from pose to pose: all joints start and arrive together, the one with the longest way at `speed`, a
+/// share of its full speed.
+struct Motion {
+  double share = 0.97; // of robots with joint errors that must stand all along
+  double speed = 0.15; // a robot on one foot moves slowly
+  double step = 0.03;  // at most this far between checks, of the joint that moves most [rad]
+};
+
+/// From one pose to another (angles per joint), the slowest joint at a share `speed` of its full one [s].
+double secondsBetween(const Robot& robot, const Eigen::VectorXd& from, const Eigen::VectorXd& to, double speed);
+
+/// That of a motion; absent where the robot, or too many of those with joint errors, would fall over or touch itself on
+/// the way.
+std::optional<double> secondsOnTheWay(const Robot& robot, const PoseOptions& options, const Eigen::VectorXd& from,
+                                      const Eigen::VectorXd& to, const Motion& motion = {});
+
+/// The quickest order to visit all poses, one after another: exact for up to 12 poses, else always the nearest next.
+/// `seconds[i][j]`: from i to j, absent where there is no way. Absent: there is no such order.
+std::optional<std::vector<std::size_t>> quickestOrder(const std::vector<std::vector<std::optional<double>>>& seconds);
+
+} // namespace naocal

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "poses/PlannedCaptures.hpp"
+#include "poses/PoseCandidates.hpp"
+#include "poses/PoseCriterion.hpp"
+#include "poses/PoseWays.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+struct PlanOptions {
+  PoseOptions poses; // count: to select; tries: candidates
+  Criterion criterion = Criterion::worst;
+  Noise noise;
+  bool known = false;             // cameras and boards: their places are not to be estimated
+  bool moveBoards = true;         // else they lie where they are given
+  double farthestBoard = 1.3;     // middle of a board from the support sole [m]
+  double gap = 0.02;              // between boards, and from the robot's feet [m]
+  std::size_t rounds = 4;         // of selecting poses, then refining poses and boards
+  std::size_t refinements = 1000; // tries per pose and per board in a round
+};
+
+/// Poses to take, and where to lay the boards.
+struct PosePlan {
+  SupportFoot supportFoot = SupportFoot::left;
+  Sieve sieve;                              // of the candidates
+  std::vector<ProposedPose> poses;          // in the order to take them
+  std::vector<std::optional<PoseWay>> ways; // per pose: from the one before it; absent: the first, or none is safe
+  std::vector<double> standing;             // per pose: the share of robots with joint errors that stand so
+  std::vector<Board> boards;                // placements in the support sole's frame
+  std::map<std::string, double> sigma, sigmaKnown; // per joint's offset; with cameras and boards known [rad]
+  std::map<std::string, double> sigmaOfRobots;     // of robots with joint errors, root of the mean square [rad]
+  PlanOptions options;
+};
+
+/// Plans poses on one foot that tell the joint offsets of its leg and the head best: candidates are sieved, the best
+/// are selected, then poses and boards are moved a little as long as that helps; again from the boards' new places.
+///
+/// `boards`: with placements in the support sole's frame to begin with. Throws InputError when there are too few
+/// candidates. `tell`: what is being done, for people.
+PosePlan posePlan(const Robot& robot, std::vector<Board> boards, const std::map<std::string, CameraIntrinsics>& cameras,
+                  const PlanOptions& options, const std::function<void(const std::string&)>& tell = {});
+
+} // namespace naocal

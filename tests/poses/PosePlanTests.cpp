@@ -1,0 +1,252 @@
+#include "RobotV6.hpp"
+#include "TemporaryFolder.hpp"
+#include "calibrate/Calibration.hpp"
+#include "captures/Files.hpp"
+#include "captures/InputError.hpp"
+#include "poses/PlanFile.hpp"
+#include "poses/PoseChecks.hpp"
+#include "poses/PoseFile.hpp"
+#include "poses/PoseOrder.hpp"
+#include "poses/PosePlan.hpp"
+#include "synthetic/Simulation.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <set>
+
+using namespace naocal;
+
+namespace {
+
+PlanOptions options(SupportFoot foot = SupportFoot::left) {
+  PlanOptions options;
+  options.poses.supportFoot = foot;
+  options.poses.count = 8;
+  options.poses.tries = 40'000;
+  options.poses.sampling = Sampling::even;
+  options.rounds = 2;
+  options.refinements = 200;
+  return options;
+}
+
+PosePlan plan(const PlanOptions& options) {
+  const SimulationPlan scene;
+  return posePlan(v6(), scene.boards, scene.cameras, options);
+}
+
+/// One plan for all that only looks at it.
+const PosePlan& example() {
+  static const PosePlan plan = ::plan(options());
+  return plan;
+}
+
+} // namespace
+
+TEST_CASE("points of a sequence are the same wherever one begins to read it, and fill the cube") {
+  // Proves that threads may share a sequence by its parts; that even points fill every quarter of every plane equally;
+  // and that a grid visits each of its cells once.
+  for (const Sampling sampling : {Sampling::even, Sampling::grid}) {
+    std::vector<double> whole(5), part(5);
+    const auto from0 = unitPoints(sampling, 3, 5, 1000, 0), from70 = unitPoints(sampling, 3, 5, 1000, 70);
+    for (int i = 0; i < 71; ++i) {
+      from0->next(whole);
+    }
+    from70->next(part);
+    CHECK(whole == part);
+  }
+  const auto even = unitPoints(Sampling::even, 1, 13, 4096, 0);
+  std::vector<double> point(13);
+  std::vector<int> quarters(13 * 4, 0);
+  for (int i = 0; i < 4096; ++i) {
+    even->next(point);
+    for (std::size_t d = 0; d < 13; ++d) {
+      ++quarters[4 * d + 2 * (point[d] < 0.5) + (point[(d + 1) % 13] < 0.5)];
+    }
+  }
+  for (const int count : quarters) {
+    CHECK(count == Approx(1024).margin(80));
+  }
+  const auto grid = unitPoints(Sampling::grid, 1, 3, 30, 0);
+  std::set<std::vector<double>> cells;
+  for (int i = 0; i < 27; ++i) {
+    grid->next(std::span{point}.first(3));
+    cells.insert({point[0], point[1], point[2]});
+  }
+  CHECK(cells.size() == 27);
+}
+
+TEST_CASE("candidates are the same on any number of cores, and each test only removes") {
+  // Proves it with the sequence's chunks once in one draw and once in many, and that every candidate is valid by the
+  // checks' own words: limits with margin, nothing touches, stable.
+  const PoseOptions wanted = options().poses;
+  const SimulationPlan plan;
+  const Scene scene{v6(), supportSole(v6(), SupportFoot::left), plan.boards, plan.cameras, wanted.sight};
+  const PoseCandidates once = poseCandidates(v6(), scene, wanted), again = poseCandidates(v6(), scene, wanted);
+  REQUIRE(once.attitudes.size() == again.attitudes.size());
+  REQUIRE(once.attitudes.size() == once.sieve.seeing);
+  CHECK(once.sieve.generated == wanted.tries);
+  CHECK(once.sieve.generated > once.sieve.reachable);
+  CHECK(once.sieve.reachable > once.sieve.collisionFree);
+  CHECK(once.sieve.collisionFree > once.sieve.stable);
+  CHECK(once.sieve.stable >= once.sieve.seeing);
+  CHECK(once.sieve.seeing > 20);
+  const PoseChecks checks{v6(), wanted};
+  std::mt19937_64 random{5};
+  for (std::size_t i = 0; i < once.attitudes.size(); ++i) {
+    const Belief& belief = once.attitudes[i].belief;
+    CHECK(belief.values == again.attitudes[i].belief.values);
+    const Posture torsoFromLink = posture(v6(), belief);
+    CHECK(stands(v6(), torsoFromLink, checks.support(), checks.other(), wanted.footing));
+    CHECK_FALSE(checks.touchesItself(torsoFromLink));
+    CHECK(once.attitudes[i].standing >= 0.99);
+  }
+}
+
+TEST_CASE("exchange finds the best set where all sets can be tried") {
+  // Proves the selection against all 455 triples of 15 candidates, for every criterion, within 5 %: exchange is no
+  // proof of the optimum. Those kept stay.
+  const PoseOptions wanted = options().poses;
+  const SimulationPlan plan;
+  const Scene scene{v6(), supportSole(v6(), SupportFoot::left), plan.boards, plan.cameras, wanted.sight};
+  std::vector<SievedPose> poses = poseCandidates(v6(), scene, wanted).attitudes;
+  poses.erase(poses.begin() + 15, poses.end());
+  for (const Criterion criterion :
+       {Criterion::determinant, Criterion::trace, Criterion::eigenvalue, Criterion::worst}) {
+    const PoseJudge judge{v6(), scene, scene.joints(), criterion};
+    std::vector<Eigen::MatrixXd> parts = informations(v6(), scene, poses, Noise{});
+    for (Eigen::MatrixXd& part : parts) {
+      part = judge.part(part);
+    }
+    double best = std::numeric_limits<double>::infinity();
+    for (std::size_t a = 0; a < 15; ++a) {
+      for (std::size_t b = a + 1; b < 15; ++b) {
+        for (std::size_t c = b + 1; c < 15; ++c) {
+          best = std::min(best, judge(judge.prior() + parts[a] + parts[b] + parts[c]));
+        }
+      }
+    }
+    const std::vector<std::size_t> chosen = selected(judge, parts, 3);
+    const double value = judge(judge.prior() + parts[chosen[0]] + parts[chosen[1]] + parts[chosen[2]]);
+    CAPTURE(name(criterion));
+    CHECK(value <= best + 0.05 * std::abs(best));
+    CHECK(selected(judge, parts, 5, {4, 7})[1] == 7);
+  }
+}
+
+TEST_CASE("predicted sigmas are the spread of calibrations with the planned poses and boards") {
+  // Proves the prediction against 120 simulated robots of unknown offsets, mounts and placements, pooled over joints
+  // (5 % is the pooled figure's own spread). The simulator has its own mechanics and noise.
+  SimulationPlan scene;
+  scene.boards = example().boards;
+  scene.samples = 1;
+  for (const ProposedPose& pose : example().poses) {
+    scene.poses.push_back({"P" + std::to_string(scene.poses.size()), pose.pose.supportFoot, pose.pose.angles, {}});
+  }
+  double squares = 0;
+  int count = 0;
+  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+    const Simulation simulation = simulate(v6(), scene, seed);
+    const Measurements measurements = measurementsOf({simulation.set}, v6());
+    const Model model = makeModel(measurements);
+    const CalibrationResult result = calibrate(measurements, model);
+    for (const auto& [name, sigma] : example().sigmaOfRobots) {
+      const std::string& joint = name;
+      const auto term = std::find_if(model.terms().begin(), model.terms().end(), [&](const Term& each) {
+        return each.effect.name == "jointOffset" && each.place == joint;
+      });
+      REQUIRE(term != model.terms().end());
+      const double error = result.unknowns[static_cast<Eigen::Index>(term->first)] -
+                           simulation.truth.value("jointOffset", joint, "o").value();
+      squares += error * error / (sigma * sigma);
+      ++count;
+    }
+  }
+  CHECK(std::sqrt(squares / count) == Approx(1).margin(0.1));
+}
+
+TEST_CASE("a plan's poses are in order and reached safely, and its boards lie free") {
+  // Proves that the way from each pose to the next is safe at a finer step and for other robots than it was planned
+  // with, for both feet (95 of 100 robots, as 200 draws are uncertain by a hundredth), and that boards lie where they
+  // may.
+  const PosePlan right = plan(options(SupportFoot::right));
+  CHECK(right.supportFoot == SupportFoot::right);
+  CHECK(right.sigma.contains("RKneePitch"));
+  for (const PosePlan* plan : {&example(), &right}) {
+    PoseOptions other = plan->options.poses;
+    other.seed += 1;
+    int without = 0;
+    for (std::size_t i = 1; i < plan->poses.size(); ++i) {
+      if (!plan->ways[i]) {
+        ++without; // a plan says so
+        continue;
+      }
+      Eigen::VectorXd last = plan->poses[i - 1].pose.angles;
+      std::vector<Eigen::VectorXd> stops = plan->ways[i]->via;
+      stops.push_back(plan->poses[i].pose.angles);
+      for (const Eigen::VectorXd& stop : stops) {
+        CHECK(secondsOnTheWay(v6(), other, last, stop, {.share = 0.95, .step = 0.02}));
+        last = stop;
+      }
+    }
+    CHECK(without <= 1);
+    for (const Board& board : plan->boards) {
+      CHECK(std::hypot(board.placement->x, board.placement->y) < 1.8);
+    }
+  }
+}
+
+TEST_CASE("the quickest order is that of a full search") {
+  // Proves it on 6 poses with ways missing, and that no order is found where there is none.
+  std::vector<std::vector<std::optional<double>>> seconds(6, std::vector<std::optional<double>>(6));
+  std::mt19937_64 random{2};
+  for (auto& row : seconds) {
+    for (auto& way : row) {
+      way = std::uniform_real_distribution{1.0, 5.0}(random);
+    }
+  }
+  seconds[2][3].reset();
+  seconds[0][1].reset();
+  const auto length = [&](const std::vector<std::size_t>& order) {
+    double sum = 0;
+    for (std::size_t i = 1; i < order.size(); ++i) {
+      sum += seconds[order[i - 1]][order[i]].value_or(1e9);
+    }
+    return sum;
+  };
+  std::vector<std::size_t> order(6);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  double best = 1e9;
+  do {
+    best = std::min(best, length(order));
+  } while (std::next_permutation(order.begin(), order.end()));
+  CHECK(length(quickestOrder(seconds).value()) == Approx(best));
+  seconds.assign(3, std::vector<std::optional<double>>(3));
+  CHECK_FALSE(quickestOrder(seconds));
+}
+
+TEST_CASE("a plan is read back from its files as it was written") {
+  // Proves the round trip of POSES.json and of .pose files to the last digit, and that broken ones are refused.
+  const TemporaryFolder folder;
+  const auto json = folder.path() / "poses.json";
+  writeAtomically(json, planJson(example(), v6()).dump());
+  const PoseFile read = readPoseFile(json, v6());
+  writePoseFiles(example(), v6(), folder.path() / "poses");
+  REQUIRE(read.poses.size() == example().poses.size());
+  for (std::size_t i = 0; i < read.poses.size(); ++i) {
+    CHECK(read.poses[i].angles == example().poses[i].pose.angles);
+    const auto file = folder.path() / "poses" / (read.poses[i].id + ".pose");
+    CHECK(readAnglesFile(file, v6()) == example().poses[i].pose.angles);
+  }
+  writeAtomically(folder.path() / "short.pose", "0 0 0");
+  writeAtomically(folder.path() / "words.pose", fileContent(folder.path() / "poses" / "L00.pose") + " knee");
+  CHECK_THROWS_AS(readAnglesFile(folder.path() / "short.pose", v6()), InputError);
+  CHECK_THROWS_AS(readAnglesFile(folder.path() / "words.pose", v6()), InputError);
+}
+
+TEST_CASE("too few candidates are refused with what to do") {
+  // Proves the sentence's numbers.
+  PlanOptions few = options();
+  few.poses.tries = 100;
+  CHECK_THROWS_WITH(plan(few), Catch::Contains("expected 8 stable poses") && Catch::Contains("among 100 attitudes"));
+}

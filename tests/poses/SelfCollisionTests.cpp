@@ -1,0 +1,39 @@
+#include "RobotV6.hpp"
+#include "geometry/Angles.hpp"
+#include "poses/SelfCollision.hpp"
+
+#include <catch2/catch.hpp>
+#include <vector>
+
+using namespace naocal;
+
+namespace {
+
+struct Turn {
+  const char* joint;
+  double degrees;
+};
+
+bool touches(const std::vector<Turn>& turns) {
+  const Robot& robot = v6();
+  Belief belief = drawnBelief(robot, Quantities{robot.joints.size(), robot.lengths.size(), 0});
+  takeToRest(robot, belief);
+  for (const Turn& turn : turns) {
+    belief.angle(*robot.jointIndex(turn.joint)) = radians(turn.degrees);
+  }
+  return SelfCollision{robot}.touches(posture(robot, belief));
+}
+
+} // namespace
+
+TEST_CASE("a robot that crosses its legs, kicks its shin or bends onto its thigh touches itself") {
+  // Proves the hull against postures of which a person can tell, both ways. It is as coarse as its capsules: postures
+  // within a centimetre of touching are not judged here.
+  CHECK_FALSE(touches({}));
+  CHECK_FALSE(touches({{"LKneePitch", 110}, {"LHipPitch", -60}, {"LAnklePitch", -50}}));
+  CHECK_FALSE(touches({{"LHipRoll", 20}, {"RHipRoll", -20}}));
+  CHECK_FALSE(touches({{"LShoulderRoll", 60}, {"RShoulderRoll", -60}}));
+  CHECK(touches({{"LHipRoll", -20}, {"RHipRoll", 20}}));
+  CHECK(touches({{"RHipRoll", 25}, {"RHipPitch", -10}}));
+  CHECK(touches({{"LShoulderRoll", -18}, {"LElbowRoll", -80}, {"LShoulderPitch", 60}}));
+}
