@@ -47,26 +47,29 @@ void printSigmas(const PosePlan& plan) {
   }
 }
 
+/// Whether a point of the floor lies on a board's squares.
+bool covers(const Board& board, double x, double y) {
+  const double dx = x - board.placement->x, dy = y - board.placement->y;
+  const double c = std::cos(board.placement->yaw), s = std::sin(board.placement->yaw);
+  const double along = c * dx + s * dy, across = c * dy - s * dx, square = board.pattern->squareLength;
+  return along >= 0 && along <= board.pattern->squaresX * square && across <= 0 &&
+         across >= -board.pattern->squaresY * square;
+}
+
 /// The floor from above, the robot looks up: a character is 6 cm wide and 12 cm high.
 void printFloor(const PosePlan& plan) {
   constexpr int rows = 14, columns = 45, ahead = 11; // rows before the robot
-  constexpr double width = 0.06, height = 0.12;      // [m]
   std::vector<std::string> floor(rows, std::string(columns, '.'));
-  const auto mark = [&](double x, double y, char letter) {
-    const auto row = static_cast<int>(std::lround(ahead - x / height));
-    const auto column = static_cast<int>(std::lround(columns / 2 - y / width));
-    if (row >= 0 && row < rows && column >= 0 && column < columns) {
-      floor[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = letter;
-    }
-  };
-  for (const Board& board : plan.boards) {
-    const Placement& place = *board.placement;
-    for (const Eigen::Vector3d& point : board.points) {
-      mark(place.x + std::cos(place.yaw) * point.x() - std::sin(place.yaw) * point.y(),
-           place.y + std::sin(place.yaw) * point.x() + std::cos(place.yaw) * point.y(), board.id.front());
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      for (const Board& board : plan.boards) {
+        if (covers(board, 0.12 * (ahead - row), 0.06 * (columns / 2 - column))) {
+          floor[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = board.id.front();
+        }
+      }
     }
   }
-  mark(0, 0, '^');
+  floor[ahead][columns / 2] = '^';
   fmt::print("\nwhere to lay the boards (^ the foot it stands on, looking up; a dot is 6 cm by 12 cm):\n");
   for (const std::string& row : floor) {
     fmt::print("  {}\n", row);

@@ -2,8 +2,8 @@
 
 #include "captures/InputError.hpp"
 #include "poses/BoardPlaces.hpp"
+#include "poses/PlanScore.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
@@ -19,14 +19,12 @@ class Planner {
 public:
   Planner(const Robot& robot, std::vector<Board> boards, const std::map<std::string, CameraIntrinsics>& cameras,
           const PlanOptions& options)
-      : robot_{robot}, cameras_{cameras}, options_{options}, support_{supportSole(robot, options.poses.supportFoot)},
-        boards_{std::move(boards)}, random_{options.poses.seed} {}
+      : robot_{robot}, cameras_{cameras}, options_{options}, boards_{std::move(boards)}, random_{options.poses.seed} {}
 
   PosePlan plan(const std::function<void(const std::string&)>& tell) {
     PosePlan result;
-    Scene scene = sceneNow();
     tell(fmt::format("sieving {} attitudes", options_.poses.tries));
-    PoseCandidates candidates = poseCandidates(robot_, scene, options_.poses);
+    PoseCandidates candidates = poseCandidates(robot_, scoreNow().scene(), options_.poses);
     if (candidates.attitudes.size() < options_.poses.count) {
       throw InputError{fmt::format("expected {} stable poses that see a board, found {} among {} attitudes; put the "
                                    "boards nearer, try more candidates or ask for fewer poses",
@@ -49,41 +47,23 @@ public:
   }
 
 private:
-  Scene sceneNow() const { return {robot_, support_, boards_, cameras_, options_.poses.sight}; }
-
-  PoseJudge judge(const Scene& scene) const { return judge(scene, options_.known); }
-  PoseJudge judge(const Scene& scene, bool known) const {
-    return {robot_, scene, scene.joints(), options_.criterion, known};
-  }
-
-  std::vector<Eigen::MatrixXd> parts(const Scene& scene, const PoseJudge& judge,
-                                     const std::vector<SievedPose>& attitudes) const {
-    std::vector<Eigen::MatrixXd> result = informations(robot_, scene, attitudes, options_.noise);
-    for (Eigen::MatrixXd& information : result) {
-      information = judge.part(information);
-    }
-    return result;
-  }
+  PlanScore scoreNow() const { return {robot_, boards_, cameras_, options_}; }
 
   void choose(const std::vector<SievedPose>& attitudes) {
-    const Scene scene = sceneNow();
-    const PoseJudge judge = this->judge(scene);
+    const PlanScore score = scoreNow();
     chosen_.clear();
-    for (const std::size_t index : selected(judge, parts(scene, judge, attitudes), options_.poses.count)) {
+    for (const std::size_t index : selected(score.judge(), score.parts(attitudes), options_.poses.count)) {
       chosen_.push_back(attitudes[index]);
     }
   }
 
   /// Each pose in turn tries places near its own, ever nearer ones.
   void refinePoses() {
-    const Scene scene = sceneNow();
-    const PoseJudge judge = this->judge(scene);
-    RandomAttitude attitudes{robot_, scene, options_.poses};
-    std::vector<Eigen::MatrixXd> own = parts(scene, judge, chosen_);
-    Eigen::MatrixXd sum = judge.prior();
-    for (const Eigen::MatrixXd& part : own) {
-      sum += part;
-    }
+    const PlanScore score = scoreNow();
+    const PoseJudge& judge = score.judge();
+    RandomAttitude attitudes{robot_, score.scene(), options_.poses};
+    std::vector<Eigen::MatrixXd> own = score.parts(chosen_);
+    Eigen::MatrixXd sum = score.sum(chosen_);
     Sieve sieve;
     for (std::size_t attempt = 0; attempt < options_.refinements * chosen_.size(); ++attempt) {
       const std::size_t i = attempt % chosen_.size();
@@ -95,7 +75,7 @@ private:
       if (!moved) {
         continue;
       }
-      const Eigen::MatrixXd part = parts(scene, judge, {*moved}).front();
+      const Eigen::MatrixXd part = score.parts({*moved}).front();
       if (judge(sum - own[i] + part) < judge(sum)) {
         sum += part - own[i];
         own[i] = part;
@@ -126,16 +106,15 @@ private:
   }
 
   double valueNow() const {
-    const Scene scene = sceneNow();
-    const PoseJudge judge = this->judge(scene);
-    Eigen::MatrixXd sum = judge.prior();
-    for (const Eigen::MatrixXd& part : parts(scene, judge, chosen_)) {
+    const PlanScore score = scoreNow();
+    Eigen::MatrixXd sum = score.judge().prior();
+    for (const Eigen::MatrixXd& part : score.parts(chosen_)) {
       if (part.isZero()) {
         return std::numeric_limits<double>::infinity(); // a pose that sees nothing
       }
       sum += part;
     }
-    return judge(sum);
+    return score.judge()(sum);
   }
 
   double step(std::size_t attempt, std::size_t attempts) {
@@ -143,55 +122,9 @@ private:
     return std::normal_distribution<double>{0, width}(random_);
   }
 
-  std::map<std::string, double> sigmas(bool known) const {
-    const Scene scene = sceneNow();
-    const PoseJudge judge = this->judge(scene, known);
-    Eigen::MatrixXd sum = judge.prior();
-    for (const Eigen::MatrixXd& part : parts(scene, judge, chosen_)) {
-      sum += part;
-    }
-    const Eigen::MatrixXd covariance = judge.covariance(sum);
-    std::map<std::string, double> result;
-    for (std::size_t i = 0; i < judge.joints().size(); ++i) {
-      result[robot_.joints[judge.joints()[i]].name] =
-          std::sqrt(covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)));
-    }
-    return result;
-  }
-
-  /// The root of the mean variance over robots with joint errors, whose pictures show what the drawn robot's do not.
-  std::map<std::string, double> sigmasOfRobots() {
-    constexpr int robots = 100;
-    const Scene scene = sceneNow();
-    const PoseJudge judge = this->judge(scene);
-    std::uniform_real_distribution<double> error{-options_.poses.stability.jointError,
-                                                 options_.poses.stability.jointError};
-    Eigen::VectorXd variances = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(judge.joints().size()));
-    for (int i = 0; i < robots; ++i) {
-      std::vector<double> errors(robot_.joints.size());
-      std::generate(errors.begin(), errors.end(), [&] { return error(random_); });
-      std::vector<SievedPose> poses = chosen_;
-      for (SievedPose& pose : poses) {
-        for (std::size_t joint = 0; joint < errors.size(); ++joint) {
-          pose.belief.angle(joint) += errors[robot_.joints[joint].motor];
-        }
-      }
-      Eigen::MatrixXd sum = judge.prior();
-      for (const Eigen::MatrixXd& part : parts(scene, judge, poses)) {
-        sum += part;
-      }
-      variances += judge.covariance(sum).diagonal() / robots;
-    }
-    std::map<std::string, double> result;
-    for (std::size_t i = 0; i < judge.joints().size(); ++i) {
-      result[robot_.joints[judge.joints()[i]].name] = std::sqrt(variances[static_cast<Eigen::Index>(i)]);
-    }
-    return result;
-  }
-
   double worst() const { // [deg]
     double result = 0;
-    for (const auto& [joint, sigma] : sigmas(options_.known)) {
+    for (const auto& [joint, sigma] : scoreNow().sigmas(chosen_, options_.known)) {
       result = std::max(result, degrees(sigma));
     }
     return result;
@@ -199,11 +132,11 @@ private:
 
   /// The quickest safe order; as they were selected where there is none.
   void bringIntoOrder(PosePlan& result) {
-    const Scene scene = sceneNow();
+    const PlanScore score = scoreNow();
     const std::size_t count = chosen_.size();
     std::vector<std::optional<PoseWay>> ways(count * count);
     tbb::parallel_for(std::size_t{0}, count * count, [&](std::size_t i) {
-      ways[i] = safeWay(robot_, scene, options_.poses, chosen_[i / count], chosen_[i % count]);
+      ways[i] = safeWay(robot_, score.scene(), options_.poses, chosen_[i / count], chosen_[i % count]);
     });
     std::vector<std::vector<std::optional<double>>> seconds(count, std::vector<std::optional<double>>(count));
     for (std::size_t i = 0; i < count * count; ++i) {
@@ -224,7 +157,8 @@ private:
 
   void finish(PosePlan& result) {
     bringIntoOrder(result);
-    const Scene scene = sceneNow();
+    const PlanScore score = scoreNow();
+    const Scene& scene = score.scene();
     const auto joints = static_cast<Eigen::Index>(robot_.joints.size());
     for (const SievedPose& attitude : chosen_) {
       Belief belief = scene.drawn();
@@ -236,16 +170,15 @@ private:
     }
     result.supportFoot = options_.poses.supportFoot;
     result.boards = boards_;
-    result.sigma = sigmas(false);
-    result.sigmaKnown = sigmas(true);
-    result.sigmaOfRobots = sigmasOfRobots();
+    result.sigma = score.sigmas(chosen_, false);
+    result.sigmaKnown = score.sigmas(chosen_, true);
+    result.sigmaOfRobots = score.sigmasOfRobots(chosen_);
     result.options = options_;
   }
 
   const Robot& robot_;
   const std::map<std::string, CameraIntrinsics>& cameras_;
   const PlanOptions& options_;
-  const Sole& support_;
   std::vector<Board> boards_;
   std::mt19937_64 random_;
   std::vector<SievedPose> chosen_;

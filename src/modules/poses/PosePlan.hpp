@@ -1,8 +1,7 @@
 #pragma once
 
+#include "poses/PlanScore.hpp"
 #include "poses/PlannedCaptures.hpp"
-#include "poses/PoseCandidates.hpp"
-#include "poses/PoseCriterion.hpp"
 #include "poses/PoseWays.hpp"
 
 #include <map>
@@ -10,18 +9,6 @@
 #include <vector>
 
 namespace naocal {
-
-struct PlanOptions {
-  PoseOptions poses; // count: to select; tries: candidates
-  Criterion criterion = Criterion::worst;
-  Noise noise;
-  bool known = false;             // cameras and boards: their places are not to be estimated
-  bool moveBoards = true;         // else they lie where they are given
-  double farthestBoard = 1.3;     // middle of a board from the support sole [m]
-  double gap = 0.02;              // between boards, and from the robot's feet [m]
-  std::size_t rounds = 4;         // of selecting poses, then refining poses and boards
-  std::size_t refinements = 1000; // tries per pose and per board in a round
-};
 
 /// Poses to take, and where to lay the boards.
 struct PosePlan {

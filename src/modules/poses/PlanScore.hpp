@@ -1,0 +1,54 @@
+#pragma once
+
+#include "poses/PoseCandidates.hpp"
+#include "poses/PoseCriterion.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+struct PlanOptions {
+  PoseOptions poses; // count: to select; tries: candidates
+  Criterion criterion = Criterion::worst;
+  Noise noise;
+  bool known = false;             // cameras and boards: their places are not to be estimated
+  bool moveBoards = true;         // else they lie where they are given
+  double farthestBoard = 1.3;     // middle of a board from the support sole [m]
+  double gap = 0.02;              // between boards, and from the robot's feet [m]
+  std::size_t rounds = 4;         // of selecting poses, then refining poses and boards
+  std::size_t refinements = 1000; // tries per pose and per board in a round
+};
+
+/// What sets of poses tell of the joint offsets, with the boards where they are.
+class PlanScore {
+public:
+  PlanScore(const Robot& robot, const std::vector<Board>& boards,
+            const std::map<std::string, CameraIntrinsics>& cameras, const PlanOptions& options);
+
+  const Scene& scene() const { return scene_; }
+  const PoseJudge& judge() const { return judge_; }
+
+  /// Each pose's information, as far as it is judged.
+  std::vector<Eigen::MatrixXd> parts(const std::vector<SievedPose>& poses) const;
+  /// That of all of them and what is known before.
+  Eigen::MatrixXd sum(const std::vector<SievedPose>& poses) const;
+
+  /// Predicted standard deviation per joint's offset for the drawn robot; `known`: cameras' and boards' places are
+  /// [rad].
+  std::map<std::string, double> sigmas(const std::vector<SievedPose>& poses, bool known) const;
+  /// The root of the mean variance over 100 robots with joint errors, whose pictures show what the drawn robot's do
+  /// not.
+  std::map<std::string, double> sigmasOfRobots(const std::vector<SievedPose>& poses) const;
+
+private:
+  std::map<std::string, double> named(const Eigen::VectorXd& variances) const;
+
+  const Robot& robot_;
+  const PlanOptions& options_;
+  Scene scene_;
+  PoseJudge judge_;
+};
+
+} // namespace naocal
