@@ -19,13 +19,13 @@ std::vector<BoardCorners> cornersInView(const Capture& capture, const Exposure& 
 }
 
 /// A board in a picture that shows enough of it to find its pose.
-struct Sight {
+struct Appearance {
   std::size_t capture, board;
 };
 
-std::vector<Sight> goodSights(const Walk& walk, const SimulationPlan& plan) {
+std::vector<Appearance> goodSights(const Walk& walk, const SimulationPlan& plan) {
   constexpr std::size_t enough = 8; // corners
-  std::vector<Sight> sights;
+  std::vector<Appearance> sights;
   for (std::size_t capture = 0; capture < walk.captures.size(); ++capture) {
     for (const BoardCorners& corners : cornersInView(walk.captures[capture], walk.exposures[capture], plan)) {
       const auto board = std::find_if(plan.boards.begin(), plan.boards.end(),
@@ -50,20 +50,20 @@ std::vector<std::vector<BoardCorners>> cornersInView(const Walk& walk, const Sim
 
 std::optional<DisplacedBoard> displaceOneBoard(Walk& walk, const SimulationPlan& plan, double distance,
                                                Randomness& chance) {
-  std::vector<Sight> candidates = goodSights(walk, plan);
+  std::vector<Appearance> candidates = goodSights(walk, plan);
   while (!candidates.empty()) {
     const auto chosen = candidates.begin() + static_cast<std::ptrdiff_t>(chance.below(candidates.size()));
-    const Sight sight = *chosen;
+    const Appearance sight = *chosen;
     candidates.erase(chosen);
     const Eigen::Vector2d shift = chance.direction(distance);
     Eigen::Isometry3d& worldFromBoard = walk.exposures[sight.capture].worldFromBoard[sight.board];
     const Eigen::Isometry3d before = worldFromBoard;
     worldFromBoard.translate(Eigen::Vector3d{shift.x(), shift.y(), 0});
-    const std::vector<Sight> after = goodSights(walk, plan);
-    const auto others = std::count_if(after.begin(), after.end(), [&](const Sight& other) {
+    const std::vector<Appearance> after = goodSights(walk, plan);
+    const auto others = std::count_if(after.begin(), after.end(), [&](const Appearance& other) {
       return other.board == sight.board && other.capture != sight.capture;
     });
-    const bool stillSeen = std::any_of(after.begin(), after.end(), [&](const Sight& other) {
+    const bool stillSeen = std::any_of(after.begin(), after.end(), [&](const Appearance& other) {
       return other.board == sight.board && other.capture == sight.capture;
     });
     if (stillSeen && others >= 2) {
