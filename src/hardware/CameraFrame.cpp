@@ -1,0 +1,21 @@
+#include "hardware/CameraFrame.hpp"
+
+namespace naocal {
+
+std::optional<GreyPicture> greyPicture(const CameraFrame& frame) {
+  const std::span<const std::uint8_t> bytes = frame.picture ? frame.picture->bytes() : std::span<const std::uint8_t>{};
+  const std::size_t count = std::size_t(frame.width) * std::size_t(frame.height);
+  const std::size_t perPixel = frame.format == PixelFormat::grey ? 1 : frame.format == PixelFormat::yuyv ? 2 : 3;
+  if (frame.width <= 0 || frame.height <= 0 || bytes.size() != perPixel * count) {
+    return std::nullopt;
+  }
+  GreyPicture grey{frame.width, frame.height, std::vector<std::uint8_t>(count)};
+  for (std::size_t pixel = 0; pixel < count; ++pixel) {
+    const std::uint8_t* at = &bytes[perPixel * pixel];
+    // ITU-R BT.601, in 1/256
+    grey.pixels[pixel] = perPixel < 3 ? *at : std::uint8_t((77 * at[0] + 150 * at[1] + 29 * at[2] + 128) / 256);
+  }
+  return grey;
+}
+
+} // namespace naocal
