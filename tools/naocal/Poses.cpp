@@ -1,9 +1,8 @@
 #include "Commands.hpp"
 #include "captures/Files.hpp"
-#include "captures/InputError.hpp"
 #include "geometry/Angles.hpp"
+#include "poses/BoardPlaces.hpp"
 #include "poses/PlanFile.hpp"
-#include "poses/PoseFile.hpp"
 #include "synthetic/SimulationPlan.hpp"
 
 #include <CLI/CLI.hpp>
@@ -47,15 +46,6 @@ void printSigmas(const PosePlan& plan) {
   }
 }
 
-/// Whether a point of the floor lies on a board's squares.
-bool covers(const Board& board, double x, double y) {
-  const double dx = x - board.placement->x, dy = y - board.placement->y;
-  const double c = std::cos(board.placement->yaw), s = std::sin(board.placement->yaw);
-  const double along = c * dx + s * dy, across = c * dy - s * dx, square = board.pattern->squareLength;
-  return along >= 0 && along <= board.pattern->squaresX * square && across <= 0 &&
-         across >= -board.pattern->squaresY * square;
-}
-
 /// The floor from above, the robot looks up: a character is 6 cm wide and 12 cm high.
 void printFloor(const PosePlan& plan) {
   constexpr int rows = 14, columns = 45, ahead = 11; // rows before the robot
@@ -63,7 +53,7 @@ void printFloor(const PosePlan& plan) {
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
       for (const Board& board : plan.boards) {
-        if (covers(board, 0.12 * (ahead - row), 0.06 * (columns / 2 - column))) {
+        if (depthInside(sheet(board), {0.12 * (ahead - row), 0.06 * (columns / 2 - column)}) >= 0) {
           floor[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = board.id.front();
         }
       }
@@ -109,8 +99,7 @@ struct PosesCommand {
     const Robot drawn = loadRobot(configurationDirectory(), robot);
     plan.poses.limitMargin = plan.poses.stability.jointError = radians(jointErrorDegrees);
     const SimulationPlan scene;
-    std::vector<Board> boards = scene.boards;
-    const PosePlan result = posePlan(drawn, std::move(boards), scene.cameras, plan,
+    const PosePlan result = posePlan(drawn, scene.boards, scene.cameras, plan,
                                      [](const std::string& what) { fmt::print(stderr, "{}\n", what); });
     printSieve(result.sieve);
     printSigmas(result);

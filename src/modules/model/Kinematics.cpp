@@ -53,6 +53,17 @@ std::vector<std::size_t> linksTowards(const Robot& robot, const std::vector<std:
   return result;
 }
 
+std::vector<std::size_t> jointsTowards(const Robot& robot, std::size_t link) {
+  std::vector<std::size_t> joints;
+  for (const std::size_t at : linksTowards(robot, {link})) {
+    if (robot.links[at].joint) {
+      joints.push_back(*robot.links[at].joint);
+    }
+  }
+  std::sort(joints.begin(), joints.end());
+  return joints;
+}
+
 void posture(const Robot& robot, const Belief& belief, const std::vector<std::size_t>& links, Posture& torsoFromLink) {
   const RigidTransform torso;
   torsoFromLink.resize(robot.links.size());

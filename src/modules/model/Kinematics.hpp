@@ -18,6 +18,9 @@ std::vector<std::size_t> linksTowards(const Robot& robot, const std::vector<std:
 /// Walks `links` (parents first): torsoFromLink = torsoFromParent * T(origin) * exp([axis * angle]x).
 void posture(const Robot& robot, const Belief& belief, const std::vector<std::size_t>& links, Posture& torsoFromLink);
 
+/// The joints between the root and a link, ascending.
+std::vector<std::size_t> jointsTowards(const Robot& robot, std::size_t link);
+
 /// All links.
 Posture posture(const Robot& robot, const Belief& belief);
 

@@ -29,15 +29,14 @@ bool BoardPlaces::allow(const std::vector<Board>& boards, std::size_t one) const
   }
   const auto clear = [&](const Outline& other) { return apart(own, other); };
   for (std::size_t i = 0; i < boards.size(); ++i) {
-    if (i != one && !clear(sheet(boards[i], 0))) {
+    if (i != one && !clear(sheet(boards[i]))) {
       return false;
     }
   }
   return middle.norm() <= farthest_ && std::all_of(feet_.begin(), feet_.end(), clear);
 }
 
-/// The printed pattern and `margin` around it, counter-clockwise.
-Outline BoardPlaces::sheet(const Board& board, double margin) const {
+Outline sheet(const Board& board, double margin) {
   Eigen::AlignedBox3d extent;
   for (const Eigen::Vector3d& point : board.points) {
     extent.extend(point);

@@ -8,6 +8,9 @@
 
 namespace naocal {
 
+/// The squares of a board on the floor and `margin` around them [m], counter-clockwise.
+Outline sheet(const Board& board, double margin = 0);
+
 /// Where boards may lie on the floor around a robot.
 class BoardPlaces {
 public:
@@ -18,8 +21,6 @@ public:
   bool allow(const std::vector<Board>& boards, std::size_t one) const;
 
 private:
-  Outline sheet(const Board& board, double margin) const;
-
   double farthest_, gap_;
   std::vector<Outline> feet_; // the support sole, and the other one beside it
 };

@@ -6,7 +6,6 @@
 #include "poses/PoseFile.hpp"
 #include "poses/PoseJson.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -21,15 +20,6 @@ bool hasFingers(const Joint& wrist) {
   return wrist.name.ends_with("WristYaw");
 }
 
-Json boardsOf(const PosePlan& plan) {
-  Json result = Json::array();
-  for (const Board& board : plan.boards) {
-    const Placement& place = *board.placement;
-    result.push_back({{"id", board.id}, {"placement", {{"x", place.x}, {"y", place.y}, {"yaw", place.yaw}}}});
-  }
-  return result;
-}
-
 std::vector<std::optional<double>> secondsOf(const PosePlan& plan) {
   std::vector<std::optional<double>> result;
   for (const auto& way : plan.ways) {
@@ -39,7 +29,7 @@ std::vector<std::optional<double>> secondsOf(const PosePlan& plan) {
 }
 
 Json assumptions(const PlanOptions& options) {
-  return {{"noise", {{"pixel", options.noise.pixel}, {"encoder", options.noise.encoder}, {"pose", options.noise.pose}}},
+  return {{"noise", noiseJson(options.noise)},
           {"samples", 1},
           {"jointError", options.poses.stability.jointError},
           {"boards", "placements in the frame of the sole that the robot stands on"},
@@ -67,7 +57,7 @@ Json planJson(const PosePlan& plan, const Robot& robot) {
             {"stable", plan.sieve.stable},
             {"seeing", plan.sieve.seeing}}},
           {"poses", poses},
-          {"boards", boardsOf(plan)},
+          {"boards", boardsJson(plan.boards)},
           {"predictedSigma", plan.sigma},
           {"predictedSigmaKnown", plan.sigmaKnown},
           {"predictedSigmaOfRobots", plan.sigmaOfRobots},

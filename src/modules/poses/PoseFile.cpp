@@ -14,16 +14,12 @@ using Json = nlohmann::json;
 
 /// Where boards are thought to lie, seen from the first pose's sole.
 Json boardsOf(const NextPoses& next) {
-  Json result = Json::array();
   for (const Surroundings& here : next.around) {
-    for (const Board& board : here.boards) {
-      if (!next.poses.empty() && here.supportFoot == next.poses.front().pose.supportFoot) {
-        const Placement& place = *board.placement;
-        result.push_back({{"id", board.id}, {"placement", {{"x", place.x}, {"y", place.y}, {"yaw", place.yaw}}}});
-      }
+    if (!next.poses.empty() && here.supportFoot == next.poses.front().pose.supportFoot) {
+      return boardsJson(here.boards);
     }
   }
-  return result;
+  return Json::array();
 }
 
 /// As fast as the joints can.
@@ -38,11 +34,11 @@ std::vector<std::optional<double>> secondsAtFullSpeed(const NextPoses& next, con
 }
 
 Json assumptions(const NextPoses& next) {
-  return {{"noise", {{"pixel", next.noise.pixel}, {"encoder", next.noise.encoder}, {"pose", next.noise.pose}}},
+  return {{"noise", noiseJson(next.noise)},
           {"samples", next.samples},
           {"angles", "sent to the motors as they stand, without compensation"},
           {"boards", "lie where they lay when the last captures were taken; here seen from the first pose's sole"},
-          {"collisions", "legs and arms are not checked against each other"},
+          {"collisions", "no part of the drawn robot touches another"},
           {"stance", "the robot stands anew, about where it stood"},
           {"predictedSigma", "from the captures and these poses together"}};
 }

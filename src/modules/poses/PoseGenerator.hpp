@@ -20,7 +20,7 @@ std::vector<Belief> stableAttitudes(const Robot& robot, const Scene& scene, cons
 /// stable, the soles apart, a board in sight. Each is the most informative one beside those before it: greedily the
 /// largest determinant of the information about offsets, cameras and boards. The same seed gives the same poses.
 ///
-/// Legs and arms may still touch or hide a board: that is not looked at. Throws InputError when fewer than `count` are
+/// No part touches another; what hides a board is not looked at. Throws InputError when fewer than `count` are
 /// found.
 std::vector<PlannedPose> stablePoses(const Robot& robot, const std::vector<Board>& boards,
                                      const std::map<std::string, CameraIntrinsics>& cameras,

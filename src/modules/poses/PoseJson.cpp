@@ -30,6 +30,19 @@ nlohmann::json anglesJson(const Eigen::VectorXd& angles, const Robot& robot) {
   return perJoint(robot, angles, false);
 }
 
+nlohmann::json boardsJson(const std::vector<Board>& boards) {
+  nlohmann::json result = nlohmann::json::array();
+  for (const Board& board : boards) {
+    const Placement& place = *board.placement;
+    result.push_back({{"id", board.id}, {"placement", {{"x", place.x}, {"y", place.y}, {"yaw", place.yaw}}}});
+  }
+  return result;
+}
+
+nlohmann::json noiseJson(const Noise& noise) {
+  return {{"pixel", noise.pixel}, {"encoder", noise.encoder}, {"pose", noise.pose}};
+}
+
 nlohmann::json posesOf(const std::vector<ProposedPose>& poses, const std::vector<std::optional<double>>& seconds,
                        const Robot& robot) {
   nlohmann::json result = nlohmann::json::array();

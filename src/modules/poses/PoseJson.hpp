@@ -1,6 +1,7 @@
 #pragma once
 
 #include "poses/PlannedCaptures.hpp"
+#include "residuals/Noise.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -13,5 +14,10 @@ nlohmann::json posesOf(const std::vector<ProposedPose>& poses, const std::vector
 
 /// Angles by name, fingers at rest.
 nlohmann::json anglesJson(const Eigen::VectorXd& angles, const Robot& robot);
+
+/// Where boards lie on the floor.
+nlohmann::json boardsJson(const std::vector<Board>& boards);
+
+nlohmann::json noiseJson(const Noise& noise);
 
 } // namespace naocal

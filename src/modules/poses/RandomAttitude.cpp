@@ -16,11 +16,8 @@ constexpr std::size_t legRanges = 11; // that `standUp` draws from
 std::vector<std::size_t> headJoints(const Robot& robot) {
   std::set<std::size_t> joints;
   for (const CameraMount& camera : robot.cameras) {
-    for (std::optional<std::size_t> link = camera.link; link; link = robot.links[*link].parent) {
-      if (robot.links[*link].joint) {
-        joints.insert(*robot.links[*link].joint);
-      }
-    }
+    const std::vector<std::size_t> ofCamera = jointsTowards(robot, camera.link);
+    joints.insert(ofCamera.begin(), ofCamera.end());
   }
   return {joints.begin(), joints.end()};
 }

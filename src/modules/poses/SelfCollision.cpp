@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <set>
 
 namespace naocal {
 
@@ -12,19 +11,8 @@ namespace {
 
 constexpr double nearAtRest = 0.01; // [m]
 
-/// Joints between the root and a link.
-std::set<std::size_t> jointsAbove(const Robot& robot, std::size_t link) {
-  std::set<std::size_t> joints;
-  for (std::optional<std::size_t> at = link; at; at = robot.links[*at].parent) {
-    if (robot.links[*at].joint) {
-      joints.insert(*robot.links[*at].joint);
-    }
-  }
-  return joints;
-}
-
 std::size_t countOfJointsBetween(const Robot& robot, std::size_t one, std::size_t other) {
-  const std::set<std::size_t> a = jointsAbove(robot, one), b = jointsAbove(robot, other);
+  const std::vector<std::size_t> a = jointsTowards(robot, one), b = jointsTowards(robot, other);
   std::vector<std::size_t> between;
   std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(between));
   return between.size();

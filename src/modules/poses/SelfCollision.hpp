@@ -8,8 +8,8 @@
 namespace naocal {
 
 /// Whether a robot touches itself, by the capsules of its drawing. Two kinds of pairs say nothing and are left out:
-/// links that a joint connects, whose limits see to it, and those within a centimetre of each other with all joints at
-/// rest, such as a hanging hand and its own hip.
+/// links that one or two joints connect, whose limits see to it, and those within a centimetre of each other with all
+/// joints at rest, such as a hanging hand and its own hip.
 class SelfCollision {
 public:
   /// `clearance`: what is nearer than that touches [m].
