@@ -33,8 +33,8 @@ class RobotInterface {
 public:
   virtual ~RobotInterface() = default;
 
-  /// Who it is, for the configuration; absent when the robot has not told within `timeout`. Takes no state away from
-  /// `waitForState`, but may be called only before it.
+  /// Who it is, for the configuration; absent when the robot has not told within `timeout`. Called
+  /// before the first `waitForState`, if at all.
   virtual std::optional<RobotIdentity> waitForIdentity(std::chrono::milliseconds timeout) = 0;
 
   /// Blocks until the robot has measured anew; of several that wait the newest is given, the others are counted as

@@ -1,0 +1,69 @@
+#include "hardware/nao/LolaRobot.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace naocal {
+
+namespace {
+
+bool finite(const RawAngles& angles) {
+  return std::all_of(angles.values.begin(), angles.values.end(), [](double angle) { return std::isfinite(angle); });
+}
+
+} // namespace
+
+LolaRobot::LolaRobot(std::filesystem::path socket) : stream_{std::move(socket)} {}
+
+std::optional<LolaState> LolaRobot::waitForBoth(std::chrono::milliseconds timeout) {
+  const TimePoint deadline = std::chrono::steady_clock::now() + timeout;
+  while (const LolaStream::Received* received = stream_.receive(deadline)) {
+    link_.lostStates += received->overtaken;
+    std::variant<LolaState, std::string> read = readLolaState(received->message);
+    if (auto* state = std::get_if<LolaState>(&read)) {
+      if (!finite(state->state.angles)) { // the stream is in step, though
+        ++link_.lostStates;
+        link_.problem = "the robot reports an angle that is not a finite number";
+        continue;
+      }
+      ++link_.states;
+      link_.problem.clear();
+      state->state.time = received->arrived;
+      return *state;
+    }
+    ++link_.lostStates;
+    link_.problem = std::get<std::string>(read);
+    stream_.startAnew(link_.problem);
+  }
+  return std::nullopt;
+}
+
+std::optional<RobotIdentity> LolaRobot::waitForIdentity(std::chrono::milliseconds timeout) {
+  const auto both = waitForBoth(timeout);
+  return both ? std::optional{both->identity} : std::nullopt;
+}
+
+std::optional<RobotState> LolaRobot::waitForState(std::chrono::milliseconds timeout) {
+  const auto both = waitForBoth(timeout);
+  return both ? std::optional{both->state} : std::nullopt;
+}
+
+void LolaRobot::send(const RobotCommand& command) {
+  const std::span<const std::uint8_t> message = writer_.message(command);
+  if (message.empty()) {
+    link_.problem = "a command was not sent because it asks for an angle or stiffness that is not a finite number";
+    return;
+  }
+  stream_.send(message);
+}
+
+RobotLink LolaRobot::link() const {
+  RobotLink link = link_;
+  link.reconnects = stream_.connections() > 0 ? stream_.connections() - 1 : 0;
+  if (!stream_.connected()) {
+    link.problem = stream_.problem();
+  }
+  return link;
+}
+
+} // namespace naocal

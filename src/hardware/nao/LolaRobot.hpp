@@ -1,0 +1,28 @@
+#pragma once
+
+#include "hardware/RobotInterface.hpp"
+#include "hardware/nao/LolaStream.hpp"
+
+namespace naocal {
+
+/// A NAO V6: its hardware service LoLA sends a state every 12 ms through a UNIX socket and takes a command in return.
+/// States are stamped on arrival. The state that tells the identity is spent on it.
+class LolaRobot : public RobotInterface {
+public:
+  explicit LolaRobot(std::filesystem::path socket = "/tmp/robocup");
+
+  std::optional<RobotIdentity> waitForIdentity(std::chrono::milliseconds timeout) override;
+  std::optional<RobotState> waitForState(std::chrono::milliseconds timeout) override;
+  void send(const RobotCommand& command) override;
+  std::chrono::nanoseconds period() const override { return std::chrono::milliseconds{12}; }
+  RobotLink link() const override;
+
+private:
+  std::optional<LolaState> waitForBoth(std::chrono::milliseconds timeout);
+
+  LolaStream stream_;
+  LolaCommandWriter writer_;
+  RobotLink link_;
+};
+
+} // namespace naocal

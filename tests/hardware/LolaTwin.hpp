@@ -1,0 +1,150 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+#include <vector>
+
+/// A second opinion on LoLA: its messages byte by byte, written from the protocol's description, without any of the
+/// code under test and without a MessagePack library.
+namespace naocal::twin {
+
+inline constexpr std::array<std::string_view, 25> names{
+    "HeadYaw",      "HeadPitch",  "LShoulderPitch", "LShoulderRoll", "LElbowYaw",      "LElbowRoll",    "LWristYaw",
+    "LHipYawPitch", "LHipRoll",   "LHipPitch",      "LKneePitch",    "LAnklePitch",    "LAnkleRoll",    "RHipRoll",
+    "RHipPitch",    "RKneePitch", "RAnklePitch",    "RAnkleRoll",    "RShoulderPitch", "RShoulderRoll", "RElbowYaw",
+    "RElbowRoll",   "RWristYaw",  "LHand",          "RHand"};
+
+/// Appends MessagePack.
+struct Writer {
+  std::string bytes;
+
+  void byte(int value) { bytes.push_back(char(value)); }
+  void text(std::string_view value) {
+    byte(0xa0 | int(value.size())); // fixstr: under 32 bytes
+    bytes += value;
+  }
+  void list(std::size_t count) {
+    if (count < 16) {
+      byte(0x90 | int(count));
+    } else {
+      byte(0xdc);
+      byte(int(count >> 8));
+      byte(int(count & 0xff));
+    }
+  }
+  void number(float value) {
+    std::uint32_t bits;
+    std::memcpy(&bits, &value, 4);
+    byte(0xca);
+    for (int shift = 24; shift >= 0; shift -= 8) {
+      byte(int(bits >> shift & 0xff));
+    }
+  }
+};
+
+/// What the twin's robot reports: entry `i` of a list in the `sequence`-th state.
+inline float reported(std::string_view list, std::size_t i, std::uint32_t sequence) {
+  const float place = float(list.size()) + 0.01f * float(i);
+  return list == "Touch" ? float((sequence >> i) & 1) : place + 1e-4f * float(sequence % 9973);
+}
+
+inline std::string state(std::uint32_t sequence) {
+  Writer out;
+  out.byte(0x8d);
+  out.text("RobotConfig");
+  out.list(4);
+  for (const char* text : {"P0000073A07S94700012", "6.0.0", "P0000074A05S93M00061", "6.0.1"}) {
+    out.text(text);
+  }
+  struct List {
+    const char* name;
+    std::size_t count;
+  };
+  for (const List& list : {List{"Accelerometer", 3}, List{"Angles", 2}, List{"Battery", 4}, List{"Current", 25},
+                           List{"FSR", 8}, List{"Gyroscope", 3}, List{"Position", 25}, List{"Sonar", 2},
+                           List{"Stiffness", 25}, List{"Temperature", 25}, List{"Touch", 14}}) {
+    out.text(list.name);
+    out.list(list.count);
+    for (std::size_t i = 0; i < list.count; ++i) {
+      out.number(reported(list.name, i, sequence));
+    }
+  }
+  out.text("Status");
+  out.list(25);
+  for (std::size_t i = 0; i < 25; ++i) {
+    out.byte(int((sequence + i) % 8));
+  }
+  return out.bytes;
+}
+
+/// The listening side of LoLA's socket, for one connection at a time.
+class Server {
+public:
+  explicit Server(std::filesystem::path path) : path_{std::move(path)} {
+    listening_ = socket(AF_UNIX, SOCK_STREAM, 0);
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    std::strncpy(address.sun_path, path_.c_str(), sizeof address.sun_path - 1);
+    if (bind(listening_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
+        listen(listening_, 1) != 0) {
+      throw std::runtime_error{"the twin cannot listen"};
+    }
+  }
+  ~Server() {
+    hangUp();
+    close(listening_);
+    std::filesystem::remove(path_);
+  }
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  void accept() {
+    hangUp();
+    connection_ = ::accept(listening_, nullptr, nullptr);
+  }
+  void hangUp() {
+    if (connection_ >= 0) {
+      close(connection_);
+      connection_ = -1;
+    }
+  }
+  /// False when the other side has gone.
+  bool send(std::string_view bytes) {
+    while (!bytes.empty()) {
+      const ssize_t count = ::send(connection_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+      if (count <= 0) {
+        return false;
+      }
+      bytes.remove_prefix(std::size_t(count));
+    }
+    return true;
+  }
+  /// As many bytes as asked for; fewer when the other side has gone.
+  std::string receive(std::size_t count) {
+    std::string bytes(count, '\0');
+    const ssize_t got = recv(connection_, bytes.data(), count, MSG_WAITALL);
+    bytes.resize(got > 0 ? std::size_t(got) : 0);
+    return bytes;
+  }
+  /// Throws away what the other side sent.
+  void forget() {
+    std::array<char, 8192> bytes;
+    while (recv(connection_, bytes.data(), bytes.size(), MSG_DONTWAIT) > 0) {
+    }
+  }
+
+private:
+  std::filesystem::path path_;
+  int listening_ = -1, connection_ = -1;
+};
+
+} // namespace naocal::twin
