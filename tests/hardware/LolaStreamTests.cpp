@@ -52,7 +52,7 @@ void sendInFragments(twin::Server& server, std::string_view bytes, std::mt19937&
 TEST_CASE("states in random fragments are all received, in order and in step") {
   const TemporaryFolder folder;
   twin::Server server{folder.path() / "robocup"};
-  LolaRobot robot{folder.path() / "robocup"};
+  auto robot = std::make_unique<LolaRobot>(folder.path() / "robocup");
   const std::uint32_t count = stateCount();
   std::thread sender{[&] {
     std::mt19937 random{1};
@@ -70,18 +70,18 @@ TEST_CASE("states in random fragments are all received, in order and in step") {
   std::uint32_t next = 0;
   bool inOrder = true;
   while (next < count && inOrder) {
-    const auto state = robot.waitForState(10s);
-    const std::uint32_t overtaken = std::uint32_t(robot.link().lostStates + robot.link().states) - next;
+    const auto state = robot->waitForState(10s);
+    const std::uint32_t overtaken = std::uint32_t(robot->link().lostStates + robot->link().states) - next;
     const std::uint32_t expected = next + overtaken - 1;
     inOrder = state && sequenceOf(*state, expected, expected);
     next = expected + 1;
-    robot.send({});
+    robot->send({});
   }
   CHECK(inOrder);
   CHECK(next == count);
-  CHECK(robot.link().states + robot.link().lostStates == count);
-  CHECK(robot.link().reconnects == 0);
-  server.hangUp();
+  CHECK(robot->link().states + robot->link().lostStates == count);
+  CHECK(robot->link().reconnects == 0);
+  robot.reset(); // so that the sender ends in any case
   sender.join();
 }
 

@@ -1,5 +1,7 @@
 #include "hardware/nao/LolaMessages.hpp"
 
+#include "hardware/nao/Finite.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -20,7 +22,7 @@ template <std::size_t Count> std::array<float, 3 * Count> byColour(const std::ar
   return result;
 }
 
-/// In LoLA's order, to single precision, as the wire has them; what is not finite stays so.
+/// In LoLA's order, to single precision, as the wire has them.
 std::array<float, 25> byLola(const PerJoint<double>& values) {
   std::array<float, 25> result;
   for (std::size_t i = 0; i < result.size(); ++i) {
@@ -53,26 +55,22 @@ LolaCommandWriter::LolaCommandWriter() : document_{std::make_unique<Document>()}
 LolaCommandWriter::~LolaCommandWriter() = default;
 
 std::span<const std::uint8_t> LolaCommandWriter::message(const RobotCommand& command) {
-  std::array<float, 25> stiffness = byLola(command.stiffness);
-  const std::array<float, 25> angles = byLola(command.angles.values);
-  const auto finite = [](float value) { return std::isfinite(value); };
-  if (!std::all_of(angles.begin(), angles.end(), finite) || !std::all_of(stiffness.begin(), stiffness.end(), finite)) {
+  if (!isFinite(command)) {
     return {};
   }
-  for (float& one : stiffness) {
-    one = one > 0 ? std::min(one, 1.f) : -1.f; // -1 is how a motor is switched off
-  }
+  PerJoint<double> stiffness;
+  std::transform(command.stiffness.begin(), command.stiffness.end(), stiffness.begin(), motorStiffness);
   const Leds& leds = command.leds;
   document_->set("Chest", byColour(std::array{leds.chest}));
   document_->set("LEar", leds.leftEar);
   document_->set("LEye", byColour(leds.leftEye));
   document_->set("LFoot", byColour(std::array{leds.leftFoot}));
-  document_->set("Position", angles);
+  document_->set("Position", byLola(command.angles.values));
   document_->set("REar", leds.rightEar);
   document_->set("REye", byColour(leds.rightEye));
   document_->set("RFoot", byColour(std::array{leds.rightFoot}));
   document_->set("Skull", leds.skull);
-  document_->set("Stiffness", stiffness);
+  document_->set("Stiffness", byLola(stiffness));
   bytes_.clear();
   nlohmann::json::to_msgpack(document_->root, bytes_);
   assert(bytes_.size() == lolaCommandSize);

@@ -1,5 +1,7 @@
 #include "hardware/nao/LolaMessages.hpp"
 
+#include "hardware/nao/TouchOrder.hpp"
+
 #include <algorithm>
 #include <bitset>
 #include <cstring>
@@ -131,21 +133,15 @@ RobotState stateOf(const LolaNumbers& numbers) {
   state.current = byJoint(of("Current"));
   state.temperature = byJoint(of("Temperature"));
   const PerJoint<double> status = byJoint(of("Status"));
-  std::transform(status.begin(), status.end(), state.status.begin(),
-                 [](double value) { return value >= 0 && value < 1e6 ? int(value) : -1; });
+  std::transform(status.begin(), status.end(), state.status.begin(), statusNumber);
   state.accelerometer = Eigen::Map<const Eigen::Vector3d>{of("Accelerometer")};
   state.gyroscope = Eigen::Map<const Eigen::Vector3d>{of("Gyroscope")};
   state.torsoAngles = Eigen::Map<const Eigen::Vector2d>{of("Angles")};
   std::copy_n(of("FSR"), state.forces.size(), state.forces.begin());
   std::copy_n(of("Sonar"), state.sonar.size(), state.sonar.begin());
   const double* touch = of("Touch");
-  constexpr std::array<bool Touch::*, 14> order{&Touch::chestButton,   &Touch::headFront,      &Touch::headMiddle,
-                                                &Touch::headRear,      &Touch::leftFootLeft,   &Touch::leftFootRight,
-                                                &Touch::leftHandBack,  &Touch::leftHandLeft,   &Touch::leftHandRight,
-                                                &Touch::rightFootLeft, &Touch::rightFootRight, &Touch::rightHandBack,
-                                                &Touch::rightHandLeft, &Touch::rightHandRight};
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    state.touch.*order[i] = touch[i] > 0.5;
+  for (std::size_t i = 0; i < touchOrder.size(); ++i) {
+    state.touch.*touchOrder[i] = touch[i] > 0.5;
   }
   const double* battery = of("Battery");
   state.battery = {battery[0], battery[1], battery[2], battery[3]};

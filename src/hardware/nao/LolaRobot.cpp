@@ -1,17 +1,8 @@
 #include "hardware/nao/LolaRobot.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "hardware/nao/Finite.hpp"
 
 namespace naocal {
-
-namespace {
-
-bool finite(const RawAngles& angles) {
-  return std::all_of(angles.values.begin(), angles.values.end(), [](double angle) { return std::isfinite(angle); });
-}
-
-} // namespace
 
 LolaRobot::LolaRobot(std::filesystem::path socket) : stream_{std::move(socket)} {}
 
@@ -21,7 +12,7 @@ std::optional<LolaState> LolaRobot::waitForBoth(std::chrono::milliseconds timeou
     link_.lostStates += received->overtaken;
     std::variant<LolaState, std::string> read = readLolaState(received->message);
     if (auto* state = std::get_if<LolaState>(&read)) {
-      if (!finite(state->state.angles)) { // the stream is in step, though
+      if (!isFinite(state->state.angles.values)) { // the stream is in step, though
         ++link_.lostStates;
         link_.problem = "the robot reports an angle that is not a finite number";
         continue;
