@@ -1,0 +1,73 @@
+#pragma once
+
+#include "framework/ConfigurationLayers.hpp"
+
+#include <functional>
+#include <map>
+#include <mutex>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace naocal {
+
+/// The configuration of one robot: files under mount names, read through their layers, changed by key, saved into the
+/// layer of the robot that they belong to. All functions may be called from any thread.
+class Configuration {
+public:
+  /// Writes a file whole or not at all (`writeAtomically` does); throws what says why not.
+  using Writer = std::function<void(const std::filesystem::path& file, std::string_view content)>;
+
+  /// Is given a top-level key's new value before it counts, and throws ConfigurationError to refuse it.
+  using Listener = std::function<void(const std::string& key, const nlohmann::json& value)>;
+
+  Configuration(std::filesystem::path root, RobotNames names, Writer writer);
+  ~Configuration();
+
+  /// Serves a file's keys as `mount`. Throws ConfigurationError for a broken file or a mount name that is taken.
+  void mount(const std::string& mount, const std::string& file, Part part, Listener listener = {});
+
+  /// Serves a key that is in no file and cannot be set (NaoInfo.headName).
+  void publish(const std::string& mount, const std::string& key, const nlohmann::json& value);
+
+  struct Mount {
+    std::string name;
+    std::filesystem::path file; // the most specific one that exists; where it would be saved when there is none
+  };
+  std::vector<Mount> mounts() const;
+
+  /// All keys of a mount; an empty object for one that does not exist.
+  void keys(std::string_view mount, nlohmann::json& out) const;
+
+  /// Sets the value at a path such as `a.b[2].c` (lists cannot grow, keys must exist, a key may hold dots itself).
+  /// Throws ConfigurationError when there is no such place or its module refuses the value; nothing has changed then.
+  void set(std::string_view mount, std::string_view path, const nlohmann::json& value);
+
+  /// Writes what was set since the last save into the robot's own files (savedFile), the file's other keys as they are;
+  /// the file as it was is kept beside it as `<file>.previous`. Each file is the old or the new one at any moment.
+  void save();
+
+  /// Puts a mount's saved file back to what it was before its last save, and its keys with it; again: forward. Changes
+  /// that are not saved are lost. Throws ConfigurationError when nothing was ever saved.
+  void undo(std::string_view mount);
+
+  /// Where a mount's changes are saved: the robot's own file of the default location, so that a robot keeps them
+  /// wherever it plays; its file of the present location when that location sets keys of this mount already.
+  std::filesystem::path savedFile(std::string_view mount) const;
+
+private:
+  struct Mounted;
+  Mounted& mounted(std::string_view mount);
+  const Mounted& mounted(std::string_view mount) const;
+  std::filesystem::path target(const Mounted& mounted) const;
+  void save(Mounted& mounted);
+
+  std::filesystem::path root_;
+  RobotNames names_;
+  Writer writer_;
+  mutable std::mutex mutex_;
+  std::map<std::string, std::unique_ptr<Mounted>, std::less<>> mounts_;
+};
+
+} // namespace naocal

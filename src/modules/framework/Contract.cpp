@@ -1,0 +1,68 @@
+#include "framework/Dependency.hpp"
+#include "framework/Errors.hpp"
+#include "framework/Parameter.hpp"
+#include "framework/Production.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+namespace {
+
+std::string shortened(const nlohmann::json& value) {
+  const std::string text = value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  return text.size() <= 60 ? text : text.substr(0, 60) + "...";
+}
+
+} // namespace
+
+AnyProduction::AnyProduction(Module& owner, std::string name, std::type_index type, bool crossesThreads,
+                             int mostReaders)
+    : name_{std::move(name)}, type_{type}, crossesThreads_{crossesThreads}, mostReaders_{mostReaders} {
+  owner.productions_.push_back(this);
+}
+
+AnyDependency::AnyDependency(Module& owner, std::string name, std::type_index type)
+    : name_{std::move(name)}, type_{type} {
+  owner.dependencies_.push_back(this);
+}
+
+AnyParameter::AnyParameter(Module& owner, std::string key) : key_{std::move(key)} {
+  owner.parameters_.push_back(this);
+}
+
+void refused(const nlohmann::json& value, const std::string& expected) {
+  throw ConfigurationError{fmt::format("expected {}, found {}", expected, shortened(value))};
+}
+
+void refused(const nlohmann::json& value) {
+  try {
+    throw;
+  } catch (const nlohmann::json::exception& error) {
+    const std::string_view message = error.what(); // "[json.exception.type_error.302] type must be string, but is ..."
+    const auto reason = message.substr(std::min(message.find("] "), message.size() - 2) + 2);
+    throw ConfigurationError{fmt::format("expected another value than {}: {}", shortened(value), reason)};
+  } catch (const std::exception& error) {
+    throw ConfigurationError{fmt::format("expected another value than {}: {}", shortened(value), error.what())};
+  }
+}
+
+void requireBoolean(const nlohmann::json& value) {
+  if (!value.is_boolean()) {
+    refused(value, "true or false");
+  }
+}
+
+void requireNumber(const nlohmann::json& value) {
+  if (!value.is_number()) {
+    refused(value, "a number");
+  }
+}
+
+void requireInteger(const nlohmann::json& value, double lowest, double highest) {
+  if (!value.is_number_integer() || value.get<double>() < lowest || value.get<double>() > highest) {
+    refused(value, fmt::format("a whole number from {:.0f} to {:.0f}", lowest, highest));
+  }
+}
+
+} // namespace naocal

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "framework/Module.hpp"
+
+#include <concepts>
+#include <functional>
+#include <limits>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <type_traits>
+
+namespace naocal {
+
+/// What wiring and configuration see of a parameter: a key of its module's file.
+class AnyParameter {
+public:
+  AnyParameter(Module& owner, std::string key);
+  virtual ~AnyParameter() = default;
+  AnyParameter(const AnyParameter&) = delete;
+  AnyParameter& operator=(const AnyParameter&) = delete;
+
+  const std::string& key() const { return key_; }
+
+  /// Reads a value on any thread and returns what puts it into effect on the module's own thread. Throws
+  /// ConfigurationError that says what was expected and found, without the place.
+  virtual std::function<void()> prepared(const nlohmann::json& value) = 0;
+
+private:
+  std::string key_;
+};
+
+/// Throw ConfigurationError unless the value is what they ask for; `refused` turns the exception of a `from_json` that
+/// is being handled into one.
+void requireBoolean(const nlohmann::json& value);
+void requireNumber(const nlohmann::json& value);
+void requireInteger(const nlohmann::json& value, double lowest, double highest);
+[[noreturn]] void refused(const nlohmann::json& value);
+[[noreturn]] void refused(const nlohmann::json& value, const std::string& expected);
+
+/// A number, text, list or structure (with `from_json`) that a person configures; changes take effect between cycles.
+template <class T> class Parameter final : public AnyParameter {
+public:
+  /// What is wrong with a value ("expected a positive number"), empty when nothing is: `expected` in the refusal.
+  using Check = std::string (*)(const T&);
+
+  Parameter(Module& owner, std::string key, Check check = nullptr)
+      : AnyParameter{owner, std::move(key)}, check_{check} {}
+
+  const T& operator*() const { return value_; }
+  const T* operator->() const { return &value_; }
+
+  std::function<void()> prepared(const nlohmann::json& value) override {
+    T read = converted(value);
+    if (const std::string expected = check_ ? check_(read) : std::string{}; !expected.empty()) {
+      refused(value, expected);
+    }
+    return [this, read = std::move(read)]() mutable { value_ = std::move(read); };
+  }
+
+private:
+  template <class Json> static T converted(const Json& value) {
+    if constexpr (std::is_same_v<T, bool>) {
+      requireBoolean(value);
+    } else if constexpr (std::integral<T>) {
+      requireInteger(value, double(std::numeric_limits<T>::lowest()), double(std::numeric_limits<T>::max()));
+    } else if constexpr (std::floating_point<T>) {
+      requireNumber(value);
+    }
+    try {
+      return value.template get<T>();
+    } catch (const std::exception&) {
+      refused(value);
+    }
+  }
+
+  Check check_;
+  T value_{};
+};
+
+} // namespace naocal

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "framework/ConfigurationLayers.hpp"
+#include "framework/CycleTimes.hpp"
+#include "framework/Module.hpp"
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// Is told at the end of every cycle, on the cycle's thread: it must not wait for anything.
+class CycleListener {
+public:
+  virtual ~CycleListener() = default;
+  virtual void cycleEnded(TimePoint time, const std::vector<AnyProduction*>& productions) = 0;
+};
+
+/// A cycle of modules, and what is common to them: their order, their parameters' changes, the cycle's times.
+class Thread {
+public:
+  /// `part`: whose configuration its modules have, the head's or the body's.
+  Thread(std::string name, Part part);
+
+  /// Adds a module; before the wiring (Database).
+  Module& add(std::unique_ptr<Module> module);
+  template <class M, class... Arguments> M& add(Arguments&&... arguments) {
+    return static_cast<M&>(add(std::make_unique<M>(std::forward<Arguments>(arguments)...)));
+  }
+
+  const std::string& name() const { return name_; }
+  Part part() const { return part_; }
+  const std::vector<std::unique_ptr<Module>>& modules() const { return modules_; }
+  std::vector<AnyProduction*> productions() const;
+
+  /// Puts the modules into the order of these indices (Database does).
+  void sort(const std::vector<std::size_t>& order);
+
+  /// Has a change of one module's parameters done before a later cycle; from any thread.
+  void change(Module& module, std::function<void()> apply);
+
+  /// Has one listener told of each cycle; before the first one.
+  void tell(CycleListener& listener) { listener_ = &listener; }
+
+  /// Changes of parameters, every module in order, times, listener.
+  void cycle();
+
+  /// Cycles until a stop is asked for. The pace is that of the module which waits for the hardware.
+  void run(const std::stop_token& stop);
+
+private:
+  struct Change {
+    Module* module;
+    std::function<void()> apply;
+  };
+  void applyChanges();
+
+  std::string name_;
+  Part part_;
+  std::vector<std::unique_ptr<Module>> modules_;
+  CycleClock* clock_ = nullptr;
+  CycleListener* listener_ = nullptr;
+  std::vector<AnyProduction*> productions_;
+
+  std::mutex changesMutex_; // never waited for by the cycle
+  std::vector<Change> changes_;
+};
+
+/// Asks the system to prefer the calling thread to all ordinary ones (SCHED_FIFO). Returns why not, empty on success.
+std::string requestRealTimePriority(int priority);
+
+} // namespace naocal

@@ -1,0 +1,186 @@
+#include "ConfiguredRobot.hpp"
+#include "framework/Errors.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace naocal {
+namespace {
+
+using nlohmann::json;
+
+template <class Action> std::string refusal(const Action& action) {
+  try {
+    action();
+  } catch (const ConfigurationError& error) {
+    return error.what();
+  }
+  return "not refused";
+}
+
+} // namespace
+
+TEST_CASE("six layers are read in their order and later ones replace whole top-level keys") {
+  // Proves order and shallowness: each layer sets the key of its own number and all later ones.
+  const ConfiguredRobot robot;
+  const std::vector<std::string> layers{"default/Camera.json",           "default/head/default/Camera.json",
+                                        "default/head/Ada/Camera.json",  "Home/Camera.json",
+                                        "Home/head/default/Camera.json", "Home/head/Ada/Camera.json"};
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    json content = {{"list", {i, i}}, {"inner", {{fmt::format("of{}", i), i}}}};
+    for (std::size_t k = i; k < layers.size(); ++k) {
+      content[fmt::format("key{}", k)] = i;
+    }
+    robot.file(layers[i], "// a comment\n" + content.dump());
+  }
+  robot.file("default/body/Bob/Camera.json", R"({"list": "the body's"})");
+  robot.file("default/head/Eve/Camera.json", R"({"list": "another head's"})");
+  const_cast<Configuration&>(robot.configuration).mount("Brain.Camera", "Camera.json", Part::head);
+  const json keys = robot.keys("Brain.Camera");
+  CHECK(keys == json::parse(R"({"list": [5, 5], "inner": {"of5": 5}, "key0": 0, "key1": 1, "key2": 2, "key3": 3,
+                                "key4": 4, "key5": 5})"));
+}
+
+TEST_CASE("a robot at the default location has three layers and files may be missing") {
+  // Proves that absent files are skipped and that `mounts` names the most specific one that exists.
+  ConfiguredRobot robot{{"default", "Ada", "Bob"}};
+  robot.file("default/body/default/Offsets.json", R"({"a": 1, /* and */ "b": 2})");
+  robot.configuration.mount("Motion.Offsets", "Offsets.json", Part::body);
+  CHECK(robot.keys("Motion.Offsets") == json{{"a", 1}, {"b", 2}});
+  CHECK(robot.configuration.mounts().at(0).file == robot.path("default/body/default/Offsets.json"));
+  CHECK(robot.keys("Motion.Nothing") == json::object());
+}
+
+TEST_CASE("a robot is known by the ids of its head and its body") {
+  // Proves exchanged heads, a V5's four characters, and that who is not listed is called by its id.
+  const ConfiguredRobot robot;
+  robot.file("default/id_map.json", R"({"idmap.nao": [
+    {"name": "Ada", "headid": "P1A", "bodyid": "P1B0012"}, {"name": "Bob", "headid": "P2A", "bodyid": "P2B0034"}]})");
+  const auto names = [&](const char* head, const char* body) {
+    const RobotNames found = robotNames(robot.folder.path(), head, body);
+    return found.head + "/" + found.body;
+  };
+  CHECK(names("P1A", "P1B0012") == "Ada/Ada");
+  CHECK(names("P2A", "P1B0012") == "Bob/Ada");
+  CHECK(names("P1A", "0034") == "Ada/Bob");
+  CHECK(names("P9A", "P9B0099") == "P9A/P9B0099");
+  robot.file("default/id_map.json", R"({"idmap.nao": [{"name": 7}]})");
+  CHECK(refusal([&] { names("P1A", "P1B"); }).find("expected {\"idmap.nao\"") != std::string::npos);
+}
+
+TEST_CASE("only what was set is saved, into the robot's own file") {
+  // Proves the layer (the body's for a body's file, the head's for a head's), that nothing else is written, that other
+  // keys of that file stay, and that a second robot reads none of it.
+  ConfiguredRobot robot;
+  robot.file("default/body/default/Offsets.json", R"({"headYaw": 0.0, "lKneePitch": 0.0, "mode": {"fast": true}})");
+  robot.file("default/head/default/Camera.json", R"({"top": [0, 0, 0], "bottom": [0, 0, 0]})");
+  robot.file("default/head/Ada/Camera.json", "// measured by hand\n{\"bottom\": [1, 2, 3]}");
+  robot.configuration.mount("Motion.Offsets", "Offsets.json", Part::body);
+  robot.configuration.mount("Brain.Camera", "Camera.json", Part::head);
+  robot.configuration.set("Motion.Offsets", "lKneePitch", 1.5);
+  robot.configuration.set("Motion.Offsets", "mode.fast", false);
+  robot.configuration.set("Brain.Camera", "top[1]", 0.25);
+  CHECK_FALSE(std::filesystem::exists(robot.path("default/body/Bob")));
+  robot.configuration.save();
+  CHECK(robot.content("default/body/Bob/Offsets.json") == json{{"lKneePitch", 1.5}, {"mode", {{"fast", false}}}});
+  CHECK(robot.content("default/head/Ada/Camera.json") == json{{"top", {0, 0.25, 0}}, {"bottom", {1, 2, 3}}});
+  CHECK(robot.content("default/body/default/Offsets.json")["lKneePitch"] == 0.0);
+
+  Configuration other{robot.folder.path(), {"Home", "Eve", "Eve"}, writeAtomically};
+  other.mount("Motion.Offsets", "Offsets.json", Part::body);
+  json keys;
+  other.keys("Motion.Offsets", keys);
+  CHECK(keys["lKneePitch"] == 0.0);
+}
+
+TEST_CASE("what is saved is what is read back, also where the location overrides it") {
+  // Proves that saving into a layer that a later one would hide does not happen.
+  for (const bool overridden : {false, true}) {
+    ConfiguredRobot robot;
+    robot.file("default/body/default/Offsets.json", R"({"headYaw": 0.0})");
+    if (overridden) {
+      robot.file("Home/Offsets.json", R"({"headYaw": 3.0})");
+    }
+    robot.configuration.mount("Motion.Offsets", "Offsets.json", Part::body);
+    robot.configuration.set("Motion.Offsets", "headYaw", 1.5);
+    robot.configuration.save();
+    CHECK(robot.content(overridden ? "Home/body/Bob/Offsets.json" : "default/body/Bob/Offsets.json")["headYaw"] == 1.5);
+    Configuration again{robot.folder.path(), robot.names, writeAtomically};
+    again.mount("Motion.Offsets", "Offsets.json", Part::body);
+    json keys;
+    again.keys("Motion.Offsets", keys);
+    CHECK(keys["headYaw"] == 1.5);
+  }
+}
+
+TEST_CASE("a save is undone and done again, comments included") {
+  // Proves that the previous file comes back byte for byte, that keys follow, and that undoing twice goes forward.
+  ConfiguredRobot robot;
+  const std::string before = "// by hand\n{\"headYaw\": 1.0}";
+  robot.file("default/body/Bob/Offsets.json", before);
+  robot.configuration.mount("Motion.Offsets", "Offsets.json", Part::body);
+  CHECK(refusal([&] { robot.configuration.undo("Motion.Offsets"); }) ==
+        "Motion.Offsets: nothing was saved that could be undone");
+  robot.configuration.set("Motion.Offsets", "headYaw", 2.0);
+  robot.configuration.save();
+  robot.configuration.undo("Motion.Offsets");
+  CHECK(fileContent(robot.path("default/body/Bob/Offsets.json")) == before);
+  CHECK(robot.keys("Motion.Offsets")["headYaw"] == 1.0);
+  robot.configuration.undo("Motion.Offsets");
+  CHECK(robot.content("default/body/Bob/Offsets.json")["headYaw"] == 2.0);
+  CHECK(robot.keys("Motion.Offsets")["headYaw"] == 2.0);
+}
+
+TEST_CASE("keys may hold dots, and places that do not exist cannot be set") {
+  // Proves the reading of paths and pins the refusals; a refused value changes nothing.
+  ConfiguredRobot robot;
+  robot.file("default/sdk.json", R"({"network.basePort": 12440, "network": {"basePort": 1, "a.b": [5, {"c": 6}]}})");
+  robot.configuration.mount("tuhhSDK.base", "sdk.json", Part::none, [](const std::string&, const json& value) {
+    if (value == 13) {
+      throw ConfigurationError{"thirteen is refused"};
+    }
+  });
+  robot.configuration.set("tuhhSDK.base", "network.basePort", 1);
+  robot.configuration.set("tuhhSDK.base", "network.a.b[1].c", 7);
+  const json expected = json::parse(R"({"network.basePort": 1, "network": {"basePort": 1, "a.b": [5, {"c": 7}]}})");
+  CHECK(robot.keys("tuhhSDK.base") == expected);
+  for (const char* path : {"network.a.b[2]", "network.a.b[-1]", "network.a.b[1", "network.a.b[]", "port", "", ".",
+                           "[0]", "network.", "network.basePort.x"}) {
+    CHECK(refusal([&] { robot.configuration.set("tuhhSDK.base", path, 7); }) ==
+          fmt::format("tuhhSDK.base: there is no {} to set; keys cannot be added and lists cannot grow", path));
+  }
+  CHECK(refusal([&] { robot.configuration.set("tuhhSDK.base", "network.basePort", 13); }) == "thirteen is refused");
+  CHECK(refusal([&] { robot.configuration.set("Brain.Nothing", "a", 13); }) ==
+        "there is no mount Brain.Nothing; ask for the list of mounts");
+  CHECK(robot.keys("tuhhSDK.base") == expected);
+}
+
+TEST_CASE("published keys are served beside a file's and never saved") {
+  // Proves it for what the desktop asks of a robot when it connects.
+  ConfiguredRobot robot;
+  robot.file("default/sdk.json", R"({"location": "Home"})");
+  robot.configuration.mount("tuhhSDK.base", "sdk.json", Part::none);
+  robot.configuration.publish("tuhhSDK.base", "NaoInfo.headName", "Ada");
+  CHECK(robot.keys("tuhhSDK.base") == json{{"location", "Home"}, {"NaoInfo.headName", "Ada"}});
+  CHECK(refusal([&] { robot.configuration.set("tuhhSDK.base", "NaoInfo.headName", "Eve"); }) != "not refused");
+  robot.configuration.set("tuhhSDK.base", "location", "default");
+  robot.configuration.save();
+  CHECK(robot.content("default/sdk.json") == json{{"location", "default"}});
+}
+
+TEST_CASE("broken files are refused with a sentence that names them") {
+  // Pins what a person reads: the file, the line, what was expected.
+  ConfiguredRobot robot;
+  const auto mounting = [&](const std::string& content) {
+    robot.file("default/Broken.json", content);
+    return refusal([&] { robot.configuration.mount("Brain.Broken", "Broken.json", Part::head); });
+  };
+  const std::string name = robot.path("default/Broken.json").string();
+  CHECK(mounting("{\"a\": }").rfind(name + ": expected valid JSON, found a parse error at line 1, column 7", 0) == 0);
+  CHECK(mounting("[1]") == name + ": expected an object with keys at its top level");
+  CHECK(mounting("").rfind(name + ": expected valid JSON", 0) == 0);
+  CHECK(refusal([] {
+          layersOf("/c", "a.json", Part::head, {"default", "../x", "Bob"});
+        }) == "the robot's head is called \"../x\"; expected a name that can be a folder's");
+}
+
+} // namespace naocal

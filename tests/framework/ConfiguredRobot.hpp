@@ -1,0 +1,34 @@
+#pragma once
+
+#include "TemporaryFolder.hpp"
+#include "captures/Files.hpp"
+#include "framework/Configuration.hpp"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace naocal {
+
+/// A configuration in a folder of its own, for a robot with head "Ada" and body "Bob" who plays at "Home".
+struct ConfiguredRobot {
+  explicit ConfiguredRobot(RobotNames robot = {"Home", "Ada", "Bob"}) : names{std::move(robot)} {}
+
+  TemporaryFolder folder;
+  RobotNames names;
+  Configuration configuration{folder.path(), names, writeAtomically};
+
+  std::filesystem::path path(const std::string& file) const { return folder.path() / "location" / file; }
+  void file(const std::string& file, const std::string& content) const {
+    std::filesystem::create_directories(path(file).parent_path());
+    writeAtomically(path(file), content);
+  }
+  nlohmann::json content(const std::string& file) const { return nlohmann::json::parse(fileContent(path(file))); }
+  nlohmann::json keys(const std::string& mount) const {
+    nlohmann::json out;
+    configuration.keys(mount, out);
+    return out;
+  }
+};
+
+} // namespace naocal
