@@ -63,7 +63,7 @@ TEST_CASE("a configuration whose writer is killed at any moment is the old or th
     char started = 0;
     REQUIRE(::read(pipe[0], &started, 1) == 1);
     const auto oneSave = std::chrono::steady_clock::now() - begin;
-    std::this_thread::sleep_for(oneSave * std::uniform_real_distribution<double>{0, 3}(random));
+    std::this_thread::sleep_for(oneSave * std::uniform_real_distribution<double>{0, 1.5}(random));
     ::kill(child, SIGKILL);
     int status = 0;
     REQUIRE(::waitpid(child, &status, 0) == child);

@@ -1,3 +1,4 @@
+#include "framework/CycleTimes.hpp"
 #include "framework/Database.hpp"
 #include "framework/Dependency.hpp"
 #include "framework/Errors.hpp"

@@ -1,5 +1,6 @@
 #include "framework/ConfigurationLayers.hpp"
 
+#include "framework/BoundedJson.hpp"
 #include "framework/Errors.hpp"
 
 #include <fmt/format.h>
@@ -72,11 +73,9 @@ std::optional<json> readConfiguration(const std::filesystem::path& file) {
   text << stream.rdbuf();
   json content;
   try {
-    content = json::parse(text.str(), nullptr, true, true);
+    content = parsedJson(text.str(), true);
   } catch (const json::exception& error) {
-    const std::string_view message = error.what();
-    const auto reason = message.substr(std::min(message.find("] "), message.size() - 2) + 2);
-    throw ConfigurationError{fmt::format("{}: expected valid JSON, found a {}", file.string(), reason)};
+    throw ConfigurationError{fmt::format("{}: expected valid JSON, found a {}", file.string(), reasonOf(error))};
   }
   if (!content.is_object()) {
     throw ConfigurationError{fmt::format("{}: expected an object with keys at its top level", file.string())};

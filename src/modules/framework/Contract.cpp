@@ -1,3 +1,4 @@
+#include "framework/BoundedJson.hpp"
 #include "framework/Dependency.hpp"
 #include "framework/Errors.hpp"
 #include "framework/Parameter.hpp"
@@ -38,12 +39,8 @@ void refused(const nlohmann::json& value, const std::string& expected) {
 void refused(const nlohmann::json& value) {
   try {
     throw;
-  } catch (const nlohmann::json::exception& error) {
-    const std::string_view message = error.what(); // "[json.exception.type_error.302] type must be string, but is ..."
-    const auto reason = message.substr(std::min(message.find("] "), message.size() - 2) + 2);
-    throw ConfigurationError{fmt::format("expected another value than {}: {}", shortened(value), reason)};
   } catch (const std::exception& error) {
-    throw ConfigurationError{fmt::format("expected another value than {}: {}", shortened(value), error.what())};
+    throw ConfigurationError{fmt::format("expected another value than {}: {}", shortened(value), reasonOf(error))};
   }
 }
 

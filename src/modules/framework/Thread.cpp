@@ -1,9 +1,10 @@
 #include "framework/Thread.hpp"
 
-#include "framework/Production.hpp"
+#include "framework/CycleTimes.hpp"
 
 #include <algorithm>
 #include <cstring>
+#include <nlohmann/json.hpp>
 #include <pthread.h>
 #include <sched.h>
 

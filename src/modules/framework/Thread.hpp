@@ -1,7 +1,6 @@
 #pragma once
 
 #include "framework/ConfigurationLayers.hpp"
-#include "framework/CycleTimes.hpp"
 #include "framework/Module.hpp"
 
 #include <atomic>
@@ -13,6 +12,8 @@
 #include <vector>
 
 namespace naocal {
+
+class CycleClock;
 
 /// Is told at the end of every cycle, on the cycle's thread: it must not wait for anything.
 class CycleListener {

@@ -1,0 +1,134 @@
+#include "framework/Listener.hpp"
+
+#include "framework/Errors.hpp"
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/local/stream_protocol.hpp>
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+namespace naocal {
+
+using boost::asio::ip::tcp;
+using boost::system::error_code;
+using Generic = boost::asio::generic::stream_protocol;
+
+namespace {
+
+/// The address of a client without its port; empty for a UNIX socket.
+std::string addressOf(const Generic::endpoint& endpoint) {
+  if (endpoint.protocol().family() == AF_UNIX) {
+    return "";
+  }
+  tcp::endpoint address;
+  std::memcpy(address.data(), endpoint.data(), std::min(endpoint.size(), address.capacity()));
+  return address.address().to_string();
+}
+
+[[noreturn]] void refuseToListen(const std::string& where, const std::string& reason) {
+  throw ConfigurationError{fmt::format("cannot listen on {}: {}; stop what listens there, or choose another place in "
+                                       "sdk.json or access.json",
+                                       where, reason)};
+}
+
+} // namespace
+
+Listener::Listener(boost::asio::io_context& context, Protocol& protocol, std::size_t mostClients, ClientLimits limits,
+                   Log log)
+    : context_{context}, protocol_{protocol},
+      mostClients_{mostClients}, limits_{limits}, log_{std::move(log)}, pause_{context} {}
+
+Listener::~Listener() {
+  while (!connections_.empty()) {
+    (*connections_.begin())->end();
+  }
+  for (const auto& path : paths_) {
+    std::error_code ignored;
+    std::filesystem::remove(path, ignored);
+  }
+}
+
+std::uint16_t Listener::listenTcp(const std::string& address, std::uint16_t port) {
+  try {
+    const tcp::endpoint endpoint{boost::asio::ip::make_address(address), port};
+    Acceptor& acceptor = acceptors_.emplace_back(context_, Generic{endpoint.protocol()});
+    acceptor.set_option(boost::asio::socket_base::reuse_address{true});
+    acceptor.bind(Generic::endpoint{endpoint});
+    acceptor.listen();
+    const Generic::endpoint bound = acceptor.local_endpoint();
+    tcp::endpoint local;
+    std::memcpy(local.data(), bound.data(), std::min(bound.size(), local.capacity()));
+    accept(acceptor);
+    return local.port();
+  } catch (const boost::system::system_error& error) {
+    refuseToListen(fmt::format("{} port {}", address, port), error.code().message());
+  }
+}
+
+void Listener::listenUnix(const std::filesystem::path& path) {
+  try {
+    const boost::asio::local::stream_protocol::endpoint endpoint{path.string()};
+    boost::asio::local::stream_protocol::socket probe{context_};
+    error_code nobody;
+    if (!probe.connect(endpoint, nobody)) {
+      refuseToListen(path.string(), "another process listens there");
+    }
+    if (std::filesystem::is_socket(path)) {
+      std::filesystem::remove(path);
+    }
+    std::filesystem::create_directories(path.parent_path());
+    Acceptor& acceptor = acceptors_.emplace_back(context_, Generic{endpoint.protocol()});
+    acceptor.bind(Generic::endpoint{endpoint});
+    ::chmod(path.c_str(), S_IRUSR | S_IWUSR); // before it listens
+    paths_.push_back(path);
+    acceptor.listen();
+    accept(acceptor);
+  } catch (const std::system_error& error) {
+    refuseToListen(path.string(), error.code().message());
+  }
+}
+
+void Listener::accept(Acceptor& acceptor) {
+  acceptor.async_accept([this, &acceptor](const error_code& error, Socket socket) {
+    if (error == boost::asio::error::operation_aborted) {
+      return;
+    }
+    if (!error) {
+      welcome(std::move(socket));
+      return accept(acceptor);
+    }
+    log_(fmt::format("A client could not be accepted: {}.", error.message()));
+    pause_.expires_after(std::chrono::milliseconds{100}); // such as no descriptors left: not again and again at once
+    pause_.async_wait([this, &acceptor](const error_code& stopped) {
+      if (!stopped) {
+        accept(acceptor);
+      }
+    });
+  });
+}
+
+void Listener::welcome(Socket socket) {
+  error_code gone;
+  const Generic::endpoint endpoint = socket.remote_endpoint(gone);
+  if (gone) {
+    return;
+  }
+  const std::string address = addressOf(endpoint);
+  if (connections_.size() >= mostClients_) {
+    log_(fmt::format("Client {}: {} clients are connected already, which is the limit; the connection was closed.",
+                     address.empty() ? "on this computer" : address, mostClients_));
+    return;
+  }
+  if (!address.empty()) {
+    socket.set_option(tcp::no_delay{true}, gone);
+    socket.set_option(boost::asio::socket_base::keep_alive{true}, gone);
+  }
+  const auto connection =
+      std::make_shared<Connection>(std::move(socket), address, protocol_, limits_, log_,
+                                   [this](Connection& ended) { connections_.erase(ended.shared_from_this()); });
+  connections_.insert(connection);
+  connection->start();
+}
+
+} // namespace naocal

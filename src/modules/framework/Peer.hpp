@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace naocal {
+
+struct FrameFormat;
+
+/// Where sentences about clients go.
+using Log = std::function<void(std::string_view sentence)>;
+
+/// One connected client as a protocol sees it. All on the sockets' thread.
+class Peer {
+public:
+  virtual ~Peer() = default;
+  /// Sends in the order of calls; one that takes none of it and is owed too much is closed.
+  virtual void send(std::shared_ptr<const std::string> bytes) = 0;
+  /// Something that was sent before has not gone out yet.
+  virtual bool busy() const = 0;
+  /// The address without the port; empty for a client on this computer's file system (UNIX socket).
+  virtual const std::string& address() const = 0;
+};
+
+/// What a client did that closes its connection: one sentence.
+class ProtocolError : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What a server does with its clients' frames. `received` may throw ProtocolError.
+class Protocol {
+public:
+  virtual ~Protocol() = default;
+  virtual const FrameFormat& format() const = 0;
+  virtual void opened(Peer& peer) = 0;
+  virtual void received(Peer& peer, std::uint8_t type, std::string body) = 0;
+  virtual void closed(Peer& peer) = 0;
+};
+
+} // namespace naocal

@@ -1,0 +1,168 @@
+#include "ShownRobot.hpp"
+
+#include <catch2/catch.hpp>
+#include <cstring>
+
+namespace naocal {
+namespace {
+
+using nlohmann::json;
+
+enum { subscribe, unsubscribe, update, requestList, list, subscribeBulk, image }; // the protocol's numbers
+
+/// The list is answered after what was sent before it: subscriptions are in force then.
+json listed(MateClient& client) {
+  client.send(requestList);
+  return client.receiveJson(list);
+}
+
+} // namespace
+
+TEST_CASE("all keys are listed before their first value") {
+  // Proves the list's form as MATE reads it, and that pictures are marked.
+  ShownRobot robot;
+  auto client = robot.debug();
+  json keys;
+  const json answer = listed(client);
+  for (const json& entry : answer["keys"]) {
+    keys[entry["key"].get<std::string>()] = entry;
+  }
+  CHECK(keys.size() == 6);
+  CHECK(keys["Brain.count"] == json::parse(R"({"key": "Brain.count", "timestamp": 0, "value": null})"));
+  CHECK(keys["Brain.picture"] == json::parse(R"({"key": "Brain.picture", "isImage": true})"));
+  CHECK(keys.contains("Brain.Counter.scaled"));
+  CHECK(keys.contains("Brain.measuredCycleTime"));
+}
+
+TEST_CASE("an update has the bytes of HULKs' protocol") {
+  // Proves it byte for byte for a value, put together by hand from the protocol's description.
+  ShownRobot robot;
+  auto client = robot.debug();
+  client.send(subscribe, "Brain.count");
+  listed(client);
+  robot.brain.cycle();
+  const auto received = client.receive();
+  REQUIRE(received);
+  const std::string body = "[{\"key\":\"Brain.count\",\"timestamp\":12,\"value\":1}\n]";
+  CHECK(received->type == update);
+  CHECK(received->body == body);
+  CHECK(client.frame(update, body) == std::string("DMSG\x01\x02\0\0\x31\0\0\0\0\0\0\0", 16) + body);
+}
+
+TEST_CASE("one update holds a cycle's keys, and pictures go before it") {
+  // Proves order, form and timestamps, that only edited keys are sent, and a history's newest value.
+  ShownRobot robot;
+  auto client = robot.debug();
+  client.send(subscribeBulk, R"({"keys": ["Brain.picture", "Brain.Counter.scaled", "Brain.history", "Brain.later"]})");
+  listed(client);
+  for (int cycle = 1; cycle <= 3; ++cycle) {
+    robot.brain.cycle();
+    if (cycle == 3) {
+      const auto picture = client.receive();
+      REQUIRE(picture);
+      REQUIRE(picture->type == image);
+      const std::string expected = std::string("\x24\0\0\0\0\0\0\0\x80\x02\xe0\x01\x0d\0", 14) + "Brain.picture" +
+                                   std::string(100, '\x03'); // 36 ms, 640, 480, 13 letters
+      CHECK(picture->body == expected);
+    }
+    const auto values = client.receive();
+    REQUIRE(values);
+    REQUIRE(values->type == update);
+    CHECK(json::parse(values->body) ==
+          json{{{"key", "Brain.Counter.scaled"}, {"timestamp", 12 * cycle}, {"value", {0.5 * cycle, nullptr}}},
+               {{"key", "Brain.history"}, {"timestamp", 12 * cycle}, {"value", -cycle}}});
+  }
+}
+
+TEST_CASE("nothing is copied that nobody subscribed to") {
+  // Proves that subscribing, unsubscribing and leaving reach the production.
+  ShownRobot robot;
+  const AnyProduction* count = robot.database.find("Brain.count");
+  CHECK_FALSE(count->wanted());
+  auto first = robot.debug();
+  {
+    auto second = robot.debug();
+    first.send(subscribe, "Brain.count");
+    second.send(subscribe, "Brain.count");
+    listed(first);
+    listed(second);
+    first.send(unsubscribe, "Brain.count");
+    listed(first);
+    CHECK(count->wanted());
+  }
+  for (int i = 0; i < 1000 && count->wanted(); ++i) {
+    listed(first); // until the second one's end has been noticed
+  }
+  CHECK_FALSE(count->wanted());
+}
+
+TEST_CASE("a client that never reads neither blocks the cycle nor starves the others") {
+  // Proves it by going on: pictures of a megabyte for a client that reads nothing and for one that reads all. The fast
+  // one gets every cycle because the test waits for it; the slow one gets whole frames only, and fewer.
+  ShownRobot robot;
+  robot.counter.pictureSize = 1 << 20;
+  auto slow = robot.debug();
+  auto fast = robot.debug();
+  for (auto* client : {&slow, &fast}) {
+    client->send(subscribeBulk, R"({"keys": ["Brain.picture", "Brain.count"]})");
+    listed(*client);
+  }
+  const int cycles = 90;
+  int pictures = 0;
+  for (int cycle = 1; cycle <= cycles; ++cycle) {
+    robot.brain.cycle();
+    auto frame = fast.receive();
+    REQUIRE(frame);
+    if (frame->type == image) {
+      ++pictures;
+      frame = fast.receive();
+    }
+    REQUIRE(frame);
+    REQUIRE(json::parse(frame->body).at(0)["value"] == cycle);
+    listed(fast); // nothing is on its way to it any more
+  }
+  CHECK(pictures == cycles / 3);
+  slow.send(requestList);
+  int got = 0;
+  for (auto frame = slow.receive(); frame && frame->type != list; frame = slow.receive()) {
+    got += frame->type == image ? 1 : 0;
+  }
+  CHECK(got >= 1);
+  CHECK(got < cycles / 3);
+}
+
+TEST_CASE("a client that asks and never reads is closed") {
+  // Proves the limit on what waits for one client, with the sentence. The rate's limit is out of the way.
+  ShownRobot robot{{.messagesPerSecond = 1e9}};
+  auto client = robot.debug();
+  std::string requests;
+  for (int i = 0; i < 1000; ++i) {
+    requests += client.frame(requestList, "");
+  }
+  for (int i = 0; i < 1000 && !robot.hasLogged("does not read"); ++i) {
+    client.sendBytes(requests);
+  }
+  CHECK(robot.isLogged("asks for answers and does not read them; the connection was closed."));
+}
+
+TEST_CASE("many clients over both kinds of sockets get the same") {
+  // Proves it for eight clients, UNIX and TCP.
+  ShownRobot robot;
+  std::vector<MateClient> clients;
+  for (int i = 0; i < 4; ++i) {
+    clients.push_back(robot.debug());
+    clients.push_back(MateClient::debug(robot.settings.unixFolder / "debug"));
+  }
+  for (auto& client : clients) {
+    client.send(subscribe, "Brain.count");
+    listed(client);
+  }
+  for (int cycle = 1; cycle <= 20; ++cycle) {
+    robot.brain.cycle();
+    for (auto& client : clients) {
+      REQUIRE(client.receiveJson(update).at(0)["value"] == cycle);
+    }
+  }
+}
+
+} // namespace naocal

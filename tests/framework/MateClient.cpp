@@ -1,0 +1,124 @@
+#include "MateClient.hpp"
+
+#include <arpa/inet.h>
+#include <stdexcept>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+#include <utility>
+
+namespace naocal {
+
+MateClient::MateClient(std::uint16_t port, std::size_t headerSize)
+    : socket_{::socket(AF_INET, SOCK_STREAM, 0)}, headerSize_{headerSize} {
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(port);
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  if (::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+    throw std::runtime_error{"the client cannot connect"};
+  }
+  limitWaiting();
+}
+
+MateClient::MateClient(const std::filesystem::path& unixSocket, std::size_t headerSize)
+    : socket_{::socket(AF_UNIX, SOCK_STREAM, 0)}, headerSize_{headerSize} {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  unixSocket.string().copy(address.sun_path, sizeof address.sun_path - 1);
+  if (::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+    throw std::runtime_error{"the client cannot connect"};
+  }
+  limitWaiting();
+}
+
+MateClient::MateClient(MateClient&& other) noexcept
+    : socket_{std::exchange(other.socket_, -1)}, headerSize_{other.headerSize_} {}
+
+MateClient::~MateClient() {
+  if (socket_ >= 0) {
+    ::close(socket_);
+  }
+}
+
+void MateClient::limitWaiting() const {
+  const timeval tenSeconds{10, 0};
+  ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &tenSeconds, sizeof tenSeconds);
+  ::setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &tenSeconds, sizeof tenSeconds);
+}
+
+std::string MateClient::frame(int type, const std::string& body) const {
+  const bool isDebug = headerSize_ == 16;
+  std::string bytes = isDebug ? "DMSG" : "CONF";
+  const auto size = body.size();
+  for (const std::size_t byte : {std::size_t{isDebug ? 1u : 2u}, std::size_t(type), std::size_t{0}, std::size_t{0},
+                                 size & 255, size >> 8 & 255, size >> 16 & 255, size >> 24 & 255}) {
+    bytes += static_cast<char>(byte);
+  }
+  return bytes + (isDebug ? std::string(4, '\0') : "") + body;
+}
+
+void MateClient::sendBytes(const std::string& bytes) {
+  for (std::size_t sent = 0; sent < bytes.size();) {
+    const ssize_t count = ::send(socket_, bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
+    if (count <= 0) {
+      return;
+    }
+    sent += std::size_t(count);
+  }
+}
+
+std::optional<std::string> MateClient::receiveBytes(std::size_t count) {
+  std::string bytes(count, '\0');
+  for (std::size_t received = 0; received < count;) {
+    const ssize_t more = ::recv(socket_, bytes.data() + received, count - received, 0);
+    if (more <= 0) {
+      return std::nullopt;
+    }
+    received += std::size_t(more);
+  }
+  return bytes;
+}
+
+std::optional<MateClient::Frame> MateClient::receive() {
+  const auto header = receiveBytes(headerSize_);
+  if (!header) {
+    return std::nullopt;
+  }
+  const auto byte = [&](std::size_t i) { return std::size_t{static_cast<unsigned char>((*header)[i])}; };
+  const std::string expected = frame(int(byte(5)), std::string{}).substr(0, 8);
+  if (header->substr(0, 8) != expected || (headerSize_ == 16 && header->substr(12) != std::string(4, '\0'))) {
+    throw std::runtime_error{"the robot sent a header that the protocol does not know"};
+  }
+  auto body = receiveBytes(byte(8) | byte(9) << 8 | byte(10) << 16 | byte(11) << 24);
+  if (!body) {
+    return std::nullopt;
+  }
+  return Frame{int(byte(5)), std::move(*body)};
+}
+
+std::optional<MateClient::Frame> MateClient::receive(int type) {
+  for (auto next = receive(); next; next = receive()) {
+    if (next->type == type) {
+      return next;
+    }
+  }
+  return std::nullopt;
+}
+
+nlohmann::json MateClient::receiveJson(int type) {
+  const auto received = receive(type);
+  return received ? nlohmann::json::parse(received->body) : nlohmann::json{"nothing came"};
+}
+
+bool MateClient::isClosed() {
+  std::string bytes(65536, '\0');
+  for (;;) {
+    const ssize_t count = ::recv(socket_, bytes.data(), bytes.size(), 0);
+    if (count <= 0) {
+      return count == 0 || errno == ECONNRESET;
+    }
+  }
+}
+
+} // namespace naocal

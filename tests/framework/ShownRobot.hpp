@@ -1,0 +1,98 @@
+#pragma once
+
+#include "ConfiguredRobot.hpp"
+#include "MateClient.hpp"
+#include "framework/Database.hpp"
+#include "framework/Parameter.hpp"
+#include "framework/Production.hpp"
+#include "framework/Sockets.hpp"
+#include "framework/Thread.hpp"
+
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace naocal {
+
+/// A picture as tests show it: its bytes stand for a JPEG.
+struct TestPicture {
+  std::string bytes;
+};
+inline EncodedPicture toPicture(const TestPicture& picture) {
+  return {640, 480, picture.bytes};
+}
+
+/// Counts its cycles and shows them as value, list, history, and every third one as a picture.
+class Counter : public Module {
+public:
+  explicit Counter(TimePoint base) : Module{"Counter"}, base_{base} {}
+  void cycle() override {
+    const int count = *count_ + 1;
+    const TimePoint time = base_ + std::chrono::milliseconds{count * 12};
+    setCycleTime(time);
+    count_ = count;
+    scaled_ = {count * *factor_, std::nan("")};
+    history_.edit().push(time, -count);
+    if (count % 3 == 0) {
+      picture_ = TestPicture{std::string(pictureSize, static_cast<char>(count))};
+    }
+  }
+  std::size_t pictureSize = 100; // [bytes]
+
+private:
+  TimePoint base_;
+  Parameter<double> factor_{*this, "factor"};
+  Production<int> count_{*this, "count"};
+  Production<std::vector<double>> scaled_{*this, "Counter.scaled"};
+  Production<History<double>> history_{*this, "history"};
+  Production<TestPicture> picture_{*this, "picture"};
+};
+
+/// A robot with one thread, its sockets, and what was logged. The thread cycles when the test says so.
+struct ShownRobot {
+  explicit ShownRobot(SocketSettings wanted = {}) : settings{std::move(wanted)} {
+    settings.debugPort = settings.configPort = 0;
+    settings.unixFolder = robot.folder.path() / "sockets";
+    robot.file("default/head/default/Counter.json", R"({"factor": 0.5, "list": [1, 2]})");
+    robot.file("default/sdk.json", R"({"location": "Home"})");
+    configure(brain, robot.configuration);
+    robot.configuration.mount("tuhhSDK.base", "sdk.json", Part::none);
+    robot.configuration.publish("tuhhSDK.base", "NaoInfo.headName", "Ada");
+    robot.configuration.publish("tuhhSDK.base", "NaoInfo.bodyName", "Bob");
+    sockets.emplace(settings, std::vector<Thread*>{&brain}, robot.configuration, base,
+                    [this](std::string_view sentence) { log(sentence); });
+  }
+  ~ShownRobot() { sockets.reset(); }
+
+  MateClient debug() const { return MateClient::debug(sockets->debugPort()); }
+  MateClient config() const { return MateClient::config(sockets->configPort()); }
+
+  void log(std::string_view sentence) {
+    const std::lock_guard lock{mutex};
+    sentences.emplace_back(sentence);
+    logged.notify_all();
+  }
+  bool hasLogged(const std::string& text) { return isLogged(text, std::chrono::seconds{0}); }
+  /// Whether a sentence with this text is logged within the time.
+  bool isLogged(const std::string& text, std::chrono::seconds within = std::chrono::seconds{10}) {
+    std::unique_lock lock{mutex};
+    return logged.wait_for(lock, within, [&] {
+      return std::any_of(sentences.begin(), sentences.end(),
+                         [&](const auto& sentence) { return sentence.find(text) != std::string::npos; });
+    });
+  }
+
+  const TimePoint base = TimePoint{} + std::chrono::hours{5};
+  SocketSettings settings;
+  ConfiguredRobot robot;
+  Thread brain{"Brain", Part::head};
+  Counter& counter = brain.add<Counter>(base);
+  Database database{{&brain}};
+  std::mutex mutex;
+  std::condition_variable logged;
+  std::vector<std::string> sentences;
+  std::optional<Sockets> sockets;
+};
+
+} // namespace naocal
