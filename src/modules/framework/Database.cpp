@@ -40,8 +40,9 @@ Origins originsOf(const std::vector<Thread*>& threads) {
 /// Where a dependency's value comes from, after all checks of that pair.
 const Origin& originOf(const AnyDependency& dependency, const Module& module, std::size_t thread,
                        const std::vector<Thread*>& threads, const Origins& origins) {
-  const bool elsewhere = dependency.name().find('.') != std::string::npos;
-  const std::string key = elsewhere ? dependency.name() : threads[thread]->name() + "." + dependency.name();
+  const std::string own = threads[thread]->name() + "." + dependency.name();
+  const bool elsewhere = !origins.contains(own) && dependency.name().find('.') != std::string::npos;
+  const std::string key = elsewhere ? dependency.name() : own;
   const std::string who = threads[thread]->name() + "." + module.name();
   const auto found = origins.find(key);
   if (found == origins.end()) {

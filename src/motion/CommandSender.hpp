@@ -1,0 +1,27 @@
+#pragma once
+
+#include "framework/Dependency.hpp"
+#include "framework/Module.hpp"
+#include "framework/Production.hpp"
+#include "motion/Measured.hpp"
+#include "motion/PosePlayer.hpp"
+
+namespace naocal {
+
+/// Answers every state of the robot with the desired pose: offsets added, within the limits.
+class CommandSender final : public Module {
+public:
+  CommandSender(RobotInterface& robot, const Robot& drawing)
+      : Module{"CommandSender"}, robot_{robot}, limits_{drawing} {}
+  void cycle() override;
+
+private:
+  RobotInterface& robot_;
+  JointLimits limits_;
+  Dependency<Measured> measured_{*this, "measured"};
+  Dependency<JointOffsets> offsets_{*this, "JointCalibrationData"};
+  Dependency<DesiredPose> desired_{*this, "desiredPose"};
+  Production<RawAngles> sent_{*this, "sentAngles"};
+};
+
+} // namespace naocal

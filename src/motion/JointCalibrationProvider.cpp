@@ -1,0 +1,54 @@
+#include "motion/JointCalibrationProvider.hpp"
+
+#include "geometry/Angles.hpp"
+
+#include <cctype>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+namespace {
+
+constexpr double largestOffset = 30; // [deg]; robots have been seen with 12
+
+std::string plausible(const double& degrees) {
+  return std::abs(degrees) <= largestOffset ? "" : fmt::format("an offset from -{0} to {0} degrees", largestOffset);
+}
+
+} // namespace
+
+std::string offsetKey(std::string_view joint) {
+  std::string key{joint};
+  key[0] = static_cast<char>(std::tolower(key[0]));
+  return key;
+}
+
+JointCalibrationProvider::JointCalibrationProvider() : Module{"JointCalibrationProvider"} {
+  for (const std::string_view joint : jointNames) {
+    degrees_.emplace_back(*this, offsetKey(joint), plausible);
+  }
+}
+
+void JointCalibrationProvider::parametersChanged() {
+  for (std::size_t joint = 0; joint < jointCount; ++joint) {
+    offsets_.values[joint] = radians(*degrees_[joint]);
+  }
+  constexpr std::size_t left = *jointNumber("LHipYawPitch"), right = *jointNumber("RHipYawPitch");
+  problem_ =
+      *degrees_[left] == *degrees_[right]
+          ? std::string{}
+          : fmt::format("rHipYawPitch ({} degrees) differs from lHipYawPitch ({} degrees); one motor drives both, "
+                        "so the left one's counts: make them equal.",
+                        *degrees_[right], *degrees_[left]);
+  joinHipYawPitch(offsets_);
+}
+
+void JointCalibrationProvider::cycle() {
+  offsetsShown_ = offsets_;
+  problem_.edit();
+  if (measured_->isNew) {
+    angles_ = compensated(measured_->state.angles, offsets_);
+  }
+}
+
+} // namespace naocal

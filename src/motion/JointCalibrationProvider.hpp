@@ -1,0 +1,36 @@
+#pragma once
+
+#include "framework/Dependency.hpp"
+#include "framework/Module.hpp"
+#include "framework/Parameter.hpp"
+#include "framework/Production.hpp"
+#include "motion/JointOffsets.hpp"
+#include "motion/Measured.hpp"
+
+#include <deque>
+#include <string>
+#include <string_view>
+
+namespace naocal {
+
+/// The key of a joint's offset in JointCalibrationProvider.json: its name with a small first letter.
+std::string offsetKey(std::string_view joint);
+
+/// Takes the joints' offsets out of what the encoders show. The offsets are HULKs' parameters, in degrees, by joint;
+/// they take effect between two cycles. The right hip yaw-pitch's is that of the left: one motor drives both.
+class JointCalibrationProvider final : public Module {
+public:
+  JointCalibrationProvider();
+  void cycle() override;
+  void parametersChanged() override;
+
+private:
+  std::deque<Parameter<double>> degrees_; // in the order of `jointNames`
+  JointOffsets offsets_;
+  Dependency<Measured> measured_{*this, "measured"};
+  Production<JointOffsets> offsetsShown_{*this, "JointCalibrationData"};
+  Production<CompensatedAngles> angles_{*this, "angles"};
+  Production<std::string> problem_{*this, "JointCalibrationProvider.problem"}; // one sentence, empty when all is well
+};
+
+} // namespace naocal

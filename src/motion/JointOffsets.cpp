@@ -1,0 +1,80 @@
+#include "motion/JointOffsets.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+namespace {
+
+template <class Angles> Angles between(const Angles& from, const Angles& to, double fraction) {
+  Angles result;
+  for (std::size_t joint = 0; joint < jointCount; ++joint) {
+    result[joint] = from[joint] + (to[joint] - from[joint]) * fraction;
+  }
+  return result;
+}
+
+} // namespace
+
+CompensatedAngles interpolated(const CompensatedAngles& from, const CompensatedAngles& to, double fraction) {
+  return between(from, to, fraction);
+}
+RawAngles interpolated(const RawAngles& from, const RawAngles& to, double fraction) {
+  return between(from, to, fraction);
+}
+
+void to_json(nlohmann::json& out, const CompensatedAngles& angles) {
+  out = angles.values;
+}
+void to_json(nlohmann::json& out, const RawAngles& angles) {
+  out = angles.values;
+}
+void to_json(nlohmann::json& out, const JointOffsets& offsets) {
+  out = {{"calibrationOffsets", offsets.values}};
+}
+
+CompensatedAngles compensated(const RawAngles& raw, const JointOffsets& offsets) {
+  CompensatedAngles angles;
+  for (std::size_t joint = 0; joint < jointCount; ++joint) {
+    angles[joint] = raw[joint] - offsets.values[joint];
+  }
+  joinHipYawPitch(angles);
+  return angles;
+}
+
+JointLimits::JointLimits(const Robot& robot) : robot_{robot} {
+  for (std::size_t joint = 0; joint < jointCount; ++joint) {
+    drawn_[joint] = robot.jointIndex(jointNames[joint]);
+  }
+}
+
+void JointLimits::clamp(PerJoint<double>& values) const {
+  Eigen::VectorXd angles = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot_.joints.size()));
+  const auto drawnAngle = [&](std::size_t drawn) -> double& { return angles[static_cast<Eigen::Index>(drawn)]; };
+  for (const bool dependent : {false, true}) { // those that others depend on come first
+    for (std::size_t joint = 0; joint < jointCount; ++joint) {
+      if (!drawn_[joint]) {
+        values[joint] = std::clamp(values[joint], 0.0, 1.0);
+      } else if (robot_.joints[*drawn_[joint]].coupled.has_value() == dependent) {
+        const AngleRange range = limitsAt(robot_, *drawn_[joint], angles);
+        values[joint] = drawnAngle(*drawn_[joint]) = std::clamp(values[joint], range.lower, range.upper);
+      }
+    }
+  }
+}
+
+double JointLimits::maxSpeed(std::size_t joint) const {
+  return drawn_[joint] ? robot_.joints[*drawn_[joint]].maxSpeed : 0;
+}
+
+RawAngles sentToMotors(const CompensatedAngles& desired, const JointOffsets& offsets, const JointLimits& limits) {
+  const CompensatedAngles reachable = limits.clamped(desired);
+  RawAngles raw;
+  for (std::size_t joint = 0; joint < jointCount; ++joint) {
+    raw[joint] = reachable[joint] + offsets.values[joint];
+  }
+  joinHipYawPitch(raw);
+  return limits.clamped(raw);
+}
+
+} // namespace naocal

@@ -1,0 +1,19 @@
+#include "motion/MotionModules.hpp"
+
+#include "motion/CommandSender.hpp"
+#include "motion/JointCalibrationProvider.hpp"
+#include "motion/JointHistory.hpp"
+#include "motion/PosePlayer.hpp"
+#include "motion/SensorProvider.hpp"
+
+namespace naocal {
+
+void addMotionModules(Thread& motion, RobotInterface& robot, const Robot& drawing) {
+  motion.add<SensorProvider>(robot);
+  motion.add<JointCalibrationProvider>();
+  motion.add<PosePlayer>(drawing);
+  motion.add<CommandSender>(robot, drawing);
+  motion.add<JointHistory>();
+}
+
+} // namespace naocal

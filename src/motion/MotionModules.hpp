@@ -1,0 +1,12 @@
+#pragma once
+
+#include "framework/Thread.hpp"
+#include "hardware/RobotInterface.hpp"
+#include "model/Robot.hpp"
+
+namespace naocal {
+
+/// The motion thread's modules, for a robot and its drawing, which must outlive the thread.
+void addMotionModules(Thread& motion, RobotInterface& robot, const Robot& drawing);
+
+} // namespace naocal

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "motion/JointOffsets.hpp"
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// What the brain asks the pose player to do. A newer request replaces an older one; each has a larger number.
+struct PoseRequest {
+  enum class Kind {
+    go,   // through `points`, and stay at the last one
+    home, // back to the stand the way it came
+    rest, // motors off
+  };
+  std::uint64_t number = 0;
+  Kind kind = Kind::home;
+  std::string name;                      // of the pose, for people
+  std::vector<CompensatedAngles> points; // checked by who asks: the robot stands all along the lines between them [rad]
+};
+
+/// How the pose player fares.
+struct PlayerState {
+  enum class Phase {
+    off,     // motors off
+    moving,  // towards a request's last point, or home
+    holding, // still at a point or where it was stopped
+    fallen,  // motors weak
+  };
+  Phase phase = Phase::off;
+  std::uint64_t request = 0; // the last one that was looked at
+  bool done = false;         // that request came to its end
+  bool atHome = false;       // holding the stand
+  double progress = 0;       // 0..1 of the present motion
+  double secondsLeft = 0;    // of it [s]
+  std::string reason;        // one sentence: why it refused, stopped or waits; empty otherwise
+};
+void to_json(nlohmann::json& out, const PlayerState& state);
+
+} // namespace naocal

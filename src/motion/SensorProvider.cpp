@@ -1,0 +1,56 @@
+#include "motion/SensorProvider.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+namespace {
+
+nlohmann::json listOf(const Eigen::Vector3d& vector) {
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+} // namespace
+
+void SensorProvider::cycle() {
+  Measured& measured = measured_.edit();
+  auto state = robot_.waitForState(std::chrono::milliseconds{100});
+  measured.isNew = state.has_value();
+  if (state) {
+    measured.state = *std::move(state);
+    setCycleTime(measured.state.time);
+  }
+  link_ = robot_.link();
+}
+
+void to_json(nlohmann::json& out, const Measured& measured) {
+  const RobotState& state = measured.state;
+  const Touch& touch = state.touch;
+  out = {{"isNew", measured.isNew},
+         {"rawAngles", state.angles.values},
+         {"stiffness", state.stiffness},
+         {"currents", state.current},
+         {"temperatures", state.temperature},
+         {"status", state.status},
+         {"accelerometer", listOf(state.accelerometer)},
+         {"gyroscope", listOf(state.gyroscope)},
+         {"torsoAngles", {state.torsoAngles.x(), state.torsoAngles.y()}},
+         {"forces", state.forces},
+         {"sonar", state.sonar},
+         {"battery", {{"charge", state.battery.charge}, {"current", state.battery.current}}},
+         {"touch",
+          {{"chestButton", touch.chestButton},
+           {"head", touch.headFront || touch.headMiddle || touch.headRear},
+           {"leftFoot", touch.leftFootLeft || touch.leftFootRight},
+           {"rightFoot", touch.rightFootLeft || touch.rightFootRight},
+           {"leftHand", touch.leftHandBack || touch.leftHandLeft || touch.leftHandRight},
+           {"rightHand", touch.rightHandBack || touch.rightHandLeft || touch.rightHandRight}}}};
+}
+
+void to_json(nlohmann::json& out, const RobotLink& link) {
+  out = {{"states", link.states},
+         {"lostStates", link.lostStates},
+         {"reconnects", link.reconnects},
+         {"problem", link.problem}};
+}
+
+} // namespace naocal

@@ -1,0 +1,114 @@
+#pragma once
+
+#include "RobotV6.hpp"
+#include "ScriptedRobot.hpp"
+#include "TemporaryFolder.hpp"
+#include "captures/Files.hpp"
+#include "framework/Configuration.hpp"
+#include "framework/Database.hpp"
+#include "framework/Dependency.hpp"
+#include "framework/Production.hpp"
+#include "framework/Thread.hpp"
+#include "geometry/Angles.hpp"
+#include "motion/JointHistory.hpp"
+#include "motion/MotionModules.hpp"
+#include "motion/PosePlayer.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+inline constexpr std::size_t knee = *jointNumber("LKneePitch"), leftHip = *jointNumber("LHipYawPitch"),
+                             rightHip = *jointNumber("RHipYawPitch"), yaw = *jointNumber("HeadYaw");
+
+/// The motion thread as it is shipped, on a scripted robot, with a brain that only passes on the test's requests.
+struct MotionRig {
+  class Asking : public Module {
+  public:
+    Asking() : Module{"Asking"} {}
+    void cycle() override {}
+    void ask(PoseRequest request) { request_.edit().write(std::move(request)); }
+
+  private:
+    Production<Latest<PoseRequest>> request_{*this, "poseRequest"};
+  };
+  class Looking : public Module {
+  public:
+    Looking() : Module{"Looking"} {}
+    void cycle() override {}
+    Dependency<PlayerState> player{*this, "player"};
+    Dependency<DesiredPose> desired{*this, "desiredPose"};
+    Dependency<JointMoments> moments{*this, "jointHistory"};
+    Dependency<CompensatedAngles> angles{*this, "angles"};
+    Dependency<double> stillFor{*this, "stillFor"};
+    Dependency<std::string> offsetProblem{*this, "JointCalibrationProvider.problem"};
+  };
+
+  MotionRig() {
+    addMotionModules(motion, robot, v6());
+    database.emplace(std::vector<Thread*>{&motion, &brain});
+    configure(motion, configuration);
+    motion.cycle();
+  }
+
+  void cycles(int count) {
+    for (int i = 0; i < count; ++i) {
+      motion.cycle();
+    }
+  }
+  /// Cycles until the present request is done, at most a minute.
+  bool untilDone() {
+    for (int i = 0; i < 5000 && !see.player->done; ++i) {
+      motion.cycle();
+    }
+    return see.player->done;
+  }
+  void ask(PoseRequest::Kind kind, std::vector<CompensatedAngles> points = {}) {
+    asking.ask({++number, kind, "The pose", std::move(points)});
+    motion.cycle();
+  }
+  /// Puts the robot at its stand and has the player hold it.
+  void stand() {
+    robot.state.angles.values = home().values;
+    ask(PoseRequest::Kind::home);
+    untilDone();
+  }
+  static CompensatedAngles home() {
+    CompensatedAngles angles;
+    for (const auto& [joint, degrees] : std::map<const char*, double>{{"LShoulderPitch", 90},
+                                                                      {"LShoulderRoll", 10},
+                                                                      {"LElbowRoll", -5},
+                                                                      {"RShoulderPitch", 90},
+                                                                      {"RShoulderRoll", -10},
+                                                                      {"RElbowRoll", 5},
+                                                                      {"LHipPitch", -25},
+                                                                      {"LKneePitch", 50},
+                                                                      {"LAnklePitch", -25},
+                                                                      {"RHipPitch", -25},
+                                                                      {"RKneePitch", 50},
+                                                                      {"RAnklePitch", -25}}) {
+      angles[*jointNumber(joint)] = radians(degrees);
+    }
+    return angles;
+  }
+  /// The stand with the head turned and nodding [deg].
+  static CompensatedAngles looking(double turn, double nod) {
+    CompensatedAngles angles = home();
+    angles[*jointNumber("HeadYaw")] = radians(turn);
+    angles[*jointNumber("HeadPitch")] = radians(nod);
+    return angles;
+  }
+
+  ScriptedRobot robot;
+  TemporaryFolder saved;
+  Configuration configuration{std::filesystem::path{NAOCAL_SOURCE_DIR} / "home/configuration",
+                              {"", "Ada", "Bob"},
+                              [](const auto&, auto) { throw std::logic_error{"tests do not write there"}; }};
+  Thread motion{"Motion", Part::body}, brain{"Brain", Part::head};
+  Asking& asking = brain.add<Asking>();
+  Looking& see = motion.add<Looking>();
+  std::optional<Database> database;
+  std::uint64_t number = 0;
+};
+
+} // namespace naocal

@@ -1,0 +1,183 @@
+#include "MotionRig.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace naocal {
+namespace {
+
+using Kind = PoseRequest::Kind;
+using Phase = PlayerState::Phase;
+
+double farthest(const CompensatedAngles& one, const CompensatedAngles& other) {
+  double distance = 0;
+  for (std::size_t joint = 0; joint < jointCount; ++joint) {
+    distance = std::max(distance, std::abs(one[joint] - other[joint]));
+  }
+  return distance;
+}
+
+} // namespace
+
+TEST_CASE("a way is smooth, within the allowed speed, and ends where it should") {
+  // Proves speed and continuity of speed by differences over a long way with a corner, against a quarter of each
+  // joint's largest speed.
+  const JointLimits limits{v6()};
+  const CompensatedAngles start = MotionRig::looking(-60, 10), corner = MotionRig::looking(60, -20),
+                          end = MotionRig::looking(0, 0);
+  const PoseMotion motion{start, {corner, end}, limits, 0.25};
+  const double step = 0.001;
+  double lastSpeed = 0, fastest = 0, jump = 0;
+  for (double time = 0; time < motion.duration() + 0.1; time += step) {
+    const double speed = (motion.at(time + step)[yaw] - motion.at(time)[yaw]) / step;
+    fastest = std::max(fastest, std::abs(speed));
+    jump = std::max(jump, std::abs(speed - lastSpeed));
+    lastSpeed = speed;
+  }
+  CHECK(fastest <= 0.25 * limits.maxSpeed(yaw) * 1.0001);
+  CHECK(fastest > 0.24 * limits.maxSpeed(yaw));
+  CHECK(jump < 0.02 * fastest);
+  CHECK(motion.at(0) == start);
+  CHECK(farthest(motion.at(motion.duration()), end) < 1e-12);
+  CHECK(motion.passed(0) == 0);
+  CHECK(motion.passed(motion.duration()) == 2);
+}
+
+TEST_CASE("motors stay off until something is asked for, and then start from where the joints are") {
+  // Proves that nothing jerks: the first command with stiffness is where the joints were measured.
+  MotionRig rig;
+  rig.robot.state.angles.values = MotionRig::looking(5, 0).values;
+  rig.cycles(10);
+  CHECK(rig.see.player->phase == Phase::off);
+  CHECK(rig.robot.sent.back().stiffness[yaw] == 0);
+  rig.ask(Kind::home);
+  CHECK(rig.robot.sent.back().stiffness[yaw] == 0.9);
+  CHECK(rig.robot.sent.back().angles[yaw] == Approx(radians(5)).margin(1e-6));
+  CHECK(rig.untilDone());
+  CHECK(rig.see.player->atHome);
+  CHECK(rig.robot.sent.back().angles[yaw] == Approx(0).margin(1e-9));
+}
+
+TEST_CASE("a robot that is not at its stand does not move and says why") {
+  // Pins the sentence for a robot that lies or sits somewhere.
+  MotionRig rig;
+  rig.ask(Kind::go, {MotionRig::looking(20, 0)});
+  CHECK(rig.see.player->phase == Phase::off);
+  CHECK(rig.see.player->reason ==
+        "The pose was refused: the robot is not at its stand. Put it there (each joint within "
+        "12 degrees) and start again.");
+  CHECK(rig.robot.sent.back().stiffness[yaw] == 0);
+}
+
+TEST_CASE("points that joints cannot take are refused before anything moves") {
+  // Proves it for a limit that depends on another joint, and for what is no number.
+  MotionRig rig;
+  rig.stand();
+  rig.ask(Kind::go, {MotionRig::looking(20, 0), MotionRig::looking(87, -30)});
+  CHECK(rig.see.player->reason == "The pose was refused: HeadPitch cannot take -30.0 degrees there.");
+  rig.cycles(50);
+  CHECK(rig.robot.sent.back().angles[yaw] == Approx(0).margin(1e-9));
+  rig.ask(Kind::go, {MotionRig::looking(std::nan(""), 0)});
+  CHECK(rig.see.player->reason == "The pose was refused: HeadYaw cannot take nan degrees there.");
+  rig.ask(Kind::go, {});
+  CHECK(rig.see.player->reason == "The pose was refused: it names no angles.");
+}
+
+TEST_CASE("an abort at any moment leads back along the way that was taken") {
+  // Proves for aborts at every tenth of a way with two corners, and again on the way home, that the robot ends at its
+  // stand and is never far from the lines that were checked.
+  const CompensatedAngles one = MotionRig::looking(40, 0), two = MotionRig::looking(40, 20),
+                          three = MotionRig::looking(-20, 20);
+  const PoseMotion way{MotionRig::home(), {one, two, three}, JointLimits{v6()}, 0.15};
+  const auto distance = [&](const RawAngles& sent) {
+    double nearest = 10;
+    for (double time = 0; time <= way.duration(); time += 0.004) {
+      nearest = std::min(nearest, farthest(CompensatedAngles{sent.values}, way.at(time)));
+    }
+    return nearest;
+  };
+  for (int tenth = 0; tenth <= 10; ++tenth) {
+    MotionRig rig;
+    rig.stand();
+    rig.ask(Kind::go, {one, two, three});
+    rig.cycles(static_cast<int>(way.duration() / 0.012 * tenth / 10));
+    rig.ask(Kind::home);
+    rig.cycles(30);
+    rig.ask(Kind::home); // once more on the way
+    const std::size_t from = rig.robot.sent.size();
+    CHECK(rig.untilDone());
+    CHECK(rig.see.player->atHome);
+    CHECK(farthest(rig.see.desired->angles, MotionRig::home()) < 1e-9);
+    for (std::size_t i = from; i < rig.robot.sent.size(); i += 10) {
+      REQUIRE(distance(rig.robot.sent[i].angles) < 0.02);
+    }
+  }
+}
+
+TEST_CASE("a touched robot stops and holds until its chest button sends it home") {
+  // Proves it on the way, with the sentences; a hand at a robot that stands still stops nothing.
+  MotionRig rig;
+  rig.stand();
+  rig.robot.state.touch.headFront = true;
+  rig.cycles(5);
+  CHECK(rig.see.player->reason.empty());
+  rig.robot.state.touch.headFront = false;
+  rig.ask(Kind::go, {MotionRig::looking(40, 0)});
+  rig.cycles(40);
+  rig.robot.state.touch.leftFootLeft = true;
+  rig.cycles(1);
+  rig.robot.state.touch.leftFootLeft = false;
+  CHECK(rig.see.player->phase == Phase::holding);
+  CHECK(rig.see.player->reason == "The robot was touched and stopped. Press its chest button to have it go back to its "
+                                  "stand.");
+  const double held = rig.robot.sent.back().angles[yaw];
+  CHECK(held > 0.01);
+  rig.cycles(20);
+  CHECK(rig.robot.sent.back().angles[yaw] == held);
+  rig.robot.state.touch.chestButton = true;
+  rig.cycles(3);
+  rig.robot.state.touch.chestButton = false;
+  CHECK(rig.see.player->reason == "The chest button was pressed: the robot goes back to its stand.");
+  CHECK(rig.untilDone());
+  CHECK(rig.see.player->atHome);
+}
+
+TEST_CASE("a tilted robot's motors become weak, and it starts again only from its stand") {
+  // Proves the fall and what follows it.
+  MotionRig rig;
+  rig.stand();
+  rig.ask(Kind::go, {MotionRig::looking(40, 0)});
+  rig.cycles(40);
+  rig.robot.state.torsoAngles.y() = radians(50);
+  rig.cycles(1);
+  CHECK(rig.see.player->phase == Phase::fallen);
+  CHECK(rig.robot.sent.back().stiffness[yaw] == 0.1);
+  CHECK(rig.see.player->reason == "The torso is tilted by 50 degrees, so the motors are weak. Stand the robot up and "
+                                  "start again.");
+  rig.robot.state.torsoAngles.y() = 0;
+  rig.ask(Kind::go, {MotionRig::looking(0, 10)});
+  CHECK(rig.see.player->phase == Phase::fallen); // its head is still turned
+  rig.stand();
+  CHECK(rig.see.player->atHome);
+}
+
+TEST_CASE("a joint that gets too hot sends the robot home and off rests it") {
+  // Proves the way home with its sentence, and that motors go off when that is asked for.
+  MotionRig rig;
+  rig.stand();
+  rig.ask(Kind::go, {MotionRig::looking(40, 0)});
+  CHECK(rig.untilDone());
+  rig.robot.state.temperature[*jointNumber("RKneePitch")] = 80;
+  rig.cycles(1);
+  CHECK(rig.see.player->reason == "RKneePitch is 80 degrees Celsius hot: the robot goes back to its stand. Let it cool "
+                                  "down.");
+  CHECK_FALSE(rig.see.player->atHome);
+  for (int i = 0; i < 1000 && !rig.see.player->atHome; ++i) {
+    rig.motion.cycle();
+  }
+  CHECK(rig.see.player->atHome);
+  rig.ask(Kind::rest);
+  CHECK(rig.see.player->phase == Phase::off);
+  CHECK(rig.robot.sent.back().stiffness[yaw] == 0);
+}
+
+} // namespace naocal

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "hardware/RobotInterface.hpp"
+
+#include <vector>
+
+namespace naocal {
+
+/// A robot whose joints are in every cycle where they were sent in the one before, while their motors are on. What its
+/// other sensors report is set by the test.
+class ScriptedRobot final : public RobotInterface {
+public:
+  std::optional<RobotIdentity> waitForIdentity(std::chrono::milliseconds) override { return RobotIdentity{}; }
+  std::optional<RobotState> waitForState(std::chrono::milliseconds) override {
+    if (silent) {
+      return std::nullopt;
+    }
+    state.time += period();
+    return state;
+  }
+  void send(const RobotCommand& command) override {
+    sent.push_back(command);
+    for (std::size_t joint = 0; joint < jointCount; ++joint) {
+      if (command.stiffness[joint] > 0) {
+        state.angles[joint] = command.angles[joint];
+      }
+    }
+  }
+  std::chrono::nanoseconds period() const override { return std::chrono::milliseconds{12}; }
+  RobotLink link() const override { return {}; }
+
+  RobotState state;
+  std::vector<RobotCommand> sent;
+  bool silent = false;
+};
+
+} // namespace naocal
