@@ -25,7 +25,8 @@ PlanOptions options(SupportFoot foot = SupportFoot::left) {
   options.poses.count = 8;
   options.poses.tries = 40'000;
   options.poses.sampling = Sampling::even;
-  options.rounds = 2;
+  options.starts = 2;
+  options.rounds = 1;
   options.refinements = 200;
   return options;
 }
@@ -105,7 +106,7 @@ TEST_CASE("candidates are the same on any number of cores, and each test only re
 
 TEST_CASE("exchange finds the best set where all sets can be tried") {
   // Proves the selection against all 455 triples of 15 candidates, for every criterion, within 5 %: exchange is no
-  // proof of the optimum. Those kept stay.
+  // proof of the optimum. No pose is picked twice.
   const PoseOptions wanted = options().poses;
   const SimulationPlan plan;
   const Scene scene{v6(), supportSole(v6(), SupportFoot::left), plan.boards, plan.cameras, wanted.sight};
@@ -126,11 +127,11 @@ TEST_CASE("exchange finds the best set where all sets can be tried") {
         }
       }
     }
-    const std::vector<std::size_t> chosen = selected(judge, parts, 3);
+    const std::vector<std::size_t> chosen = selected(judge, judge.prior(), parts, 3);
     const double value = judge(judge.prior() + parts[chosen[0]] + parts[chosen[1]] + parts[chosen[2]]);
     CAPTURE(name(criterion));
     CHECK(value <= best + 0.05 * std::abs(best));
-    CHECK(selected(judge, parts, 5, {4, 7})[1] == 7);
+    CHECK(std::set<std::size_t>(chosen.begin(), chosen.end()).size() == 3);
   }
 }
 

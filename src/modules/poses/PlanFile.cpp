@@ -36,6 +36,19 @@ Json assumptions(const PlanOptions& options) {
           {"unknowns", "joint offsets, rotations of both cameras, x, y and yaw of every board"}};
 }
 
+Json comparisonJson(const PosePlan& plan) {
+  Json result = Json::array();
+  for (const CriterionResult& each : plan.comparison) {
+    result.push_back({{"criterion", name(each.criterion)},
+                      {"poses", each.poses},
+                      {"worstSigma", each.worst},
+                      {"meanSigma", each.mean},
+                      {"worstSigmaKnown", each.worstKnown},
+                      {"interaction", {{"cost", each.interaction.cost}, {"count", each.interaction.count}}}});
+  }
+  return result;
+}
+
 } // namespace
 
 Json planJson(const PosePlan& plan, const Robot& robot) {
@@ -46,23 +59,28 @@ Json planJson(const PosePlan& plan, const Robot& robot) {
       poses[i]["via"].push_back(anglesJson(angles, robot));
     }
   }
-  return {{"format", "naocal-poses"},
-          {"version", 1},
-          {"robot", robot.model},
-          {"support", supportFootWords[static_cast<std::size_t>(plan.supportFoot)]},
-          {"candidates",
-           {{"generated", plan.sieve.generated},
-            {"reachable", plan.sieve.reachable},
-            {"collisionFree", plan.sieve.collisionFree},
-            {"stable", plan.sieve.stable},
-            {"seeing", plan.sieve.seeing}}},
-          {"poses", poses},
-          {"boards", boardsJson(plan.boards)},
-          {"predictedSigma", plan.sigma},
-          {"predictedSigmaKnown", plan.sigmaKnown},
-          {"predictedSigmaOfRobots", plan.sigmaOfRobots},
-          {"criterion", name(plan.options.criterion)},
-          {"assumptions", assumptions(plan.options)}};
+  Json result = {{"format", "naocal-poses"},
+                 {"version", 1},
+                 {"robot", robot.model},
+                 {"support", supportFootWords[static_cast<std::size_t>(plan.supportFoot)]},
+                 {"candidates",
+                  {{"generated", plan.sieve.generated},
+                   {"reachable", plan.sieve.reachable},
+                   {"collisionFree", plan.sieve.collisionFree},
+                   {"stable", plan.sieve.stable},
+                   {"seeing", plan.sieve.seeing}}},
+                 {"poses", poses},
+                 {"boards", boardsJson(plan.boards)},
+                 {"predictedSigma", plan.sigma},
+                 {"predictedSigmaKnown", plan.sigmaKnown},
+                 {"predictedSigmaOfRobots", plan.sigmaOfRobots},
+                 {"criterion", name(plan.options.criterion)},
+                 {"interaction", {{"cost", plan.interaction.cost}, {"count", plan.interaction.count}}},
+                 {"assumptions", assumptions(plan.options)}};
+  if (!plan.comparison.empty()) {
+    result["comparison"] = comparisonJson(plan);
+  }
+  return result;
 }
 
 void writePoseFiles(const PosePlan& plan, const Robot& robot, const std::filesystem::path& folder) {

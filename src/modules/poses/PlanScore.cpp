@@ -8,9 +8,28 @@ namespace naocal {
 
 PlanScore::PlanScore(const Robot& robot, const std::vector<Board>& boards,
                      const std::map<std::string, CameraIntrinsics>& cameras, const PlanOptions& options)
-    : robot_{robot}, options_{options}, scene_{robot, supportSole(robot, options.poses.supportFoot), boards, cameras,
-                                               options.poses.sight},
+    : robot_{robot}, cameras_{cameras}, options_{options}, scene_{robot, supportSole(robot, options.poses.supportFoot),
+                                                                  boards, cameras, options.poses.sight},
       judge_{robot, scene_, scene_.joints(), options.criterion, options.known} {}
+
+ThesisSelection PlanScore::thesis() const {
+  return {robot_, supportSole(robot_, options_.poses.supportFoot), cameras_, judge_.joints(), options_.weights};
+}
+
+Interaction PlanScore::interaction(const std::vector<SievedPose>& poses) const {
+  return thesis().interaction(poses);
+}
+
+std::vector<SievedPose> PlanScore::best(const std::vector<SievedPose>& candidates, std::size_t count) const {
+  const std::vector<std::size_t> indices = options_.criterion == Criterion::interaction
+                                               ? thesis().chain(candidates, count)
+                                               : selected(judge_, judge_.prior(), parts(candidates), count);
+  std::vector<SievedPose> result;
+  for (const std::size_t index : indices) {
+    result.push_back(candidates[index]);
+  }
+  return result;
+}
 
 std::vector<Eigen::MatrixXd> PlanScore::parts(const std::vector<SievedPose>& poses) const {
   std::vector<Eigen::MatrixXd> result = informations(robot_, scene_, poses, options_.noise);

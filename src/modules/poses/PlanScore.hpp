@@ -2,6 +2,7 @@
 
 #include "poses/PoseCandidates.hpp"
 #include "poses/PoseCriterion.hpp"
+#include "poses/ThesisSelection.hpp"
 
 #include <map>
 #include <string>
@@ -12,12 +13,15 @@ namespace naocal {
 struct PlanOptions {
   PoseOptions poses; // count: to select; tries: candidates
   Criterion criterion = Criterion::worst;
+  std::map<std::string, double> weights; // of joints and cameras in the thesis's criterion, 1 where it has none
+  bool compare = false;                  // all criteria on the same candidates
   Noise noise;
   bool known = false;             // cameras and boards: their places are not to be estimated
   bool moveBoards = true;         // else they lie where they are given
   double farthestBoard = 1.3;     // middle of a board from the support sole [m]
   double gap = 0.02;              // between boards, and from the robot's feet [m]
-  std::size_t rounds = 4;         // of selecting poses, then refining poses and boards
+  std::size_t starts = 4;         // plans that are begun in different ways and refined; the best goes on
+  std::size_t rounds = 3;         // of refining poses and boards twice, the first for every start
   std::size_t refinements = 1000; // tries per pose and per board in a round
 };
 
@@ -29,6 +33,10 @@ public:
 
   const Scene& scene() const { return scene_; }
   const PoseJudge& judge() const { return judge_; }
+
+  /// The best set of `count` poses that is found by the criterion; the thesis's may be smaller.
+  std::vector<SievedPose> best(const std::vector<SievedPose>& candidates, std::size_t count) const;
+  Interaction interaction(const std::vector<SievedPose>& poses) const;
 
   /// Each pose's information, as far as it is judged.
   std::vector<Eigen::MatrixXd> parts(const std::vector<SievedPose>& poses) const;
@@ -45,7 +53,10 @@ public:
 private:
   std::map<std::string, double> named(const Eigen::VectorXd& variances) const;
 
+  ThesisSelection thesis() const;
+
   const Robot& robot_;
+  const std::map<std::string, CameraIntrinsics>& cameras_;
   const PlanOptions& options_;
   Scene scene_;
   PoseJudge judge_;

@@ -3,21 +3,23 @@
 #include "poses/Scene.hpp"
 
 #include <Eigen/Core>
+#include <array>
 #include <string_view>
 #include <vector>
 
 namespace naocal {
 
-/// What a set of poses should make small, of the joint offsets' covariance C.
+/// What a set of poses should make small, of the joint offsets' covariance C or else.
 enum class Criterion {
   determinant, // D: the volume, log det C
   trace,       // A: the mean variance
   eigenvalue,  // E: the worst direction's variance
-  worst        // the worst joint's variance
+  worst,       // the worst joint's variance (smoothly: a norm), be cameras and boards unknown or, 3.4 times, known
+  interaction  // the thesis's: what looks alike to the cameras (poses/Interaction.hpp)
 };
+constexpr std::array<std::string_view, 5> criterionNames{"D", "A", "E", "worst", "thesis"};
 constexpr std::string_view name(Criterion criterion) {
-  constexpr std::string_view all[]{"D", "A", "E", "worst"};
-  return all[static_cast<int>(criterion)];
+  return criterionNames[static_cast<std::size_t>(criterion)];
 }
 
 /// Judges information about a scene's unknowns (Scene::information) by the offsets of some joints; cameras and boards
@@ -34,10 +36,17 @@ public:
 
   /// Of the offsets, by a sum of parts [rad^2].
   Eigen::MatrixXd covariance(const Eigen::MatrixXd& sum) const;
-  /// The value to make small, by a sum of parts.
-  double operator()(const Eigen::MatrixXd& sum) const;
+  /// The value to make small, by a sum of parts (`interaction`: as `worst`).
+  double operator()(const Eigen::MatrixXd& information) const;
 
   const std::vector<std::size_t>& joints() const { return joints_; }
+
+  /// The same unknowns judged otherwise.
+  PoseJudge by(Criterion criterion) const {
+    PoseJudge result = *this;
+    result.criterion_ = criterion;
+    return result;
+  }
 
 private:
   Eigen::MatrixXd prior_;
@@ -46,9 +55,9 @@ private:
   Criterion criterion_;
 };
 
-/// Picks `count` (at most all) of the candidates, given by their parts: greedily, then exchanging one for another as
-/// long as that helps (Fedorov). Those `kept` stay picked, in front. Indices.
-std::vector<std::size_t> selected(const PoseJudge& judge, const std::vector<Eigen::MatrixXd>& candidates,
-                                  std::size_t count, const std::vector<std::size_t>& kept = {});
+/// Picks `count` (at most all) of the candidates, given by their parts, beside what is `known`: greedily by each
+/// criterion in turn, then by exchange; the best of these. Indices.
+std::vector<std::size_t> selected(const PoseJudge& judge, const Eigen::MatrixXd& known,
+                                  const std::vector<Eigen::MatrixXd>& candidates, std::size_t count);
 
 } // namespace naocal

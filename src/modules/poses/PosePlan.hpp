@@ -1,6 +1,6 @@
 #pragma once
 
-#include "poses/PlanScore.hpp"
+#include "poses/CriteriaComparison.hpp"
 #include "poses/PlannedCaptures.hpp"
 #include "poses/PoseWays.hpp"
 
@@ -20,6 +20,8 @@ struct PosePlan {
   std::vector<Board> boards;                // placements in the support sole's frame
   std::map<std::string, double> sigma, sigmaKnown; // per joint's offset; with cameras and boards known [rad]
   std::map<std::string, double> sigmaOfRobots;     // of robots with joint errors, root of the mean square [rad]
+  Interaction interaction;                         // that the poses leave, by the thesis's measure
+  std::vector<CriterionResult> comparison;         // with PlanOptions::compare
   PlanOptions options;
 };
 
