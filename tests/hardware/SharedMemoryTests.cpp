@@ -191,6 +191,6 @@ TEST_CASE("NAOqi's devices are as many as the shared block has numbers") {
   CHECK(std::set<std::string>(lights.begin(), lights.end()).size() == lights.size());
   CHECK(jointKeys("", true).size() == jointCount - 1);
   for (std::size_t joint = 0; joint < jointCount; ++joint) {
-    CHECK(std::string(joints[joint]) == (joint == rightHipYawPitch ? "LHipYawPitch" : jointNames[joint]));
+    CHECK(std::string(deviceNames[joint]) == (joint == rightHipYawPitch ? "LHipYawPitch" : jointNames[joint]));
   }
 }

@@ -41,10 +41,24 @@ float scatter(unsigned x, unsigned y) {
   return float((hash ^ (hash >> 13)) >> 8) / float(1u << 24);
 }
 
-/// The mean brightness over a pixel's area; samples that hit nothing see the floor.
-/// `rays` are those through its top-left, top-right and bottom-left corners.
-float pixelBrightness(const std::vector<const Flat*>& candidates, const std::array<Eigen::Vector2f, 3>& rays,
-                      float floor, float shift) {
+/// A flat thing at several instants: one `planeFromRay` each; brightness and edges are the first one's.
+struct MovingFlat {
+  Flat flat;
+  std::vector<Eigen::Matrix3f> planeFromRay;
+
+  /// At a share of the span between the first and the last instant.
+  Eigen::Matrix3f at(float share) const {
+    const float place = share * float(planeFromRay.size() - 1);
+    const std::size_t before = std::min(std::size_t(place), planeFromRay.size() - 2);
+    return planeFromRay[before] + (place - float(before)) * (planeFromRay[before + 1] - planeFromRay[before]);
+  }
+};
+
+/// The mean brightness over a pixel's area; samples that hit nothing see the floor. `rays` are those through its
+/// top-left, top-right and bottom-left corners; `planeFromRay(k, i)` is the k-th candidate's for the i-th sample.
+template <typename Candidates, typename PlaneFromRay>
+float pixelBrightness(const Candidates& candidates, const PlaneFromRay& planeFromRay,
+                      const std::array<Eigen::Vector2f, 3>& rays, float floor, float shift) {
   float sum = 0;
   for (int i = 0; i < samplesPerPixel; ++i) {
     constexpr std::array<int, samplesPerPixel> rows{0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15};
@@ -52,12 +66,32 @@ float pixelBrightness(const std::vector<const Flat*>& candidates, const std::arr
     const Eigen::Vector2f ray = rays[0] + u * (rays[1] - rays[0]) + v * (rays[2] - rays[0]);
     float seen = -1;
     for (std::size_t k = 0; k < candidates.size() && seen < 0; ++k) {
-      const Eigen::Vector3f p = candidates[k]->planeFromRay * ray.homogeneous();
-      seen = p.z() > 0 ? candidates[k]->brightness(p.x() / p.z(), p.y() / p.z()) : -1;
+      const Eigen::Vector3f p = planeFromRay(*candidates[k], i) * ray.homogeneous();
+      seen = p.z() > 0 ? candidates[k]->flat.brightness(p.x() / p.z(), p.y() / p.z()) : -1;
     }
     sum += seen < 0 ? floor : seen;
   }
   return sum / samplesPerPixel;
+}
+
+/// The flats of several instants as one list, their places in the picture joined.
+std::vector<MovingFlat> movingFlats(const std::vector<RenderedScene>& scenes, const CameraIntrinsics& camera) {
+  std::vector<MovingFlat> result;
+  for (const RenderedScene& scene : scenes) {
+    std::vector<Flat> now = flats(scene, camera);
+    for (std::size_t k = 0; k < now.size(); ++k) {
+      if (k == result.size()) {
+        result.push_back({now[k], {}});
+      }
+      Flat& flat = result[k].flat;
+      flat.left = std::min(flat.left, now[k].left);
+      flat.right = std::max(flat.right, now[k].right);
+      flat.top = std::min(flat.top, now[k].top);
+      flat.bottom = std::max(flat.bottom, now[k].bottom);
+      result[k].planeFromRay.push_back(now[k].planeFromRay);
+    }
+  }
+  return result;
 }
 
 /// What the lens and the sensor do to the light that falls on them.
@@ -98,24 +132,39 @@ Renderer::Renderer(const CameraIntrinsics& intrinsics) : intrinsics_{intrinsics}
 }
 
 GreyPicture Renderer::picture(const RenderedScene& scene, const Appearance& appearance, std::uint64_t seed) const {
+  return picture(std::vector{scene}, 0, appearance, seed);
+}
+
+GreyPicture Renderer::picture(const std::vector<RenderedScene>& scenes, double exposureShare,
+                              const Appearance& appearance, std::uint64_t seed) const {
   std::mt19937_64 random{seed};
-  cv::Mat1f image = blotches({intrinsics_.width, intrinsics_.height}, random);
+  std::mt19937_64 floorRandom{appearance.floorSeed.value_or(0)};
+  cv::Mat1f image = blotches({intrinsics_.width, intrinsics_.height}, appearance.floorSeed ? floorRandom : random);
   image.convertTo(image, CV_32F, appearance.floorTexture, appearance.floorBrightness);
-  const std::vector<Flat> all = flats(scene, intrinsics_);
-  std::vector<const Flat*> candidates;
+  const std::vector<MovingFlat> all = movingFlats(scenes, intrinsics_);
+  std::vector<const MovingFlat*> candidates;
   for (int y = 0; y < intrinsics_.height; ++y) {
     const Eigen::Vector2f* above = &rays_[std::size_t(y) * std::size_t(intrinsics_.width + 1)];
     const Eigen::Vector2f* below = above + intrinsics_.width + 1;
+    const float begin = float(y) / float(intrinsics_.height - 1) * float(1 - exposureShare);
+    const auto still = [](const MovingFlat& flat, int) -> const Eigen::Matrix3f& { return flat.planeFromRay.front(); };
+    const auto moving = [&](const MovingFlat& flat, int i) {
+      constexpr std::array<int, samplesPerPixel> times{6, 13, 2, 9, 0, 11, 4, 15, 7, 12, 3, 8, 1, 10, 5, 14};
+      const float within = (float(times[std::size_t(i)]) + 0.5f) / samplesPerPixel;
+      return flat.at(begin + float(exposureShare) * within);
+    };
     for (int x = 0; x < intrinsics_.width; ++x) {
       candidates.clear();
-      for (const Flat& one : all) {
-        if (y >= one.top && y <= one.bottom && x >= one.left && x <= one.right) {
+      for (const MovingFlat& one : all) {
+        if (y >= one.flat.top && y <= one.flat.bottom && x >= one.flat.left && x <= one.flat.right) {
           candidates.push_back(&one);
         }
       }
       if (!candidates.empty()) {
-        image(y, x) = pixelBrightness(candidates, {above[x], above[x + 1], below[x]}, image(y, x),
-                                      scatter(unsigned(x), unsigned(y)));
+        const std::array<Eigen::Vector2f, 3> rays{above[x], above[x + 1], below[x]};
+        const float shift = scatter(unsigned(x), unsigned(y));
+        image(y, x) = scenes.size() > 1 ? pixelBrightness(candidates, moving, rays, image(y, x), shift)
+                                        : pixelBrightness(candidates, still, rays, image(y, x), shift);
       }
     }
   }

@@ -43,6 +43,7 @@ struct Appearance {
   double noise = 3;                                   // sigma [grey level]
   double vignetting = 0;                              // share of light lost in the picture's corner
   std::optional<int> jpegQuality;                     // 1 .. 100: lossy compression
+  std::optional<std::uint64_t> floorSeed;             // of the floor's texture, where several pictures show the same
 };
 
 /// The picture that a camera takes of a scene; the same seed gives the same picture.
@@ -54,6 +55,12 @@ public:
   explicit Renderer(const CameraIntrinsics& intrinsics);
 
   GreyPicture picture(const RenderedScene& scene, const Appearance& appearance, std::uint64_t seed) const;
+
+  /// The same while camera or scene move and rows are exposed one after the other. `scenes`: at least two instants,
+  /// evenly spread from the beginning of the first row's exposure to the end of the last row's, all of the same things.
+  /// `exposureShare`: how much of that span one row is exposed.
+  GreyPicture picture(const std::vector<RenderedScene>& scenes, double exposureShare, const Appearance& appearance,
+                      std::uint64_t seed) const;
 
   const CameraIntrinsics& intrinsics() const { return intrinsics_; }
 

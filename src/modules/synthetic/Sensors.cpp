@@ -40,7 +40,6 @@ std::array<double, 8> SyntheticRobot::forces(const Eigen::VectorXd& joints, Supp
   return result;
 }
 
-/// With one sole held still; on both, each foot's value weighted by its share of the load.
 Eigen::VectorXd SyntheticRobot::gravityTorques(const Eigen::VectorXd& joints, SupportFoot supportFoot) const {
   if (supportFoot != SupportFoot::both) {
     return body_.gravityTorques(joints, soleLink(supportFoot));

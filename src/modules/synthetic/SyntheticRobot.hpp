@@ -68,8 +68,10 @@ public:
 
   const Robot& drawing() const { return drawing_; }
 
-private:
+  /// With one sole held still; on both, each foot's value weighted by its share of the load [Nm].
   Eigen::VectorXd gravityTorques(const Eigen::VectorXd& joints, SupportFoot supportFoot) const;
+
+private:
   void yield(TakenPose& taken, const Eigen::VectorXd& lastMotion) const;
   std::array<double, 8> forces(const Eigen::VectorXd& joints, SupportFoot supportFoot) const;
   Eigen::Vector3d rightSoleOffFloor(const Eigen::VectorXd& joints) const;

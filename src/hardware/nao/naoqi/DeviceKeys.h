@@ -9,7 +9,7 @@ namespace naocal {
 
 typedef std::vector<std::string> Keys;
 
-static const char* const joints[] = {
+static const char* const deviceNames[] = {
     "HeadYaw",       "HeadPitch",  "LShoulderPitch", "LShoulderRoll", "LElbowYaw",  "LElbowRoll",
     "LWristYaw",     "LHand",      "LHipYawPitch",   "LHipRoll",      "LHipPitch",  "LKneePitch",
     "LAnklePitch",   "LAnkleRoll", "LHipYawPitch", /* the right one has no device */
@@ -36,9 +36,9 @@ inline void append(Keys& to, const Keys& more) {
 
 inline Keys jointKeys(const std::string& suffix, bool commanded) {
   Keys result;
-  for (size_t joint = 0; joint < sizeof joints / sizeof *joints; ++joint) {
+  for (size_t joint = 0; joint < sizeof deviceNames / sizeof *deviceNames; ++joint) {
     if (!commanded || joint != rightHipYawPitch) {
-      result.push_back("Device/SubDeviceList/" + std::string(joints[joint]) + suffix);
+      result.push_back("Device/SubDeviceList/" + std::string(deviceNames[joint]) + suffix);
     }
   }
   return result;

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "hardware/RobotCommand.hpp"
+#include "hardware/simulated/RestingPlane.hpp"
+#include "hardware/simulated/Servo.hpp"
+#include "hardware/simulated/SimulatedPlan.hpp"
+
+#include <Eigen/Geometry>
+
+namespace naocal {
+
+/// The mechanics of a simulated robot on a flat floor: servos, gravity, which sole carries, whether it falls.
+/// Quasi-static: swings and impacts are not simulated.
+class SimulatedBody {
+public:
+  SimulatedBody(const Robot& drawing, const SimulatedPlan& plan, const SimulatedErrors& errors);
+
+  void command(const RobotCommand& command);
+  void advance(Seconds step);
+
+  /// What sensors report now, but for the time, touch and battery.
+  void measure(RobotState& state);
+
+  /// Of all joints of the drawing, as they really are [rad].
+  Eigen::VectorXd joints() const;
+  const Eigen::Isometry3d& worldFromTorso() const { return worldFromTorso_; }
+  Eigen::Isometry3d worldFromCamera(std::size_t camera, const Eigen::VectorXd& joints,
+                                    const Eigen::Isometry3d& worldFromTorso) const;
+  SupportFoot supportFoot() const { return support_; }
+  bool fallen() const { return fall_.has_value(); }
+
+private:
+  struct Stand { // where a sole lies on the floor
+    double x = 0, y = 0, yaw = 0;
+  };
+  struct Contact {
+    std::vector<Eigen::Vector3d> points; // in the torso's frame [m]
+    Eigen::Vector3d centreOfMass;
+  };
+  Contact contactOf(const std::vector<Eigen::Isometry3d>& torsoFromLink) const;
+  void putDown();
+  void turnMotors(Seconds step);
+  void settle(Seconds step);
+  void fall(Seconds step);
+  void anchor(SupportFoot foot, const Eigen::Isometry3d& torsoFromSole);
+  std::size_t soleLink(SupportFoot foot) const;
+  TakenPose taken() const;
+
+  Robot drawing_;
+  SimulatedPlan plan_;
+  SyntheticRobot robot_;
+  SyntheticBody body_;
+  Eigen::VectorXd offsets_;
+  Randomness motion_, sensors_;
+  std::vector<std::size_t> jointOfHardware_; // per joint of the drawing: its place in `jointNames`
+  std::vector<Servo> servos_;                // per joint of the drawing; of a driven one its motor's counts
+  PerJoint<double> stiffness_{}, hands_{};
+  Eigen::VectorXd torques_, temperatures_, torquesAt_; // torquesAt_: joints for which torques_ were computed
+  SupportFoot support_ = SupportFoot::both, anchored_ = SupportFoot::left;
+  Stand stand_;
+  Eigen::Isometry3d worldFromTorso_ = Eigen::Isometry3d::Identity();
+  Eigen::Vector3d turnRate_ = Eigen::Vector3d::Zero(); // of the torso, in its axes [rad/s]
+  struct Fall {
+    Eigen::Vector3d axis; // in the world
+    double angle;         // so far [rad]
+  };
+  std::optional<Fall> fall_;
+};
+
+} // namespace naocal

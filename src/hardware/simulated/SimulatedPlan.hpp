@@ -1,0 +1,58 @@
+#pragma once
+
+#include "hardware/RobotState.hpp"
+#include "hardware/simulated/Servo.hpp"
+#include "synthetic/Rendering.hpp"
+#include "synthetic/SimulationPlan.hpp"
+
+namespace naocal {
+
+/// How time passes for a simulated robot.
+enum class Pace {
+  real,  // as on the wall
+  quick, // as fast as the program: the next cycle comes when this one is answered, and no picture is taken before the
+         // camera loop asks for another one. The same program gets the same states and pictures every time
+};
+
+/// The cameras of a simulated robot.
+struct SimulatedCameraPlan {
+  std::map<std::string, CameraIntrinsics> intrinsics = drawnCameras(640, 480); // "top", "bottom"
+  Seconds period{1.0 / 30};
+  Seconds exposure{0.010};
+  Seconds readOut{0.024};  // from the first row to the last one: rolling shutter
+  Seconds transfer{0.005}; // from the end of the last row to the program
+  Seconds jitter{0};       // sigma of when a picture is taken against its schedule
+  double lostShare = 0;    // of pictures that the driver loses, seen as gaps in their sequence [1]
+  Appearance appearance;
+};
+
+/// What to simulate. Ranges are drawn uniformly from [-range, range], play from [0, range], by the seed.
+struct SimulatedPlan {
+  std::string model = "V6";
+  std::uint64_t seed = 1;
+  double offsetRange = radians(5); // per motor [rad]
+  double mountRange = radians(2);  // per camera and axis [rad]
+  double mountShiftRange = 0;      // per camera and axis [m]
+  double playRange = 0;            // of each gear [rad]
+  Mechanics mechanics;             // sensors, heat
+  ServoMechanics servos;
+  Seconds commandDelay{0.02}; // from a command to the motors
+  SimulatedCameraPlan cameras;
+  std::vector<Board> boards = boardsAround(); // lie where `placement` says
+  RawAngles start = standing();               // what the motors were commanded to before
+  Pace pace = Pace::real;
+
+  /// Upright on both feet with bent knees and hanging arms [rad].
+  static RawAngles standing();
+};
+
+/// What a simulated robot has that nobody told it.
+struct SimulatedErrors {
+  RobotErrors robot;
+  std::vector<double> play; // per joint: of its motor's gear [rad]
+};
+
+/// Drawn by the plan's seed.
+SimulatedErrors drawnErrors(const Robot& drawing, const SimulatedPlan& plan);
+
+} // namespace naocal
