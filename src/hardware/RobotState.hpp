@@ -1,17 +1,13 @@
 #pragma once
 
+#include "framework/Clock.hpp"
 #include "hardware/Joints.hpp"
 
 #include <Eigen/Core>
 #include <array>
-#include <chrono>
 #include <string>
 
 namespace naocal {
-
-/// Of one monotonic clock for joints and pictures; stamps of other clocks are converted where they come in. A fast
-/// simulation and a replay have a time of their own: take `now` from the newest state or frame, never from the wall.
-using TimePoint = std::chrono::steady_clock::time_point;
 
 /// Which robot it is: the serial numbers that choose its configuration.
 struct RobotIdentity {
@@ -40,7 +36,9 @@ struct Battery {
 /// What the robot reported in one cycle. Lists by joint in the order of `jointNames`; both hip yaw-pitches carry the
 /// one motor's values.
 struct RobotState {
-  TimePoint time;   // when it was measured, as near as the driver knows
+  /// When it was measured, as near as the driver knows. A fast simulation and a replay have a time of their own: take
+  /// `now` from the newest state or frame, never from the wall.
+  TimePoint time;
   RawAngles angles; // measured
   PerJoint<double> stiffness{};
   PerJoint<double> current{};                              // [A]

@@ -1,0 +1,147 @@
+#include "hardware/nao/VideoDevice.hpp"
+
+#include "hardware/nao/VideoError.hpp"
+
+#include <linux/videodev2.h>
+
+namespace naocal {
+
+namespace {
+
+constexpr std::chrono::milliseconds betweenOpenings{100};
+constexpr std::chrono::seconds hung{1}; // without a picture: NAO's cameras are known for it
+
+class CapturedBytes : public PictureBytes {
+public:
+  explicit CapturedBytes(std::span<const std::uint8_t> bytes) : bytes_{bytes.begin(), bytes.end()} {}
+  std::span<const std::uint8_t> bytes() const override { return bytes_; }
+
+private:
+  std::vector<std::uint8_t> bytes_;
+};
+
+} // namespace
+
+VideoDevice::VideoDevice(VideoOptions options, VideoSystem& system) : options_{std::move(options)}, system_{system} {
+  link.problem = fmt::format("{}: not opened yet", options_.path);
+}
+
+VideoDevice::~VideoDevice() {
+  close();
+}
+
+void VideoDevice::keepOpen() {
+  const TimePoint now = Clock::now();
+  if (file_ >= 0 && now - lastPicture_ > hung) {
+    giveUp("it has given no picture for a second");
+  }
+  if (file_ < 0 && now >= nextAttempt_) {
+    nextAttempt_ = now + betweenOpenings;
+    try {
+      open();
+      link.reopened += openedBefore_;
+      openedBefore_ = true;
+    } catch (const VideoError& error) {
+      giveUp(error.what());
+    }
+  }
+}
+
+void VideoDevice::open() {
+  file_ = checked(system_.open(options_.path), "it cannot be opened");
+  negotiate();
+  buffers_ = std::make_unique<VideoBuffers>(system_, file_, options_.buffers);
+  link.problem.clear();
+  apply();
+  int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  checked(system_.ioctl(file_, VIDIOC_STREAMON, &type), "it does not start");
+  driverSequence_.reset();
+  lastPicture_ = Clock::now();
+}
+
+void VideoDevice::negotiate() {
+  int input = options_.input;
+  system_.ioctl(file_, VIDIOC_S_INPUT, &input); // drivers with one input need not know of it
+  v4l2_format format{};
+  format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  format.fmt.pix.width = std::uint32_t(options_.width);
+  format.fmt.pix.height = std::uint32_t(options_.height);
+  format.fmt.pix.pixelformat = V4L2_PIX_FMT_YUYV;
+  format.fmt.pix.field = V4L2_FIELD_NONE;
+  checked(system_.ioctl(file_, VIDIOC_S_FMT, &format), "it refuses a picture format");
+  const v4l2_pix_format& got = format.fmt.pix;
+  if (int(got.width) != options_.width || int(got.height) != options_.height || got.pixelformat != V4L2_PIX_FMT_YUYV ||
+      int(got.bytesperline) != 2 * options_.width) {
+    throw VideoError{fmt::format("it offers {} x {} pixels in {} bytes a row instead of {} x {} in YUYV", got.width,
+                                 got.height, got.bytesperline, options_.width, options_.height)};
+  }
+  v4l2_streamparm rate{};
+  rate.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  rate.parm.capture.timeperframe = {1, std::uint32_t(options_.framesPerSecond)};
+  system_.ioctl(file_, VIDIOC_S_PARM, &rate); // what it cannot do shows in the stamps
+}
+
+void VideoDevice::close() {
+  if (file_ >= 0) {
+    int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+    system_.ioctl(file_, VIDIOC_STREAMOFF, &type);
+    buffers_.reset();
+    system_.close(file_);
+    file_ = -1;
+  }
+}
+
+void VideoDevice::giveUp(const std::string& why) {
+  close();
+  link.problem = fmt::format("{} ({} camera): {}", options_.path, toString(options_.camera), why);
+}
+
+void VideoDevice::drain() {
+  try {
+    v4l2_buffer buffer{};
+    while (buffers_ && buffers_->take(buffer)) {
+      accept(buffer);
+      buffers_->giveBack(buffer);
+    }
+  } catch (const VideoError& error) {
+    giveUp(error.what());
+  }
+}
+
+void VideoDevice::accept(const v4l2_buffer& buffer) {
+  // The driver counts what it exposes, in 32 bits; a stream that was opened anew counts anew.
+  const std::uint32_t gap = driverSequence_ ? buffer.sequence - *driverSequence_ - 1 : 0;
+  driverSequence_ = buffer.sequence;
+  link.lost += gap;
+  sequence_ += gap;
+  const std::uint64_t sequence = sequence_++;
+  lastPicture_ = Clock::now();
+  const std::span<const std::uint8_t> bytes = buffers_->bytes(buffer);
+  if ((buffer.flags & V4L2_BUF_FLAG_ERROR) ||
+      bytes.size() != 2 * std::size_t(options_.width) * std::size_t(options_.height)) {
+    ++link.broken;
+    return;
+  }
+  link.skipped += pending.has_value();
+  pending = {options_.camera,
+             PixelFormat::yuyv,
+             options_.width,
+             options_.height,
+             stamp(buffer),
+             sequence,
+             std::make_shared<CapturedBytes>(bytes)};
+}
+
+/// Drivers stamp with the monotonic clock and say so; a V5's stamps with the wall clock and says nothing.
+TimePoint VideoDevice::stamp(const v4l2_buffer& buffer) {
+  const Duration since =
+      std::chrono::seconds{buffer.timestamp.tv_sec} + std::chrono::microseconds{buffer.timestamp.tv_usec};
+  if ((buffer.flags & V4L2_BUF_FLAG_TIMESTAMP_MASK) == V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC) {
+    return TimePoint{since};
+  }
+  wallClock_.sampleNow();
+  const TimePoint now = Clock::now();
+  return wallClock_.converted(since, now).value_or(now);
+}
+
+} // namespace naocal
