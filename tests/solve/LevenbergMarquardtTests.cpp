@@ -12,13 +12,14 @@ struct Valley {
     Eigen::VectorXd gradient;
     Eigen::MatrixXd hessian;
   };
-  std::optional<Linear> linearised(const Eigen::VectorXd& p) const {
+  bool linearise(const Eigen::VectorXd& p, Linear& linear) const {
     if (p[0] < -1.5) {
-      return std::nullopt;
+      return false;
     }
     const Eigen::Vector2d r{10 * (p[1] - p[0] * p[0]), 1 - p[0]};
     const Eigen::Matrix2d j = (Eigen::Matrix2d{} << -20 * p[0], 10, -1, 0).finished();
-    return Linear{0.5 * r.squaredNorm(), j.transpose() * r, j.transpose() * j};
+    linear = {0.5 * r.squaredNorm(), j.transpose() * r, j.transpose() * j};
+    return true;
   }
   Eigen::VectorXd moved(const Eigen::VectorXd& p, const Linear&, const Eigen::VectorXd& step) const { return p + step; }
   const Eigen::VectorXd& scales() const { return scale; }

@@ -148,14 +148,13 @@ void BoardAlignment::add(const Seen& seen, const Eigen::VectorXd& unknowns, Line
   sums.hessian += weighted * jacobian;
 }
 
-std::optional<BoardAlignment::Linear> BoardAlignment::linearised(const Eigen::VectorXd& unknowns) const {
+bool BoardAlignment::linearise(const Eigen::VectorXd& unknowns, Linear& sums) const {
   const Eigen::VectorXd information = sigmas_.cwiseAbs2().cwiseInverse();
-  Linear sums{0.5 * unknowns.cwiseAbs2().dot(information), information.cwiseProduct(unknowns),
-              information.asDiagonal()};
+  sums = {0.5 * unknowns.cwiseAbs2().dot(information), information.cwiseProduct(unknowns), information.asDiagonal()};
   for (const Seen& seen : seen_) {
     add(seen, unknowns, sums);
   }
-  return sums;
+  return true;
 }
 
 } // namespace naocal

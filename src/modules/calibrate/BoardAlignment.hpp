@@ -25,7 +25,7 @@ public:
     Eigen::VectorXd gradient;
     Eigen::MatrixXd hessian;
   };
-  std::optional<Linear> linearised(const Eigen::VectorXd& unknowns) const;
+  bool linearise(const Eigen::VectorXd& unknowns, Linear& sums) const;
   Eigen::VectorXd moved(const Eigen::VectorXd& unknowns, const Linear&, const Eigen::VectorXd& step) const {
     return unknowns + step;
   }

@@ -7,10 +7,17 @@ namespace naocal {
 DeflectionRoot deflectionRoot(const PoseSystem& pose, const Noise& noise) {
   const auto count = static_cast<Eigen::Index>(pose.joints.size());
   DeflectionRoot root(count, count);
+  root.reserve(count);
   for (Eigen::Index first = 0; first < count;) {
     Eigen::Index size = 1;
     while (first + size < count && pose.joints[first + size] == pose.joints[first]) {
       ++size;
+    }
+    if (size == 1) { // nearly always
+      root.startVec(first);
+      root.insertBack(first, first) = std::hypot(noise.encoder * pose.errorScales[first], noise.pose);
+      ++first;
+      continue;
     }
     Eigen::MatrixXd covariance = Eigen::MatrixXd::Constant(size, size, noise.pose * noise.pose);
     for (Eigen::Index i = 0; i < size; ++i) {
@@ -30,14 +37,19 @@ DeflectionRoot deflectionRoot(const PoseSystem& pose, const Noise& noise) {
 }
 
 Eliminated eliminated(const PoseSystem& pose, const Noise& noise, const DeflectionRoot& root) {
+  Eliminated result;
+  eliminate(pose, noise, root, result);
+  return result;
+}
+
+void eliminate(const PoseSystem& pose, const Noise& noise, const DeflectionRoot& root, Eliminated& result) {
   const double information = 1 / (noise.pixel * noise.pixel);
   const Eigen::Index unknowns = pose.unknownGradient.size(), joints = root.cols();
-  Eliminated result;
   result.hessian = information * pose.unknownGram;
   result.unknownGradient = information * pose.unknownGradient;
   result.cost = 0.5 * information * pose.squares;
   if (joints == 0) {
-    return result;
+    return;
   }
   result.half.resize(joints, unknowns + 1); // the residual goes along as one more unknown
   result.half.leftCols(unknowns) = root.transpose() * pose.cross.transpose();
@@ -53,7 +65,6 @@ Eliminated eliminated(const PoseSystem& pose, const Noise& noise, const Deflecti
   result.hessian.noalias() -= byUnknown.transpose() * byUnknown;
   result.unknownGradient.noalias() -= byUnknown.transpose() * byResidual;
   result.cost -= 0.5 * byResidual.squaredNorm();
-  return result;
 }
 
 } // namespace naocal

@@ -110,16 +110,23 @@ Residuals::State Residuals::start(const Eigen::VectorXd& unknowns) const {
 }
 
 std::optional<Residuals::Linear> Residuals::linearised(const State& state) const {
-  Linear result;
+  std::optional<Linear> result{std::in_place};
+  return linearise(state, *result) ? std::move(result) : std::nullopt;
+}
+
+bool Residuals::linearise(const State& state, Linear& result) const {
   Workspace& work = Workspace::ofThisThread(measurements_);
   const Eigen::VectorXd inPrior = state.unknowns.cwiseQuotient(sigmas_);
   result.cost = 0.5 * inPrior.squaredNorm();
   result.gradient = inPrior.cwiseQuotient(sigmas_);
   result.hessian = sigmas_.cwiseAbs2().cwiseInverse().asDiagonal();
-  result.poses = empty_;
-  result.eliminated.reserve(empty_.size());
+  if (result.poses.empty()) {
+    result.poses = empty_;
+    result.eliminated.resize(empty_.size());
+  }
   for (std::size_t pose = 0; pose < empty_.size(); ++pose) {
     PoseSystem& system = result.poses[pose];
+    system.squares = system.numbers = 0;
     const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
     work.sums.clear(at(system.unknowns.size() + system.joints.size()));
     for (const Reading& reading : measurements_.poses[pose].readings) {
@@ -128,21 +135,20 @@ std::optional<Residuals::Linear> Residuals::linearised(const State& state) const
         const PreparedPicture& ready = prepared_[index];
         believe(picture, ready, state.unknowns, deflections, work);
         if (!addPicture(picture, ready, work, system)) {
-          return std::nullopt;
+          return false;
         }
       }
     }
     takeSums(work.sums, deflections, system);
     result.cost += 0.5 * state.deflections[pose].squaredNorm();
-    result.eliminated.push_back(eliminated(system, noise_, roots_[pose]));
-    Eliminated& part = result.eliminated.back();
+    Eliminated& part = result.eliminated[pose];
+    eliminate(system, noise_, roots_[pose], part);
     for (std::size_t i = 0; i < system.unknowns.size(); ++i) {
       result.gradient[at(system.unknowns[i])] += part.unknownGradient[at(i)];
       for (std::size_t j = 0; j < system.unknowns.size(); ++j) {
         result.hessian(at(system.unknowns[i]), at(system.unknowns[j])) += part.hessian(at(i), at(j));
       }
     }
-    part.hessian.resize(0, 0); // it went into the sum
   }
   result.cost += 0.5 * work.cost;
   for (std::size_t i = 0; i < free_.size(); ++i) {
@@ -153,7 +159,7 @@ std::optional<Residuals::Linear> Residuals::linearised(const State& state) const
       result.hessian(at(i), at(i)) = 1;
     }
   }
-  return result;
+  return true;
 }
 
 Residuals::State Residuals::moved(const State& state, const Linear& linear, const Eigen::VectorXd& step) const {

@@ -44,6 +44,8 @@ struct Eliminated {
   double cost = 0;                   // r^T Sigma^-1 r / 2
 };
 Eliminated eliminated(const PoseSystem& pose, const Noise& noise, const DeflectionRoot& root);
+/// The same into `result`, whose memory is used again.
+void eliminate(const PoseSystem& pose, const Noise& noise, const DeflectionRoot& root, Eliminated& result);
 
 /// Measurement minus prediction of one sighting's corners, and how far each counts.
 struct SightingResidual {
@@ -84,7 +86,10 @@ public:
   };
 
   State start(const Eigen::VectorXd& unknowns) const;
+  /// Absent, or false: the state is impossible.
   std::optional<Linear> linearised(const State& state) const;
+  /// The same into `result`, which is empty or was filled by this function before: its memory is used again.
+  bool linearise(const State& state, Linear& result) const;
   State moved(const State& state, const Linear& linear, const Eigen::VectorXd& step) const;
   const Eigen::VectorXd& scales() const { return sigmas_; }
 

@@ -1,6 +1,7 @@
 #include "residuals/Slopes.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <functional>
 
 namespace naocal {
@@ -37,7 +38,7 @@ Instant generic(const Instant& recorded) {
 Eigen::Index firstDifference(const Eigen::VectorXd& one, const Eigen::VectorXd& other, Eigen::Index first) {
   constexpr Eigen::Index atOnce = 16;
   while (first + atOnce <= one.size() &&
-         std::equal(one.data() + first, one.data() + first + atOnce, other.data() + first)) {
+         std::memcmp(one.data() + first, other.data() + first, atOnce * sizeof(double)) == 0) {
     first += atOnce;
   }
   return std::mismatch(one.data() + first, one.data() + one.size(), other.data() + first).first - one.data();
@@ -99,12 +100,12 @@ std::vector<std::size_t> jointsBetween(const Robot& robot, const Picture& pictur
 
 PictureSlopes::PictureSlopes(const Measurements& measurements, const Model& model, const Picture& picture) {
   const Visible visible{measurements, picture};
-  const Instant inGeneral = generic(picture.instant);
+  std::optional<Instant> inGeneral; // made where a term varies
   Belief belief = picture.drawn;
   std::vector<Varying> varying;
   for (std::size_t term = 0; term < model.terms().size(); ++term) {
     for (const std::size_t place : placesOn(model.terms()[term], measurements, picture)) {
-      Varying found = correction(model, picture, inGeneral, term, place, belief);
+      Varying found = correction(model, picture, term, place, belief, inGeneral);
       if (std::any_of(found.quantities.begin(), found.quantities.end(), std::cref(visible))) {
         varying.push_back(std::move(found));
       }
@@ -118,12 +119,15 @@ PictureSlopes::PictureSlopes(const Measurements& measurements, const Model& mode
 }
 
 /// Lists the slopes of a correction that is fixed; of one that varies, tells what it moves.
-PictureSlopes::Varying PictureSlopes::correction(const Model& model, const Picture& picture, const Instant& inGeneral,
-                                                 std::size_t term, std::size_t place, Belief& belief) {
+PictureSlopes::Varying PictureSlopes::correction(const Model& model, const Picture& picture, std::size_t term,
+                                                 std::size_t place, Belief& belief, std::optional<Instant>& inGeneral) {
   const Effect& effect = model.terms()[term].effect;
   Varying result{term, place, {}, drivers(effect, place), {}};
   const bool fixed = effect.linear && result.drivers.empty();
-  const Instant& instant = fixed ? picture.instant : inGeneral;
+  if (!fixed && !inGeneral) {
+    inGeneral = generic(picture.instant);
+  }
+  const Instant& instant = fixed ? picture.instant : *inGeneral;
   const Eigen::VectorXd& drawn = picture.drawn.values;
   std::vector<double> values(effect.unknowns.size(), 0);
   for (std::size_t k = 0; k < values.size(); ++k) {

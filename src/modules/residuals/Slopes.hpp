@@ -49,8 +49,8 @@ private:
     std::vector<Elsewhere> drivers;      // that it looks at and that follow offsets (com: x at 0, y at 1)
     std::vector<std::size_t> offsets;    // that these follow, among the model's
   };
-  Varying correction(const Model& model, const Picture& picture, const Instant& inGeneral, std::size_t term,
-                     std::size_t place, Belief& belief);
+  Varying correction(const Model& model, const Picture& picture, std::size_t term, std::size_t place, Belief& belief,
+                     std::optional<Instant>& inGeneral);
   void listSlopes(const Robot& robot, const Model& model, Varying varying);
 
   std::vector<Slope> slopes_;

@@ -27,17 +27,20 @@ template <typename State, typename Linear> struct Minimum {
 /// problems, 2nd ed. 2004, algorithm 3.16), damping scaled by the Hessian's diagonal.
 ///
 /// A problem knows its state and offers
-///   std::optional<Linear> linearised(const State&)   with .cost, .gradient, .hessian (J^T J); absent where it is
-///   impossible State moved(const State&, const Linear&, const Eigen::VectorXd& step)
+///   struct Linear                                      with .cost, .gradient, .hessian (J^T J)
+///   bool linearise(const State&, Linear&)              false: that state is impossible
+///   State moved(const State&, const Linear&, const Eigen::VectorXd& step)
+///   const Eigen::VectorXd& scales()                    how far each number plausibly moves
+/// `linearise` gets one of two `Linear`s, filled before by itself or empty, so that it may use their memory again.
 /// An impossible state is never rewarded: the step that led there is refused. Absent: already the start is impossible.
 template <typename Problem, typename State>
 auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarquardtOptions& options = {})
-    -> std::optional<Minimum<State, typename decltype(problem.linearised(start))::value_type>> {
-  auto linear = problem.linearised(start);
-  if (!linear) {
+    -> std::optional<Minimum<State, typename Problem::Linear>> {
+  Minimum<State, typename Problem::Linear> minimum{std::move(start), {}};
+  if (!problem.linearise(minimum.state, minimum.linear)) {
     return std::nullopt;
   }
-  Minimum<State, typename decltype(linear)::value_type> minimum{std::move(start), *std::move(linear)};
+  typename Problem::Linear there;
   double damping = options.firstDamping, growth = 2;
   bool arrived = false; // by a step, not by the start
   while (minimum.iterations < options.maxIterations && !minimum.converged) {
@@ -56,8 +59,7 @@ auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarq
       break;
     }
     State candidate = problem.moved(minimum.state, here, step);
-    auto there = problem.linearised(candidate);
-    const double fall = there ? here.cost - there->cost : -1;
+    const double fall = problem.linearise(candidate, there) ? here.cost - there.cost : -1;
     arrived = fall > 0;
     if (arrived) {
       const double gain = fall / std::max(predictedFall, 1e-300);
@@ -65,7 +67,7 @@ auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarq
       damping = std::max(damping, 1e-12);
       growth = 2;
       minimum.state = std::move(candidate);
-      minimum.linear = *std::move(there);
+      std::swap(minimum.linear, there);
     } else {
       damping *= growth;
       growth *= 2;
