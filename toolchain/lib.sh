@@ -44,6 +44,10 @@ install_packages() {
 build() {
   say "Configuring build/$1"
   (cd "$root" && cmake --preset "$1")
+  # a newer package's headers are older than what was precompiled from its last ones: ninja would not notice
+  if [ -f /var/lib/dpkg/status ]; then
+    find "$root/build/$1" -name '*.pch' ! -newer /var/lib/dpkg/status -delete
+  fi
   say "Building ${2:-everything} in build/$1"
   (cd "$root" && cmake --build --preset "$1" ${2:+--target "$2"})
 }
