@@ -12,7 +12,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-SimulatedPlan quick() {
+SimulatedPlan inItsOwnTime() {
   SimulatedPlan plan;
   plan.pace = Pace::quick;
   return plan;
@@ -59,7 +59,7 @@ TEST_CASE("a quick world gives both cameras thirty pictures a second, none skipp
   std::array<std::vector<TimePoint>, 2> times;
   std::array<std::vector<std::uint8_t>, 2> pictures;
   for (std::size_t round = 0; round < 2; ++round) {
-    SimulatedWorld world{v6(), quick()};
+    SimulatedWorld world{v6(), inItsOwnTime()};
     std::array<std::uint64_t, 2> next{};
     play(world, 250, standing, [&](const CameraFrame& frame, const CameraInterface& cameras) {
       CHECK(frame.sequence == next[std::size_t(frame.camera)]++);
@@ -81,7 +81,7 @@ TEST_CASE("a quick world gives both cameras thirty pictures a second, none skipp
 
 // Proves that lost pictures are gaps and counted, and that jitter is in the stamps.
 TEST_CASE("pictures that a simulated driver loses are gaps in the sequence") {
-  SimulatedPlan plan = quick();
+  SimulatedPlan plan = inItsOwnTime();
   plan.cameras.lostShare = 0.2;
   plan.cameras.jitter = Seconds{0.002};
   SimulatedWorld world{v6(), plan};
@@ -105,7 +105,7 @@ TEST_CASE("pictures that a simulated driver loses are gaps in the sequence") {
 
 // Proves that pictures show the boards where the true camera is: the robot's errors are in them.
 TEST_CASE("a detector finds the boards in a simulated picture where they are") {
-  const SimulatedPlan plan = quick();
+  const SimulatedPlan plan = inItsOwnTime();
   SimulatedWorld world{v6(), plan};
   const SyntheticRobot robot{v6(), world.errors().robot, plan.mechanics};
   std::size_t corners = 0;
@@ -133,7 +133,7 @@ TEST_CASE("a detector finds the boards in a simulated picture where they are") {
 
 // Proves that somebody else's slow camera loop does not stop a quick world for ever, nor a missing one at all.
 TEST_CASE("a quick world without a camera loop goes on") {
-  SimulatedWorld world{v6(), quick()};
+  SimulatedWorld world{v6(), inItsOwnTime()};
   const auto robot = world.robot();
   for (int i = 0; i < 100; ++i) {
     REQUIRE(robot->waitForState(1s));
@@ -143,7 +143,7 @@ TEST_CASE("a quick world without a camera loop goes on") {
 
 // Proves that blocked cameras give nothing and say so, and that time goes on meanwhile.
 TEST_CASE("a camera that gives no pictures leaves the other one alone") {
-  SimulatedWorld world{v6(), quick()};
+  SimulatedWorld world{v6(), inItsOwnTime()};
   world.block(CameraName::top, true);
   play(world, 50, standing, [&](const CameraFrame& frame, const CameraInterface& cameras) {
     CHECK(frame.camera == CameraName::bottom);
@@ -173,7 +173,7 @@ TEST_CASE("a world at the wall's pace gives states and pictures to two threads")
 // Proves rolling shutter: with the head turning, a corner lies where the camera was when its row was exposed, not where
 // it was when the first or the last row was.
 TEST_CASE("rows of a simulated picture are exposed one after the other") {
-  SimulatedPlan plan = quick();
+  SimulatedPlan plan = inItsOwnTime();
   plan.offsetRange = plan.mountRange = 0;
   plan.cameras.appearance.noise = 0;
   SimulatedWorld world{v6(), plan};

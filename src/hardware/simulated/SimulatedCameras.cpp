@@ -11,23 +11,18 @@ class SimulatedCameras : public CameraInterface {
 public:
   explicit SimulatedCameras(std::shared_ptr<SimulatedShared> shared) : shared_{std::move(shared)} {
     const std::lock_guard lock{shared_->mutex};
-    shared_->camerasUsed = true;
+    shared_->step.use(true);
   }
   ~SimulatedCameras() override {
     const std::lock_guard lock{shared_->mutex};
-    shared_->camerasUsed = false;
-    shared_->changed.notify_all();
+    shared_->step.use(false);
   }
 
   std::optional<CameraFrame> waitForFrame(std::chrono::milliseconds timeout) override {
     std::unique_lock lock{shared_->mutex};
     SimulatedCamera& top = shared_->cameras[0];
     SimulatedCamera& bottom = shared_->cameras[1];
-    shared_->cameraLoopWaits = true;
-    shared_->cameraLoopSleeps = false;
-    shared_->changed.notify_all();
-    shared_->changed.wait_for(lock, timeout, [&] { return top.pending || bottom.pending; });
-    shared_->cameraLoopWaits = false;
+    shared_->step.waitForPicture(lock, timeout, [this] { return shared_->picturePending(); });
     if (!top.pending && !bottom.pending) {
       return std::nullopt;
     }

@@ -20,7 +20,7 @@ public:
   std::optional<RobotState> waitForState(std::chrono::milliseconds timeout) override {
     std::unique_lock lock{shared_->mutex};
     if (shared_->plan.pace == Pace::quick) {
-      shared_->waitForCameraLoop(lock);
+      shared_->step.waitForCameraLoop(lock, [this] { return shared_->picturePending(); });
     } else {
       const TimePoint wake =
           std::min(shared_->now + SimulatedShared::cycle, std::chrono::steady_clock::now() + timeout);
@@ -39,7 +39,7 @@ public:
     state.time = shared_->now;
     state.touch = shared_->touched;
     state.battery = {0.9, 0, -1.5, 30};
-    shared_->changed.notify_all();
+    shared_->step.changed.notify_all();
     return state;
   }
 

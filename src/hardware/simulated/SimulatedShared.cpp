@@ -6,9 +6,8 @@ namespace naocal {
 
 namespace {
 
-constexpr std::chrono::seconds patience{5}; // of a quick world with a camera loop that does nothing (wall time)
-constexpr std::size_t remembered = 100;     // cycles
-constexpr int instants = 9;                 // of an exposure
+constexpr std::size_t remembered = 100; // cycles
+constexpr int instants = 9;             // of an exposure
 
 /// A quick world's time is its own, so that it is the same every time.
 TimePoint beginning(const SimulatedPlan& plan) {
@@ -83,13 +82,6 @@ void SimulatedShared::expose(std::size_t camera, TimePoint begins) {
     worldFromCamera.push_back(body.worldFromCamera(mount, moment.joints, moment.worldFromTorso));
   }
   cameras[camera].deliver(worldFromCamera);
-}
-
-void SimulatedShared::waitForCameraLoop(std::unique_lock<std::mutex>& lock) {
-  const auto idle = [&] { return !camerasUsed || (cameraLoopWaits && !cameras[0].pending && !cameras[1].pending); };
-  if (!cameraLoopSleeps && !changed.wait_for(lock, patience, idle)) {
-    cameraLoopSleeps = true;
-  }
 }
 
 } // namespace naocal

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "hardware/CameraLoopStep.hpp"
 #include "hardware/simulated/SimulatedBody.hpp"
 #include "hardware/simulated/SimulatedCamera.hpp"
 
-#include <condition_variable>
 #include <deque>
 #include <mutex>
 
@@ -21,11 +21,10 @@ struct SimulatedShared {
   /// Between two cycles linearly; absent beyond the last second.
   std::optional<Moment> momentAt(TimePoint time) const;
 
+  bool picturePending() const { return cameras[0].pending || cameras[1].pending; }
+
   /// One cycle on: commands that are due, the body, the pictures that have come over.
   void advance();
-
-  /// Until the camera loop has nothing to do but wait (Pace::quick).
-  void waitForCameraLoop(std::unique_lock<std::mutex>& lock);
 
   static constexpr std::chrono::milliseconds cycle{12};
 
@@ -33,14 +32,13 @@ struct SimulatedShared {
   const Robot drawing;
   const SimulatedErrors errors;
   mutable std::mutex mutex;
-  std::condition_variable changed;
+  CameraLoopStep step;
   SimulatedBody body;
   TimePoint now;
   std::deque<std::pair<TimePoint, RobotCommand>> commands; // and when they reach the motors
   std::array<SimulatedCamera, 2> cameras;                  // by CameraName
   RobotLink link;
   Touch touched;
-  bool camerasUsed = false, cameraLoopWaits = false, cameraLoopSleeps = false;
 
 private:
   void remember();

@@ -1,0 +1,142 @@
+#include "hardware/replay/ReplayTimeline.hpp"
+
+#include "captures/InputError.hpp"
+#include "detect/Detection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <mutex>
+#include <numeric>
+
+namespace naocal {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration replayCycle = 12ms, leadIn = 1s, leadOut = 500ms; // before the first and after the last capture
+constexpr Duration transfer = 25ms; // from the middle of an exposure until its picture arrives
+
+/// A picture file, read when somebody looks at it.
+class PictureFile : public PictureBytes {
+public:
+  PictureFile(std::filesystem::path file, std::size_t size) : file_{std::move(file)}, size_{size} {}
+
+  std::span<const std::uint8_t> bytes() const override {
+    std::call_once(read_, [this] {
+      try {
+        bytes_ = readPicture(file_).pixels;
+      } catch (const InputError&) { // lost since the replay began
+      }
+    });
+    return bytes_.size() == size_ ? std::span<const std::uint8_t>{bytes_} : std::span<const std::uint8_t>{};
+  }
+
+private:
+  std::filesystem::path file_;
+  std::size_t size_;
+  mutable std::once_flag read_;
+  mutable std::vector<std::uint8_t> bytes_;
+};
+
+/// The middles of all exposures in the set's own time, which begins not before the clock's; no two readings share one.
+std::vector<TimePoint> middles(const CaptureSet& set, const std::vector<std::size_t>& order) {
+  const double first = set.captures[order.front()].time.count();
+  const Duration shift = first < 10 ? Duration{1000s} : Duration{};
+  std::vector<TimePoint> result(set.captures.size());
+  TimePoint last{};
+  const Capture* previous = nullptr;
+  for (const std::size_t i : order) {
+    const Capture& capture = set.captures[i];
+    result[i] = TimePoint{shift + std::chrono::round<Duration>(capture.time)};
+    const bool sameReading = previous && previous->joints.measured == capture.joints.measured;
+    if (previous && result[i] <= last && !sameReading) {
+      result[i] = last + 1ns;
+    }
+    last = result[i];
+    previous = &capture;
+  }
+  return result;
+}
+
+CameraFrame frameOf(const CaptureSet& set, const Capture& capture, const std::filesystem::path& folder) {
+  const bool top = capture.camera == toString(CameraName::top);
+  if (!top && capture.camera != toString(CameraName::bottom)) {
+    throw InputError{fmt::format("{}: capture {}: expected the top or the bottom camera, found \"{}\"; other cameras "
+                                 "cannot be replayed",
+                                 folder.string(), capture.id, capture.camera)};
+  }
+  if (capture.image.empty() || !std::filesystem::exists(folder / capture.image)) {
+    throw InputError{fmt::format("{}: capture {}: expected a picture to replay, found {}", folder.string(), capture.id,
+                                 capture.image.empty() ? "corners alone" : "no file " + capture.image)};
+  }
+  const CameraIntrinsics& camera = set.cameras.at(capture.camera);
+  const std::size_t size = std::size_t(camera.width) * std::size_t(camera.height);
+  CameraFrame frame;
+  frame.camera = top ? CameraName::top : CameraName::bottom;
+  frame.format = PixelFormat::grey;
+  frame.width = camera.width;
+  frame.height = camera.height;
+  frame.picture = std::make_shared<PictureFile>(folder / capture.image, size);
+  return frame;
+}
+
+} // namespace
+
+ReplayTimeline replayTimeline(const CaptureSet& set, const std::filesystem::path& folder, Duration latency) {
+  if (set.captures.empty()) {
+    throw InputError{fmt::format("{}: expected captures to replay, found none", folder.string())};
+  }
+  std::vector<std::size_t> order(set.captures.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return set.captures[a].time < set.captures[b].time; });
+  const std::vector<TimePoint> middle = middles(set, order);
+
+  ReplayTimeline timeline;
+  std::array<std::uint64_t, 2> sequences{};
+  for (std::size_t place = 0; place < order.size(); ++place) {
+    const std::size_t i = order[place];
+    CameraFrame frame = frameOf(set, set.captures[i], folder);
+    frame.time = middle[i] - latency;
+    frame.sequence = sequences[std::size_t(frame.camera)]++;
+    timeline.pictures.push_back({frame, middle[i] + transfer, i});
+    // The readings hold from halfway to the capture before until halfway to the next one.
+    const bool isFirst = place == 0, isLast = place + 1 == order.size();
+    const TimePoint from =
+        isFirst ? middle[i] - leadIn : middle[order[place - 1]] + (middle[i] - middle[order[place - 1]]) / 2;
+    const TimePoint until = isLast ? middle[i] + leadOut : middle[i] + (middle[order[place + 1]] - middle[i]) / 2;
+    for (TimePoint time = middle[i] - (middle[i] - from) / replayCycle * replayCycle; time <= until;
+         time += replayCycle) {
+      if (timeline.moments.empty() || timeline.moments.back().time < time) {
+        timeline.moments.push_back({time, i});
+      }
+    }
+  }
+  return timeline;
+}
+
+RobotState replayedState(const CaptureSet& set, const Capture& capture, TimePoint time) {
+  RobotState state;
+  state.time = time;
+  state.stiffness.fill(1);
+  for (std::size_t i = 0; i < set.jointNames.size(); ++i) {
+    const auto joint = jointNumber(set.jointNames[i]);
+    const auto take = [&](const std::vector<double>& readings, double& to) {
+      to = joint && i < readings.size() && std::isfinite(readings[i]) ? readings[i] : to;
+    };
+    if (joint) {
+      take(capture.joints.measured, state.angles[*joint]);
+      take(capture.joints.current, state.current[*joint]);
+      take(capture.joints.temperature, state.temperature[*joint]);
+    }
+  }
+  state.torsoAngles = capture.imu.value_or(Eigen::Vector2d::Zero());
+  state.accelerometer = {0, 0, 9.81};
+  state.forces = capture.fsr.value_or(state.forces);
+  return state;
+}
+
+} // namespace naocal
