@@ -104,7 +104,7 @@ void SimulatedBody::turnMotors(Seconds step) {
     torques_ = robot_.gravityTorques(now, support_);
     torquesAt_ = now;
   }
-  constexpr int parts = 6; // of a cycle: shorter than the motors' lag
+  constexpr int parts = 2; // of a step: shorter than the motors' lag
   for (int part = 0; part < parts; ++part) {
     for (std::size_t joint = 0; joint < servos_.size(); ++joint) {
       if (drawing_.joints[joint].motor == joint) {

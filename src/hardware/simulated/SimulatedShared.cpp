@@ -6,7 +6,8 @@ namespace naocal {
 
 namespace {
 
-constexpr std::size_t remembered = 100; // cycles
+constexpr int parts = 4;                // of a cycle, between which motion is linear
+constexpr std::size_t remembered = 400; // parts: more than a second
 constexpr int instants = 9;             // of an exposure
 
 /// A quick world's time is its own, so that it is the same every time.
@@ -59,13 +60,15 @@ std::optional<SimulatedShared::Moment> SimulatedShared::momentAt(TimePoint time)
 }
 
 void SimulatedShared::advance() {
-  while (!commands.empty() && commands.front().first <= now) {
-    body.command(commands.front().second);
-    commands.pop_front();
+  for (int part = 0; part < parts; ++part) {
+    while (!commands.empty() && commands.front().first <= now) {
+      body.command(commands.front().second);
+      commands.pop_front();
+    }
+    body.advance(cycle / parts);
+    now += cycle / parts;
+    remember();
   }
-  body.advance(cycle);
-  now += cycle;
-  remember();
   for (std::size_t camera = 0; camera < cameras.size(); ++camera) {
     while (const auto begins = cameras[camera].arrivedBy(now)) {
       expose(camera, *begins);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hardware/CameraLoopStep.hpp"
+#include "hardware/RobotInterface.hpp"
 #include "hardware/simulated/SimulatedBody.hpp"
 #include "hardware/simulated/SimulatedCamera.hpp"
 
@@ -18,7 +19,7 @@ struct SimulatedShared {
     Eigen::VectorXd joints;
     Eigen::Isometry3d worldFromTorso;
   };
-  /// Between two cycles linearly; absent beyond the last second.
+  /// Between quarters of cycles linearly; absent beyond the last second.
   std::optional<Moment> momentAt(TimePoint time) const;
 
   bool picturePending() const { return cameras[0].pending || cameras[1].pending; }

@@ -38,7 +38,8 @@ public:
   };
   Truth truth() const;
 
-  /// The joints as they really were, between two cycles linearly; absent beyond the last second. From any thread.
+  /// The joints as they really were, between quarters of cycles linearly; absent beyond the last second. From any
+  /// thread.
   std::optional<Eigen::VectorXd> jointsAt(TimePoint time) const;
 
   /// Somebody touches the robot, until told otherwise; from any thread.
