@@ -1,6 +1,10 @@
 #include "motion/CommandSender.hpp"
 
+#include "geometry/Angles.hpp"
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 namespace naocal {
 
@@ -8,8 +12,14 @@ void CommandSender::cycle() {
   if (!measured_->isNew) {
     return;
   }
+  const TimePoint now = measured_->state.time;
+  const double most = last_ ? radians(*offsetSpeed_) * seconds(now - *last_) : 2 * std::numbers::pi; // first: at once
+  last_ = now;
+  for (std::size_t joint = 0; joint < jointCount; ++joint) {
+    added_.values[joint] += std::clamp(offsets_->values[joint] - added_.values[joint], -most, most);
+  }
   RobotCommand command;
-  command.angles = sentToMotors(desired_->angles, *offsets_, limits_);
+  command.angles = sentToMotors(desired_->angles, added_, limits_);
   command.stiffness.fill(desired_->stiffness);
   robot_.send(command);
   sent_ = command.angles;

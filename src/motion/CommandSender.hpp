@@ -2,13 +2,15 @@
 
 #include "framework/Dependency.hpp"
 #include "framework/Module.hpp"
+#include "framework/Parameter.hpp"
 #include "framework/Production.hpp"
 #include "motion/Measured.hpp"
 #include "motion/PosePlayer.hpp"
 
 namespace naocal {
 
-/// Answers every state of the robot with the desired pose: offsets added, within the limits.
+/// Answers every state of the robot with the desired pose: offsets added, within the limits. Offsets that change do not
+/// make the robot jump: what is added follows them at a limited speed.
 class CommandSender final : public Module {
 public:
   CommandSender(RobotInterface& robot, const Robot& drawing)
@@ -18,6 +20,9 @@ public:
 private:
   RobotInterface& robot_;
   JointLimits limits_;
+  JointOffsets added_;
+  std::optional<TimePoint> last_;
+  Parameter<double> offsetSpeed_{*this, "offsetSpeed"}; // [deg/s]
   Dependency<Measured> measured_{*this, "measured"};
   Dependency<JointOffsets> offsets_{*this, "JointCalibrationData"};
   Dependency<DesiredPose> desired_{*this, "desiredPose"};

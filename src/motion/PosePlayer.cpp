@@ -28,6 +28,7 @@ void PosePlayer::parametersChanged() {
   }
   joinHipYawPitch(home_);
   home_ = limits_.clamped(home_);
+  state_.edit().home = home_;
 }
 
 void PosePlayer::cycle() {
@@ -168,7 +169,7 @@ void PosePlayer::leaveMotion() {
 void PosePlayer::stop(Phase phase, const std::string& reason) {
   leaveMotion();
   PlayerState& state = state_.edit();
-  state = {.phase = phase, .request = state.request, .reason = reason};
+  state = {.phase = phase, .request = state.request, .home = home_, .reason = reason};
   desired_.edit().stiffness = phase == Phase::off ? 0 : phase == Phase::fallen ? *fallenStiffness_ : *stiffness_;
 }
 
@@ -189,6 +190,7 @@ void PosePlayer::advance() {
   if (time >= motion_->duration()) {
     state.phase = Phase::holding;
     state.done = true;
+    state.doneAt = now_;
     state.atHome = goingHome_;
     leaveMotion();
     trail_ = state.atHome ? std::vector{home_} : trail_;
@@ -197,17 +199,6 @@ void PosePlayer::advance() {
 
 void to_json(nlohmann::json& out, const DesiredPose& desired) {
   out = {{"angles", desired.angles.values}, {"stiffness", desired.stiffness}};
-}
-
-void to_json(nlohmann::json& out, const PlayerState& state) {
-  constexpr std::array names{"off", "moving", "holding", "fallen"};
-  out = {{"phase", names[static_cast<std::size_t>(state.phase)]},
-         {"request", state.request},
-         {"done", state.done},
-         {"atHome", state.atHome},
-         {"progress", state.progress},
-         {"secondsLeft", state.secondsLeft},
-         {"reason", state.reason}};
 }
 
 } // namespace naocal

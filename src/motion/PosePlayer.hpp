@@ -4,9 +4,9 @@
 #include "framework/Module.hpp"
 #include "framework/Parameter.hpp"
 #include "framework/Production.hpp"
+#include "hardware/exchange/PoseRequest.hpp"
 #include "motion/Measured.hpp"
 #include "motion/PoseMotion.hpp"
-#include "motion/PoseRequest.hpp"
 
 #include <map>
 #include <optional>

@@ -80,12 +80,6 @@ void Thread::cycle() {
   }
 }
 
-void Thread::run(const std::stop_token& stop) {
-  while (!stop.stop_requested()) {
-    cycle();
-  }
-}
-
 std::string requestRealTimePriority(int priority) {
   const sched_param parameters{.sched_priority = priority};
   const int error = ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &parameters);

@@ -7,7 +7,6 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -51,8 +50,7 @@ public:
   /// Changes of parameters, every module in order, times, listener.
   void cycle();
 
-  /// Cycles until a stop is asked for. The pace is that of the module which waits for the hardware.
-  void run(const std::stop_token& stop);
+
 
 private:
   struct Change {

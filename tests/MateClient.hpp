@@ -1,7 +1,12 @@
-#include "MateClient.hpp"
+#pragma once
 
 #include <arpa/inet.h>
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
@@ -9,7 +14,46 @@
 
 namespace naocal {
 
-MateClient::MateClient(std::uint16_t port, std::size_t headerSize)
+/// A client of the robot's sockets that puts its bytes together as MATE does (Python's "<4sBBHII" and "<4sBBHI"), and
+/// shares nothing with the servers' own encoder. Waits at most ten seconds for anything.
+class MateClient {
+public:
+  struct Frame {
+    int type = 0;
+    std::string body;
+  };
+
+  static MateClient debug(std::uint16_t port) { return MateClient{port, 16}; }
+  static MateClient config(std::uint16_t port) { return MateClient{port, 12}; }
+  static MateClient debug(const std::filesystem::path& unixSocket) { return MateClient{unixSocket, 16}; }
+  static MateClient config(const std::filesystem::path& unixSocket) { return MateClient{unixSocket, 12}; }
+  MateClient(MateClient&& other) noexcept;
+  ~MateClient();
+
+  void send(int type, const std::string& body = "") { sendBytes(frame(type, body)); }
+  std::string frame(int type, const std::string& body) const;
+  void sendBytes(const std::string& bytes); // ignores that the other side has closed
+
+  /// The next frame; absent when the other side closed or nothing came.
+  std::optional<Frame> receive();
+  /// The next frame of a type, frames before it dropped; absent as above.
+  std::optional<Frame> receive(int type);
+  nlohmann::json receiveJson(int type);
+
+  /// Whether the other side closes within the time, whatever it sends before that.
+  bool isClosed();
+
+private:
+  MateClient(std::uint16_t port, std::size_t headerSize);
+  MateClient(const std::filesystem::path& unixSocket, std::size_t headerSize);
+  void limitWaiting() const;
+  std::optional<std::string> receiveBytes(std::size_t count);
+
+  int socket_;
+  std::size_t headerSize_;
+};
+
+inline MateClient::MateClient(std::uint16_t port, std::size_t headerSize)
     : socket_{::socket(AF_INET, SOCK_STREAM, 0)}, headerSize_{headerSize} {
   sockaddr_in address{};
   address.sin_family = AF_INET;
@@ -21,7 +65,7 @@ MateClient::MateClient(std::uint16_t port, std::size_t headerSize)
   limitWaiting();
 }
 
-MateClient::MateClient(const std::filesystem::path& unixSocket, std::size_t headerSize)
+inline MateClient::MateClient(const std::filesystem::path& unixSocket, std::size_t headerSize)
     : socket_{::socket(AF_UNIX, SOCK_STREAM, 0)}, headerSize_{headerSize} {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
@@ -32,22 +76,22 @@ MateClient::MateClient(const std::filesystem::path& unixSocket, std::size_t head
   limitWaiting();
 }
 
-MateClient::MateClient(MateClient&& other) noexcept
+inline MateClient::MateClient(MateClient&& other) noexcept
     : socket_{std::exchange(other.socket_, -1)}, headerSize_{other.headerSize_} {}
 
-MateClient::~MateClient() {
+inline MateClient::~MateClient() {
   if (socket_ >= 0) {
     ::close(socket_);
   }
 }
 
-void MateClient::limitWaiting() const {
+inline void MateClient::limitWaiting() const {
   const timeval tenSeconds{10, 0};
   ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &tenSeconds, sizeof tenSeconds);
   ::setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &tenSeconds, sizeof tenSeconds);
 }
 
-std::string MateClient::frame(int type, const std::string& body) const {
+inline std::string MateClient::frame(int type, const std::string& body) const {
   const bool isDebug = headerSize_ == 16;
   std::string bytes = isDebug ? "DMSG" : "CONF";
   const auto size = body.size();
@@ -58,7 +102,7 @@ std::string MateClient::frame(int type, const std::string& body) const {
   return bytes + (isDebug ? std::string(4, '\0') : "") + body;
 }
 
-void MateClient::sendBytes(const std::string& bytes) {
+inline void MateClient::sendBytes(const std::string& bytes) {
   for (std::size_t sent = 0; sent < bytes.size();) {
     const ssize_t count = ::send(socket_, bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
     if (count <= 0) {
@@ -68,7 +112,7 @@ void MateClient::sendBytes(const std::string& bytes) {
   }
 }
 
-std::optional<std::string> MateClient::receiveBytes(std::size_t count) {
+inline std::optional<std::string> MateClient::receiveBytes(std::size_t count) {
   std::string bytes(count, '\0');
   for (std::size_t received = 0; received < count;) {
     const ssize_t more = ::recv(socket_, bytes.data() + received, count - received, 0);
@@ -80,7 +124,7 @@ std::optional<std::string> MateClient::receiveBytes(std::size_t count) {
   return bytes;
 }
 
-std::optional<MateClient::Frame> MateClient::receive() {
+inline std::optional<MateClient::Frame> MateClient::receive() {
   const auto header = receiveBytes(headerSize_);
   if (!header) {
     return std::nullopt;
@@ -97,7 +141,7 @@ std::optional<MateClient::Frame> MateClient::receive() {
   return Frame{int(byte(5)), std::move(*body)};
 }
 
-std::optional<MateClient::Frame> MateClient::receive(int type) {
+inline std::optional<MateClient::Frame> MateClient::receive(int type) {
   for (auto next = receive(); next; next = receive()) {
     if (next->type == type) {
       return next;
@@ -106,12 +150,12 @@ std::optional<MateClient::Frame> MateClient::receive(int type) {
   return std::nullopt;
 }
 
-nlohmann::json MateClient::receiveJson(int type) {
+inline nlohmann::json MateClient::receiveJson(int type) {
   const auto received = receive(type);
   return received ? nlohmann::json::parse(received->body) : nlohmann::json{"nothing came"};
 }
 
-bool MateClient::isClosed() {
+inline bool MateClient::isClosed() {
   std::string bytes(65536, '\0');
   for (;;) {
     const ssize_t count = ::recv(socket_, bytes.data(), bytes.size(), 0);

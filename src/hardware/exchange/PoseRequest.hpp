@@ -1,6 +1,7 @@
 #pragma once
 
-#include "motion/JointOffsets.hpp"
+#include "framework/Clock.hpp"
+#include "hardware/exchange/CompensatedAngles.hpp"
 
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
@@ -33,7 +34,9 @@ struct PlayerState {
   Phase phase = Phase::off;
   std::uint64_t request = 0; // the last one that was looked at
   bool done = false;         // that request came to its end
+  TimePoint doneAt;          // when it did
   bool atHome = false;       // holding the stand
+  CompensatedAngles home;    // that stand [rad]
   double progress = 0;       // 0..1 of the present motion
   double secondsLeft = 0;    // of it [s]
   std::string reason;        // one sentence: why it refused, stopped or waits; empty otherwise

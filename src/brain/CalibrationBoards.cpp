@@ -1,0 +1,17 @@
+#include "brain/CalibrationBoards.hpp"
+
+#include "captures/BoardReader.hpp"
+#include "captures/JsonPlace.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+void from_json(const nlohmann::json& json, CalibrationBoards& boards) {
+  boards.boards.clear();
+  for (const JsonPlace& place : JsonPlace{json, "boards"}.elements()) {
+    boards.boards.push_back(readBoard(place));
+  }
+}
+
+} // namespace naocal

@@ -1,0 +1,66 @@
+#include "brain/CalibrationSession.hpp"
+
+#include "calibrate/Comparison.hpp"
+#include "captures/CaptureSetFile.hpp"
+#include "captures/Files.hpp"
+#include "captures/InputError.hpp"
+#include "detect/Detection.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+namespace naocal {
+namespace {
+
+void writePicture(const GreyPicture& picture, const std::filesystem::path& file) {
+  // OpenCV does not write through this pointer
+  const cv::Mat image{picture.height, picture.width, CV_8UC1, const_cast<std::uint8_t*>(picture.pixels.data())};
+  std::vector<std::uint8_t> bytes;
+  cv::imencode(".png", image, bytes);
+  writeAtomically(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+} // namespace
+
+CalibrationSession::CalibrationSession(const Robot& drawing, CaptureSet header, std::filesystem::path folder)
+    : drawing_{drawing}, set_{std::move(header)}, folder_{std::move(folder)} {
+  if (std::filesystem::exists(folder_ / "captures.json")) {
+    throw InputError{fmt::format("{}: expected an empty folder for a new recording, found captures; move them away",
+                                 folder_.string())};
+  }
+  std::filesystem::create_directories(folder_ / "images");
+}
+
+void CalibrationSession::add(Capture capture, const CameraFrame& frame) {
+  const auto picture = greyPicture(frame);
+  if (!picture) {
+    return; // its bytes were lost: there is nothing to see
+  }
+  capture.id = static_cast<int>(set_.captures.size());
+  capture.image = fmt::format("images/{:04}.png", capture.id);
+  capture.corners = detect(*picture, set_.boards, set_.cameras.at(capture.camera)).boards;
+  for (const BoardCorners& board : *capture.corners) {
+    corners_ += board.ids.size();
+  }
+  writePicture(*picture, folder_ / capture.image);
+  set_.captures.push_back(std::move(capture));
+  writeCaptureSet(set_, folder_);
+}
+
+StoredResult CalibrationSession::solved() const {
+  const std::vector<CaptureSet> sets{set_};
+  const Measurements measurements = measurementsOf(sets, drawing_);
+  const Model model = makeModel(measurements);
+  const CalibrationResult result = calibrate(measurements, model);
+  const ResultInputs inputs{{folder_.string()}, {sha256(fileContent(folder_ / "captures.json"))}};
+  writeAtomically(folder_ / "result.json", resultJson(sets, measurements, model, result, inputs).dump(2) + "\n");
+  return readResult(folder_ / "result.json");
+}
+
+CalibrationSession::Error CalibrationSession::error(const StoredResult& result) const {
+  const Comparison comparison = compare(result, {set_}, drawing_, false);
+  return {comparison.nominal.rmsPx, comparison.all.rmsPx};
+}
+
+} // namespace naocal

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "calibrate/ResultFile.hpp"
+#include "captures/Capture.hpp"
+#include "hardware/CameraFrame.hpp"
+#include "model/Robot.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace naocal {
+
+/// A calibration's captures as they come: each one's picture and the set are written at once, so that what was recorded
+/// is readable up to the last capture whatever happens.
+class CalibrationSession {
+public:
+  /// `header`: robot, cameras, boards and stances of the set. Its folder must not hold a set yet.
+  CalibrationSession(const Robot& drawing, CaptureSet header, std::filesystem::path folder);
+
+  /// Finds the boards in a picture, and writes it with its capture. Throws InputError where it cannot be written.
+  void add(Capture capture, const CameraFrame& frame);
+
+  std::size_t captures() const { return set_.captures.size(); }
+  std::size_t corners() const { return corners_; }
+
+  /// Estimates all joints' offsets and cameras' mounts from the captures, and writes result.json beside them. Throws
+  /// InputError when there is nothing to fit.
+  StoredResult solved() const;
+
+  /// How far this session's corners are from where the drawing and where a result has them [px].
+  struct Error {
+    double before = 0, after = 0;
+  };
+  Error error(const StoredResult& result) const;
+
+private:
+  const Robot& drawing_;
+  CaptureSet set_;
+  std::filesystem::path folder_;
+  std::size_t corners_ = 0;
+};
+
+} // namespace naocal

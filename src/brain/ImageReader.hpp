@@ -1,0 +1,31 @@
+#pragma once
+
+#include "brain/NewFrame.hpp"
+#include "framework/Module.hpp"
+#include "framework/Production.hpp"
+
+#include <map>
+#include <string>
+
+namespace naocal {
+
+/// Waits for the cameras' next picture: the brain thread's pace. Goes on without one after a fifth of a second, so that
+/// the thread can end and say what is wrong.
+///
+/// A cycle's time is its picture's, in whole milliseconds later than the cycle before: whoever pairs pictures and
+/// values by their timestamps [ms] never sees two of one time.
+class ImageReader final : public Module {
+public:
+  explicit ImageReader(CameraInterface& cameras) : Module{"ImageReader"}, cameras_{cameras} {}
+  void cycle() override;
+
+private:
+  CameraInterface& cameras_;
+  TimePoint last_;
+  Production<NewFrame> frame_{*this, "frame"};
+  Production<ShownFrame> top_{*this, "CameraCalibration.top_image"}; // the keys that HULKs' panel asks for
+  Production<ShownFrame> bottom_{*this, "CameraCalibration.bottom_image"};
+  Production<std::map<std::string, CameraLink>> links_{*this, "cameraLinks"};
+};
+
+} // namespace naocal

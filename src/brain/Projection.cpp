@@ -1,0 +1,32 @@
+#include "brain/Projection.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+namespace {
+
+CameraBelief belief(const std::array<double, 3>& rotation, const std::array<double, 2>& focal,
+                    const std::array<double, 2>& centre) {
+  CameraBelief result{{}, rotation};
+  CameraIntrinsics& lens = result.intrinsics;
+  lens.fx = focal[0] * lens.width;
+  lens.fy = focal[1] * lens.height;
+  lens.cx = centre[0] * lens.width;
+  lens.cy = centre[1] * lens.height;
+  return result;
+}
+
+} // namespace
+
+void Projection::parametersChanged() {
+  beliefs_ = {{"top", belief(*topRotation_, *topFocal_, *topCentre_)},
+              {"bottom", belief(*bottomRotation_, *bottomFocal_, *bottomCentre_)}};
+}
+
+void to_json(nlohmann::json& out, const CameraBelief& belief) {
+  out = {{"fc", {belief.intrinsics.fx, belief.intrinsics.fy}},
+         {"cc", {belief.intrinsics.cx, belief.intrinsics.cy}},
+         {"ext", belief.rotation}};
+}
+
+} // namespace naocal

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace naocal {
+
+/// A thread that does one task after another, so that whoever has them done need not wait. Tasks must not throw.
+class Worker {
+public:
+  Worker() : thread_{[this](const std::stop_token& stop) { run(stop); }} {}
+
+  void add(std::function<void()> task) {
+    const std::lock_guard lock{mutex_};
+    tasks_.push_back(std::move(task));
+    added_.notify_one();
+  }
+
+  /// How many tasks are not finished.
+  std::size_t left() const {
+    const std::lock_guard lock{mutex_};
+    return tasks_.size();
+  }
+
+private:
+  void run(const std::stop_token& stop) {
+    std::unique_lock lock{mutex_};
+    while (added_.wait(lock, stop, [this] { return !tasks_.empty(); })) {
+      const auto task = std::move(tasks_.front());
+      lock.unlock();
+      task();
+      lock.lock();
+      tasks_.pop_front();
+    }
+  }
+
+  mutable std::mutex mutex_;
+  std::condition_variable_any added_;
+  std::deque<std::function<void()>> tasks_; // the first is being done
+  std::jthread thread_;                     // last: it uses the others
+};
+
+} // namespace naocal

@@ -1,0 +1,19 @@
+#include "hardware/exchange/PoseRequest.hpp"
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+void to_json(nlohmann::json& out, const PlayerState& state) {
+  constexpr std::array names{"off", "moving", "holding", "fallen"};
+  out = {{"phase", names[static_cast<std::size_t>(state.phase)]},
+         {"request", state.request},
+         {"done", state.done},
+         {"atHome", state.atHome},
+         {"progress", state.progress},
+         {"secondsLeft", state.secondsLeft},
+         {"reason", state.reason}};
+}
+
+} // namespace naocal

@@ -1,0 +1,165 @@
+#include "TemporaryFolder.hpp"
+#include "brain/CaptureCollector.hpp"
+#include "brain/ImageReader.hpp"
+#include "brain/Projection.hpp"
+#include "captures/Files.hpp"
+#include "framework/Configuration.hpp"
+#include "framework/Database.hpp"
+#include "framework/Thread.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <random>
+
+namespace naocal {
+namespace {
+
+using std::chrono::microseconds;
+using std::chrono::milliseconds;
+
+constexpr std::size_t yaw = *jointNumber("HeadYaw");
+
+/// Cameras that give the pictures which the test puts there.
+class GivenCameras final : public CameraInterface {
+public:
+  std::optional<CameraFrame> waitForFrame(milliseconds) override {
+    if (frames.empty()) {
+      return std::nullopt;
+    }
+    CameraFrame frame = frames.front();
+    frames.pop_front();
+    return frame;
+  }
+  CameraLink link(CameraName) const override { return {}; }
+
+  std::deque<CameraFrame> frames;
+};
+
+/// A head whose angle is known at every moment; its largest speed is 1 rad/s.
+double trueYaw(TimePoint time) {
+  return 0.5 * std::sin(2 * seconds(time.time_since_epoch()));
+}
+
+/// Stands for the motion thread: what it measured up to now.
+class Measuring : public Module {
+public:
+  Measuring() : Module{"Measuring"} {}
+  void cycle() override {}
+  void until(TimePoint now, std::mt19937& random) {
+    for (; next_ <= now;
+         next_ += milliseconds{12} + microseconds{std::uniform_int_distribution<int>{-900, 900}(random)}) {
+      JointMoment moment;
+      moment.raw[yaw] = trueYaw(next_);
+      moment.stillFor = still;
+      moments_.edit().push(next_, moment);
+    }
+  }
+  double still = 1;
+
+private:
+  TimePoint next_{std::chrono::seconds{1}};
+  Production<JointMoments> moments_{*this, "jointHistory"};
+};
+
+class Looking : public Module {
+public:
+  Looking() : Module{"Looking"} {}
+  void cycle() override {}
+  Dependency<StillPicture> picture{*this, "stillPicture"};
+};
+
+struct Rig {
+  explicit Rig(double latency) {
+    std::filesystem::create_directories(folder.path() / "location/default");
+    writeAtomically(folder.path() / "location/default/CaptureCollector.json",
+                    nlohmann::json{{"latency", latency}}.dump());
+    brain.add<ImageReader>(cameras);
+    brain.add<CaptureCollector>();
+    database.emplace(std::vector<Thread*>{&motion, &brain});
+    configure(brain, configuration);
+  }
+  TemporaryFolder folder;
+  Configuration configuration{folder.path(), {"", "Ada", "Bob"}, writeAtomically};
+  GivenCameras cameras;
+  Thread motion{"Motion", Part::body}, brain{"Brain", Part::head};
+  Measuring& measuring = motion.add<Measuring>();
+  Looking& see = brain.add<Looking>();
+  std::optional<Database> database;
+};
+
+CameraFrame frameAt(TimePoint time) {
+  CameraFrame frame;
+  frame.time = time;
+  return frame;
+}
+
+} // namespace
+
+TEST_CASE("a picture is paired with the joints in the middle of its exposure") {
+  // Proves an error under a millisecond of the joints' motion for two cameras of 33 ms, joints of 12 ms with jitter,
+  // lost pictures, and pictures that arrive before or after the joints of their moment.
+  Rig rig{0.017};
+  std::mt19937 random{1};
+  TimePoint stamp{std::chrono::seconds{2}};
+  int paired = 0;
+  double worst = 0;
+  for (int i = 0; i < 600; ++i) {
+    stamp += microseconds{16667 + std::uniform_int_distribution<int>{-2000, 2000}(random)};
+    if (i % 7 != 0) {
+      rig.cameras.frames.push_back(frameAt(stamp));
+    }
+    rig.measuring.until(stamp + milliseconds{std::uniform_int_distribution<int>{5, 60}(random)}, random);
+    rig.brain.cycle();
+    if (rig.see.picture->isNew) {
+      const StillPicture& picture = *rig.see.picture;
+      const TimePoint middle = picture.frame.time + milliseconds{17};
+      worst = std::max(worst, std::abs(picture.capture.joints.measured[yaw] - trueYaw(middle)));
+      ++paired;
+    }
+  }
+  CHECK(worst < 1e-3); // [rad], so [s] at that speed
+  CHECK(paired > 450);
+}
+
+TEST_CASE("pictures that were taken while something moved are not passed on") {
+  // Proves it, and that a picture without joints at its time is none either.
+  Rig rig{0.017};
+  std::mt19937 random{1};
+  rig.measuring.still = 0;
+  rig.measuring.until(TimePoint{std::chrono::seconds{3}}, random);
+  rig.cameras.frames = {frameAt(TimePoint{milliseconds{2900}}), frameAt(TimePoint{milliseconds{900}})};
+  rig.brain.cycle();
+  CHECK_FALSE(rig.see.picture->isNew);
+  rig.measuring.still = 1;
+  rig.measuring.until(TimePoint{std::chrono::seconds{4}}, random);
+  rig.brain.cycle();
+  CHECK_FALSE(rig.see.picture->isNew);
+  rig.cameras.frames = {frameAt(TimePoint{milliseconds{3900}})};
+  rig.brain.cycle();
+  REQUIRE(rig.see.picture->isNew);
+  CHECK(rig.see.picture->capture.joints.measured.size() == jointCount);
+  rig.brain.cycle();
+  CHECK_FALSE(rig.see.picture->isNew);
+}
+
+TEST_CASE("two pictures never have the same timestamp in milliseconds") {
+  // Proves what the desktop pairs pictures and values by, for two cameras that expose at the same moment.
+  Rig rig{0.017};
+  struct Times : CycleListener {
+    void cycleEnded(TimePoint time, const std::vector<AnyProduction*>&) override {
+      stamps.push_back(std::chrono::duration_cast<milliseconds>(time.time_since_epoch()).count());
+    }
+    std::vector<long> stamps;
+  } times;
+  rig.brain.tell(times);
+  for (int i = 0; i < 5; ++i) {
+    rig.cameras.frames = {frameAt(TimePoint{milliseconds{5000 + 33 * i}}),
+                          frameAt(TimePoint{milliseconds{5000 + 33 * i}})};
+    rig.brain.cycle();
+    rig.brain.cycle();
+  }
+  REQUIRE(times.stamps.size() == 10);
+  CHECK(std::adjacent_find(times.stamps.begin(), times.stamps.end(), std::greater_equal<>{}) == times.stamps.end());
+}
+
+} // namespace naocal

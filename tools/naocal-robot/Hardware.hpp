@@ -1,0 +1,24 @@
+#pragma once
+
+#include "hardware/CameraInterface.hpp"
+#include "hardware/RobotInterface.hpp"
+#include "model/Robot.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace naocal {
+
+/// A robot behind its two interfaces.
+struct Hardware {
+  Robot drawing;
+  std::unique_ptr<RobotInterface> robot;
+  std::unique_ptr<CameraInterface> cameras;
+  std::string location; // of its configuration, where sdk.json's does not suit it; empty: as sdk.json says
+};
+
+/// A simulated robot that stands before four boards, with offsets and mounts drawn by the seed.
+Hardware simulatedHardware(std::uint64_t seed);
+
+} // namespace naocal

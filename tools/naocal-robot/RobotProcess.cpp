@@ -1,0 +1,92 @@
+#include "RobotProcess.hpp"
+
+#include "captures/Files.hpp"
+#include "framework/Errors.hpp"
+#include "motion/MotionModules.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+namespace {
+
+constexpr int motionPriority = 30; // below the firmware's own threads, above everything ordinary
+
+/// The robot's names, at the location that is asked for or that sdk.json says.
+RobotNames namesOf(const RobotIdentity& identity, const RobotProcessOptions& options) {
+  RobotNames names = robotNames(options.configuration, identity.headId, identity.bodyId);
+  names.location = options.location;
+  const auto sdk = readConfiguration(options.configuration / "location" / "default" / "sdk.json");
+  if (names.location.empty() && sdk && sdk->contains("location")) {
+    const auto& location = (*sdk)["location"];
+    if (!location.is_string()) {
+      throw ConfigurationError{"sdk.json: location: expected the name of a folder in the configuration's location"};
+    }
+    names.location = location;
+  }
+  return names;
+}
+
+} // namespace
+
+RobotProcess::RobotProcess(RobotInterface& robot, CameraInterface& cameras, const Robot& drawing,
+                           const RobotIdentity& identity, const RobotProcessOptions& options, Log log)
+    : robot_{robot}, cameras_{cameras}, options_{options}, log_{std::move(log)},
+      configuration_{options.configuration, namesOf(identity, options), writeAtomically} {
+  addMotionModules(motion_, robot, drawing);
+  addBrainModules(brain_, cameras, {drawing, identity, configuration_, options.recordings});
+  database_.emplace(std::vector<Thread*>{&motion_, &brain_});
+  configuration_.mount("tuhhSDK.base", "sdk.json", Part::none);
+  const RobotNames names = namesOf(identity, options);
+  configuration_.publish("tuhhSDK.base", "NaoInfo.headName", names.head);
+  configuration_.publish("tuhhSDK.base", "NaoInfo.bodyName", names.body);
+  configuration_.publish("tuhhSDK.base", "location", names.location);
+  configure(motion_, configuration_);
+  configure(brain_, configuration_);
+  const SocketSettings sockets =
+      options.sockets ? *options.sockets : readSocketSettings(options.configuration, names.head);
+  sockets_.emplace(sockets, std::vector<Thread*>{&motion_, &brain_}, configuration_,
+                   Clock::now() - std::chrono::seconds{2}, log_);
+}
+
+RobotProcess::~RobotProcess() {
+  stop();
+}
+
+void RobotProcess::start(std::function<void(std::string_view)> failed) {
+  failed_ = std::move(failed);
+  motionThread_ = std::jthread{[this](const std::stop_token& stop) {
+    const std::string refused = options_.realTime ? requestRealTimePriority(motionPriority) : "";
+    if (!refused.empty()) {
+      log_(fmt::format("The motion thread runs without real-time priority, which the system refuses: {}.", refused));
+    }
+    run(motion_, stop, [this] { return robot_.ended(); });
+  }};
+  brainThread_ =
+      std::jthread{[this](const std::stop_token& stop) { run(brain_, stop, [this] { return cameras_.ended(); }); }};
+}
+
+void RobotProcess::run(Thread& thread, const std::stop_token& stop, const std::function<bool()>& ended) {
+  try {
+    while (!stop.stop_requested() && !ended()) {
+      thread.cycle();
+    }
+    if (!stop.stop_requested()) {
+      failed_("");
+    }
+  } catch (const std::exception& error) {
+    failed_(fmt::format("The {} thread has ended: {}", thread.name(), error.what()));
+  }
+}
+
+void RobotProcess::stop() {
+  motionThread_.request_stop();
+  brainThread_.request_stop();
+  for (std::jthread* thread : {&motionThread_, &brainThread_}) {
+    if (thread->joinable()) {
+      thread->join();
+    }
+  }
+}
+
+} // namespace naocal

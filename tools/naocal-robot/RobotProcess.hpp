@@ -1,0 +1,62 @@
+#pragma once
+
+#include "brain/BrainModules.hpp"
+#include "framework/Configuration.hpp"
+#include "framework/Database.hpp"
+#include "framework/Sockets.hpp"
+#include "framework/Thread.hpp"
+#include "hardware/CameraInterface.hpp"
+#include "hardware/RobotInterface.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+
+namespace naocal {
+
+/// What the process is made of and where its files are.
+struct RobotProcessOptions {
+  std::filesystem::path configuration; // home/configuration
+  std::filesystem::path recordings;
+  std::string location;                  // empty: as sdk.json says
+  std::optional<SocketSettings> sockets; // absent: as sdk.json and access.json say
+  bool realTime = true;                  // ask the system to prefer the motion thread
+};
+
+/// Both threads of the robot, wired and configured, with their sockets. Making it throws WiringError,
+/// ConfigurationError or InputError with one sentence; nothing moves yet.
+class RobotProcess {
+public:
+  /// `robot`, `cameras` and `drawing` must outlive it.
+  RobotProcess(RobotInterface& robot, CameraInterface& cameras, const Robot& drawing, const RobotIdentity& identity,
+               const RobotProcessOptions& options, Log log);
+  ~RobotProcess(); // stops
+
+  /// Runs both threads until `stop`. `failed` is called by a thread that ends by itself: something threw, or a replay
+  /// is over (with an empty sentence).
+  void start(std::function<void(std::string_view sentence)> failed);
+  void stop();
+
+  Sockets& sockets() { return *sockets_; }
+  Configuration& configuration() { return configuration_; }
+  Thread& motion() { return motion_; }
+  Thread& brain() { return brain_; }
+
+private:
+  void run(Thread& thread, const std::stop_token& stop, const std::function<bool()>& ended);
+
+  RobotInterface& robot_;
+  CameraInterface& cameras_;
+  RobotProcessOptions options_;
+  Log log_;
+  Configuration configuration_;
+  Thread motion_{"Motion", Part::body}, brain_{"Brain", Part::head};
+  std::optional<Database> database_;
+  std::optional<Sockets> sockets_;
+  std::function<void(std::string_view)> failed_;
+  std::jthread motionThread_, brainThread_; // last: they use the others
+};
+
+} // namespace naocal

@@ -1,0 +1,78 @@
+#include "Hardware.hpp"
+#include "RobotProcess.hpp"
+#include "captures/InputError.hpp"
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <csignal>
+#include <fmt/format.h>
+#include <iostream>
+
+namespace naocal {
+namespace {
+
+struct Options {
+  std::string hardware = "simulated";
+  std::uint64_t seed = 1;
+  RobotProcessOptions process{configurationDirectory(), "recordings", "", std::nullopt, true};
+};
+
+/// Writes a sentence on standard error, whole.
+void say(std::string_view sentence) {
+  std::clog << fmt::format("{}\n", sentence) << std::flush;
+}
+
+int run(Options options) {
+  sigset_t ends; // blocked in all threads, waited for here
+  ::sigemptyset(&ends);
+  ::sigaddset(&ends, SIGINT);
+  ::sigaddset(&ends, SIGTERM);
+  ::pthread_sigmask(SIG_BLOCK, &ends, nullptr);
+  Hardware hardware = simulatedHardware(options.seed);
+  const auto identity = hardware.robot->waitForIdentity(std::chrono::seconds{10});
+  if (!identity) {
+    throw InputError{fmt::format("the robot has not told within 10 s who it is: {}", hardware.robot->link().problem)};
+  }
+  if (options.process.location.empty()) {
+    options.process.location = hardware.location;
+  }
+  RobotProcess process{*hardware.robot, *hardware.cameras, hardware.drawing, *identity, options.process, say};
+  std::atomic<bool> failed{false};
+  process.start([&failed, self = ::pthread_self()](std::string_view sentence) {
+    failed = !sentence.empty();
+    say(sentence.empty() ? "The replay is over." : sentence);
+    ::pthread_kill(self, SIGTERM);
+  });
+  say(fmt::format("Robot {} runs; debug socket on port {}, configuration on port {}. End it with Ctrl-C.",
+                  identity->headId, process.sockets().debugPort(), process.sockets().configPort()));
+  int signal = 0;
+  ::sigwait(&ends, &signal);
+  process.stop();
+  return failed ? 1 : 0;
+}
+
+} // namespace
+} // namespace naocal
+
+int main(int argc, char** argv) {
+  naocal::Options options;
+  CLI::App app{"The process on the robot: motion and brain threads, HULKs' debug and configuration sockets.",
+               "naocal-robot"};
+  app.footer("Example: naocal-robot --hardware simulated --recordings /tmp/recordings");
+  app.add_option("--hardware", options.hardware, "the robot behind it")
+      ->check(CLI::IsMember{{"simulated"}})
+      ->capture_default_str();
+  app.add_option("--seed", options.seed, "of a simulated robot's offsets and mounts")->capture_default_str();
+  app.add_option("--configuration", options.process.configuration, "folder with location/ and drawings/")
+      ->check(CLI::ExistingDirectory);
+  app.add_option("--recordings", options.process.recordings, "folder for the captures of calibrations")
+      ->capture_default_str();
+  app.add_option("--location", options.process.location, "layer of the configuration beside the default");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    return naocal::run(options);
+  } catch (const std::exception& error) {
+    std::cerr << "naocal-robot: " << error.what() << '\n';
+    return 2;
+  }
+}
