@@ -21,4 +21,8 @@ struct Hardware {
 /// A simulated robot that stands before four boards, with offsets and mounts drawn by the seed.
 Hardware simulatedHardware(std::uint64_t seed);
 
+/// The NAO that this process runs on: V6 through its hardware service, V5 through the module in NAOqi; both cameras
+/// through V4L2. Neither needs to answer yet. Throws std::invalid_argument for other models.
+Hardware naoHardware(const std::string& model);
+
 } // namespace naocal

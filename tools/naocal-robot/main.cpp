@@ -12,7 +12,7 @@ namespace naocal {
 namespace {
 
 struct Options {
-  std::string hardware = "simulated";
+  std::string hardware = "simulated", model = "V6";
   std::uint64_t seed = 1;
   RobotProcessOptions process{configurationDirectory(), "recordings", "", std::nullopt, true};
 };
@@ -28,7 +28,7 @@ int run(Options options) {
   ::sigaddset(&ends, SIGINT);
   ::sigaddset(&ends, SIGTERM);
   ::pthread_sigmask(SIG_BLOCK, &ends, nullptr);
-  Hardware hardware = simulatedHardware(options.seed);
+  Hardware hardware = options.hardware == "nao" ? naoHardware(options.model) : simulatedHardware(options.seed);
   const auto identity = hardware.robot->waitForIdentity(std::chrono::seconds{10});
   if (!identity) {
     throw InputError{fmt::format("the robot has not told within 10 s who it is: {}", hardware.robot->link().problem)};
@@ -60,7 +60,10 @@ int main(int argc, char** argv) {
                "naocal-robot"};
   app.footer("Example: naocal-robot --hardware simulated --recordings /tmp/recordings");
   app.add_option("--hardware", options.hardware, "the robot behind it")
-      ->check(CLI::IsMember{{"simulated"}})
+      ->check(CLI::IsMember{{"simulated", "nao"}})
+      ->capture_default_str();
+  app.add_option("--model", options.model, "of the NAO that it runs on")
+      ->check(CLI::IsMember{{"V5", "V6"}})
       ->capture_default_str();
   app.add_option("--seed", options.seed, "of a simulated robot's offsets and mounts")->capture_default_str();
   app.add_option("--configuration", options.process.configuration, "folder with location/ and drawings/")
