@@ -46,6 +46,34 @@ TEST_CASE("without noise our solver finds all offsets of every error set, from t
   }
 }
 
+TEST_CASE("where only pixels are noisy our solver ends in plain Levenberg-Marquardt's minimum") {
+  // Proves it for some sets from five poses on: weights are all alike then, and the prior does not count in the end.
+  const ThesisSetting setting{.poses = 5, .noise = ThesisNoise::pixel};
+  const ThesisStage stage = thesisStageFor(setting);
+  ThesisTrial trial{stage, setting, 0.3};
+  for (std::size_t set = 0; set < 20; ++set) {
+    trial.draw(1, set);
+    const ThesisAnswer ours = trial.answer(ThesisSolver::ours), plain = trial.answer(ThesisSolver::plain);
+    REQUIRE((ours.solved && plain.solved));
+    CHECK((ours.errors - plain.errors).cwiseAbs().maxCoeff() < radians(1e-3));
+  }
+}
+
+TEST_CASE("numeric derivatives lead where ours do, and searches by costs alone come nearer than where they began") {
+  // Proves it for one set without noise. Not proved: that dlib or a swarm find the minimum; they often do not.
+  const ThesisSetting setting{.feature = ThesisFeature::boards, .poses = 3};
+  const ThesisStage stage = thesisStageFor(setting);
+  ThesisTrial trial{stage, setting, 0.3};
+  trial.draw(1, 0);
+  CHECK(trial.answer(ThesisSolver::numeric).status(radians(0.001)) == ThesisStatus::success);
+  for (const ThesisSolver solver : {ThesisSolver::dlib, ThesisSolver::swarm}) {
+    const ThesisAnswer answer = trial.answer(solver);
+    INFO(word(solver));
+    CHECK(answer.rms < 20); // px; offsets of degrees move corners by far more
+    CHECK(answer.errors.norm() < trial.offsets().norm());
+  }
+}
+
 TEST_CASE("statuses are told apart in the thesis's order") {
   // Proves the order of the questions on made-up answers, not that searches end so.
   ThesisAnswer answer{.solved = true, .rms = 0.5, .rmsTolerance = 1, .errors = Eigen::Vector2d{0, -radians(0.15)}};

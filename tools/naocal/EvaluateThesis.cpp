@@ -97,6 +97,12 @@ void addEvaluateThesis(CLI::App& evaluate) {
   thesis->add_option("--pixel", command->evaluation.pixel, "corner noise where there is any [px]")
       ->check(CLI::Range(0.001, 100.0))
       ->capture_default_str();
+  thesis
+      ->add_option("--others", command->evaluation.others,
+                   "sets of table 5.5 for dlib's find_min_global and a particle swarm too, ten times as many for "
+                   "Levenberg-Marquardt with numeric derivatives")
+      ->check(CLI::Range(0, 10'000))
+      ->capture_default_str();
   thesis->add_option("--tolerance", command->tolerance, "of the tables that are printed [deg]; the JSON has all")
       ->check(CLI::Range(toleranceDegrees(0), toleranceDegrees(toleranceCount - 1)))
       ->capture_default_str();

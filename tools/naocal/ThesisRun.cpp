@@ -66,6 +66,9 @@ private:
     trial.draw(evaluation_.seed, set);
     const std::vector<double> limit = trial.limit(draws);
     for (const ThesisSolver solver : solvers_) {
+      if (set >= evaluation_.setsOf(solver)) {
+        continue;
+      }
       const auto start = std::chrono::steady_clock::now();
       const ThesisAnswer answer = trial.answer(solver);
       own[solver].seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -87,7 +90,14 @@ private:
 
 void runThesis(ThesisEvaluation& evaluation, unsigned jobs, const std::function<void()>& keep) {
   const Robot robot = loadRobot(configurationDirectory(), "V6");
-  const auto settings = thesisSettings();
+  auto settings = thesisSettings();
+  for (auto& [setting, solvers] : settings) {
+    for (const ThesisSolver solver : {ThesisSolver::numeric, ThesisSolver::dlib, ThesisSolver::swarm}) {
+      if (ofTable55(setting) && evaluation.setsOf(solver) > 0) {
+        solvers.push_back(solver);
+      }
+    }
+  }
   std::map<ThesisFeature, std::vector<Eigen::VectorXd>> poses;
   const Progress progress{"error sets"};
   std::mutex telling;

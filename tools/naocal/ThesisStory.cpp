@@ -75,6 +75,23 @@ void printTable(const ThesisEvaluation& evaluation, const std::string& table, st
   }
 }
 
+/// What other solvers make of table 5.5's sets, where they were tried.
+void printOthers(const ThesisEvaluation& evaluation, std::size_t tolerance) {
+  const auto perSolve = [](const ThesisTally& tally) { return 1e3 * tally.seconds / static_cast<double>(tally.sets); };
+  for (const auto& [setting, solvers] : thesisSettings()) {
+    if (!ofTable55(setting) || !evaluation.tally(setting, ThesisSolver::numeric)) {
+      continue;
+    }
+    fmt::print("\nother solvers, {}:\n", setting.name());
+    for (const ThesisSolver solver : allSolvers) {
+      if (const ThesisTally* tally = evaluation.tally(setting, solver)) {
+        fmt::print("  {:<17} {:>6} sets {:>7.1f} % {:>10.3f} ms each\n", word(solver), tally->sets,
+                   100 * tally->successAt(tolerance), perSolve(*tally));
+      }
+    }
+  }
+}
+
 /// How ours fares against plain Levenberg-Marquardt on the same sets, and against the limit.
 struct Standing {
   std::size_t settings = 0, atLeastPlain = 0, nearLimit = 0, noiseless = 0, perfect = 0;
@@ -140,6 +157,7 @@ void printThesisTables(const ThesisEvaluation& evaluation, double degrees) {
   for (const char* table : {"5.5", "5.6", "5.7", "5.8"}) {
     printTable(evaluation, table, tolerance);
   }
+  printOthers(evaluation, tolerance);
   printSummary(evaluation, tolerance);
 }
 

@@ -72,6 +72,10 @@ std::vector<ThesisCell> thesisCells() {
   return cells;
 }
 
+bool ofTable55(const ThesisSetting& setting) {
+  return setting.feature == ThesisFeature::grid && setting.poses == 3 && setting.noise == ThesisNoise::none;
+}
+
 std::vector<std::pair<ThesisSetting, std::vector<ThesisSolver>>> thesisSettings() {
   std::map<ThesisSetting, std::set<ThesisSolver>> settings;
   for (const ThesisCell& cell : thesisCells()) {
@@ -97,7 +101,7 @@ std::string_view word(AngleNoise noise) {
 }
 
 std::string_view word(ThesisSolver solver) {
-  return std::array{"lm", "lm-random-starts", "ours"}.at(static_cast<std::size_t>(solver));
+  return std::array{"lm", "lm-random-starts", "ours", "lm-numeric", "dlib", "pso"}.at(static_cast<std::size_t>(solver));
 }
 
 } // namespace naocal

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -20,8 +21,11 @@ enum class ThesisNoise { none, pixel, joint, both };
 enum class AngleNoise { radians, degrees, encoder };
 
 /// Plain Levenberg-Marquardt on pixels, all alike, from zero; the best of it from random starts; and ours: corners
-/// weighed with the readings' noise marginalised, offsets with their prior.
-enum class ThesisSolver { plain, randomStarts, ours };
+/// weighed with the readings' noise marginalised, offsets with their prior. For comparison on some sets: plain with
+/// central differences instead of our derivatives, dlib's find_min_global, and a particle swarm.
+enum class ThesisSolver { plain, randomStarts, ours, numeric, dlib, swarm };
+constexpr std::array allSolvers{ThesisSolver::ours,    ThesisSolver::plain, ThesisSolver::randomStarts,
+                                ThesisSolver::numeric, ThesisSolver::dlib,  ThesisSolver::swarm};
 
 /// Everything that decides about an error set but its number.
 struct ThesisSetting {
@@ -53,6 +57,9 @@ struct ThesisCell {
 /// All cells, by table. Table 5.5 is printed without its feature and poses: its 13 % of failures are the grid's 3 poses
 /// of table 5.6.
 std::vector<ThesisCell> thesisCells();
+
+/// Whether it is one of table 5.5, on which other solvers are compared.
+bool ofTable55(const ThesisSetting& setting);
 
 /// The settings of all cells, each once, and which solvers they are for: ours and plain for all.
 std::vector<std::pair<ThesisSetting, std::vector<ThesisSolver>>> thesisSettings();

@@ -8,6 +8,21 @@
 
 namespace naocal {
 
+std::size_t ThesisEvaluation::setsOf(ThesisSolver solver) const {
+  switch (solver) {
+  case ThesisSolver::numeric:
+    return std::min(sets, 10 * others);
+  case ThesisSolver::dlib:
+  case ThesisSolver::swarm:
+    return std::min(sets, others);
+  case ThesisSolver::plain:
+  case ThesisSolver::randomStarts:
+  case ThesisSolver::ours:
+    break;
+  }
+  return sets;
+}
+
 const ThesisTally* ThesisEvaluation::tally(const ThesisSetting& setting, ThesisSolver solver) const {
   const auto found = std::find_if(outcomes.begin(), outcomes.end(), [&](const ThesisOutcome& outcome) {
     return outcome.setting == setting && outcome.solver == solver;

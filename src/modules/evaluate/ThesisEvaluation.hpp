@@ -24,6 +24,10 @@ struct ThesisEvaluation {
   std::vector<std::size_t> done = {};   // which parts
   std::vector<std::string> joints = {}; // whose offsets are found
   std::vector<ThesisOutcome> outcomes;
+  std::size_t others = 0; // sets of table 5.5 for each solver that is only compared, ten times as many for `numeric`
+
+  /// How many of the sets a solver gets.
+  std::size_t setsOf(ThesisSolver solver) const;
 
   /// nullptr: not evaluated.
   const ThesisTally* tally(const ThesisSetting& setting, ThesisSolver solver) const;

@@ -106,7 +106,7 @@ ThesisTally tallyAt(const JsonPlace& cell, const std::vector<std::string>& joint
 nlohmann::json evaluationJson(const ThesisEvaluation& evaluation) {
   nlohmann::json cells = nlohmann::json::array();
   for (const ThesisCell& cell : thesisCells()) {
-    for (const ThesisSolver solver : {ThesisSolver::ours, ThesisSolver::plain, ThesisSolver::randomStarts}) {
+    for (const ThesisSolver solver : allSolvers) {
       if (const ThesisTally* tally = evaluation.tally(cell.setting, solver)) {
         cells.push_back(cellJson(cell, solver, *tally, evaluation.joints));
       }
@@ -153,8 +153,7 @@ ThesisEvaluation readEvaluation(const std::filesystem::path& file) {
   }
   for (const JsonPlace& cell : top.at("cells").elements()) {
     const ThesisSetting setting = settingAt(cell);
-    const auto solver =
-        wordAt<ThesisSolver>(cell, "solver", {ThesisSolver::plain, ThesisSolver::randomStarts, ThesisSolver::ours});
+    const auto solver = wordAt<ThesisSolver>(cell, "solver", {allSolvers.begin(), allSolvers.end()});
     if (!result.tally(setting, solver)) { // a setting may be in two tables
       result.outcomes.push_back({setting, solver, tallyAt(cell, result.joints)});
     }

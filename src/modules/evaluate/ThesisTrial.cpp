@@ -1,5 +1,7 @@
 #include "evaluate/ThesisTrial.hpp"
 
+#include "evaluate/GlobalSearch.hpp"
+#include "evaluate/NumericPixels.hpp"
 #include "geometry/Index.hpp"
 #include "solve/LevenbergMarquardt.hpp"
 
@@ -32,6 +34,7 @@ struct ThesisTrial::Search {
   bool ended = false; // by itself, in a possible state
   Eigen::VectorXd offsets;
   double cost = std::numeric_limits<double>::infinity();
+  double sigma = 0; // the largest of an offset, where costs are halves of chi2
   bool better(const Search& other) const { return ended && (!other.ended || cost < other.cost); }
 };
 
@@ -75,18 +78,25 @@ Eigen::VectorXd ThesisTrial::randomStart() {
   return start;
 }
 
-ThesisTrial::Search ThesisTrial::search(const Residuals& residuals, const Eigen::VectorXd& start) {
-  constexpr double smallestFall = 1e-7; // a thousandth of the noise, or of a pixel
-  auto minimum = levenbergMarquardt(residuals, residuals.start(start), {.smallestFall = smallestFall});
-  return minimum ? Search{minimum->converged, std::move(minimum->state.unknowns), minimum->linear.cost} : Search{};
+template <typename Problem>
+ThesisTrial::Search ThesisTrial::search(const Problem& problem, const Residuals::State& start) {
+  constexpr double smallestFall = 1e-6; // a thousandth of the noise, or of a pixel
+  auto minimum = levenbergMarquardt(problem, start, {.smallestFall = smallestFall});
+  if (!minimum) {
+    return {};
+  }
+  const auto count = minimum->linear.hessian.rows();
+  const Eigen::MatrixXd covariance = minimum->linear.hessian.llt().solve(Eigen::MatrixXd::Identity(count, count));
+  return {minimum->converged, std::move(minimum->state.unknowns), minimum->linear.cost,
+          std::sqrt(covariance.diagonal().maxCoeff())};
 }
 
 /// The best of searches from zero and at random, until three have ended in it; at most fifty (the thesis's number).
 ThesisTrial::Search ThesisTrial::fromRandomStarts() {
   constexpr int most = 50, enough = 3;
-  Search best = search(*pixels_, Eigen::VectorXd::Zero(offsets_.size()));
+  Search best = search(*pixels_, pixels_->start(zero()));
   for (int tries = 1, same = best.ended ? 1 : 0; tries < most && same < enough; ++tries) {
-    Search next = search(*pixels_, randomStart());
+    Search next = search(*pixels_, pixels_->start(randomStart()));
     if (next.ended && std::abs(next.cost - best.cost) <= 1e-6 * (1 + best.cost)) {
       ++same;
     } else if (next.better(best)) {
@@ -98,23 +108,59 @@ ThesisTrial::Search ThesisTrial::fromRandomStarts() {
 }
 
 /// From zero; from random starts as well as long as what is left is more than the noise explains (five sigmas of chi2).
+/// Where only pixels are noisy and the pictures alone tell every offset, the prior does not count in the end.
 ThesisTrial::Search ThesisTrial::ours() {
   constexpr int most = 20;
-  Search best = search(*whitened_, Eigen::VectorXd::Zero(offsets_.size()));
+  constexpr double needed = 0.01; // of an offset, whose prior has 0.1 [rad]
+  Search best = search(*whitened_, whitened_->start(zero()));
   const double explained = 0.5 * (numbers_ + 5 * std::sqrt(2 * numbers_));
   for (int tries = 1; tries < most && !(best.ended && best.cost < explained); ++tries) {
-    if (Search next = search(*whitened_, randomStart()); next.better(best)) {
+    if (Search next = search(*whitened_, whitened_->start(randomStart())); next.better(best)) {
       best = std::move(next);
+    }
+  }
+  if (!setting_.angleNoise() && best.ended && best.sigma < needed) {
+    const Residuals flat{taken_, plainModel_, noise_};
+    if (Search last = search(flat, flat.start(best.offsets)); last.ended) {
+      return last;
     }
   }
   return best;
 }
 
+/// Costs of a swarm's or dlib's search: as many as these can do in about a second.
+ThesisTrial::Search ThesisTrial::byCostsOnly(ThesisSolver solver) {
+  constexpr std::size_t swarmCalls = 40'000, dlibCalls = 500;
+  const Cost cost = [this](const Eigen::VectorXd& offsets) {
+    const auto there = pixels_->linearised(pixels_->start(offsets));
+    return there ? there->cost : std::numeric_limits<double>::infinity();
+  };
+  Search result{true, solver == ThesisSolver::dlib
+                          ? dlibMinimum(cost, offsets_.size(), mostError, dlibCalls)
+                          : swarmMinimum(cost, offsets_.size(), mostError, swarmCalls, starts_->below(1u << 31))};
+  result.cost = cost(result.offsets);
+  return result;
+}
+
+ThesisTrial::Search ThesisTrial::found(ThesisSolver solver) {
+  switch (solver) {
+  case ThesisSolver::plain:
+    break;
+  case ThesisSolver::randomStarts:
+    return fromRandomStarts();
+  case ThesisSolver::ours:
+    return ours();
+  case ThesisSolver::numeric:
+    return search(NumericPixels{*pixels_}, pixels_->start(zero()));
+  case ThesisSolver::dlib:
+  case ThesisSolver::swarm:
+    return byCostsOnly(solver);
+  }
+  return search(*pixels_, pixels_->start(zero()));
+}
+
 ThesisAnswer ThesisTrial::answer(ThesisSolver solver) {
-  const Search found = solver == ThesisSolver::ours ? ours()
-                       : solver == ThesisSolver::randomStarts
-                           ? fromRandomStarts()
-                           : search(*pixels_, Eigen::VectorXd::Zero(offsets_.size()));
+  const Search found = this->found(solver);
   const auto there = found.ended ? pixels_->linearised(pixels_->start(found.offsets)) : std::nullopt;
   if (!there) {
     return {};

@@ -40,9 +40,12 @@ public:
 
 private:
   struct Search;
-  static Search search(const Residuals& residuals, const Eigen::VectorXd& start);
+  template <typename Problem> static Search search(const Problem& problem, const Residuals::State& start);
+  Search found(ThesisSolver solver);
   Search fromRandomStarts();
   Search ours();
+  Search byCostsOnly(ThesisSolver solver);
+  Eigen::VectorXd zero() const { return Eigen::VectorXd::Zero(offsets_.size()); }
   Eigen::VectorXd randomStart();
 
   const ThesisStage& stage_;
