@@ -176,6 +176,7 @@ TEST_CASE("a plan's poses are in order and reached safely, and its boards lie fr
   for (const PosePlan* plan : {&example(), &right}) {
     PoseOptions other = plan->options.poses;
     other.seed += 1;
+    const WayChecks checks{v6(), other, {.share = 0.95, .step = 0.02}};
     int without = 0;
     for (std::size_t i = 1; i < plan->poses.size(); ++i) {
       if (!plan->ways[i]) {
@@ -186,7 +187,7 @@ TEST_CASE("a plan's poses are in order and reached safely, and its boards lie fr
       std::vector<Eigen::VectorXd> stops = plan->ways[i]->via;
       stops.push_back(plan->poses[i].pose.angles);
       for (const Eigen::VectorXd& stop : stops) {
-        CHECK(secondsOnTheWay(v6(), other, last, stop, {.share = 0.95, .step = 0.02}));
+        CHECK(checks.seconds(last, stop));
         last = stop;
       }
     }

@@ -53,27 +53,37 @@ void printFloor(const PosePlan& plan) {
   for (const std::string& row : floor) {
     fmt::print("  {}\n", row);
   }
-  for (const Board& board : plan.boards) {
+  for (std::size_t i = 0; i < plan.boards.size(); ++i) {
+    const Board& board = plan.boards[i];
     const Placement& place = *board.placement;
-    fmt::print("  {}: its corner {:5.2f} m ahead, {:5.2f} m to the {}, turned by {:4.0f} °\n", board.id, place.x,
-               std::abs(place.y), place.y >= 0 ? "left " : "right", degrees(place.yaw));
+    fmt::print(
+        "  {}: its corner {:5.2f} m ahead, {:5.2f} m to the {}, turned by {:4.0f} °; may be off by {:.0f} cm, {:.0f} "
+        "°\n",
+        board.id, place.x, std::abs(place.y), place.y >= 0 ? "left " : "right", degrees(place.yaw),
+        100 * plan.tolerances[i].shift, degrees(plan.tolerances[i].turn));
   }
+  fmt::print("  (off by more, a board alone makes the worst offset a tenth more uncertain, or a pose sees none; beyond "
+             "30 cm and 45 ° "
+             "was not looked)\n");
 }
 
 void printWay(const PosePlan& plan) {
-  double seconds = 0;
-  std::size_t missing = 0, round = 0;
-  for (std::size_t i = 1; i < plan.ways.size(); ++i) {
-    seconds += plan.ways[i] ? plan.ways[i]->seconds : 0;
-    missing += plan.ways[i] ? 0 : 1;
-    round += plan.ways[i] && !plan.ways[i]->via.empty() ? 1 : 0;
+  double seconds = plan.options.secondsPerPose * static_cast<double>(plan.poses.size());
+  std::size_t ways = 0, round = 0, straight = 0;
+  for (std::size_t i = plan.kept + 1; i < plan.ways.size(); ++i) {
+    const bool otherFoot = plan.poses[i].pose.supportFoot != plan.poses[i - 1].pose.supportFoot;
+    ways += otherFoot ? 0 : 1;
+    if (plan.ways[i]) {
+      seconds += plan.ways[i]->seconds;
+      ++(plan.ways[i]->via.empty() ? straight : round);
+    }
   }
-  fmt::print("\n{:.0f} s on the way from pose to pose; {} of {} ways lead straight on", seconds,
-             plan.ways.size() - 1 - missing - round, plan.ways.size() - 1);
+  fmt::print("\n{:.0f} s to play, {:.0f} s of rest in each pose included; {} of {} ways lead straight on", seconds,
+             plan.options.secondsPerPose, straight, ways);
   if (round > 0) {
     fmt::print(", {} by other postures (\"via\")", round);
   }
-  if (missing > 0) {
+  if (const std::size_t missing = ways - straight - round; missing > 0) {
     fmt::print(", {} are not safe: stand on both feet in between", missing);
   }
   fmt::print("\n");

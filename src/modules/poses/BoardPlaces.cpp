@@ -7,12 +7,6 @@
 
 namespace naocal {
 
-namespace {
-
-constexpr double betweenFeet = 0.1; // their middles, side by side [m]
-
-} // namespace
-
 BoardPlaces::BoardPlaces(const Robot& robot, SupportFoot supportFoot, double farthest, double gap)
     : farthest_{farthest}, gap_{gap} {
   feet_ = {supportSole(robot, supportFoot).outline, otherSole(robot, supportFoot).outline};

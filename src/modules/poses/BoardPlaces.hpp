@@ -11,6 +11,13 @@ namespace naocal {
 /// The squares of a board on the floor and `margin` around them [m], counter-clockwise.
 Outline sheet(const Board& board, double margin = 0);
 
+/// The distance of two soles that stand side by side [m].
+constexpr double betweenFeet = 0.1;
+/// y of the line between them in the frame of the one that the robot stands on [m].
+constexpr double middleBetweenFeet(SupportFoot supportFoot) {
+  return supportFoot == SupportFoot::right ? betweenFeet / 2 : -betweenFeet / 2;
+}
+
 /// Where boards may lie on the floor around a robot.
 class BoardPlaces {
 public:

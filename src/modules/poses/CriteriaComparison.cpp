@@ -29,7 +29,7 @@ std::vector<CriterionResult> compareCriteria(const Robot& robot, const std::vect
                                              const std::map<std::string, CameraIntrinsics>& cameras,
                                              const PlanOptions& options, const std::vector<SievedPose>& candidates) {
   std::vector<CriterionResult> result;
-  for (std::size_t criterion = 0; criterion < criterionNames.size(); ++criterion) {
+  for (std::size_t criterion = 0; criterion <= static_cast<std::size_t>(Criterion::interaction); ++criterion) {
     PlanOptions own = options;
     own.criterion = static_cast<Criterion>(criterion);
     const PlanScore score{robot, boards, cameras, own};

@@ -6,6 +6,7 @@
 #include "poses/PoseFile.hpp"
 #include "poses/PoseJson.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -32,8 +33,25 @@ Json assumptions(const PlanOptions& options) {
   return {{"noise", noiseJson(options.noise)},
           {"samples", 1},
           {"jointError", options.poses.stability.jointError},
-          {"boards", "placements in the frame of the sole that the robot stands on"},
+          {"boards",
+           "placements in the frame of the sole that the robot stands on; for poses on both feet in turn that "
+           "of the first pose, the other foot 0.1 m beside it"},
           {"unknowns", "joint offsets, rotations of both cameras, x, y and yaw of every board"}};
+}
+
+Json boardsWithTolerances(const PosePlan& plan) {
+  Json boards = boardsJson(plan.boards);
+  for (std::size_t i = 0; i < plan.tolerances.size(); ++i) {
+    boards[i]["tolerance"] = {{"shift", plan.tolerances[i].shift}, {"turn", plan.tolerances[i].turn}};
+  }
+  return boards;
+}
+
+/// One foot, or both in turn.
+std::string_view supportOf(const PosePlan& plan) {
+  const bool one = std::all_of(plan.poses.begin(), plan.poses.end(),
+                               [&](const ProposedPose& each) { return each.pose.supportFoot == plan.supportFoot; });
+  return supportFootWords[static_cast<std::size_t>(one ? plan.supportFoot : SupportFoot::both)];
 }
 
 Json comparisonJson(const PosePlan& plan) {
@@ -62,7 +80,7 @@ Json planJson(const PosePlan& plan, const Robot& robot) {
   Json result = {{"format", "naocal-poses"},
                  {"version", 1},
                  {"robot", robot.model},
-                 {"support", supportFootWords[static_cast<std::size_t>(plan.supportFoot)]},
+                 {"support", supportOf(plan)},
                  {"candidates",
                   {{"generated", plan.sieve.generated},
                    {"reachable", plan.sieve.reachable},
@@ -70,7 +88,7 @@ Json planJson(const PosePlan& plan, const Robot& robot) {
                    {"stable", plan.sieve.stable},
                    {"seeing", plan.sieve.seeing}}},
                  {"poses", poses},
-                 {"boards", boardsJson(plan.boards)},
+                 {"boards", boardsWithTolerances(plan)},
                  {"predictedSigma", plan.sigma},
                  {"predictedSigmaKnown", plan.sigmaKnown},
                  {"predictedSigmaOfRobots", plan.sigmaOfRobots},

@@ -1,6 +1,7 @@
 #include "poses/PlanRefinement.hpp"
 
 #include "poses/BoardPlaces.hpp"
+#include "poses/Mirror.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +11,11 @@ namespace naocal {
 
 void PlanRefinement::refinePoses(PlanDraft& draft) {
   const PlanScore score{robot_, draft.boards, cameras_, options_};
-  const PoseJudge& judge = score.judge();
   RandomAttitude attitudes{robot_, score.scene(), options_.poses};
   std::vector<Eigen::MatrixXd> own = score.parts(draft.poses);
   Eigen::MatrixXd sum = score.sum(draft.poses);
-  Sieve sieve;
+  double now = score.value(sum, draft.poses);
+  Sieve unused;
   const std::size_t attempts = options_.refinements * draft.poses.size();
   for (std::size_t attempt = 0; attempt < attempts; ++attempt) {
     const std::size_t i = attempt % draft.poses.size();
@@ -22,50 +23,60 @@ void PlanRefinement::refinePoses(PlanDraft& draft) {
     for (double& number : point) {
       number = std::clamp(number + step(attempt, attempts), 0.0, 1.0);
     }
-    const auto moved = attitudes.at(point, sieve);
+    auto moved = attitudes.at(point, unused);
     if (!moved) {
       continue;
     }
     const Eigen::MatrixXd part = score.parts({*moved}).front();
-    if (judge(sum - own[i] + part) < judge(sum)) {
-      sum += part - own[i];
+    const Eigen::MatrixXd with = sum - own[i] + part;
+    std::swap(draft.poses[i], *moved);
+    if (const double there = score.value(with, draft.poses); there < now) {
+      now = there;
+      sum = with;
       own[i] = part;
-      draft.poses[i] = *moved;
+    } else {
+      std::swap(draft.poses[i], *moved);
     }
   }
 }
 
 void PlanRefinement::refineBoards(PlanDraft& draft) {
   const BoardPlaces places{robot_, options_.poses.supportFoot, options_.farthestBoard, options_.gap};
+  const MirroredBoards mirror{draft.boards, middleBetweenFeet(options_.poses.supportFoot)};
   double now = value(draft);
   const std::size_t attempts = options_.refinements * draft.boards.size();
   for (std::size_t attempt = 0; attempt < attempts; ++attempt) {
     const std::size_t i = attempt % draft.boards.size();
+    const std::vector<Board> before = draft.boards;
     Placement& place = *draft.boards[i].placement;
-    const Placement before = place;
     const double size = 0.3 * step(attempt, attempts); // [m], of a typical move
     std::normal_distribution<double> move;
     place.x += size * move(random_);
     place.y += size * move(random_);
     place.yaw += 5 * size * move(random_);
-    if (const double there = places.allow(draft.boards, i) ? value(draft) : now; there < now) {
+    if (options_.mirrored) {
+      mirror.follow(draft.boards, i);
+    }
+    const bool allowed =
+        places.allow(draft.boards, i) && (!options_.mirrored || places.allow(draft.boards, mirror.mate(i)));
+    if (const double there = allowed ? value(draft) : now; there < now) {
       now = there;
     } else {
-      place = before;
+      draft.boards = before;
     }
   }
 }
 
 double PlanRefinement::value(const PlanDraft& draft) const {
   const PlanScore score{robot_, draft.boards, cameras_, options_};
-  Eigen::MatrixXd sum = score.judge().prior();
+  Eigen::MatrixXd sum = score.known();
   for (const Eigen::MatrixXd& part : score.parts(draft.poses)) {
     if (part.isZero()) {
       return std::numeric_limits<double>::infinity(); // a pose that sees nothing
     }
     sum += part;
   }
-  return score.judge()(sum);
+  return score.value(sum, draft.poses);
 }
 
 double PlanRefinement::step(std::size_t attempt, std::size_t attempts) {

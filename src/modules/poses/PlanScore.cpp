@@ -1,5 +1,7 @@
 #include "poses/PlanScore.hpp"
 
+#include "poses/PoseOrder.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -10,7 +12,15 @@ PlanScore::PlanScore(const Robot& robot, const std::vector<Board>& boards,
                      const std::map<std::string, CameraIntrinsics>& cameras, const PlanOptions& options)
     : robot_{robot}, cameras_{cameras}, options_{options}, scene_{robot, supportSole(robot, options.poses.supportFoot),
                                                                   boards, cameras, options.poses.sight},
-      judge_{robot, scene_, scene_.joints(), options.criterion, options.known} {}
+      judge_{robot, scene_, scene_.joints(), options.criterion, options.known}, known_{judge_.prior()} {
+  for (const Eigen::VectorXd& angles : options.kept) {
+    kept_.push_back({scene_.drawn(), {}, 0});
+    kept_.back().belief.values.head(angles.size()) = angles;
+  }
+  for (const Eigen::MatrixXd& part : parts(kept_)) {
+    known_ += part;
+  }
+}
 
 ThesisSelection PlanScore::thesis() const {
   return {robot_, supportSole(robot_, options_.poses.supportFoot), cameras_, judge_.joints(), options_.weights};
@@ -23,7 +33,7 @@ Interaction PlanScore::interaction(const std::vector<SievedPose>& poses) const {
 std::vector<SievedPose> PlanScore::best(const std::vector<SievedPose>& candidates, std::size_t count) const {
   const std::vector<std::size_t> indices = options_.criterion == Criterion::interaction
                                                ? thesis().chain(candidates, count)
-                                               : selected(judge_, judge_.prior(), parts(candidates), count);
+                                               : selected(judge_, known_, parts(candidates), count);
   std::vector<SievedPose> result;
   for (const std::size_t index : indices) {
     result.push_back(candidates[index]);
@@ -40,18 +50,33 @@ std::vector<Eigen::MatrixXd> PlanScore::parts(const std::vector<SievedPose>& pos
 }
 
 Eigen::MatrixXd PlanScore::sum(const std::vector<SievedPose>& poses) const {
-  Eigen::MatrixXd result = judge_.prior();
+  Eigen::MatrixXd result = known_;
   for (const Eigen::MatrixXd& part : parts(poses)) {
     result += part;
   }
   return result;
 }
 
+double PlanScore::worstSigma(const Eigen::MatrixXd& sum) const {
+  return std::sqrt(judge_.covariance(sum).diagonal().maxCoeff());
+}
+
+double PlanScore::value(const Eigen::MatrixXd& sum, const std::vector<SievedPose>& poses) const {
+  if (options_.criterion != Criterion::time) {
+    return judge_(sum);
+  }
+  constexpr double farMore = 1e6;
+  const double missing = worstSigma(sum) / options_.sigma;
+  return missing > 1 ? farMore * missing : secondsToPlay(robot_, poses, options_.secondsPerPose);
+}
+
 std::map<std::string, double> PlanScore::sigmas(const std::vector<SievedPose>& poses, bool known) const {
   const PoseJudge judge{robot_, scene_, judge_.joints(), options_.criterion, known};
   Eigen::MatrixXd sum = judge.prior();
-  for (const Eigen::MatrixXd& information : informations(robot_, scene_, poses, options_.noise)) {
-    sum += judge.part(information);
+  for (const std::vector<SievedPose>* each : {&kept_, &poses}) {
+    for (const Eigen::MatrixXd& information : informations(robot_, scene_, *each, options_.noise)) {
+      sum += judge.part(information);
+    }
   }
   return named(judge.covariance(sum).diagonal());
 }

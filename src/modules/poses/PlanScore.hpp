@@ -16,13 +16,17 @@ struct PlanOptions {
   std::map<std::string, double> weights; // of joints and cameras in the thesis's criterion, 1 where it has none
   bool compare = false;                  // all criteria on the same candidates
   Noise noise;
-  bool known = false;             // cameras and boards: their places are not to be estimated
-  bool moveBoards = true;         // else they lie where they are given
-  double farthestBoard = 1.3;     // middle of a board from the support sole [m]
-  double gap = 0.02;              // between boards, and from the robot's feet [m]
-  std::size_t starts = 4;         // plans that are begun in different ways and refined; the best goes on
-  std::size_t rounds = 3;         // of refining poses and boards twice, the first for every start
-  std::size_t refinements = 1000; // tries per pose and per board in a round
+  bool known = false;          // cameras and boards: their places are not to be estimated
+  bool moveBoards = true;      // else they lie where they are given
+  bool mirrored = false;       // boards lie symmetrically to the middle between the feet, for both feet's poses
+  double sigma = radians(0.2); // that `time` must reach [rad]
+  double secondsPerPose = 1;   // to come to rest and take pictures [s]
+  std::vector<Eigen::VectorXd> kept = {}; // angles of poses that are taken besides [rad]
+  double farthestBoard = 1.3;             // middle of a board from the support sole [m]
+  double gap = 0.02;                      // between boards, and from the robot's feet [m]
+  std::size_t starts = 4;                 // plans that are begun in different ways and refined; the best goes on
+  std::size_t rounds = 3;                 // of refining poses and boards twice, the first for every start
+  std::size_t refinements = 1000;         // tries per pose and per board in a round
 };
 
 /// What sets of poses tell of the joint offsets, with the boards where they are.
@@ -33,6 +37,8 @@ public:
 
   const Scene& scene() const { return scene_; }
   const PoseJudge& judge() const { return judge_; }
+  /// Poses that are taken besides (PlanOptions::kept).
+  const std::vector<SievedPose>& kept() const { return kept_; }
 
   /// The best set of `count` poses that is found by the criterion; the thesis's may be smaller.
   std::vector<SievedPose> best(const std::vector<SievedPose>& candidates, std::size_t count) const;
@@ -42,6 +48,14 @@ public:
   std::vector<Eigen::MatrixXd> parts(const std::vector<SievedPose>& poses) const;
   /// That of all of them and what is known before.
   Eigen::MatrixXd sum(const std::vector<SievedPose>& poses) const;
+  /// What is known before: priors, and the poses that are kept.
+  const Eigen::MatrixXd& known() const { return known_; }
+
+  /// To be made small; `sum` is that of the poses. For `time` the seconds to play them, far more where they do not
+  /// reach the sigma that is asked for.
+  double value(const Eigen::MatrixXd& sum, const std::vector<SievedPose>& poses) const;
+  /// Of an offset, by a sum [rad].
+  double worstSigma(const Eigen::MatrixXd& sum) const;
 
   /// Predicted standard deviation per joint's offset for the drawn robot; `known`: cameras' and boards' places are
   /// [rad].
@@ -60,6 +74,8 @@ private:
   const PlanOptions& options_;
   Scene scene_;
   PoseJudge judge_;
+  std::vector<SievedPose> kept_;
+  Eigen::MatrixXd known_;
 };
 
 } // namespace naocal

@@ -26,8 +26,9 @@ struct PlayablePose {
 
 /// POSES.json, as far as it takes to play it.
 struct PoseFile {
-  std::vector<PlayablePose> poses; // in the order to take them
-  int firstStance = 0;             // the number of the first stance that they are taken in
+  std::vector<PlayablePose> poses;         // in the order to take them
+  std::map<std::string, Placement> boards; // where they lie, seen from the sole, by id; empty: the file does not say
+  int firstStance = 0;                     // the number of the first stance that they are taken in
 };
 
 /// Throws InputError for a file that is none, is of another robot, or holds angles that its joints cannot take.

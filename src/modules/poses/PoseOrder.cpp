@@ -1,7 +1,5 @@
 #include "poses/PoseOrder.hpp"
 
-#include "poses/PoseChecks.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -65,6 +63,12 @@ std::vector<std::size_t> byDynamicProgramming(const Ways& seconds) {
   return order;
 }
 
+PoseOptions onTheWay(PoseOptions options, const Motion& motion) {
+  options.footing = {.depth = 0.01, .clearance = 0.005};
+  options.stability.share = motion.share;
+  return options;
+}
+
 } // namespace
 
 double secondsBetween(const Robot& robot, const Eigen::VectorXd& from, const Eigen::VectorXd& to, double speed) {
@@ -78,23 +82,39 @@ double secondsBetween(const Robot& robot, const Eigen::VectorXd& from, const Eig
   return seconds;
 }
 
-std::optional<double> secondsOnTheWay(const Robot& robot, const PoseOptions& options, const Eigen::VectorXd& from,
-                                      const Eigen::VectorXd& to, const Motion& motion) {
-  PoseOptions onTheWay = options;
-  onTheWay.footing = {.depth = 0.01, .clearance = 0.005};
-  onTheWay.stability.share = motion.share;
-  const PoseChecks checks{robot, onTheWay};
-  std::mt19937_64 random{options.seed};
-  Belief belief = drawnBelief(robot, Quantities{robot.joints.size(), robot.lengths.size(), 0});
-  const int steps = std::max(1, static_cast<int>(std::ceil((to - from).cwiseAbs().maxCoeff() / motion.step)));
+WayChecks::WayChecks(const Robot& robot, const PoseOptions& options, const Motion& motion)
+    : robot_{robot}, motion_{motion}, options_{onTheWay(options, motion)}, checks_{robot, options_} {}
+
+std::optional<double> WayChecks::seconds(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const {
+  std::mt19937_64 random{options_.seed};
+  Belief belief = drawnBelief(robot_, Quantities{robot_.joints.size(), robot_.lengths.size(), 0});
+  const int steps = std::max(1, static_cast<int>(std::ceil((to - from).cwiseAbs().maxCoeff() / motion_.step)));
   for (int i = 1; i < steps; ++i) {
     belief.values.head(from.size()) = from + (to - from) * i / steps;
-    const Posture torsoFromLink = posture(robot, belief);
-    if (checks.touchesItself(torsoFromLink) || !checks.standing(belief, torsoFromLink, random)) {
+    const Posture torsoFromLink = posture(robot_, belief);
+    if (checks_.touchesItself(torsoFromLink) || !checks_.standing(belief, torsoFromLink, random)) {
       return std::nullopt;
     }
   }
-  return secondsBetween(robot, from, to, motion.speed);
+  return secondsBetween(robot_, from, to, motion_.speed);
+}
+
+double secondsToPlay(const Robot& robot, const std::vector<SievedPose>& poses, double secondsPerPose) {
+  const auto joints = static_cast<Eigen::Index>(robot.joints.size());
+  const double speed = Motion{}.speed;
+  Ways seconds(poses.size(), std::vector<std::optional<double>>(poses.size()));
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      seconds[i][k] =
+          secondsBetween(robot, poses[i].belief.values.head(joints), poses[k].belief.values.head(joints), speed);
+    }
+  }
+  double sum = secondsPerPose * static_cast<double>(poses.size());
+  const std::vector<std::size_t> order = quickestOrder(seconds).value_or(std::vector<std::size_t>{});
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    sum += *seconds[order[i - 1]][order[i]];
+  }
+  return sum;
 }
 
 std::optional<std::vector<std::size_t>> quickestOrder(const Ways& seconds) {

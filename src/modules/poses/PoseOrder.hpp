@@ -1,6 +1,7 @@
 #pragma once
 
-#include "poses/PoseOptions.hpp"
+#include "poses/PoseChecks.hpp"
+#include "poses/RandomAttitude.hpp"
 
 #include <optional>
 #include <vector>
@@ -18,13 +19,30 @@ struct Motion {
 /// From one pose to another (angles per joint), the slowest joint at a share `speed` of its full one [s].
 double secondsBetween(const Robot& robot, const Eigen::VectorXd& from, const Eigen::VectorXd& to, double speed);
 
-/// That of a motion; absent where the robot, or too many of those with joint errors, would fall over or touch itself on
-/// the way.
-std::optional<double> secondsOnTheWay(const Robot& robot, const PoseOptions& options, const Eigen::VectorXd& from,
-                                      const Eigen::VectorXd& to, const Motion& motion = {});
+/// Looks at the way between poses.
+class WayChecks {
+public:
+  WayChecks(const Robot& robot, const PoseOptions& options, const Motion& motion = {});
+  WayChecks(const WayChecks&) = delete;
+  WayChecks& operator=(const WayChecks&) = delete;
+
+  /// Of the motion from one to the other; absent where the robot, or too many of those with joint errors, would fall
+  /// over or touch itself on the way.
+  std::optional<double> seconds(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const;
+
+private:
+  const Robot& robot_;
+  Motion motion_;
+  PoseOptions options_; // on the way
+  PoseChecks checks_;
+};
 
 /// The quickest order to visit all poses, one after another: exact for up to 12 poses, else always the nearest next.
 /// `seconds[i][j]`: from i to j, absent where there is no way. Absent: there is no such order.
 std::optional<std::vector<std::size_t>> quickestOrder(const std::vector<std::vector<std::optional<double>>>& seconds);
+
+/// Straight on from pose to pose in the quickest order, and a rest in each [s]; whether the ways are safe is not looked
+/// at.
+double secondsToPlay(const Robot& robot, const std::vector<SievedPose>& poses, double secondsPerPose);
 
 } // namespace naocal

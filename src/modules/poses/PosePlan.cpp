@@ -1,12 +1,15 @@
 #include "poses/PosePlan.hpp"
 
 #include "captures/InputError.hpp"
+#include "poses/BoardPlaces.hpp"
+#include "poses/Mirror.hpp"
+#include "poses/MirroredPlan.hpp"
 #include "poses/PlanRefinement.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 #include <mutex>
-#include <numeric>
 #include <tbb/parallel_for.h>
 
 namespace naocal {
@@ -18,7 +21,14 @@ class Planner {
 public:
   Planner(const Robot& robot, std::vector<Board> boards, const std::map<std::string, CameraIntrinsics>& cameras,
           const PlanOptions& options, const std::function<void(const std::string&)>& tell)
-      : robot_{robot}, cameras_{cameras}, options_{options}, tell_{tell}, draft_{{}, std::move(boards)} {}
+      : robot_{robot}, cameras_{cameras}, options_{options}, tell_{tell}, draft_{{}, std::move(boards)} {
+    if (options_.mirrored) {
+      const MirroredBoards mirror{draft_.boards, middleBetweenFeet(options_.poses.supportFoot)};
+      for (std::size_t board = 0; board < draft_.boards.size(); ++board) {
+        mirror.follow(draft_.boards, board);
+      }
+    }
+  }
 
   PosePlan plan() {
     PosePlan result;
@@ -33,8 +43,11 @@ public:
       tell_("comparing what the criteria select");
       result.comparison = compareCriteria(robot_, draft_.boards, cameras_, options_, candidates.attitudes);
     }
-    chooseAndRefine(candidates.attitudes);
-    bringIntoOrder(result);
+    if (options_.criterion == Criterion::time) {
+      chooseQuickest(candidates.attitudes);
+    } else {
+      chooseAndRefine(candidates.attitudes);
+    }
     describe(result);
     result.sieve = candidates.sieve;
     return result;
@@ -63,11 +76,39 @@ private:
     }
   }
 
+  /// As few poses as reach the sigma, and more as long as that saves time.
+  void chooseQuickest(const std::vector<SievedPose>& attitudes) {
+    constexpr double reached = 1e5; // [s]
+    const std::size_t most = options_.poses.count;
+    PlanDraft best;
+    double least = std::numeric_limits<double>::infinity();
+    for (options_.poses.count = 2; options_.poses.count <= most; ++options_.poses.count) {
+      PlanDraft draft{score().best(attitudes, options_.poses.count), draft_.boards};
+      refine(draft, attitudes, options_.poses.count);
+      const double there = value(draft);
+      if (there > least && least < reached) {
+        break;
+      }
+      if (there < least) {
+        least = there;
+        best = std::move(draft);
+      }
+    }
+    if (least > reached) {
+      throw InputError{
+          fmt::format("expected at most {} poses to tell every offset to {:.3f} degrees, found {:.3f}; ask "
+                      "for more poses or less",
+                      most, degrees(options_.sigma), worst(best))};
+    }
+    draft_ = std::move(best);
+    options_.poses.count = draft_.poses.size();
+  }
+
   /// Refines what is drafted, and once more from what is then the best selection.
   void refine(PlanDraft& draft, std::vector<SievedPose> attitudes, std::uint64_t seed) {
     PlanRefinement refinement{robot_, cameras_, options_, options_.poses.seed + seed};
     for (const bool again : {false, true}) {
-      if (again) {
+      if (again && options_.criterion != Criterion::time) {
         attitudes.insert(attitudes.end(), draft.poses.begin(), draft.poses.end());
         draft.poses = PlanScore{robot_, draft.boards, cameras_, options_}.best(attitudes, options_.poses.count);
       }
@@ -76,53 +117,40 @@ private:
         refinement.refineBoards(draft);
       }
     }
+    const std::string found =
+        fmt::format("refined {} poses: the worst offset's sigma is {:.4f} deg", draft.poses.size(), worst(draft));
     const std::lock_guard lock{telling_};
-    tell_(fmt::format("refined: the worst offset's sigma is {:.4f} deg", worst(draft)));
+    tell_(found);
   }
 
   double value(const PlanDraft& draft) const {
     const PlanScore here{robot_, draft.boards, cameras_, options_};
-    return here.judge()(here.sum(draft.poses));
+    return here.value(here.sum(draft.poses), draft.poses);
   }
 
   double worst(const PlanDraft& draft) const { // [deg]
-    double result = 0;
     const PlanScore here{robot_, draft.boards, cameras_, options_};
-    for (const auto& [joint, sigma] : here.sigmas(draft.poses, options_.known)) {
-      result = std::max(result, degrees(sigma));
-    }
-    return result;
+    return degrees(here.worstSigma(here.sum(draft.poses)));
   }
 
-  /// The quickest safe order; as they were selected where there is none.
-  void bringIntoOrder(PosePlan& result) {
+  void describe(PosePlan& result) {
     const PlanScore here = score();
-    const std::size_t count = draft_.poses.size();
-    std::vector<std::optional<PoseWay>> ways(count * count);
-    tbb::parallel_for(std::size_t{0}, count * count, [&](std::size_t i) {
-      ways[i] = safeWay(robot_, here.scene(), options_.poses, draft_.poses[i / count], draft_.poses[i % count]);
-    });
-    std::vector<std::vector<std::optional<double>>> seconds(count, std::vector<std::optional<double>>(count));
-    for (std::size_t i = 0; i < count * count; ++i) {
-      if (ways[i]) {
-        seconds[i / count][i % count] = ways[i]->seconds;
-      }
-    }
-    std::vector<std::size_t> order(count);
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    order = quickestOrder(seconds).value_or(order);
-    std::vector<SievedPose> ordered;
-    for (std::size_t i = 0; i < count; ++i) {
-      ordered.push_back(draft_.poses[order[i]]);
-      result.ways.push_back(i == 0 ? std::nullopt : ways[order[i - 1] * count + order[i]]);
-    }
-    draft_.poses = std::move(ordered);
-  }
-
-  void describe(PosePlan& result) const {
-    const PlanScore here = score();
+    PosesInOrder ordered = inOrder(robot_, here.scene(), options_.poses, std::move(draft_.poses));
+    draft_.poses = std::move(ordered.poses);
+    result.ways = std::move(ordered.ways);
+    result.supportFoot = options_.poses.supportFoot;
+    result.boards = draft_.boards;
+    result.sigma = here.sigmas(draft_.poses, false);
+    result.sigmaKnown = here.sigmas(draft_.poses, true);
+    result.sigmaOfRobots = here.sigmasOfRobots(draft_.poses);
+    result.interaction = here.interaction(draft_.poses);
+    result.tolerances = boardTolerances(robot_, draft_.boards, cameras_, options_, draft_.poses);
+    result.kept = options_.kept.size();
+    std::vector<SievedPose> all = here.kept();
+    all.insert(all.end(), draft_.poses.begin(), draft_.poses.end());
+    result.ways.insert(result.ways.begin(), result.kept, std::nullopt);
     const auto joints = static_cast<Eigen::Index>(robot_.joints.size());
-    for (const SievedPose& attitude : draft_.poses) {
+    for (const SievedPose& attitude : all) {
       Belief belief = here.scene().drawn();
       belief.values.head(joints) = attitude.belief.values.head(joints);
       result.poses.push_back({{options_.poses.supportFoot, belief.values.head(joints),
@@ -130,18 +158,15 @@ private:
                               Eigen::VectorXd::Zero(joints)});
       result.standing.push_back(attitude.standing);
     }
-    result.supportFoot = options_.poses.supportFoot;
-    result.boards = draft_.boards;
-    result.sigma = here.sigmas(draft_.poses, false);
-    result.sigmaKnown = here.sigmas(draft_.poses, true);
-    result.sigmaOfRobots = here.sigmasOfRobots(draft_.poses);
-    result.interaction = here.interaction(draft_.poses);
     result.options = options_;
+    if (options_.mirrored) {
+      addMirrored(result, robot_, cameras_);
+    }
   }
 
   const Robot& robot_;
   const std::map<std::string, CameraIntrinsics>& cameras_;
-  const PlanOptions& options_;
+  PlanOptions options_;
   const std::function<void(const std::string&)>& tell_;
   PlanDraft draft_;
   std::mutex telling_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "poses/BoardTolerance.hpp"
 #include "poses/CriteriaComparison.hpp"
 #include "poses/PlannedCaptures.hpp"
 #include "poses/PoseWays.hpp"
@@ -18,6 +19,8 @@ struct PosePlan {
   std::vector<std::optional<PoseWay>> ways; // per pose: from the one before it; absent: the first, or none is safe
   std::vector<double> standing;             // per pose: the share of robots with joint errors that stand so
   std::vector<Board> boards;                // placements in the support sole's frame
+  std::vector<BoardTolerance> tolerances;   // per board
+  std::size_t kept = 0;                     // of the poses, in front: taken besides, in an order of their own
   std::map<std::string, double> sigma, sigmaKnown; // per joint's offset; with cameras and boards known [rad]
   std::map<std::string, double> sigmaOfRobots;     // of robots with joint errors, root of the mean square [rad]
   Interaction interaction;                         // that the poses leave, by the thesis's measure

@@ -1,5 +1,6 @@
 #include "poses/PoseFile.hpp"
 
+#include "captures/BoardReader.hpp"
 #include "captures/CaptureWords.hpp"
 #include "captures/Files.hpp"
 #include "captures/JsonPlace.hpp"
@@ -85,6 +86,11 @@ PoseFile readPoseFile(const std::filesystem::path& file, const Robot& robot) {
   PoseFile result;
   if (const auto stance = all.find("firstStance")) {
     result.firstStance = stance->integer(0, 1'000'000);
+  }
+  if (const auto boards = all.find("boards")) {
+    for (const JsonPlace& board : boards->elements()) {
+      result.boards[board.at("id").text()] = readFloorPlacement(board.at("placement"));
+    }
   }
   for (const JsonPlace& pose : all.at("poses").elements()) {
     result.poses.push_back(poseFrom(pose, robot));

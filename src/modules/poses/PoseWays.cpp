@@ -1,12 +1,15 @@
 #include "poses/PoseWays.hpp"
 
+#include <numeric>
+#include <tbb/parallel_for.h>
+
 namespace naocal {
 
 std::optional<PoseWay> safeWay(const Robot& robot, const Scene& scene, const PoseOptions& options,
-                               const SievedPose& from, const SievedPose& to) {
+                               const WayChecks& checks, const SievedPose& from, const SievedPose& to) {
   const auto joints = static_cast<Eigen::Index>(robot.joints.size());
   const Eigen::VectorXd start = from.belief.values.head(joints), end = to.belief.values.head(joints);
-  if (const auto straight = secondsOnTheWay(robot, options, start, end)) {
+  if (const auto straight = checks.seconds(start, end)) {
     return PoseWay{{}, *straight};
   }
   RandomAttitude attitudes{robot, scene, options};
@@ -19,7 +22,7 @@ std::optional<PoseWay> safeWay(const Robot& robot, const Scene& scene, const Pos
         point[k] = from.point[k] + (to.point[k] - from.point[k]) * i / parts;
       }
       const auto reached = i == parts ? std::optional{to.belief} : attitudes.reached(point);
-      const auto seconds = reached ? secondsOnTheWay(robot, options, last, reached->values.head(joints)) : std::nullopt;
+      const auto seconds = reached ? checks.seconds(last, reached->values.head(joints)) : std::nullopt;
       if (!seconds) {
         break;
       }
@@ -32,6 +35,31 @@ std::optional<PoseWay> safeWay(const Robot& robot, const Scene& scene, const Pos
     }
   }
   return std::nullopt;
+}
+
+PosesInOrder inOrder(const Robot& robot, const Scene& scene, const PoseOptions& options,
+                     std::vector<SievedPose> poses) {
+  const std::size_t count = poses.size();
+  const WayChecks checks{robot, options};
+  std::vector<std::optional<PoseWay>> ways(count * count);
+  tbb::parallel_for(std::size_t{0}, count * count, [&](std::size_t i) {
+    ways[i] = safeWay(robot, scene, options, checks, poses[i / count], poses[i % count]);
+  });
+  std::vector<std::vector<std::optional<double>>> seconds(count, std::vector<std::optional<double>>(count));
+  for (std::size_t i = 0; i < count * count; ++i) {
+    if (ways[i]) {
+      seconds[i / count][i % count] = ways[i]->seconds;
+    }
+  }
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  order = quickestOrder(seconds).value_or(order);
+  PosesInOrder result;
+  for (std::size_t i = 0; i < count; ++i) {
+    result.poses.push_back(std::move(poses[order[i]]));
+    result.ways.push_back(i == 0 ? std::nullopt : ways[order[i - 1] * count + order[i]]);
+  }
+  return result;
 }
 
 } // namespace naocal

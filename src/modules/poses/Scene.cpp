@@ -88,7 +88,7 @@ Scene::Projection Scene::projection(const Outlook& outlook, Belief& belief, cons
       result.seen.push_back(static_cast<int>(corner));
     }
   }
-  if (result.seen.size() < limits_.corners) {
+  if (result.seen.size() < (limits_.wholeBoards ? board.points.size() : limits_.corners)) {
     result.seen.clear();
   }
   return result;

@@ -16,6 +16,7 @@ struct SightLimits {
   double grazing = radians(15);         // least angle between ray and board [rad]
   double border = 10;                   // least distance to the picture's edge [px]
   std::size_t corners = 8;              // a board with fewer is not seen
+  bool wholeBoards = false;             // nor is one that is not wholly in the picture
 };
 
 /// A board that a camera sees.

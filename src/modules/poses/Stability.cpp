@@ -49,6 +49,9 @@ std::optional<double> shareStanding(const Robot& robot, const Belief& belief, co
                                     const Stability& wanted, std::mt19937_64& random) {
   std::uniform_real_distribution<double> error{-wanted.jointError, wanted.jointError};
   const int mayFall = static_cast<int>(std::floor((1 - wanted.share) * wanted.draws + 1e-9));
+  if (wanted.draws == 0) {
+    return 1;
+  }
   Belief erroneous = belief;
   std::vector<double> errors(robot.joints.size());
   int fallen = 0;

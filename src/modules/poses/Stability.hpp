@@ -31,7 +31,7 @@ bool stands(const Robot& robot, const Posture& torsoFromLink, const Sole& suppor
             const Footing& least);
 
 /// The share of robots drawn that stand by the least Footing there is; absent, as soon as that is decided, where it is
-/// smaller than wanted.
+/// smaller than wanted. 1 where none are drawn.
 std::optional<double> shareStanding(const Robot& robot, const Belief& belief, const Sole& support, const Sole& other,
                                     const Stability& wanted, std::mt19937_64& random);
 

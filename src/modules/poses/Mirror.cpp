@@ -1,0 +1,93 @@
+#include "poses/Mirror.hpp"
+
+#include "captures/InputError.hpp"
+#include "geometry/Angles.hpp"
+#include "geometry/Index.hpp"
+#include "poses/BoardPlaces.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+namespace naocal {
+
+namespace {
+
+Eigen::Vector2d middleOf(const Board& board) {
+  const Outline corners = sheet(board);
+  return std::accumulate(corners.begin(), corners.end(), Eigen::Vector2d::Zero().eval()) /
+         static_cast<double>(corners.size());
+}
+
+std::string otherSide(const std::string& name) {
+  return name.starts_with('L') ? 'R' + name.substr(1) : name.starts_with('R') ? 'L' + name.substr(1) : name;
+}
+
+} // namespace
+
+Eigen::VectorXd mirrored(const Robot& robot, const Eigen::VectorXd& angles) {
+  Eigen::VectorXd result(angles.size());
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    const auto other = robot.jointIndex(otherSide(robot.joints[joint].name));
+    const Eigen::Vector3d image = Eigen::Vector3d{-1, 1, -1}.cwiseProduct(robot.joints[joint].axis); // of a turn
+    const double sign = other ? image.dot(robot.joints[*other].axis) : 0;
+    if (std::abs(std::abs(sign) - 1) > 1e-6) {
+      throw InputError{
+          fmt::format("the drawing of {}: expected a joint that is the mirror image of {}, found none; its "
+                      "poses cannot be mirrored",
+                      robot.model, robot.joints[joint].name)};
+    }
+    result[at(*other)] = std::round(sign) * angles[at(joint)];
+  }
+  return result;
+}
+
+Placement mirrored(const Board& board, double middle) {
+  // The sheet turns the other way; what was its lower edge is then its upper one.
+  Board image = board;
+  image.placement->yaw = -board.placement->yaw;
+  const Eigen::Vector2d wanted{middleOf(board).x(), 2 * middle - middleOf(board).y()};
+  const Eigen::Vector2d step = wanted - middleOf(image);
+  image.placement->x += step.x();
+  image.placement->y += step.y();
+  return *image.placement;
+}
+
+MirroredBoards::MirroredBoards(const std::vector<Board>& boards, double middle) : middle_{middle} {
+  mates_.assign(boards.size(), boards.size());
+  for (std::size_t i = 0; i < boards.size(); ++i) {
+    const Eigen::Vector2d image{middleOf(boards[i]).x(), 2 * middle - middleOf(boards[i]).y()};
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t nearest = i;
+    for (std::size_t k = i; k < boards.size() && mates_[i] == boards.size(); ++k) {
+      const double distance = (middleOf(boards[k]) - image).norm();
+      if (mates_[k] == boards.size() && boards[k].points.size() == boards[i].points.size() && distance < least) {
+        least = distance;
+        nearest = k;
+      }
+    }
+    if (mates_[i] == boards.size()) {
+      mates_[i] = nearest;
+      mates_[nearest] = i;
+    }
+  }
+}
+
+void MirroredBoards::follow(std::vector<Board>& boards, std::size_t moved) const {
+  Board& board = boards[moved];
+  if (mates_[moved] != moved) {
+    boards[mates_[moved]].placement = mirrored(board, middle_);
+    return;
+  }
+  constexpr double quarter = std::numbers::pi / 2;
+  const Eigen::Vector2d before = middleOf(board);
+  board.placement->yaw = quarter * std::round(board.placement->yaw / quarter);
+  const Eigen::Vector2d step = Eigen::Vector2d{before.x(), middle_} - middleOf(board);
+  board.placement->x += step.x();
+  board.placement->y += step.y();
+}
+
+} // namespace naocal

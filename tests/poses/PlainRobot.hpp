@@ -1,0 +1,155 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+/// A robot as its drawing's file has it, written without anything of src/modules: to check what these say.
+namespace plain {
+
+using Json = nlohmann::json;
+using Angles = std::map<std::string, double>; // [rad]
+constexpr double degree = 3.14159265358979323846 / 180;
+
+inline Json drawing(const std::string& model) {
+  const std::string folder = std::string{NAOCAL_SOURCE_DIR} + "/home/configuration/drawings/";
+  Json own = Json::parse(std::ifstream{folder + "Nao" + model + ".json"});
+  if (!own.contains("base")) {
+    return own;
+  }
+  Json whole = Json::parse(std::ifstream{folder + own["base"].get<std::string>()});
+  whole.merge_patch(own);
+  return whole;
+}
+
+inline Eigen::Vector3d metres(const Json& millimetres) {
+  return Eigen::Vector3d{millimetres[0].get<double>(), millimetres[1].get<double>(), millimetres[2].get<double>()} /
+         1000;
+}
+
+/// torsoFromLink by the link's name.
+inline std::map<std::string, Eigen::Isometry3d> posture(const Json& robot, const Angles& angles) {
+  std::map<std::string, Eigen::Isometry3d> result;
+  for (const Json& link : robot["tree"]["links"]) {
+    Eigen::Isometry3d at = Eigen::Isometry3d::Identity();
+    if (link.contains("parent")) {
+      at = result.at(link["parent"].get<std::string>());
+    }
+    if (link.contains("originMillimetres")) {
+      at.translate(metres(link["originMillimetres"]));
+    }
+    if (link.contains("alongLengths")) {
+      for (const auto& [name, direction] : link["alongLengths"].items()) {
+        const double length = robot["lengthsMillimetres"][name].get<double>() / 1000;
+        at.translate(length * Eigen::Vector3d{direction[0].get<double>(), direction[1].get<double>(),
+                                              direction[2].get<double>()});
+      }
+    }
+    if (link.contains("joint")) {
+      const std::string joint = link["joint"].get<std::string>();
+      const Json& axis = robot["joints"][joint]["axis"];
+      at.rotate(Eigen::AngleAxisd{
+          angles.at(joint),
+          Eigen::Vector3d{axis[0].get<double>(), axis[1].get<double>(), axis[2].get<double>()}.normalized()});
+    }
+    result[link["name"].get<std::string>()] = at;
+  }
+  return result;
+}
+
+/// In the torso's frame [m].
+inline Eigen::Vector3d centreOfMass(const Json& robot, const std::map<std::string, Eigen::Isometry3d>& links) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double mass = 0;
+  for (const auto& [name, part] : robot["masses"].items()) {
+    if (part.is_object()) {
+      const double kilograms = part["kilograms"].get<double>();
+      sum += kilograms * (links.at(name) * metres(part["centreMillimetres"]));
+      mass += kilograms;
+    }
+  }
+  return sum / mass;
+}
+
+/// Counter-clockwise, in the sole's frame [m].
+inline std::vector<Eigen::Vector3d> outline(const Json& robot, const std::string& side) {
+  const Json& sole = robot["soles"][side];
+  std::vector<Eigen::Vector3d> corners;
+  if (sole.contains("outlineMirroredFrom")) {
+    corners = outline(robot, sole["outlineMirroredFrom"].get<std::string>());
+    for (Eigen::Vector3d& corner : corners) {
+      corner.y() = -corner.y();
+    }
+    std::reverse(corners.begin(), corners.end());
+    return corners;
+  }
+  for (const Json& corner : sole["outlineMillimetres"]) {
+    corners.emplace_back(corner[0].get<double>() / 1000, corner[1].get<double>() / 1000, 0);
+  }
+  return corners;
+}
+
+/// Whether a point lies to the left of every side of a counter-clockwise outline.
+inline bool inside(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& point) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Eigen::Vector3d side = corners[(i + 1) % corners.size()] - corners[i], to = point - corners[i];
+    if (side.x() * to.y() - side.y() * to.x() < 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The robot stands on one flat sole and holds the other one up.
+inline bool stands(const Json& robot, const std::string& side, const Angles& angles) {
+  const std::string other = side == "left" ? "right" : "left";
+  const auto links = posture(robot, angles);
+  const Eigen::Isometry3d soleFromTorso = links.at(robot["soles"][side]["link"].get<std::string>()).inverse();
+  const Eigen::Isometry3d soleFromOther = soleFromTorso * links.at(robot["soles"][other]["link"].get<std::string>());
+  for (const Eigen::Vector3d& corner : outline(robot, other)) {
+    if ((soleFromOther * corner).z() <= 0) {
+      return false;
+    }
+  }
+  return inside(outline(robot, side), soleFromTorso * centreOfMass(robot, links));
+}
+
+/// Angles of which each keeps to its limits, the coupled ones included, by `margin`; arms hang and need none.
+inline bool withinLimits(const Json& robot, const Angles& angles, double margin) {
+  for (const auto& [name, joint] : robot["joints"].items()) {
+    if (!joint.is_object()) {
+      continue;
+    }
+    const bool arm = name.find("Shoulder") != std::string::npos || name.find("Elbow") != std::string::npos ||
+                     name.find("Wrist") != std::string::npos;
+    double lower = joint["limitsDegrees"][0].get<double>(), upper = joint["limitsDegrees"][1].get<double>();
+    if (joint.contains("coupledLimits")) {
+      const Json& coupled = joint["coupledLimits"];
+      const double on = angles.at(coupled["on"].get<std::string>()) / degree;
+      const Json& rows = coupled["rowsDegrees"];
+      std::size_t i = 0;
+      while (i + 2 < rows.size() && on > rows[i + 1][0].get<double>()) {
+        ++i;
+      }
+      const double from = rows[i][0].get<double>(), to = rows[i + 1][0].get<double>();
+      const double share = std::clamp((on - from) / (to - from), 0.0, 1.0);
+      const auto at = [&](int column) {
+        return rows[i][column].get<double>() +
+               share * (rows[i + 1][column].get<double>() - rows[i][column].get<double>());
+      };
+      lower = std::max(lower, at(1));
+      upper = std::min(upper, at(2));
+    }
+    const double angle = angles.at(name) / degree, own = arm ? -1e-6 : margin / degree - 1e-6;
+    if (angle < lower + own || angle > upper - own) {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace plain
