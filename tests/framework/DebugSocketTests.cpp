@@ -1,7 +1,7 @@
 #include "ShownRobot.hpp"
 
 #include <catch2/catch.hpp>
-#include <cstring>
+#include <future>
 
 namespace naocal {
 namespace {
@@ -15,6 +15,25 @@ json listed(MateClient& client) {
   client.send(requestList);
   return client.receiveJson(list);
 }
+
+/// A picture that takes as long as the test wants.
+struct SlowPicture {
+  std::shared_future<void> ready;
+};
+EncodedPicture toPicture(const SlowPicture& picture) {
+  picture.ready.wait();
+  return {1, 1, "slow"};
+}
+
+class SlowCamera : public Module {
+public:
+  explicit SlowCamera(std::shared_future<void> ready) : Module{"SlowCamera"}, ready_{std::move(ready)} {}
+  void cycle() override { picture_ = SlowPicture{ready_}; }
+
+private:
+  std::shared_future<void> ready_;
+  Production<SlowPicture> picture_{*this, "slowPicture"};
+};
 
 } // namespace
 
@@ -129,6 +148,32 @@ TEST_CASE("a client that never reads neither blocks the cycle nor starves the ot
   }
   CHECK(got >= 1);
   CHECK(got < cycles / 3);
+}
+
+TEST_CASE("a thread whose pictures take long does not hold up the other thread's values") {
+  // Proves the turns: eight pictures wait when the value comes, and few of them are sent before it.
+  const ConfiguredRobot robot;
+  std::promise<void> ready;
+  Thread brain{"Brain", Part::head}, motion{"Motion", Part::body};
+  brain.add<SlowCamera>(ready.get_future().share());
+  const Database database{{&brain, &motion}};
+  SocketSettings settings;
+  settings.debugPort = settings.configPort = 0;
+  Configuration configuration{robot.folder.path(), robot.names, writeAtomically};
+  const Sockets sockets{settings, {&brain, &motion}, configuration, TimePoint{}, [](auto) {}};
+  auto client = MateClient::debug(sockets.debugPort());
+  client.send(subscribeBulk, R"({"keys": ["Brain.slowPicture", "Motion.measuredCycleTime"]})");
+  listed(client);
+  for (int i = 0; i < 8; ++i) {
+    brain.cycle();
+  }
+  motion.cycle();
+  ready.set_value();
+  int pictures = 0;
+  for (auto frame = client.receive(); frame && frame->type == image; frame = client.receive()) {
+    ++pictures;
+  }
+  CHECK(pictures <= 4);
 }
 
 TEST_CASE("a client that asks and never reads is closed") {

@@ -126,8 +126,14 @@ void DebugServer::send(const CycleReport& report) {
     std::string frame, element; // one of the two: a picture's frame, a value's element of UPDATE
   };
   std::vector<Part> parts;
+  const auto isReady = [&](const Peer& peer) { return !peer.busy() && access_.isOpen(peer.address()); };
   for (const auto& [production, sample] : report.items) {
     Shown& shown = *byProduction_.at(production);
+    if (std::none_of(clients_.begin(), clients_.end(), [&](const auto& client) {
+          return client.second.keys.contains(shown.key) && isReady(*client.first);
+        })) {
+      continue; // not even turned into text: pictures take milliseconds
+    }
     if (const auto picture = sample->picture()) {
       const auto body = imageBody(timestamp, picture->width, picture->height, shown.key, picture->bytes);
       parts.push_back({&shown.key, debugFrame(DebugType::image, body), ""});
@@ -139,7 +145,7 @@ void DebugServer::send(const CycleReport& report) {
     }
   }
   for (auto& [peer, client] : clients_) {
-    if (peer->busy() || !access_.isOpen(peer->address())) {
+    if (!isReady(*peer)) {
       continue;
     }
     std::string bytes, update;

@@ -7,6 +7,7 @@
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
+#include <boost/asio/post.hpp>
 #include <fmt/format.h>
 #include <thread>
 #include <unistd.h>
@@ -23,16 +24,23 @@ struct Mailbox {
 
   void forward(DebugServer& server) {
     descriptor.async_wait(boost::asio::posix::stream_descriptor::wait_read, [this, &server](const auto& stopped) {
-      if (stopped) {
-        return;
+      if (!stopped) {
+        std::uint64_t count = 0;
+        static_cast<void>(!::read(descriptor.native_handle(), &count, sizeof count)); // rests until the next report
+        sendNext(server);
       }
-      std::uint64_t count = 0;
-      static_cast<void>(!::read(descriptor.native_handle(), &count, sizeof count)); // rests until the next report
-      while (const auto report = outbox.take()) {
-        server.send(*report);
-      }
-      forward(server);
     });
+  }
+
+private:
+  /// One report a turn: a picture that takes long keeps neither the other thread's values nor clients waiting.
+  void sendNext(DebugServer& server) {
+    if (const auto report = outbox.take()) {
+      server.send(*report);
+      boost::asio::post(descriptor.get_executor(), [this, &server] { sendNext(server); });
+    } else {
+      forward(server);
+    }
   }
 };
 

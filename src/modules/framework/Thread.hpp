@@ -50,8 +50,6 @@ public:
   /// Changes of parameters, every module in order, times, listener.
   void cycle();
 
-
-
 private:
   struct Change {
     Module* module;
