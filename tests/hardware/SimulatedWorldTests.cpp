@@ -59,15 +59,15 @@ TEST_CASE("a simulated robot goes where it is told but for its offsets, and its 
   target[*jointNumber("LElbowRoll")] = -0.5;
   const RobotState state = after(*robot, 100, holding(target));
   const auto truth = world.truth();
-  const double step = 2 * std::numbers::pi / 4096;
+  const double encoderStep = 2 * std::numbers::pi / 4096;
   for (const char* name : {"HeadYaw", "LElbowRoll", "LKneePitch", "RHipYawPitch"}) {
     const std::size_t joint = of(name);
     const double shown = state.angles[*jointNumber(name)];
     const double offset = world.errors().robot.jointOffsets[Eigen::Index(joint)];
-    CHECK(std::abs(shown / step - std::round(shown / step)) < 1e-9);
+    CHECK(std::abs(shown / encoderStep - std::round(shown / encoderStep)) < 1e-9);
     CHECK(std::abs(shown - target[*jointNumber(name)]) < radians(0.6)); // friction, droop, dither
     CHECK(std::abs(truth.joints[Eigen::Index(joint)] + offset - shown) <=
-          world.errors().play[joint] / 2 + step / 2 + 5 * radians(0.007));
+          world.errors().play[joint] / 2 + encoderStep / 2 + 5 * radians(0.007));
   }
   CHECK(state.time == truth.time);
   CHECK(robot->waitForIdentity(0ms)->bodyId == "synthetic-1");

@@ -16,7 +16,7 @@
 namespace naocal {
 namespace {
 
-constexpr double blur = 0.8; // [px] before corners are fitted
+constexpr double smoothing = 0.8; // [px] before corners are fitted
 
 bool isOn(const CharucoPattern& pattern, int id) {
   return id >= pattern.firstMarkerId && id < pattern.firstMarkerId + markerCount(pattern);
@@ -51,7 +51,7 @@ Detection detect(const GreyPicture& picture, const std::vector<Board>& boards, c
                      picture.height, intrinsics.width, intrinsics.height)});
     return detection;
   }
-  const SmoothPicture smooth{picture, blur};
+  const SmoothPicture smooth{picture, smoothing};
   const Lens lens{intrinsics};
   std::map<std::string, std::vector<Marker>> markers; // by dictionary
   for (const Board& board : boards) {

@@ -6,7 +6,7 @@
 namespace naocal {
 namespace {
 
-constexpr double reach = 2;         // [squares]
+constexpr double scope = 2;         // [squares]
 constexpr double perspective = 0.1; // how much nearer the next square typically is: tames four noisy corners
 
 /// Moves the sightings' weighted mean to zero and their spread to about one.
@@ -40,7 +40,7 @@ std::optional<Eigen::Matrix3d> localHomography(const std::vector<SeenPoint>& sig
   for (const SeenPoint& one : sightings) {
     const Eigen::Vector3d x = (one.onBoard - around).homogeneous();
     const Eigen::Vector2d u = (normalised * one.seenAt.homogeneous()).head<2>();
-    const double nearness = 1 / (1 + (one.onBoard - around).squaredNorm() / (reach * reach));
+    const double nearness = 1 / (1 + (one.onBoard - around).squaredNorm() / (scope * scope));
     Eigen::Matrix<double, 2, 9> rows;
     rows << x.transpose(), Eigen::RowVector3d::Zero(), -u.x() * x.transpose(), //
         Eigen::RowVector3d::Zero(), x.transpose(), -u.y() * x.transpose();

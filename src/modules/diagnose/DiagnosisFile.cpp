@@ -8,9 +8,9 @@
 
 namespace naocal {
 
-namespace {
-
 using Json = nlohmann::json;
+
+namespace {
 
 Json number(double value) { // JSON has no infinity
   return std::isfinite(value) ? Json(value) : Json(nullptr);

@@ -12,20 +12,20 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double step = 1e-5; // [rad, m]
+constexpr double nudge = 1e-5; // [rad, m]
 
 using View = std::function<Motion(double)>; // cameraFromBoard with one unknown changed by so much
 
 /// Derivative of a sight's corners by whatever moves the board in the camera's frame.
 Eigen::VectorXd slope(const Sight& sight, const View& view) {
   Eigen::VectorXd column{2 * static_cast<Index>(sight.ids.size())};
-  const Motion before = view(-step), after = view(step);
+  const Motion before = view(-nudge), after = view(nudge);
   for (std::size_t i = 0; i < sight.ids.size(); ++i) {
     const int id = sight.ids[i];
     const Eigen::Vector3d point{Sheet::square * (id % (Sheet::squaresX - 1) + 1),
                                 -Sheet::square * (id / (Sheet::squaresX - 1) + 1), 0};
     column.segment<2>(2 * static_cast<Index>(i)) =
-        (seenAt(after * point, {}) - seenAt(before * point, {})) / (2 * step);
+        (seenAt(after * point, {}) - seenAt(before * point, {})) / (2 * nudge);
   }
   return column;
 }
@@ -82,7 +82,7 @@ Jacobian::Jacobian(const Robot& robot, const Session& session) {
       for (Index i = 0; i < chainLength; ++i) {
         for (const int way : {0, 1}) {
           Eigen::VectorXd turned = angles;
-          turned[chain[i]] += way == 0 ? -step : step;
+          turned[chain[i]] += way == 0 ? -nudge : nudge;
           for (std::size_t joint = 0; joint < drawing.joints.size(); ++joint) {
             if (!drawing.joints[joint].drivenBy.empty()) {
               turned[static_cast<Index>(joint)] = turned[drawing.joint(drawing.joints[joint].drivenBy)];
