@@ -30,6 +30,9 @@ install_packages() {
       missing="$missing $package"
     fi
   done
+  if ! command -v npm > /dev/null; then
+    missing="$missing nodejs npm" # of the panel's page; not in the list, for npm may come with another node
+  fi
   if [ -z "$missing" ]; then
     say "All packages of toolchain/packages.txt are installed"
     return

@@ -1,5 +1,6 @@
 #include "effects/Expression.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <fmt/format.h>
 #include <map>
@@ -41,8 +42,9 @@ double valueOf(const ExpressionName& name, const Instant& instant, std::size_t j
   }
 }
 
-ExpressionError told(const mu::Parser::exception_type& error) {
-  return {fmt::format("{} (at letter {})", error.GetMsg(), error.GetPos() + 1)};
+ExpressionError told(const mu::Parser::exception_type& error, const std::string& text) {
+  const auto letter = static_cast<std::size_t>(std::clamp<int>(error.GetPos(), 0, static_cast<int>(text.size())));
+  return {fmt::format("{} (at letter {})", error.GetMsg(), letter + 1), letter};
 }
 
 } // namespace
@@ -64,7 +66,7 @@ Expression::Expression(const std::string& text, const std::function<ExpressionNa
       texts_.push_back(name);
     }
   } catch (const mu::Parser::exception_type& error) {
-    throw told(error);
+    throw told(error, text);
   }
   for (const std::string& name : texts_) {
     names_.push_back(resolve(name));
@@ -72,7 +74,7 @@ Expression::Expression(const std::string& text, const std::function<ExpressionNa
   try {
     ofThisThread().parser.Eval();
   } catch (const mu::Parser::exception_type& error) {
-    throw told(error);
+    throw told(error, text);
   }
 }
 

@@ -19,6 +19,7 @@ struct ExpressionName {
 /// Thrown for text that is no expression; says what and where.
 struct ExpressionError {
   std::string what;
+  std::size_t letter = 0; // counted from 0
 };
 
 /// A correction as a person wrote it, parsed once per thread.

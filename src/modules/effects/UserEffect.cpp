@@ -68,19 +68,42 @@ std::vector<Unknown> unknownsOf(const JsonPlace& place, Names& names) {
   return unknowns;
 }
 
-Expression expressionOf(const JsonPlace& place, const Names& names) {
+/// Refuses, and tells where in the text.
+[[noreturn]] void refuseAt(std::size_t letter, const JsonPlace& place, std::string_view expected,
+                           const std::string& found) {
   try {
-    return {place.text(), [&](const std::string& name) {
+    place.refuse(expected, found);
+  } catch (const InputError& refusal) {
+    throw CorrectionError{refusal.what(), letter};
+  }
+}
+
+/// Where a name first stands in a text by itself.
+std::size_t placeOf(const std::string& name, const std::string& text) {
+  const auto inName = [&](std::size_t i) {
+    return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_');
+  };
+  std::size_t at = text.find(name);
+  while (at != std::string::npos && ((at > 0 && inName(at - 1)) || inName(at + name.size()))) {
+    at = text.find(name, at + 1);
+  }
+  return at == std::string::npos ? 0 : at;
+}
+
+Expression expressionOf(const JsonPlace& place, const Names& names) {
+  const std::string text = place.text();
+  try {
+    return {text, [&](const std::string& name) {
               const auto known = names.find(name);
               if (known == names.end()) {
-                place.refuse("names that are known", fmt::format("'{}'; near it are {}", name,
-                                                                 fmt::join(nearNames(name, listed(names)), ", ")));
+                refuseAt(placeOf(name, text), place, "names that are known",
+                         fmt::format("'{}'; near it are {}", name, fmt::join(nearNames(name, listed(names)), ", ")));
               }
               return known->second;
             }};
   } catch (const ExpressionError& error) {
-    place.refuse("an expression such as \"a*sin(3*q) + b*abs(tau)\"",
-                 fmt::format("\"{}\": {}", place.text(), error.what));
+    refuseAt(error.letter, place, "an expression such as \"a*sin(3*q) + b*abs(tau)\"",
+             fmt::format("\"{}\": {}", text, error.what));
   }
 }
 

@@ -1,11 +1,19 @@
 #pragma once
 
+#include "captures/InputError.hpp"
 #include "captures/JsonPlace.hpp"
 #include "effects/Effect.hpp"
 
 #include <vector>
 
 namespace naocal {
+
+/// A correction that is no expression, or names what is not known; `letter`: where in its text, counted from 0.
+class CorrectionError : public InputError {
+public:
+  CorrectionError(const std::string& sentence, std::size_t place) : InputError{sentence}, letter{place} {}
+  std::size_t letter;
+};
 
 /// A person's own effect on a joint, without compiling:
 ///
@@ -14,7 +22,8 @@ namespace naocal {
 ///
 /// `at`: a joint, or "*" for any. The correction [rad] may use q, qd, tau, approach, T, t, current of that joint, any
 /// joint by its name (its q), tau_<joint>, imu_x, imu_y, com_x, com_y, the unknowns, and muParser's functions; it must
-/// vanish where the unknowns do. Throws InputError that says where, what was expected and what is near.
+/// vanish where the unknowns do. Throws InputError that says where, what was expected and what is near; for the
+/// correction's text a CorrectionError.
 Effect userEffect(const JsonPlace& definition, const Robot& robot);
 
 /// A list of them. Names must differ from each other and from the built-in effects'.

@@ -1,0 +1,86 @@
+#include "Guard.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace naocal;
+
+namespace {
+
+const std::string token = "0123456789abcdef0123456789abcdef";
+const Guard guard{token, 8123};
+
+/// What the page's own script asks.
+Asked own() {
+  return {"GET", "/0123456789abcdef0123456789abcdef/live", "127.0.0.1:8123", "http://127.0.0.1:8123", "same-origin",
+          true};
+}
+unsigned refused(const Asked& asked) {
+  const auto refusal = guard.refusal(asked);
+  return refusal ? refusal->status : 200;
+}
+
+} // namespace
+
+TEST_CASE("the panel's own page is let in") {
+  // Proves that page and live connection pass, with either name of this computer; not that browsers send these headers.
+  CHECK(refused(own()) == 200);
+  CHECK(guard.pathOf(own().target) == "live");
+  Asked page{"GET", "/0123456789abcdef0123456789abcdef/", "localhost:8123", "", "none", false};
+  CHECK(refused(page) == 200);
+  CHECK(guard.pathOf(page.target).empty());
+}
+
+TEST_CASE("pages of other origins and sites are refused") {
+  // Proves that a stranger's page is refused even if it knew the token, live or not, and also where it hides its
+  // origin.
+  for (const char* const origin : {"http://evil.example", "https://127.0.0.1:8123", "http://127.0.0.1:8124", "null",
+                                   "http://127.0.0.1:8123.evil.example", "http://localhost"}) {
+    Asked asked = own();
+    asked.origin = origin;
+    CHECK(refused(asked) == 403);
+    asked.live = false;
+    CHECK(refused(asked) == 403);
+  }
+  for (const char* const site : {"cross-site", "same-site"}) {
+    Asked asked = own();
+    asked.fetchSite = site;
+    CHECK(refused(asked) == 403);
+  }
+  Asked silent = own();
+  silent.origin = silent.fetchSite = "";
+  CHECK(refused(silent) == 403);
+}
+
+TEST_CASE("a name that was bent to point here is refused") {
+  // Proves that DNS rebinding fails: the browser still sends the stranger's host name.
+  for (const char* const host : {"evil.example:8123", "127.0.0.1", "127.0.0.1:80", "", "127.0.0.1:8123@evil.example"}) {
+    Asked asked = own();
+    asked.host = host;
+    CHECK(refused(asked) == 421);
+  }
+}
+
+TEST_CASE("without the whole token there is nothing to find") {
+  // Proves that shorter, longer and other tokens are refused. That they take equally long is not tested.
+  for (const char* const target : {"/", "", "/live", "/0123456789abcdef0123456789abcde/live",
+                                   "/0123456789abcdef0123456789abcdee/live", "/0123456789abcdef0123456789abcdef",
+                                   "/0123456789abcdef0123456789abcdef0/live", "//0123456789abcdef0123456789abcdef/"}) {
+    Asked asked = own();
+    asked.target = target;
+    CHECK(refused(asked) == 404);
+  }
+}
+
+TEST_CASE("only reading is allowed over HTTP") {
+  // Proves that forms of other pages cannot post anything.
+  Asked asked = own();
+  asked.live = false;
+  asked.method = "POST";
+  CHECK(refused(asked) == 405);
+}
+
+TEST_CASE("tokens differ and have 128 bits") {
+  // Proves length and difference; how random they are is the system's affair.
+  CHECK(newToken().size() == 32);
+  CHECK(newToken() != newToken());
+}

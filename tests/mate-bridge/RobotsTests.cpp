@@ -1,0 +1,178 @@
+#include "Robots.hpp"
+
+#include "RobotPlace.hpp"
+
+#include "captures/InputError.hpp"
+#include "framework/ShownRobot.hpp"
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/write.hpp>
+#include <catch2/catch.hpp>
+
+namespace naocal {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A panel that keeps what it is told, and the context that serves it.
+struct Listening {
+  /// Runs until something told has this kind and satisfies the test; the last such. Null after ten seconds.
+  template <class Test> Json heard(const std::string& kind, const Test& test) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{10};
+    for (std::size_t i = 0; std::chrono::steady_clock::now() < end;
+         context.run_one_for(std::chrono::milliseconds{50})) {
+      for (; i < told.size(); ++i) {
+        if (told[i]["kind"] == kind && test(told[i])) {
+          return told[i];
+        }
+      }
+    }
+    return nullptr;
+  }
+  Json heard(const std::string& kind) {
+    return heard(kind, [](const Json&) { return true; });
+  }
+  Json connected(const std::string& robot) {
+    robots.asked(1, {{"do", "connect"}, {"robot", robot}});
+    return heard("robot", [](const Json& state) { return state["connected"].get<bool>(); });
+  }
+  void keep(const std::string& json) { told.push_back(Json::parse(json)); }
+
+  boost::asio::io_context context;
+  std::vector<Json> told;
+  std::vector<std::string> pictures;
+  Robots robots{context,
+                {[this](const std::string& json) { keep(json); },
+                 [this](std::size_t, const std::string& json) { keep(json); },
+                 [this](std::size_t, const std::string& json) { keep(json); },
+                 [this](std::size_t, const std::string& bytes) {
+                   pictures.push_back(bytes.substr(bytes.find('\n') + 1));
+                   keep(bytes.substr(0, bytes.find('\n')));
+                 }}};
+};
+
+} // namespace
+
+TEST_CASE("a robot's keys, values, pictures and parameters reach the panel that asked") {
+  // Proves it against the robot's own servers over UNIX sockets, and that other keys are not told.
+  ShownRobot robot;
+  Listening panel;
+  const std::string here = robot.settings.unixFolder.string();
+  REQUIRE(panel.connected(here)["sentence"] == "connected");
+  CHECK(panel.heard("list")["body"]["keys"].size() == 6);
+  CHECK_FALSE(panel.heard("mounts")["body"]["keys"].empty());
+
+  for (const char* const key : {"Brain.count", "Brain.picture"}) {
+    panel.robots.asked(1, {{"do", "subscribe"}, {"robot", here}, {"key", key}});
+  }
+  panel.robots.asked(1, {{"do", "keys"}, {"robot", here}, {"mount", "Brain.Counter"}});
+  const Json keys = panel.heard("keys")["body"];
+  CHECK(keys["mountPoint"] == "Brain.Counter");
+  for (int cycle = 0; cycle < 40 && panel.pictures.empty(); ++cycle) {
+    robot.brain.cycle();
+    panel.context.run_for(std::chrono::milliseconds{20});
+  }
+  const Json update = panel.heard("update");
+  CHECK(update["values"].size() == 1);
+  CHECK(update["values"][0]["key"] == "Brain.count");
+  REQUIRE_FALSE(panel.pictures.empty());
+  CHECK(panel.heard("picture")["width"] == 640);
+  CHECK(panel.pictures.front().size() == 100);
+}
+
+TEST_CASE("a parameter that is set is set on the robot") {
+  // Proves SET by the value that the robot then tells; saving is the robot's affair.
+  ShownRobot robot;
+  Listening panel;
+  const std::string here = robot.settings.unixFolder.string();
+  REQUIRE(panel.connected(here)["sentence"] == "connected");
+  panel.robots.asked(
+      1,
+      {{"do", "set"}, {"robot", here}, {"settings", {{{"mp", "Brain.Counter"}, {"key", "factor"}, {"value", 2.5}}}}});
+  panel.robots.asked(1, {{"do", "keys"}, {"robot", here}, {"mount", "Brain.Counter"}});
+  CHECK_FALSE(panel
+                  .heard("keys",
+                         [](const Json& told) {
+                           const Json& list = told["body"]["keys"];
+                           return std::any_of(list.begin(), list.end(), [](const Json& entry) {
+                             return entry["key"] == "factor" && entry["value"] == 2.5;
+                           });
+                         })
+                  .is_null());
+}
+
+TEST_CASE("a robot that comes back is connected and subscribed to again") {
+  // Proves it for a robot whose process ended and was started anew; that nothing is sent meanwhile is refused in words.
+  TemporaryFolder folder;
+  const std::filesystem::path here = folder.path() / "robot";
+  Listening panel;
+  {
+    ShownRobot robot;
+    std::filesystem::create_directory_symlink(robot.settings.unixFolder, here);
+    REQUIRE(panel.connected(here.string())["sentence"] == "connected");
+    panel.robots.asked(1, {{"do", "subscribe"}, {"robot", here.string()}, {"key", "Brain.count"}});
+  }
+  CHECK_FALSE(
+      panel.heard("robot", [](const Json& state) { return state["sentence"] == "closed the connection"; }).is_null());
+  CHECK_THROWS_AS(panel.robots.asked(1, {{"do", "save"}, {"robot", here.string()}}), InputError);
+
+  std::filesystem::remove(here);
+  panel.told.clear();
+  ShownRobot robot;
+  std::filesystem::create_directory_symlink(robot.settings.unixFolder, here);
+  CHECK_FALSE(panel.heard("robot", [](const Json& state) { return state["connected"].get<bool>(); }).is_null());
+  Json update;
+  for (int cycle = 0; cycle < 100 && update.is_null(); ++cycle) {
+    robot.brain.cycle();
+    panel.context.run_for(std::chrono::milliseconds{20});
+    const auto found =
+        std::find_if(panel.told.begin(), panel.told.end(), [](const Json& told) { return told["kind"] == "update"; });
+    update = found == panel.told.end() ? Json() : *found;
+  }
+  CHECK(update["values"][0]["key"] == "Brain.count");
+}
+
+TEST_CASE("whoever is no robot is told so, and the panel lives on") {
+  // Proves it over TCP for a server that answers with something else.
+  Listening panel;
+  using Tcp = boost::asio::ip::tcp;
+  const auto loopback = boost::asio::ip::address_v4::loopback();
+  std::optional<Tcp::acceptor> debug, config;
+  std::uint16_t base = 23440;
+  for (; !config && base < 33440; base = static_cast<std::uint16_t>(base + 10)) {
+    try {
+      debug.emplace(panel.context, Tcp::endpoint{loopback, static_cast<std::uint16_t>(base + 1)});
+      config.emplace(panel.context, Tcp::endpoint{loopback, static_cast<std::uint16_t>(base + 2)});
+      break;
+    } catch (const boost::system::system_error&) { // taken: the next ones
+      debug.reset();
+    }
+  }
+  REQUIRE(config);
+  debug->async_accept([](boost::system::error_code, Tcp::socket socket) {
+    boost::system::error_code ignored;
+    boost::asio::write(socket, boost::asio::buffer("HTTP/1.1 400 Bad Request\r\n\r\n"), ignored);
+  });
+  panel.robots.connect(fmt::format("127.0.0.1:{}", base));
+  CHECK_FALSE(panel
+                  .heard("robot",
+                         [](const Json& state) {
+                           return state["sentence"].get<std::string>().find("does not speak HULKs' protocol") !=
+                                  std::string::npos;
+                         })
+                  .is_null());
+}
+
+TEST_CASE("a robot's address is a host, a host with its base port, or a folder") {
+  // Proves what is taken and that everything else is refused with a sentence.
+  CHECK(robotPlace("nao21").basePort == 12440);
+  CHECK(robotPlace("10.1.24.31:13000").basePort == 13000);
+  CHECK(robotPlace("/tmp/sockets/Ada").folder == "/tmp/sockets/Ada");
+  for (const char* const wrong :
+       {"", ":12440", "nao21:", "nao21:0", "nao21:70000", "nao21:12a", "nao 21", "me@nao21"}) {
+    CHECK_THROWS_AS(robotPlace(wrong), InputError);
+  }
+}
+
+} // namespace naocal

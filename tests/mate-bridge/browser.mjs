@@ -1,0 +1,91 @@
+// What the tests that drive the panel in a real browser share.
+import {spawn, execFileSync} from "node:child_process";
+import {createRequire} from "node:module";
+import {existsSync, mkdirSync, mkdtempSync, rmSync} from "node:fs";
+import {tmpdir} from "node:os";
+import {join} from "node:path";
+
+const notRun = 77; // CTest's SKIP_RETURN_CODE
+
+const skip = why => { console.log("not run: " + why); process.exit(notRun); };
+
+// The browser's driver and axe, from the packages that the page was built with.
+export function tools(modules) {
+  const browser = ["/usr/bin/chromium", "/usr/bin/google-chrome"].find(existsSync);
+  if (!browser) skip("there is no chromium");
+  if (!existsSync(join(modules, "playwright-core"))) skip("the page's packages are not installed");
+  const require = createRequire(join(modules, "x.js"));
+  return {
+    launch: () => require("playwright-core").chromium.launch({executablePath: browser, args: ["--no-sandbox", "--disable-gpu"]}),
+    axe: require("axe-core").source,
+  };
+}
+
+export const failures = [];
+export function check(truth, sentence) {
+  console.log((truth ? "ok: " : "FAILED: ") + sentence);
+  if (!truth) failures.push(sentence);
+}
+
+// A program that runs until `stop`; the address is in the first line that it prints.
+export async function started(program, ...options) {
+  const child = spawn(program, options, {stdio: ["ignore", "pipe", "inherit"]});
+  process.on("exit", () => child.kill("SIGKILL"));
+  const line = await new Promise((resolve, reject) => {
+    let text = "";
+    child.stdout.on("data", data => { text += data; if (text.includes("\n")) resolve(text); });
+    child.on("exit", code => reject(new Error(program + " ended with " + code)));
+  });
+  return {line, stop: signal => new Promise(resolve => { child.on("exit", resolve); child.kill(signal); })};
+}
+
+export async function panelOf(bridge, ...options) {
+  const {line, stop} = await started(bridge, "--no-open", ...options);
+  return {address: line.match(/http:\/\/\S+/)[0], stop};
+}
+
+export const run = (program, ...options) => execFileSync(program, options, {stdio: ["ignore", "ignore", "inherit"]});
+
+export function folder() {
+  const path = mkdtempSync(join(tmpdir(), "naocal-test-"));
+  process.on("exit", () => rmSync(path, {recursive: true, force: true}));
+  return path;
+}
+
+// A page whose complaints are failures; but that nobody answers is no fault of the page.
+export async function quietPage(browser, address, options = {}) {
+  const page = await browser.newPage({viewport: {width: 1366, height: 800}, ...options});
+  page.on("console", message => { if (["error", "warning"].includes(message.type()) && !message.text().includes("ERR_CONNECTION_REFUSED")) check(false, "the console is quiet: " + message.text()); });
+  page.on("pageerror", error => check(false, "no script fails: " + error.message));
+  await page.goto(address);
+  return page;
+}
+
+export const px = text => Number(text.match(/([\d.]+) px/)[1]);
+
+// Pictures of a view in light, dark and in a narrow window, and what axe says of it.
+export async function portrait(page, axe, pictures, name) {
+  mkdirSync(pictures, {recursive: true});
+  for (const colorScheme of ["light", "dark"]) {
+    await page.emulateMedia({colorScheme, reducedMotion: "reduce"});
+    await page.waitForTimeout(150);
+    await page.screenshot({path: join(pictures, name + "-" + colorScheme + ".png"), fullPage: true});
+    await page.evaluate(axe);
+    const {violations} = await page.evaluate(() => window.axe.run());
+    const serious = violations.filter(({impact}) => impact === "serious" || impact === "critical");
+    for (const {id, nodes} of serious) console.log("axe: " + id + ": " + nodes.slice(0, 3).map(({html}) => html.slice(0, 140)).join(" | "));
+    check(serious.length === 0, "axe finds no serious barrier in " + name + ", " + colorScheme);
+  }
+  await page.emulateMedia({colorScheme: "light"});
+  await page.setViewportSize({width: 420, height: 800});
+  await page.waitForTimeout(150);
+  await page.screenshot({path: join(pictures, name + "-narrow.png")});
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+  check(wide <= 0, name + " fits a window 420 px wide (" + wide + " px over)");
+  await page.setViewportSize({width: 1366, height: 800});
+}
+
+export function end() {
+  console.log(failures.length ? failures.length + " failed" : "all held");
+  process.exit(failures.length ? 1 : 0);
+}

@@ -1,0 +1,123 @@
+// Drives the laboratory in a real browser: a set with a hidden flaw is opened, the flaw found and added by a click, the
+// shown error falls to the noise; an own effect; undo; a stranger's page gets nothing.
+// Proves that page, bridge and science work together and leaves pictures of every view; not that the numbers are right.
+// Usage: node laboratory.mjs NAOCAL MATE-BRIDGE NODE_MODULES PICTURES
+import {createServer} from "node:http";
+import {readFileSync} from "node:fs";
+import {join} from "node:path";
+import {tools, check, panelOf, run, folder, quietPage, portrait, px, end} from "./browser.mjs";
+
+const [, , naocal, bridge, modules, pictures] = process.argv;
+const {launch, axe} = tools(modules), here = folder();
+run(naocal, "simulate", join(here, "flawed"), "--hidden-flaw", "--poses", "30", "--samples", "2", "--repeat-kind", "reapproach", "--seed", "1");
+const truth = JSON.parse(readFileSync(join(here, "flawed.truth.json")));
+const {effect, at} = truth.effects.find(one => !["jointOffset", "cameraRotation", "cameraTranslation"].includes(one.effect));
+const flaw = effect + "@" + at;
+
+const panel = await panelOf(bridge, join(here, "flawed"));
+const browser = await launch();
+const opened = Date.now(), page = await quietPage(browser, panel.address);
+const tab = name => page.getByRole("button", {name, exact: true}).click();
+const rungs = page.locator(".ladder .rung"), idle = () => page.waitForFunction(() => document.getElementById("work").textContent === "");
+
+await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor();
+console.log("measured: from opening to the first fit on the screen: " + (Date.now() - opened) + " ms");
+await tab("Learn");
+await page.getByRole("heading", {name: "Something is missing."}).waitFor();
+await idle();
+const before = px(await rungs.first().innerText());
+check((await page.locator(".candidates tbody tr").first().innerText()).includes(flaw), "the first candidate is the hidden flaw, " + flaw);
+await portrait(page, axe, pictures, "learn");
+
+// A click adds it; the fit shows before the questions are answered.
+const clicked = Date.now();
+await page.getByRole("button", {name: "add " + flaw, exact: true}).click();
+await rungs.nth(1).waitFor();
+console.log("measured: from the click to the new fit on the screen: " + (Date.now() - clicked) + " ms with 60 captures of 30 poses and two cameras");
+await page.locator(".ladder .rung:nth-child(1) .bar:not(.open)").first().waitFor();
+await page.waitForFunction(() => !document.querySelector(".ladder .bar.open"));
+await idle();
+const after = px(await rungs.nth(1).innerText()), floor = px(await page.locator(".ladder .floor").innerText());
+check(after < 0.6 * before && after < 1.3 * floor, "the shown error on unseen poses falls to the noise: " + before + " px, " + after + " px, noise " + floor + " px");
+check((await page.locator("h1").innerText()).startsWith("Nothing") || !(await page.locator("h1").innerText()).includes("Something is missing"), "nothing is missing any more");
+await portrait(page, axe, pictures, "learn-adequate");
+
+// A point that is clicked on shows its capture.
+await tab("Compare");
+const scatter = page.locator(".scatter canvas"), caption = page.locator(".split figcaption").first();
+const box = await scatter.boundingBox(), first = await caption.innerText();
+let other = first;
+for (let x = 0.15; x < 0.95 && other === first; x += 0.02) {
+  for (let y = 0.3; y < 0.75 && other === first; y += 0.05) {
+    await page.mouse.click(box.x + x * box.width, box.y + y * box.height);
+    other = await caption.innerText();
+  }
+}
+check(other !== first, "a click on a point shows its capture: " + other);
+await page.getByLabel("Error over").selectOption({label: "the angle of LKneePitch [°]"});
+await portrait(page, axe, pictures, "compare");
+await tab("Map");
+await portrait(page, axe, pictures, "map");
+await tab("Result");
+await portrait(page, axe, pictures, "result");
+
+// An own effect: a broken one shows where, a good one can be added.
+await tab("Own effect");
+await page.getByLabel("Correction [rad]").fill("a*sin(3*q) + b*abs(tua)");
+await page.locator("#ownPointer mark").waitFor();
+check((await page.locator("#ownPointer").innerText()).includes("letter 20"), "a broken expression shows where: " + (await page.locator("#ownVerdict").innerText()));
+check(await page.locator("#ownAdd").isDisabled(), "a broken expression cannot be added");
+await portrait(page, axe, pictures, "own-broken");
+await page.getByLabel("Correction [rad]").fill("a*sin(3*q) + b*abs(tau)");
+await page.getByText("This can be added").waitFor();
+await page.locator("#ownAdd").click();
+await rungs.nth(2).waitFor();
+await page.getByText("Yours").waitFor();
+await portrait(page, axe, pictures, "own");
+await page.keyboard.press("Escape");
+await page.locator("#undo").click();
+await page.locator(".ladder li:nth-child(2) .rung[aria-current=step]").waitFor();
+await idle();
+check(await page.getByRole("button", {name: "remove kneeCable@LKneePitch"}).count() === 0, "undo takes the own effect out of the model");
+
+// Another site's page, even one that knows the address, can neither speak with the bridge nor read from it.
+const stranger = createServer((request, response) => { response.setHeader("Content-Type", "text/html"); response.end("<!doctype html><title>x</title>"); });
+await new Promise(resolve => stranger.listen(0, "127.0.0.1", resolve));
+const foreign = await browser.newPage();
+await foreign.goto("http://127.0.0.1:" + stranger.address().port + "/");
+const tried = await foreign.evaluate(async address => ({
+  live: await new Promise(resolve => {
+    const socket = new WebSocket(address.replace("http", "ws") + "live");
+    socket.onopen = () => resolve("open");
+    socket.onclose = () => resolve("closed");
+  }),
+  read: await fetch(address).then(() => "read", () => "refused"),
+  image: await new Promise(resolve => {
+    const image = new Image();
+    image.onload = () => resolve("shown");
+    image.onerror = () => resolve("refused");
+    image.src = address + "picture/flawed/0";
+  }),
+  script: await new Promise(resolve => {
+    const script = document.createElement("script");
+    script.onload = () => resolve("run");
+    script.onerror = () => resolve("refused");
+    script.src = address + "panel.js";
+    document.head.append(script);
+  }),
+}), panel.address);
+check(JSON.stringify(tried) === '{"live":"closed","read":"refused","image":"refused","script":"refused"}', "a stranger's page gets nothing: " + JSON.stringify(tried));
+const alone = await fetch(panel.address.replace(/[0-9a-f]{32}/, "0".repeat(32)));
+check(alone.status === 404, "another token finds nothing");
+stranger.close();
+
+// The bridge ends: the panel says so, and keeps what it shows.
+await panel.stop("SIGKILL");
+await page.getByText("bridge away").waitFor();
+await tab("Compare");
+await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor();
+await page.locator("#undo").click();
+await page.getByText("The bridge is not connected").waitFor();
+await page.screenshot({path: join(pictures, "bridge-away.png")});
+await browser.close();
+end();

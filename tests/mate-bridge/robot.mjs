@@ -1,0 +1,99 @@
+// Drives naocal-robot with a simulated robot from the panel in a real browser: live pictures, a calibration of neck and
+// cameras and taking it back, values over time, a parameter set and saved, a robot that dies and comes back.
+// Proves that panel, bridge and robot process work together and leaves pictures of every view.
+// Usage: node robot.mjs NAOCAL-ROBOT MATE-BRIDGE NODE_MODULES CONFIGURATION PICTURES
+import {cpSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync} from "node:fs";
+import {join} from "node:path";
+import {spawn} from "node:child_process";
+import {tools, check, panelOf, folder, quietPage, portrait, px, end} from "./browser.mjs";
+
+const [, , robotProgram, bridge, modules, configuration, pictures] = process.argv;
+const {launch, axe} = tools(modules), here = folder();
+cpSync(configuration, join(here, "configuration"), {recursive: true});
+const settings = join(here, "configuration/location/default/sdk.json");
+writeFileSync(settings, readFileSync(settings, "utf8").replace('"network.enableDebugTCPTransport": true', '"network.enableDebugTCPTransport": false')
+  .replace('"local.unixSocketDirectory": ""', '"local.unixSocketDirectory": "' + join(here, "sockets/") + '"'));
+mkdirSync(join(here, "sockets"));
+
+let robot;
+async function startRobot() {
+  robot = spawn(robotProgram, ["--configuration", join(here, "configuration"), "--recordings", join(here, "recordings")], {stdio: "ignore"});
+  process.on("exit", () => robot.kill("SIGKILL"));
+  for (let i = 0; i < 300; ++i) {
+    const name = readdirSync(join(here, "sockets")).find(one => existsSync(join(here, "sockets", one, "config")));
+    if (name) return join(here, "sockets", name);
+    await new Promise(resolve => setTimeout(resolve, 100));
+  }
+  throw new Error("the robot does not listen");
+}
+const address = await startRobot();
+const panel = await panelOf(bridge, "--robot", address), browser = await launch();
+const opened = Date.now(), page = await quietPage(browser, panel.address);
+const tab = name => page.getByRole("button", {name, exact: true}).click();
+
+await page.getByText("pictures a second").first().waitFor();
+console.log("measured: from opening to the first live picture: " + (Date.now() - opened) + " ms");
+await page.waitForTimeout(3000);
+console.log("measured: cameras: " + (await page.locator(".camera figcaption").allInnerTexts()).join("; "));
+
+await page.getByRole("button", {name: "Calibrate neck and cameras"}).click();
+await portrait(page, axe, pictures, "calibrate-confirm");
+await page.getByRole("button", {name: "Start", exact: true}).click();
+await page.getByText(/pose [1-9] of/).waitFor({timeout: 60000});
+await page.screenshot({path: join(pictures, "calibrate-running.png")});
+await page.getByRole("heading", {name: /^(Finished|Failed)$/}).waitFor({timeout: 240000});
+const bars = page.locator(".rung.flat"), before = px(await bars.nth(0).innerText()), after = px(await bars.nth(1).innerText());
+check(await page.getByRole("heading", {name: "Finished"}).count() === 1 && after < 0.5 * before, "the robot is calibrated: " + before + " px before, " + after + " px after");
+await page.getByRole("rowheader", {name: "headYaw"}).waitFor();
+await portrait(page, axe, pictures, "calibrate-finished");
+await page.getByRole("button", {name: "Undo …"}).click();
+await page.getByRole("button", {name: /^Undo on/}).click();
+await page.getByText("None: every joint counts as it reads.").waitFor();
+check(true, "undo takes the offsets back");
+await page.locator("#notice button").click();
+
+// Stop ends a calibration at once.
+await page.getByRole("button", {name: "Calibrate neck and cameras"}).click();
+await page.getByRole("button", {name: "Start", exact: true}).click();
+await page.getByRole("heading", {name: /^(Moving|Collecting|Going home)$/}).waitFor();
+await page.getByRole("button", {name: "Stop"}).click();
+await page.getByText("The calibration was ended").waitFor();
+check(true, "stop ends the calibration");
+
+// Values over time.
+await tab("Live");
+await page.getByLabel("filter values").fill("Motion.angles");
+await page.getByLabel("Motion.angles").check();
+await page.locator(".plot canvas").first().waitFor();
+await page.waitForTimeout(2500);
+check((await page.locator("pre.value").first().innerText()).length > 20, "values are shown as they come");
+await portrait(page, axe, pictures, "live");
+
+// Parameters: nothing is written before the person says so.
+await tab("Configuration");
+await page.getByLabel("filter modules").fill("CalibrationRunner");
+await page.getByRole("button", {name: "Brain.CalibrationRunner", exact: true}).click();
+await page.getByLabel("repeats", {exact: true}).fill("3");
+await page.getByRole("button", {name: "set repeats"}).click();
+await page.waitForFunction(() => document.getElementById("parameter-repeats").value === "3" && !document.querySelector(".edited"));
+await portrait(page, axe, pictures, "configuration");
+const saved = () => readdirSync(join(here, "configuration/location"), {recursive: true}).filter(name => name.endsWith("CalibrationRunner.json"))
+  .some(name => /"repeats": 3/.test(readFileSync(join(here, "configuration/location", name), "utf8")));
+check(!saved(), "a value that is set is not written into files");
+await page.getByRole("button", {name: "Save …"}).click();
+await page.getByRole("button", {name: /^Save on/}).click();
+for (let i = 0; i < 100 && !saved(); ++i) await page.waitForTimeout(100);
+check(saved(), "saving writes it, once it is confirmed");
+
+// The robot's process dies and is started anew.
+robot.kill("SIGKILL");
+await page.getByText(/Nothing can be set until it is back/).waitFor();
+await tab("Calibrate");
+await page.screenshot({path: join(pictures, "robot-gone.png")});
+await startRobot();
+await page.locator(".robot.connected").waitFor();
+await page.getByText("pictures a second").first().waitFor();
+check(true, "a robot that comes back is seen again");
+await browser.close();
+await panel.stop("SIGTERM");
+end();

@@ -1,0 +1,102 @@
+#include "LabDesk.hpp"
+
+#include "Laboratory.hpp"
+
+#include "captures/Files.hpp"
+#include "captures/InputError.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// Pictures below the sets' own folders only, whatever a captures.json names.
+std::map<std::string, std::filesystem::path> imagesOf(const OpenedSets& opened) {
+  std::map<std::string, std::filesystem::path> images;
+  for (const CaptureSet& set : opened.sets) {
+    const std::filesystem::path folder = std::filesystem::weakly_canonical(opened.folders.at(set.name));
+    for (const Capture& capture : set.captures) {
+      const std::filesystem::path file = std::filesystem::weakly_canonical(folder / capture.image);
+      const std::string inside = file.lexically_relative(folder).string();
+      if (!capture.image.empty() && !inside.starts_with("..")) {
+        images[fmt::format("{}/{}", set.name, capture.id)] = file;
+      }
+    }
+  }
+  return images;
+}
+
+} // namespace
+
+LabDesk::LabDesk(OpenedSets opened, Tell tell)
+    : tell_{std::move(tell)}, robot_{opened.robot}, images_{imagesOf(opened)},
+      laboratory_{std::make_shared<Laboratory>(std::move(opened), [this](const std::string& kind, const Json& content) {
+        Json message = content;
+        message["kind"] = kind;
+        tell_(kind, message.dump(-1, ' ', false, Json::error_handler_t::replace));
+      })} {
+  work("fitting", [](Laboratory& laboratory) { laboratory.fit(); });
+  question();
+}
+
+LabDesk::~LabDesk() = default;
+
+void LabDesk::work(const char* what, std::function<void(Laboratory&)> change) {
+  worker_.add([this, what, change = std::move(change)] {
+    tell_("work", Json{{"kind", "work"}, {"what", what}}.dump());
+    try {
+      change(*laboratory_);
+    } catch (const InputError& error) {
+      tell_("refused", Json{{"kind", "refused"}, {"sentence", error.what()}}.dump());
+    }
+    tell_("work", Json{{"kind", "work"}, {"what", nullptr}}.dump());
+  });
+}
+
+void LabDesk::question() {
+  work("asking every candidate", [this](Laboratory& laboratory) {
+    if (!worker_.othersWait()) {
+      laboratory.question();
+    }
+  });
+}
+
+bool LabDesk::asked(const Json& request) {
+  const std::string verb = request.at("do");
+  if (verb == "add" || verb == "drop") {
+    const std::string label = request.at("label");
+    work("fitting",
+         [verb, label](Laboratory& laboratory) { verb == "add" ? laboratory.add(label) : laboratory.drop(label); });
+  } else if (verb == "goTo") {
+    const std::size_t rung = request.at("rung");
+    work("fitting", [rung](Laboratory& laboratory) { laboratory.goTo(rung); });
+  } else if (verb == "define") {
+    const Json effect = request.at("effect");
+    work("fitting", [effect](Laboratory& laboratory) { laboratory.define(effect); });
+  } else if (verb == "search") {
+    work("searching for all that is missing", [](Laboratory& laboratory) { laboratory.search(); });
+    return true;
+  } else {
+    return false;
+  }
+  question();
+  return true;
+}
+
+Json LabDesk::checked(const Json& effect) const {
+  return checkedEffect(effect, robot_);
+}
+
+std::optional<std::string> LabDesk::picture(std::string_view path) const {
+  const auto found = images_.find(std::string{path});
+  if (found == images_.end() || !std::filesystem::exists(found->second)) {
+    return std::nullopt;
+  }
+  return fileContent(found->second);
+}
+
+} // namespace naocal

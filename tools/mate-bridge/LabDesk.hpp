@@ -1,0 +1,49 @@
+#pragma once
+
+#include "OpenedSets.hpp"
+#include "Worker.hpp"
+
+#include <functional>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace naocal {
+
+class Laboratory;
+
+/// The laboratory behind the panel: takes what people ask for, works on a thread of its own and says how it is getting
+/// on. After every change of the model it is put to the question, unless more was asked for meanwhile.
+class LabDesk {
+public:
+  /// A message for all panels: its kind, and its JSON. Called on the desk's thread.
+  using Tell = std::function<void(const std::string& kind, std::string json)>;
+
+  /// Starts with the first fit. Throws InputError for captures that the robot cannot have made.
+  LabDesk(OpenedSets opened, Tell tell);
+  ~LabDesk();
+
+  /// Does what a panel asks for: {"do": "add" | "drop", "label"}, {"do": "goTo", "rung"}, {"do": "search"},
+  /// {"do": "define", "effect"}. False: that is nothing for the laboratory.
+  bool asked(const nlohmann::json& request);
+
+  /// Whether a person's own effect can be used; at once, whatever the desk works at.
+  nlohmann::json checked(const nlohmann::json& effect) const;
+
+  /// The file of a picture that was kept: "SET/CAPTURE". Absent when there is none.
+  std::optional<std::string> picture(std::string_view path) const;
+
+private:
+  void work(const char* what, std::function<void(Laboratory&)> change);
+  void question();
+
+  Tell tell_;
+  Robot robot_;
+  std::map<std::string, std::filesystem::path> images_; // "SET/CAPTURE"
+  std::shared_ptr<Laboratory> laboratory_;              // of the worker's thread
+  Worker worker_;
+};
+
+} // namespace naocal

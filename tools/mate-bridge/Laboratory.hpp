@@ -1,0 +1,65 @@
+#pragma once
+
+#include "OpenedSets.hpp"
+
+#include "diagnose/Diagnosis.hpp"
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// A model that was tried: the base with and without some effects, and how well it did.
+struct Rung {
+  std::vector<std::string> with, without; // "E@P"
+  std::string step;                       // "+ elasticity@LKneePitch"; empty for the first
+  double rmsPx = 0;
+  std::optional<Step> questioned; // once it was put to the question
+};
+
+/// The loop of a person with captures: add, drop, look, go back. Knows no threads and no sockets: everything that
+/// changes is told to whoever asked for it, in units that people read.
+///
+/// Told kinds: "set" once (what was opened, the effects that there are), "ladder" (all rungs and where one stands),
+/// "fit" (estimates and residuals of the model), "questions" (its candidates, map, curves), "found" (what a search for
+/// all that is missing says).
+class Laboratory {
+public:
+  using Tell = std::function<void(const std::string& kind, const nlohmann::json& content)>;
+  Laboratory(OpenedSets opened, Tell tell);
+
+  /// Fits the model that one stands on, or a changed one as a new rung. Throw InputError for what cannot be done.
+  void fit();
+  void add(const std::string& label);
+  void drop(const std::string& label);
+  void goTo(std::size_t rung);
+
+  /// Questions the model that one stands on: seconds.
+  void question();
+  /// Adds what is missing as long as the captures bear it, without changing the model: many seconds.
+  void search();
+
+  /// Takes a person's own effect in, in place of one of that name, and adds it to the model where it sits at a joint.
+  void define(const nlohmann::json& effect);
+
+private:
+  std::vector<Effect> effects() const;
+  void tellSet() const;
+  void tellLadder() const;
+  void go(Rung rung);
+  DiagnosisOptions options(const Rung& rung) const;
+
+  OpenedSets opened_;
+  Measurements measurements_;
+  Tell tell_;
+  std::vector<Rung> rungs_;
+  std::size_t at_ = 0; // the rung that one stands on
+};
+
+/// Whether a person's own effect can be used: {"ok": true}, or {"ok": false, "sentence": .., "letter": place in the
+/// correction's text or absent}.
+nlohmann::json checkedEffect(const nlohmann::json& effect, const Robot& robot);
+
+} // namespace naocal

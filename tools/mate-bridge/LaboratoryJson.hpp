@@ -1,0 +1,22 @@
+#pragma once
+
+#include "OpenedSets.hpp"
+
+#include "diagnose/Diagnosis.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace naocal {
+
+/// A fit as the panel shows it: verdict, estimates, every corner's residual by picture, worst first, and what was
+/// recorded at each picture. Angles in degrees, lengths in millimetres.
+nlohmann::json fitJson(const OpenedSets& opened, const Measurements& measurements, const Model& model,
+                       const CalibrationResult& result);
+
+/// The effects that there are: name, what it is, formula, unknowns with what is plausible.
+nlohmann::json effectsJson(const std::vector<Effect>& effects);
+
+/// A diagnosis as the panel shows it; as in the report.
+nlohmann::json questionsJson(const Diagnosis& diagnosis);
+
+} // namespace naocal

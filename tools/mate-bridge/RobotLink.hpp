@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace boost::asio {
+class io_context;
+}
+
+namespace naocal {
+
+/// What a robot tells; bodies as they came, JSON where it should be.
+struct RobotCalls {
+  std::function<void()> changed; // connected, or not any more: `sentence` says why
+  std::function<void(const std::string&body)> list, update, mounts, keys;
+  std::function<void(const std::string& body)> picture; // an IMAGE's body
+};
+
+/// A robot's two sockets: connects, asks what there is, and when they break says why and connects anew after a second,
+/// with everything that was subscribed to. All on the thread that runs the context.
+class RobotLink {
+public:
+  /// Throws InputError for an address that cannot be one (RobotPlace.hpp).
+  RobotLink(boost::asio::io_context& context, const std::string& address, RobotCalls calls);
+  ~RobotLink();
+
+  bool connected() const;
+  /// How it stands, for people: "connected", "connecting", or what went wrong.
+  const std::string& sentence() const;
+
+  void subscribe(const std::string& key);
+  void unsubscribe(const std::string& key);
+  void askForKeys(const std::string& mount);
+  /// `settings`: [{"mp": .., "key": .., "value": ..}]. False: not connected, so nothing was sent.
+  bool set(const std::string& settings);
+  bool save();
+
+private:
+  struct Implementation;
+  std::shared_ptr<Implementation> implementation_;
+};
+
+} // namespace naocal

@@ -1,0 +1,43 @@
+#include "Worker.hpp"
+
+namespace naocal {
+
+Worker::Worker() : thread_{[this] { run(); }} {}
+
+Worker::~Worker() {
+  {
+    const std::lock_guard lock{mutex_};
+    ends_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void Worker::add(Job job) {
+  {
+    const std::lock_guard lock{mutex_};
+    jobs_.push_back(std::move(job));
+  }
+  changed_.notify_all();
+}
+
+bool Worker::othersWait() const {
+  const std::lock_guard lock{mutex_};
+  return !jobs_.empty();
+}
+
+void Worker::run() {
+  for (;;) {
+    std::unique_lock lock{mutex_};
+    changed_.wait(lock, [this] { return ends_ || !jobs_.empty(); });
+    if (ends_) {
+      return;
+    }
+    const Job job = std::move(jobs_.front());
+    jobs_.pop_front();
+    lock.unlock();
+    job();
+  }
+}
+
+} // namespace naocal

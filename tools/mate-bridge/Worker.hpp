@@ -1,0 +1,35 @@
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace naocal {
+
+/// One thread for work that takes long, one piece after the other. Ends after the piece that it is at.
+class Worker {
+public:
+  using Job = std::function<void()>;
+
+  Worker();
+  ~Worker();
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  void add(Job job);
+  /// Whether more waits: work that only adds to what is there steps back for it.
+  bool othersWait() const;
+
+private:
+  void run();
+
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Job> jobs_;
+  bool ends_ = false;
+  std::thread thread_;
+};
+
+} // namespace naocal

@@ -1,0 +1,65 @@
+#include "Browser.hpp"
+#include "OpenedSets.hpp"
+#include "Panel.hpp"
+#include "page/Page.hpp"
+
+#include "captures/InputError.hpp"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <fmt/core.h>
+#include <optional>
+
+namespace {
+
+/// The port of "127.0.0.1:PORT". Throws InputError: the panel never listens wider than this computer.
+std::uint16_t portOf(const std::string& address) {
+  constexpr std::string_view here = "127.0.0.1:";
+  std::uint16_t port = 0;
+  const std::string_view number = std::string_view{address}.substr(std::min(address.size(), here.size()));
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), port);
+  if (!address.starts_with(here) || error != std::errc{} || end != number.data() + number.size()) {
+    throw naocal::InputError{fmt::format("--listen: expected 127.0.0.1:PORT, for the panel is served to this computer "
+                                         "only (from another one: ssh -L); found \"{}\"",
+                                         address)};
+  }
+  return port;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"The panel: look at a calibration and at robots in a browser of this computer."};
+  app.footer("Examples: mate-bridge captures/\n          mate-bridge result.json\n          mate-bridge --robot nao21");
+  std::vector<std::string> sets, robots;
+  std::string listen = "127.0.0.1:0";
+  bool noOpen = false;
+  app.add_option("SET", sets, "folders with captures.json, or a result together with its captures");
+  app.add_option("--robot", robots, "a robot: HOST, HOST:PORT (its base port), or the folder of its UNIX sockets");
+  app.add_option("--listen", listen, "127.0.0.1:PORT where the panel is served; 0 takes any port")
+      ->capture_default_str();
+  app.add_flag("--no-open", noOpen, "only print the address");
+  app.set_version_flag("--version", NAOCAL_VERSION);
+  try {
+    app.parse(argc, argv);
+    naocal::PanelOptions options{std::nullopt, robots, portOf(listen)};
+    if (!sets.empty()) {
+      options.opened = naocal::openSets(sets);
+    }
+    naocal::Panel panel{std::move(options)};
+    fmt::print("The panel is at {}\nEnd with Ctrl-C.\n", panel.address());
+    std::fflush(stdout);
+    if (!naocal::pageMissing().empty()) {
+      fmt::print(stderr, "{}\n", naocal::pageMissing());
+    } else if (!noOpen && !naocal::openInBrowser(panel.address())) {
+      fmt::print(stderr, "No browser was found: open the address yourself.\n");
+    }
+    panel.run();
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "mate-bridge: {}\n", error.what());
+    return 2;
+  }
+}

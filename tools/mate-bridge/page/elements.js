@@ -1,0 +1,58 @@
+// Elements, and the note beside the pointer.
+
+// make("p", {class: "soft", onclick}, "text", child): properties that are functions are listeners.
+export function make(tag, properties = {}, ...children) {
+  const made = document.createElement(tag);
+  for (const [name, value] of Object.entries(properties)) {
+    if (typeof value === "function") made.addEventListener(name.slice(2), value);
+    else if (name === "class") made.className = value;
+    else if (name in made && typeof value !== "string") made[name] = value;
+    else if (value !== undefined && value !== null) made.setAttribute(name, value);
+  }
+  made.append(...children.filter(child => child !== null && child !== undefined));
+  return made;
+}
+
+export const button = (text, onclick, properties = {}) => make("button", {type: "button", onclick, ...properties}, text);
+
+// A choice: [{value, text, group?}].
+export function choice(label, options, chosen, changed) {
+  const select = make("select", {onchange: () => changed(select.value)});
+  const groups = new Map();
+  for (const {value, text, group} of options) {
+    const option = make("option", {value}, text);
+    option.selected = value === chosen;
+    if (!group) select.append(option);
+    else {
+      if (!groups.has(group)) groups.set(group, select.appendChild(make("optgroup", {label: group})));
+      groups.get(group).append(option);
+    }
+  }
+  return make("label", {}, label + " ", select);
+}
+
+const tip = () => document.getElementById("tip");
+
+export function showTip(event, text) {
+  const note = tip();
+  note.hidden = false;
+  note.textContent = text;
+  note.style.left = Math.max(4, Math.min(event.clientX + 14, innerWidth - note.offsetWidth - 8)) + "px";
+  note.style.top = (event.clientY + 18 + note.offsetHeight < innerHeight ? event.clientY + 18
+                                                                        : event.clientY - note.offsetHeight - 12) + "px";
+}
+export const hideTip = () => { tip().hidden = true; };
+
+export const empty = (title, ...words) => make("div", {class: "empty"}, make("h2", {}, title), make("p", {}, ...words));
+
+// What a browser saves as a file.
+export function download(name, content, type) {
+  const url = URL.createObjectURL(content instanceof Blob ? content : new Blob([content], {type}));
+  make("a", {href: url, download: name}).click();
+  setTimeout(() => URL.revokeObjectURL(url), 1000);
+}
+
+export const csv = rows => rows.map(row => row.map(cell => {
+  const text = cell === null || cell === undefined ? "" : String(cell);
+  return /[",\n]/.test(text) ? '"' + text.replaceAll('"', '""') + '"' : text;
+}).join(",")).join("\n") + "\n";

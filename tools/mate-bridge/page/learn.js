@@ -1,0 +1,86 @@
+// Learn: every effect at every place and the evidence for it.
+import {make, button, csv, download, empty} from "./elements.js";
+import {short, tenths, px, chance, sizeWords, stateWords, stateName, driverWords} from "./words.js";
+import {detail} from "./looked.js";
+import {state, act} from "./state.js";
+
+const shown = {state: "", all: false, label: null};
+const shownFirst = 15;
+
+export function showLearn(parent) {
+  const {questions} = state;
+  if (!questions) {
+    parent.replaceChildren(make("h1", {}, "What is missing?"), empty("Every candidate is being asked",
+      "How much of the misfit would each effect at each place explain? This takes a second or two."));
+    return;
+  }
+  const again = () => showLearn(parent);
+  const chosen = questions.candidates.filter(candidate => !shown.state || candidate.state === shown.state);
+  const looked = questions.candidates.find(({label}) => label === shown.label) || questions.candidates[0];
+  parent.replaceChildren(
+    verdict(questions),
+    make("div", {class: "split learn"},
+      make("div", {}, make("h2", {}, "Candidates"), states(questions, again), table(chosen, questions, looked, again)),
+      make("div", {class: "looked"}, ...(looked ? detail(looked, questions, again) : []))));
+}
+
+// Of this model alone: the bridge was not asked to add anything.
+function verdict(questions) {
+  const {suspicious, steps, candidates, map} = questions, step = steps[0], best = candidates[0];
+  if (!step || suspicious.length || step.alarm > 0.05) {
+    return make("div", {class: "verdict " + questions.verdict}, make("h1", {}, questions.headline), make("p", {}, questions.sentence));
+  }
+  const curve = map.reduce((a, b) => a.evidence > b.evidence ? a : b, {evidence: -Infinity});
+  const unknown = curve.evidence - best.evidence > Math.max(6, 0.15 * best.evidence); // as naocal diagnose decides it
+  const effect = state.set.effects.find(({name}) => name === best.label.split("@")[0]);
+  const words = unknown ? "A curve of " + curve.joint + " over " + driverWords(curve.driver) + " explains it better than any known effect: see the map."
+    : "The likeliest cause is " + best.label + (effect ? ": " + effect.what : "") + "." + (best.after === null ? ""
+      : " With it, poses that the fit has not seen would be predicted to " + px(best.after) + " instead of " + px(best.before) + ".");
+  return make("div", {class: "verdict " + (unknown ? "unknown-effect" : "effect-missing")}, make("h1", {}, "Something is missing."),
+    make("p", {}, words + " (That this is chance: " + chance(step.alarm) + ".)"));
+}
+
+function states({candidates}, again) {
+  const offer = (value, words, count) => button(words + " " + count, () => { shown.state = value; again(); },
+    {"aria-pressed": String(shown.state === value), title: stateWords[value], class: "small"});
+  return make("div", {class: "controls"}, offer("", "all", candidates.length), ...Object.keys(stateWords).map(value => {
+    const count = candidates.filter(candidate => candidate.state === value).length;
+    return count ? offer(value, stateName(value), count) : null;
+  }), button("CSV", () => save(candidates), {class: "small"}));
+}
+
+function table(chosen, {candidates}, looked, again) {
+  if (!chosen.length) return make("p", {class: "soft"}, "There is no such candidate now.");
+  const most = Math.max(1, ...candidates.map(({evidence}) => evidence || 0));
+  const head = (words, title, className) => make("th", {scope: "col", title, class: className}, words);
+  const body = make("tbody", {}, ...(shown.all ? chosen : chosen.slice(0, shownFirst)).map(one => row(one, most, one === looked, again)));
+  return make("div", {},
+    make("table", {class: "candidates"}, make("thead", {}, make("tr", {}, head("effect", "an effect at a place"),
+      head("evidence", "how much better the captures are explained with it than without, its size weighed against what is plausible"),
+      head("size ± 1 sigma", "as these captures tell it"), head("what it would bring", "the error on unseen poses now and with it; the fall of chi², predicted, and after a slash as found by refitting", "number"), make("td", {}))), body),
+    chosen.length > shownFirst ? button(shown.all ? "show fewer" : "show all " + chosen.length, () => { shown.all = !shown.all; again(); }) : null);
+}
+
+function row(candidate, most, isLooked, again) {
+  const {label, state: verdict, sizes, evidence, predictedDrop, realDrop, before, after} = candidate;
+  const tested = verdict !== "no-data";
+  const bar = make("span", {class: "bar " + verdict});
+  bar.style.width = 100 * Math.max(0, evidence || 0) / most + "%";
+  const look = event => { if (event.target.closest(".add")) return; shown.label = label; again(); };
+  return make("tr", {class: isLooked ? "is-looked" : "", onclick: look},
+    make("td", {class: "name"}, make("button", {type: "button", class: "plain", "aria-pressed": String(isLooked)}, label.split("@")[0] + "@", make("wbr"), label.split("@")[1]),
+      make("span", {class: "state " + verdict, title: stateWords[verdict]}, stateName(verdict))),
+    make("td", {class: "strength"}, make("span", {class: "number"}, tested && evidence !== null ? tenths(evidence) : "–"), make("span", {class: "axis"}, bar)),
+    make("td", {}, ...(tested ? sizes : []).map(size => make("div", {class: "nowrap"}, sizeWords(size)))),
+    make("td", {class: "number"}, make("div", {}, before === null || after === null ? "–" : before.toFixed(2) + " → " + after.toFixed(2) + " px"),
+      tested ? make("div", {class: "soft"}, "chi² −" + short(predictedDrop) + (realDrop === null ? "" : " / −" + short(realDrop))) : null),
+    make("td", {}, tested ? button("Add", () => act({do: "add", label}), {class: "add small", "aria-label": "add " + label}) : null));
+}
+
+function save(candidates) {
+  const rows = [["effect", "state", "evidence", "sizes", "p", "predicted fall of chi2", "found fall of chi2", "unseen before [px]", "unseen after [px]"]];
+  for (const one of candidates) {
+    rows.push([one.label, one.state, one.evidence, one.sizes.map(sizeWords).join("; "), one.pValue, one.predictedDrop, one.realDrop, one.before, one.after]);
+  }
+  download("candidates.csv", csv(rows), "text/csv");
+}

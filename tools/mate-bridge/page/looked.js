@@ -1,0 +1,106 @@
+// The candidate that is looked at: what it is, what the captures say of it, what it looks like.
+import {make, button, choice} from "./elements.js";
+import {withUnit, short, tenths, px, chance, sizeWords, stateWords, stateName} from "./words.js";
+import {figure, axes, arrow, colours, enlargement, enlargedWords} from "./canvas.js";
+import {state, act} from "./state.js";
+
+let shownCamera = 0;
+
+export function detail(candidate, questions, again) {
+  const [name, place] = candidate.label.split("@"), effect = state.set.effects.find(one => one.name === name);
+  const parts = [make("h2", {}, candidate.label), make("p", {}, effect ? sentenceOf(effect.what) : "", make("span", {class: "soft"},
+    " " + (place === "all" ? "Everywhere." : "At " + place + ".")))];
+  if (effect) {
+    parts.push(make("p", {}, make("code", {}, effect.formula)), make("p", {class: "soft"}, "Plausible (1 sigma): " +
+      effect.unknowns.map(({name: unknown, sigma, unit}) => unknown + " ± " + withUnit(short(sigma), unit)).join(", ") + "."));
+  }
+  const facts = [[stateName(candidate.state), stateWords[candidate.state]]];
+  if (candidate.why) facts.push(["why", candidate.why]);
+  if (candidate.state !== "no-data") {
+    facts.push(["size", candidate.sizes.map(sizeWords).join(", ") + (candidate.plausible ? "" : ": larger than plausible")]);
+    facts.push(["least seen", candidate.sizes.map(({detectable, unit}) => detectable === null ? "–" : withUnit(short(detectable), unit)).join(", ") +
+      ": noticed in 9 of 10 cases"]);
+    if (candidate.pValue !== null) facts.push(["alone", chance(candidate.pValue)]);
+    facts.push(["power", Math.round(100 * candidate.power) + " % to be noticed if as large as plausible"]);
+    facts.push(["its own", Math.round(100 * candidate.kept) + " % of it is nothing that other unknowns could imitate"]);
+  }
+  if (candidate.equivalent.length) facts.push(["like it", "these captures cannot tell it from " + candidate.equivalent.join(", ")]);
+  parts.push(make("dl", {class: "facts"}, ...facts.flatMap(([term, words]) => [make("dt", {}, term), make("dd", {}, words)])));
+  if (candidate.state !== "no-data") parts.push(make("p", {}, button("Add " + candidate.label, () => act({do: "add", label: candidate.label}), {class: "main"})));
+  if (candidate.imprint) parts.push(...imprintOf(candidate.imprint, questions, again));
+  if (candidate.added) parts.push(...addedOf(candidate, questions));
+  return parts;
+}
+
+const sentenceOf = text => text.charAt(0).toUpperCase() + text.slice(1) + ".";
+
+// What it would do to these captures were they perfect otherwise.
+function imprintOf(imprint, {pictures, cameras}, again) {
+  const names = Object.keys(cameras).filter(camera => imprint.pictures.some(({picture}) => pictures[picture].camera === camera));
+  if (!names.length) return [];
+  const camera = names[Math.min(shownCamera, names.length - 1)], {width: full, height: tall} = cameras[camera];
+  const seen = imprint.pictures.filter(({picture}) => pictures[picture].camera === camera)[0];
+  const caption = make("figcaption");
+  const drawn = figure({
+    height: width => width * tall / full, label: "what the effect would do to capture " + pictures[seen.picture].capture,
+    draw: (context, width, height) => {
+      const scale = width / full, enlarged = enlargement(seen.corners.map(([, , du, dv]) => scale * Math.hypot(du, dv)), 0.1 * width);
+      context.fillStyle = colours.panel;
+      context.fillRect(0, 0, width, height);
+      caption.textContent = "capture " + pictures[seen.picture].capture + ", " + camera + " camera: " + px(seen.before) +
+        " rms, " + px(seen.after) + " once the model without it is fitted; " + enlargedWords(enlarged);
+      return seen.corners.map(([u, v, du, dv, left, down]) => {
+        const x = scale * (u + 0.5), y = scale * (v + 0.5);
+        arrow(context, colours.orange, 3, x, y, scale * enlarged * du, scale * enlarged * dv);
+        arrow(context, colours.blue, 1.5, x, y, scale * enlarged * left, scale * enlarged * down);
+        return {x, y, tip: () => "shifted by " + px(Math.hypot(du, dv)) + ", after refitting " + px(Math.hypot(left, down))};
+      });
+    },
+  });
+  return [make("h3", {}, "What it would look like"), make("p", {class: "soft"}, make("span", {class: "key before"}), " shift of the corners, as large as " +
+    (imprint.found ? "found" : "plausible") + "; ", make("span", {class: "key after"}), " what is left after refitting: only that can give it away."),
+    names.length > 1 ? choice("camera", names.map((text, i) => ({value: String(i), text})), String(shownCamera), value => { shownCamera = Number(value); again(); }) : null,
+    make("figure", {}, drawn, caption)];
+}
+
+// A point per pose; the slope is the size.
+function addedOf({label, added}, {poses}) {
+  const {slope, sigma, points} = added;
+  const drawn = figure({
+    height: 240, label: "what each pose says about " + label,
+    draw: (context, width, height) => {
+      const box = {left: 46, right: width - 8, top: 28, bottom: height - 42};
+      const spread = (values, least) => {
+        const low = Math.min(0, ...values), high = Math.max(0, ...values), margin = 0.06 * (high - low) + least;
+        return [low - margin, high + margin];
+      };
+      const [left, right] = spread(points.map(([, x]) => x), 1e-9), [bottom, top] = spread(points.map(([, , y]) => y), 1);
+      const {x, y, line} = axes(context, box, [left, right], [bottom, top], {yLabel: "measured that way [sigma]", xLabel: "what it would do to the pose [sigma]"});
+      context.save();
+      context.beginPath();
+      context.rect(box.left, box.top, box.right - box.left, box.bottom - box.top);
+      context.clip();
+      context.fillStyle = context.strokeStyle = colours.orange;
+      for (const end of [left, right]) {
+        context.globalAlpha = 0.2;
+        context.beginPath();
+        context.moveTo(x(0), y(0));
+        context.lineTo(x(end), y(end * (slope - 2 * sigma)));
+        context.lineTo(x(end), y(end * (slope + 2 * sigma)));
+        context.fill();
+        context.globalAlpha = 1;
+      }
+      context.lineWidth = 2;
+      line(x(left), y(left * slope), x(right), y(right * slope));
+      context.restore();
+      context.fillStyle = colours.blue;
+      return points.filter(([pose]) => pose !== null).map(([pose, a, b]) => {
+        context.beginPath();
+        context.arc(x(a), y(b), 2.8, 0, 7);
+        context.fill();
+        return {x: x(a), y: y(b), tip: () => "pose " + poses[pose].name + "\nmeasured " + tenths(b) + " sigma that way"};
+      });
+    },
+  });
+  return [make("h3", {}, "What each pose says"), make("p", {class: "soft"}, "Convincing: many poses along a line that is not flat."), drawn];
+}

@@ -1,0 +1,82 @@
+// The model beside every laboratory view: the ladder of errors, what is in the model, undo, and the search.
+import {make, button} from "./elements.js";
+import {px3, chance} from "./words.js";
+import {send} from "./connection.js";
+import {state, act} from "./state.js";
+
+export function showModel(parent) {
+  const {ladder, fit} = state;
+  if (!ladder || !fit) {
+    parent.replaceChildren(make("p", {class: "soft"}, "Fitting the first model …"));
+    return;
+  }
+  parent.replaceChildren(make("h2", {}, "Ladder of errors"), ladderOf(ladder), historyButtons(ladder), modelOf(fit), search());
+}
+
+// A bar per model: the error on poses it has not seen, hollow while only the error of the fit is known; the grey band
+// is what noise would leave.
+function ladderOf({at, rungs}) {
+  const floors = rungs.filter(rung => rung.floor !== undefined).map(rung => rung.floor);
+  const floor = floors.length ? floors[floors.length - 1] : 0;
+  const error = rung => rung.heldOut === undefined ? rung.rms : rung.heldOut;
+  const most = 1.04 * Math.max(floor, ...rungs.map(error));
+  const list = make("ol", {class: "ladder"});
+  rungs.forEach((rung, i) => {
+    const bar = make("span", {class: "bar" + (rung.heldOut === undefined ? " open" : "")});
+    const band = make("span", {class: "band"});
+    bar.style.width = 100 * error(rung) / most + "%";
+    band.style.width = 100 * (rung.floor === undefined ? floor : rung.floor) / most + "%";
+    const words = rung.heldOut === undefined ? "fitted poses: " + px3(rung.rms) + "; unseen poses: not known yet"
+      : "unseen poses: " + px3(rung.heldOut) + "\nfitted poses: " + px3(rung.rms) + "\nnoise alone: " + px3(rung.floor) +
+        "\nthat something is missing may be chance: " + chance(rung.alarm);
+    list.append(make("li", {}, make("button", {
+      type: "button", class: "rung", title: words, "aria-current": i === at ? "step" : null,
+      onclick: () => act({do: "goTo", rung: i}),
+    }, make("span", {class: "name"}, rung.step || "the model to begin with"), make("span", {class: "number"}, px3(error(rung))),
+      make("span", {class: "axis"}, band, bar))));
+  });
+  list.append(make("li", {class: "floor soft"}, make("span", {}, "noise alone"), make("span", {class: "number"},
+    floor ? px3(floor) : "…")));
+  return list;
+}
+
+function historyButtons({at, rungs}) {
+  return make("p", {class: "controls"},
+    button("Undo", () => act({do: "goTo", rung: at - 1}), {disabled: at === 0, id: "undo", title: "u"}),
+    button("Redo", () => act({do: "goTo", rung: at + 1}), {disabled: at + 1 >= rungs.length, title: "r"}));
+}
+
+// What is in the model; what was added stands first, the base below.
+function modelOf(fit) {
+  const base = fit.labels.filter(label => !fit.with.includes(label));
+  const row = label => make("li", {}, make("span", {}, label),
+    button("×", () => act({do: "drop", label}), {class: "small", "aria-label": "remove " + label, title: "remove " + label}));
+  const parts = [make("h2", {}, "In the model")];
+  parts.push(fit.with.length ? make("ul", {class: "terms"}, ...fit.with.map(row))
+    : make("p", {class: "soft"}, "The base model. Add effects in Learn."));
+  const folded = make("details", {}, make("summary", {}, "base: " + base.length + " effects"), make("ul", {class: "terms"}, ...base.map(row)));
+  folded.open = openBase;
+  folded.addEventListener("toggle", () => { openBase = folded.open; });
+  parts.push(folded);
+  if (fit.without.length) {
+    parts.push(make("h3", {}, "Taken out"), make("ul", {class: "terms"}, ...fit.without.map(label => make("li", {},
+      make("span", {class: "soft"}, label), button("+", () => act({do: "add", label}),
+        {class: "small", "aria-label": "put " + label + " back"})))));
+  }
+  return make("div", {}, ...parts);
+}
+let openBase = false;
+
+// Everything that is missing, found by the bridge; added only when the person says so.
+function search() {
+  const part = make("div", {class: "search"}, make("h2", {}, "Let it search"), make("p", {class: "controls"},
+    button("Find what is missing", () => send({do: "search"}), {disabled: Boolean(state.work && state.work.startsWith("searching"))})));
+  if (state.found) {
+    part.append(make("p", {}, state.found.sentence));
+    for (const label of state.found.suggested) {
+      const has = state.fit.with.includes(label);
+      part.append(make("p", {class: "controls"}, button(has ? label + " is in" : "Add " + label, () => act({do: "add", label}), {disabled: has})));
+    }
+  }
+  return part;
+}

@@ -1,0 +1,134 @@
+// Puts the panel together: views, tabs, keys, what the bridge tells.
+import {make, button, empty} from "./elements.js";
+import {on, connect} from "./connection.js";
+import {readColours} from "./canvas.js";
+import {state, act, notice, onNotice} from "./state.js";
+import {showModel} from "./model.js";
+import {showCompare} from "./compare.js";
+import {showLearn} from "./learn.js";
+import {showMap} from "./map.js";
+import {showOwn} from "./own.js";
+import {showResult} from "./result.js";
+import {showLive, leaveLive, liveTold} from "./live.js";
+import {showMatch, leaveMatch, matchTold} from "./match.js";
+import {told} from "./robots.js";
+import {showKeys, keysTold} from "./keys.js";
+
+const at = id => document.getElementById(id);
+
+// `kinds`: after which messages a view is drawn anew.
+const views = [
+  {id: "compare", name: "Compare", show: showCompare, kinds: ["fit"], laboratory: true},
+  {id: "learn", name: "Learn", show: showLearn, kinds: ["fit", "questions"], laboratory: true},
+  {id: "map", name: "Map", show: parent => showMap(parent, go), kinds: ["fit", "questions"], laboratory: true},
+  {id: "own", name: "Own effect", show: showOwn, kinds: ["set"], laboratory: true},
+  {id: "result", name: "Result", show: showResult, kinds: ["fit"], laboratory: true},
+  {id: "match", name: "Calibrate", show: showMatch, leave: leaveMatch, kinds: []},
+  {id: "live", name: "Live", show: showLive, leave: leaveLive, kinds: []},
+  {id: "keys", name: "Configuration", show: showKeys, kinds: []},
+];
+let current, complete = false; // whether everything that a view of the laboratory shows was told
+
+function go(id) {
+  if (location.hash === "#" + id) open();
+  else location.hash = id;
+}
+
+function open() {
+  const wanted = views.find(({id}) => id === location.hash.slice(1)) || (state.laboratory ? views[0] : views.find(({id}) => id === "match"));
+  if (current !== wanted && current && current.leave) current.leave();
+  const arrived = current !== wanted;
+  current = wanted;
+  for (const tab of at("tabs").querySelectorAll("button")) {
+    if (tab.dataset.view === current.id) tab.setAttribute("aria-current", "page");
+    else tab.removeAttribute("aria-current");
+  }
+  document.title = current.name + " – naocal panel";
+  at("model").hidden = !(current.laboratory && state.laboratory);
+  document.querySelector("main").classList.toggle("wide", at("model").hidden);
+  draw();
+  if (arrived) scrollTo(0, 0);
+}
+
+function draw() {
+  const view = at("view");
+  complete = Boolean(state.fit && state.set && state.ladder);
+  if (!current.laboratory) current.show(view);
+  else if (!state.laboratory) {
+    view.replaceChildren(empty("No captures are open", "Start ", make("code", {}, "mate-bridge captures/"), " with the folder of a capture set, or with a result of ",
+      make("code", {}, "naocal solve"), ", to look at it here."));
+  } else if (!complete) view.replaceChildren(empty("Fitting", "The first fit takes less than a second for thirty poses."));
+  else current.show(view);
+  if (!at("model").hidden) showModel(at("model"));
+}
+
+// What the laboratory tells; questions belong to the fit before them.
+for (const kind of ["set", "ladder", "fit", "questions", "found"]) {
+  on(kind, message => {
+    state[kind] = message;
+    if (kind === "fit") state.questions = null;
+    if (current && current.laboratory) {
+      if (current.kinds.includes(kind) || !complete) draw();
+      else if (!at("model").hidden) showModel(at("model"));
+    }
+  });
+}
+on("hello", ({laboratory}) => { state.laboratory = laboratory; open(); });
+on("refused", ({sentence}) => notice(sentence));
+on("work", ({what}) => {
+  state.work = what;
+  at("work").textContent = what ? what + " …" : "";
+  at("work").classList.toggle("busy", Boolean(what));
+  if (!at("model").hidden && state.fit) showModel(at("model"));
+});
+for (const kind of ["robot", "robotGone", "list", "mounts", "keys", "update", "picture"]) {
+  on(kind, (message, more) => {
+    if (!told(message)) return;
+    liveTold(message, more, current && current.id === "live");
+    matchTold(message, more, current && current.id === "match");
+    keysTold(message, current && current.id === "keys");
+  });
+}
+
+onNotice(sentence => {
+  at("notice").hidden = false;
+  at("notice").replaceChildren(make("span", {}, sentence), button("OK", () => { at("notice").hidden = true; }, {class: "small"}));
+});
+
+function showLink(connected) {
+  at("link").textContent = connected ? "bridge" : "bridge away";
+  at("link").className = connected ? "" : "gone";
+  at("link").title = connected ? "The panel is connected to mate-bridge." : "mate-bridge does not answer; it is tried again by itself. What is shown is the last that it told.";
+  if (!connected) { state.work = null; at("work").textContent = ""; at("work").classList.remove("busy"); }
+}
+
+function setTheme(theme) {
+  if (theme) document.documentElement.dataset.theme = theme;
+  else delete document.documentElement.dataset.theme;
+  readColours();
+}
+at("theme").addEventListener("click", () => {
+  const dark = document.documentElement.dataset.theme ? document.documentElement.dataset.theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
+  setTheme(dark ? "light" : "dark");
+});
+at("theme").title = "light or dark";
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", readColours);
+
+document.addEventListener("keydown", event => {
+  if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName)) return;
+  const place = Number(event.key);
+  if (place >= 1 && place <= views.length) go(views[place - 1].id);
+  else if (event.key === "u" && state.ladder && state.ladder.at > 0) act({do: "goTo", rung: state.ladder.at - 1});
+  else if (event.key === "r" && state.ladder && state.ladder.at + 1 < state.ladder.rungs.length) act({do: "goTo", rung: state.ladder.at + 1});
+});
+
+views.forEach((view, i) => {
+  if (view.id === "match") at("tabs").append(make("span", {class: "gap"}));
+  const tab = button(view.name, () => go(view.id), {title: "key " + (i + 1)});
+  tab.dataset.view = view.id;
+  at("tabs").append(tab);
+});
+addEventListener("hashchange", open);
+readColours();
+showLink(false);
+connect(showLink);

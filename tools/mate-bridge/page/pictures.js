@@ -1,0 +1,85 @@
+// One picture with its corners: a ring where measured, a line to the cross where predicted.
+import {make} from "./elements.js";
+import {figure, colours, enlargement, enlargedWords} from "./canvas.js";
+import {px, direction, pictureName, rms} from "./words.js";
+import {state} from "./state.js";
+
+const doubtfulBelow = 0.5;
+
+// The corners of a picture in the layer shown: {u, v, du, dv, id, board, weight, picture}.
+export function cornersOf(picture, layer = state.layer) {
+  return picture.boards.flatMap(board => board.ids.map((id, i) => ({
+    id, board: board.board, picture, u: board.measured[2 * i], v: board.measured[2 * i + 1],
+    du: board[layer][2 * i], dv: board[layer][2 * i + 1], weight: board.weight ? board.weight[i] : 1,
+  })));
+}
+
+export const pictureRms = picture => rms(cornersOf(picture).map(({du, dv}) => Math.hypot(du, dv)));
+
+export function cornerTip(corner) {
+  return "board " + corner.board + ", corner " + corner.id + "\n" + pictureName(corner.picture) + "\npredicted " +
+    px(Math.hypot(corner.du, corner.dv)) + " off: " + direction(corner.du, corner.dv) +
+    (corner.weight < 1 ? "\n" + (corner.weight < doubtfulBelow ? "doubtful: " : "") + "counts " + Math.round(100 * corner.weight) + " %" : "");
+}
+
+const photographs = new Map(); // by address
+
+function photograph(picture, loaded) {
+  if (!picture.kept) return null;
+  const address = "picture/" + encodeURIComponent(picture.set) + "/" + picture.capture;
+  if (!photographs.has(address)) {
+    const image = new Image();
+    photographs.set(address, image);
+    image.src = address;
+    if (photographs.size > 60) photographs.delete(photographs.keys().next().value);
+  }
+  const image = photographs.get(address);
+  if (!image.complete) image.addEventListener("load", loaded, {once: true});
+  return image.complete && image.naturalWidth ? image : null;
+}
+
+export function pictureFigure(picture) {
+  const caption = make("figcaption");
+  const drawn = figure({
+    height: width => width * picture.height / picture.width, label: "measured and predicted corners of " + pictureName(picture),
+    draw: (context, width, height) => draw(context, width, height, picture, caption, () => drawn.redraw()),
+  });
+  return make("figure", {}, drawn, caption);
+}
+
+function draw(context, width, height, picture, caption, redraw) {
+  const scale = width / picture.width, corners = cornersOf(picture), behind = photograph(picture, redraw);
+  context.fillStyle = colours.panel;
+  context.fillRect(0, 0, width, height);
+  if (behind) context.drawImage(behind, 0, 0, width, height);
+  context.strokeStyle = colours.line;
+  context.strokeRect(0.5, 0.5, width - 1, height - 1);
+  const enlarged = enlargement(corners.map(({du, dv}) => scale * Math.hypot(du, dv)), 0.06 * width);
+  const targets = corners.map(corner => {
+    const x = scale * (corner.u + 0.5), y = scale * (corner.v + 0.5);
+    return {x, y, endX: x + scale * enlarged * corner.du, endY: y + scale * enlarged * corner.dv, corner, tip: () => cornerTip(corner)};
+  });
+  if (behind) targets.forEach(target => drawCorner(context, target, true));
+  targets.forEach(target => drawCorner(context, target, false));
+  caption.replaceChildren(make("b", {}, px(pictureRms(picture)) + " rms"), ", " + enlargedWords(enlarged) + ": " +
+    pictureName(picture) + ", " + (picture.boards.length === 1 ? "board " : "boards ") + picture.boards.map(({board}) => board).join(", "));
+  return targets;
+}
+
+// As a halo broad and pale, to make it stand out from a photograph.
+function drawCorner(context, {x, y, endX, endY, corner}, halo) {
+  const stroke = (name, path) => {
+    context.strokeStyle = halo ? "rgba(255, 255, 255, 0.6)" : colours[name];
+    context.lineWidth = halo ? 3.5 : 1.5;
+    context.beginPath();
+    path();
+    context.stroke();
+  };
+  stroke("orange", () => {
+    context.moveTo(x, y); context.lineTo(endX, endY);
+    context.moveTo(endX - 3, endY - 3); context.lineTo(endX + 3, endY + 3);
+    context.moveTo(endX - 3, endY + 3); context.lineTo(endX + 3, endY - 3);
+  });
+  stroke("blue", () => context.arc(x, y, 3.5, 0, 7));
+  if (corner.weight < doubtfulBelow) stroke("pink", () => context.rect(x - 8, y - 8, 16, 16));
+}

@@ -1,0 +1,69 @@
+// The robots: connecting, how each stands, and which one is looked at.
+import {make, button} from "./elements.js";
+import {on} from "./connection.js";
+import {state, act} from "./state.js";
+
+export const robots = state.robots; // by address: {connected, sentence, list, mounts, keys: Map by mount}
+let looked = null, typed = "";
+
+on("hello", () => robots.clear()); // those that there still are follow
+
+export const lookedAt = () => robots.get(looked) ? looked : (robots.keys().next().value ?? null);
+
+// False: nothing that views show has changed; a list that only repeats itself says that the robot is alive.
+export function told(message) {
+  const {kind, robot} = message;
+  if (kind === "update" || kind === "picture") return true;
+  if (kind === "robotGone") return robots.delete(robot);
+  if (!robots.has(robot)) robots.set(robot, {connected: false, sentence: "connecting", list: [], mounts: [], keys: new Map()});
+  const entry = robots.get(robot);
+  if (kind === "robot") Object.assign(entry, {connected: message.connected, sentence: message.sentence});
+  if (kind === "keys" && message.body && message.body.mountPoint) entry.keys.set(message.body.mountPoint, keysOf(message.body));
+  if (kind === "list" || kind === "mounts") {
+    const names = JSON.stringify(entry[kind].map(({key}) => key));
+    entry[kind] = keysOf(message.body);
+    return names !== JSON.stringify(entry[kind].map(({key}) => key));
+  }
+  return true;
+}
+
+const keysOf = body => body && Array.isArray(body.keys) ? body.keys.filter(({key}) => typeof key === "string").sort((a, b) => a.key < b.key ? -1 : 1) : [];
+
+// The row on top of every robot view.
+export function robotBar(changed) {
+  const address = make("input", {type: "text", placeholder: "nao21, HOST:PORT or /sockets", "aria-label": "robot to connect to", spellcheck: "false", autocomplete: "off"});
+  address.value = typed;
+  address.addEventListener("input", () => { typed = address.value; });
+  const form = make("form", {class: "controls", onsubmit: event => {
+    event.preventDefault();
+    if (!address.value.trim()) return;
+    act({do: "connect", robot: address.value.trim()});
+    looked = address.value.trim();
+    typed = address.value = "";
+  }}, address, make("button", {type: "submit"}, "Connect"));
+  const chips = [...robots].map(([name, {connected, sentence}]) => make("span", {class: "robot" + (connected ? " connected" : "") + (name === lookedAt() ? " is-looked" : "")},
+    button(name, () => { looked = name; changed(); }, {class: "plain", "aria-pressed": String(name === lookedAt())}),
+    make("span", {class: "soft"}, sentence), button("×", () => act({do: "disconnect", robot: name}), {class: "small", "aria-label": "disconnect from " + name})));
+  const name = lookedAt();
+  return make("div", {class: "robots"}, ...chips, form, name && robots.get(name).connected && !robots.get(name).list.length ? secretForm(name) : null);
+}
+
+// A robot that listens beyond its own computer shows nothing before it is told its secret (access.json).
+function secretForm(robot) {
+  const secret = make("input", {type: "password", placeholder: "its secret", "aria-label": "secret of " + robot, autocomplete: "off"});
+  return make("form", {class: "controls", onsubmit: event => {
+    event.preventDefault();
+    act({do: "set", robot, settings: [{mp: "naocal.access", key: "secret", value: secret.value}]});
+    secret.value = "";
+  }}, secret, make("button", {type: "submit"}, "Tell it"));
+}
+
+// What to say where there is nothing to look at; null where there is.
+export function whyNothing() {
+  const name = lookedAt();
+  if (!name) return ["No robot yet", "Type a robot's name or address above: HOST, HOST:PORT with its base port (12440 unless it was changed), or the folder of its UNIX sockets."];
+  const {connected, sentence, list} = robots.get(name);
+  if (connected && !list.length) return [name + " shows nothing", "It lists no values. A robot that is reached over the network may want its secret first: type it above."];
+  if (!connected && !list.length) return [name + " is not connected", name + " " + (sentence === "connecting" ? "is being connected to …" : sentence + ". It is tried again every second.")];
+  return null;
+}
