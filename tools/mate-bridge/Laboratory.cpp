@@ -45,7 +45,10 @@ Rung firstRung(const OpenedSets& opened, const Measurements& measurements) {
     return {};
   }
   const std::vector<std::string> base = labelsOf(makeModel(measurements));
-  return {without(opened.terms, base), without(base, opened.terms), "", 0, {}};
+  std::vector<std::string> with = without(opened.terms, base);
+  // the base has every offset that can be asked for; others are along because torques depend on them
+  std::erase_if(with, [](const std::string& label) { return label.starts_with("jointOffset@"); });
+  return {std::move(with), without(base, opened.terms), "", 0, {}};
 }
 
 Json rungJson(const Rung& rung) {

@@ -35,7 +35,8 @@ int main(int argc, char** argv) {
   std::string listen = "127.0.0.1:0";
   bool noOpen = false;
   app.add_option("SET", sets, "folders with captures.json, or a result together with its captures");
-  app.add_option("--robot", robots, "a robot: HOST, HOST:PORT (its base port), or the folder of its UNIX sockets");
+  app.add_option("--robot", robots, "a robot: HOST, HOST:PORT (its base port), or the folder of its UNIX sockets")
+      ->allow_extra_args(false);
   app.add_option("--listen", listen, "127.0.0.1:PORT where the panel is served; 0 takes any port")
       ->capture_default_str();
   app.add_flag("--no-open", noOpen, "only print the address");

@@ -6,15 +6,22 @@ import {state} from "./state.js";
 
 const doubtfulBelow = 0.5;
 
-// The corners of a picture in the layer shown: {u, v, du, dv, id, board, weight, picture}.
-export function cornersOf(picture, layer = state.layer) {
-  return picture.boards.flatMap(board => board.ids.map((id, i) => ({
-    id, board: board.board, picture, u: board.measured[2 * i], v: board.measured[2 * i + 1],
-    du: board[layer][2 * i], dv: board[layer][2 * i + 1], weight: board.weight ? board.weight[i] : 1,
-  })));
+// The corners of a picture in the layer shown: {u, v, du, dv, id, board, weight, picture}. Made once: there may be many.
+const made = new WeakMap(); // by picture: corners and their rms, by layer
+function lookedUp(picture) {
+  if (!made.has(picture)) made.set(picture, {});
+  const known = made.get(picture), layer = state.layer;
+  if (!known[layer]) {
+    const corners = picture.boards.flatMap(board => board.ids.map((id, i) => ({
+      id, board: board.board, picture, u: board.measured[2 * i], v: board.measured[2 * i + 1],
+      du: board[layer][2 * i], dv: board[layer][2 * i + 1], weight: board.weight ? board.weight[i] : 1,
+    })));
+    known[layer] = {corners, rms: rms(corners.map(({du, dv}) => Math.hypot(du, dv)))};
+  }
+  return known[layer];
 }
-
-export const pictureRms = picture => rms(cornersOf(picture).map(({du, dv}) => Math.hypot(du, dv)));
+export const cornersOf = picture => lookedUp(picture).corners;
+export const pictureRms = picture => lookedUp(picture).rms;
 
 export function cornerTip(corner) {
   return "board " + corner.board + ", corner " + corner.id + "\n" + pictureName(corner.picture) + "\npredicted " +

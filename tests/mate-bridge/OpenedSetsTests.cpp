@@ -1,0 +1,60 @@
+#include "OpenedSets.hpp"
+
+#include "Laboratory.hpp"
+#include "TemporaryFolder.hpp"
+#include "captures/CaptureSetFile.hpp"
+#include "captures/Files.hpp"
+#include "captures/InputError.hpp"
+#include "synthetic/Simulation.hpp"
+#include "synthetic/StandingPoses.hpp"
+
+#include <catch2/catch.hpp>
+#include <map>
+#include <nlohmann/json.hpp>
+
+using namespace naocal;
+using Catch::Contains;
+using Json = nlohmann::json;
+
+namespace {
+
+/// A set "few" and, beside it, a result of it with one more effect that names the set where it is not any more.
+void writeSetAndResult(const std::filesystem::path& folder) {
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  SimulationPlan plan;
+  plan.poses = standingPoses(robot, plan, SupportFoot::left, 8, 1);
+  const std::vector<CaptureSet> sets{simulate(robot, plan, 1).set};
+  writeCaptureSet(sets.front(), folder / "few");
+  const Measurements measurements = measurementsOf(sets, robot);
+  const Model model = makeModel(measurements, {"elasticity@LKneePitch"}, {"jointOffset@HeadYaw"});
+  const Json result = resultJson(sets, measurements, model, calibrate(measurements, model), {{"/gone/few"}, {""}});
+  writeAtomically(folder / "result.json", result.dump());
+}
+
+} // namespace
+
+TEST_CASE("a result is opened with its captures and its model") {
+  // Proves that captures are found beside the result, and that the laboratory begins with the result's model.
+  const TemporaryFolder folder;
+  writeSetAndResult(folder.path());
+  std::map<std::string, Json> told;
+  Laboratory laboratory{openSets({(folder.path() / "result.json").string()}),
+                        [&](const std::string& kind, const Json& content) { told[kind] = content; }};
+  laboratory.fit();
+  CHECK(told["fit"]["with"] == Json::array({"elasticity@LKneePitch"}));
+  CHECK(told["fit"]["without"] == Json::array({"jointOffset@HeadYaw"}));
+  CHECK_FALSE(told["fit"]["pictures"].empty());
+}
+
+TEST_CASE("what cannot be opened is refused with its name and what to do") {
+  // Proves the sentences for what is neither a set nor a result, and for a result without its captures.
+  const TemporaryFolder folder;
+  writeSetAndResult(folder.path());
+  const std::string result = (folder.path() / "result.json").string();
+  CHECK_THROWS_AS(openSets({(folder.path() / "nowhere").string()}), InputError);
+  CHECK_THROWS_WITH(openSets({result, result}), Contains("opened by itself"));
+  writeAtomically(folder.path() / "other.json", R"({"format": "naocal-poses"})");
+  CHECK_THROWS_WITH(openSets({(folder.path() / "other.json").string()}), Contains("opens capture sets and results"));
+  std::filesystem::remove_all(folder.path() / "few");
+  CHECK_THROWS_WITH(openSets({result}), Contains("is not there any more") && Contains("open the captures themselves"));
+}
