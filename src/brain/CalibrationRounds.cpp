@@ -1,6 +1,10 @@
 #include "brain/CalibrationRunner.hpp"
-#include "brain/HeadCalibration.hpp"
+#include "brain/LegPoses.hpp"
+#include "brain/SavedCalibration.hpp"
+#include "geometry/Angles.hpp"
 
+#include <algorithm>
+#include <deque>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -12,33 +16,64 @@ using Phase = CalibrationState::Phase;
 
 constexpr double leastGain = 0.5; // what a calibration leaves of the error at most, to be kept
 
-} // namespace
-
-void CalibrationRunner::goOn() {
-  if (!first_) {
-    startRound(first_, "first");
-  } else if (!second_) {
-    solve();
-  } else {
-    check();
+/// Each foot's poses, one foot after the other; each time that the robot steps onto one is a stance.
+CalibrationRound legRound(const std::deque<LegPoses>& legs, RoundOptions options) {
+  CalibrationRound round;
+  int stance = 0;
+  for (const LegPoses& leg : legs) {
+    const CalibrationRound onFoot = leg.round(options, stance++);
+    round.insert(round.end(), onFoot.begin(), onFoot.end());
   }
+  return round;
 }
 
-void CalibrationRunner::startRound(std::shared_ptr<Round>& round, const std::string& name) {
-  round = std::make_shared<Round>();
-  poses_ = headPoses(player_.home, *yaws_, *pitches_);
-  if (name == "second") { // to check, other places than those that were calibrated with
-    for (CompensatedAngles& pose : poses_) {
-      pose = interpolated(pose, player_.home, 0.3);
+} // namespace
+
+void CalibrationRunner::prepare() {
+  enter(Phase::preparing, "The ways between the poses are being checked.");
+  RoundOptions options{*repeats_, radians(*approach_), 0, *orderSeed_};
+  if (kind_->feet.front() == SupportFoot::both) {
+    rounds_[0] = headRound(player_.home, *yaws_, *pitches_, options.pictures);
+    rounds_[1] = rounds_[0];
+    for (CalibrationStep& step : rounds_[1]) { // to check, other places than those that were calibrated with
+      for (CompensatedAngles& pose : step.points) {
+        pose = interpolated(pose, player_.home, 0.3);
+      }
     }
+    return startRound();
   }
-  state_.edit().pose = 0;
-  state_.edit().poses = static_cast<int>(poses_.size());
-  roundStart_.reset();
-  give([round, &drawing = surroundings_.drawing, header = header(), folder = folder_ / name](Finding&) {
-    round->session.emplace(drawing, header, folder);
+  give([options, checkPoses = *checkPoses_, kind = kind_, home = player_.home, &drawing = surroundings_.drawing,
+        file = surroundings_.poses / (surroundings_.drawing.model + ".json")](Finding& finding) mutable {
+    const PoseFile poses = readPoseFile(file, drawing);
+    std::deque<LegPoses> legs;
+    for (const SupportFoot foot : kind->feet) {
+      legs.emplace_back(drawing, poses, foot, home);
+    }
+    finding.rounds.emplace();
+    finding.rounds->at(0) = legRound(legs, options);
+    ++options.seed;
+    options.poses = static_cast<std::size_t>(checkPoses);
+    finding.rounds->at(1) = legRound(legs, options);
   });
-  nextPose();
+}
+
+void CalibrationRunner::startRound() {
+  const CalibrationRound& round = rounds_[round_];
+  step_ = 0;
+  state_.edit().pose = 0;
+  state_.edit().poses = static_cast<int>(
+      std::count_if(round.begin(), round.end(), [](const CalibrationStep& step) { return step.pictures > 0; }));
+  roundStart_.reset();
+  sessions_[round_] = std::make_shared<Round>();
+  give([session = sessions_[round_], &drawing = surroundings_.drawing, header = header(),
+        folder = folder_ / (round_ == 0 ? "first" : "second")](Finding&) {
+    session->session.emplace(drawing, header, folder);
+  });
+  nextStep();
+}
+
+void CalibrationRunner::endRound() {
+  round_ == 0 ? solve() : check();
 }
 
 void CalibrationRunner::give(std::function<void(Finding&)> task) {
@@ -49,7 +84,7 @@ void CalibrationRunner::give(std::function<void(Finding&)> task) {
     } catch (const std::exception& error) {
       finding.problem = error.what();
     }
-    if (finding.isApplied || finding.error || !finding.problem.empty()) {
+    if (finding.rounds || finding.isApplied || finding.error || !finding.problem.empty()) {
       findings_.write(std::move(finding));
     }
   });
@@ -57,17 +92,18 @@ void CalibrationRunner::give(std::function<void(Finding&)> task) {
 
 void CalibrationRunner::solve() {
   enter(Phase::solving, "The captures are being solved.");
-  give([round = first_, &configuration = surroundings_.configuration](Finding& finding) {
-    apply(ofHead(round->session.value().solved()), configuration);
+  give([round = sessions_[0], &configuration = surroundings_.configuration,
+        onlyHead = kind_->feet.front() == SupportFoot::both](Finding& finding) {
+    const StoredResult result = round->session.value().solved();
+    apply(onlyHead ? ofHead(result) : result, configuration);
     finding.isApplied = true;
   });
 }
 
 void CalibrationRunner::check() {
   enter(Phase::checking, "The second round is being compared with what was solved.");
-  give([second = second_, file = folder_ / "first" / "result.json",
-        &configuration = surroundings_.configuration](Finding& finding) {
-    finding.error = second->session.value().error(ofHead(readResult(file)));
+  give([second = sessions_[1], before = before_, &configuration = surroundings_.configuration](Finding& finding) {
+    finding.error = second->session.value().error(before, configured(configuration));
     if (finding.error->after > leastGain * finding.error->before) {
       takeBack(configuration);
     }
@@ -75,17 +111,18 @@ void CalibrationRunner::check() {
 }
 
 void CalibrationRunner::takeFinding() {
-  const Finding* finding = findings_.take();
-  const Phase phase = state_->phase;
-  if (finding == nullptr || finding->folder != folder_ || phase == Phase::idle || phase == Phase::finished ||
-      phase == Phase::failed) {
+  Finding* finding = findings_.take();
+  if (finding == nullptr || finding->folder != folder_ || !state_->runs()) {
     return;
   }
   if (!finding->problem.empty()) {
-    ask(PoseRequest::Kind::home, "", {});
-    enter(Phase::failed, fmt::format("The calibration ended: {}", finding->problem));
+    fail(fmt::format("The calibration ended: {}", finding->problem));
+  } else if (finding->rounds) {
+    rounds_ = std::move(*finding->rounds);
+    startRound();
   } else if (finding->isApplied) {
-    startRound(second_, "second");
+    round_ = 1;
+    startRound();
   } else if (finding->error) {
     tellError(*finding->error);
   }
@@ -94,13 +131,12 @@ void CalibrationRunner::takeFinding() {
 void CalibrationRunner::tellError(const CalibrationSession::Error& error) {
   state_.edit().errorBefore = error.before;
   state_.edit().errorAfter = error.after;
-  const std::string fell = fmt::format("The error of corners that were not calibrated with fell from {:.1f} to {:.1f} "
-                                       "pixels",
+  const std::string fell = fmt::format("The measured error of corners that were not calibrated with fell from {:.1f} "
+                                       "to {:.1f} pixels",
                                        error.before, error.after);
   if (error.after > leastGain * error.before) {
-    enter(Phase::failed, fell +
-                             ", not even by half, so the calibration was taken back. Neck and cameras are not all that "
-                             "is off: calibrate the legs first.");
+    enter(Phase::failed, fell + ", not even by half, so the calibration was taken back. Something else is off as well: "
+                                "calibrate the legs, or look at the recording with 'naocal diagnose'.");
   } else {
     enter(Phase::finished, fell + ". The calibration is saved; it can be undone.");
   }
@@ -116,7 +152,9 @@ CaptureSet CalibrationRunner::header() const {
     set.cameras[name] = belief.intrinsics;
   }
   set.boards = boards_->boards;
-  set.stances = {{0, SupportFoot::both, std::nullopt}};
+  for (std::size_t foot = 0; foot < kind_->feet.size(); ++foot) {
+    set.stances.push_back({static_cast<int>(foot), kind_->feet[foot], std::nullopt});
+  }
   return set;
 }
 

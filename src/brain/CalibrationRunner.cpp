@@ -1,5 +1,7 @@
 #include "brain/CalibrationRunner.hpp"
 
+#include "brain/SavedCalibration.hpp"
+
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -8,6 +10,14 @@ namespace naocal {
 namespace {
 
 using Phase = CalibrationState::Phase;
+
+std::string kindNames() {
+  std::string names;
+  for (const CalibrationKind& kind : calibrationKinds()) {
+    names += fmt::format("\"{}\", ", kind.run);
+  }
+  return names + "\"undo\" or \"\"";
+}
 
 } // namespace
 
@@ -18,35 +28,58 @@ void CalibrationRunner::parametersChanged() {
   const bool changed = configured_ && *run_ != asked_;
   asked_ = *run_;
   configured_ = true;
+  kinds_ = calibrationKinds();
   if (!changed) {
     return;
   }
-  const Phase phase = state_->phase;
-  const bool runs = phase != Phase::idle && phase != Phase::finished && phase != Phase::failed;
-  if (runs) {
-    ask(PoseRequest::Kind::home, "", {});
-    enter(Phase::failed, "The calibration was ended; the robot goes back to its stand. Nothing more was changed.");
-  } else if (*run_ == "head") {
-    start();
+  const CalibrationKind* kind = calibrationKind(*run_);
+  if (state_->runs()) {
+    fail("The calibration was ended; the robot goes back to its stand. Nothing more was changed.");
+  } else if (kind != nullptr) {
+    start(*kind);
+  } else if (*run_ == "undo") {
+    undo();
   } else if (!run_->empty()) {
-    enter(Phase::failed, fmt::format("There is no calibration \"{}\"; expected \"head\".", *run_));
+    enter(Phase::failed, fmt::format("There is no calibration \"{}\"; expected {}.", *run_, kindNames()));
   }
 }
 
-void CalibrationRunner::start() {
-  state_ = CalibrationState{};
+void CalibrationRunner::start(const CalibrationKind& kind) {
+  kind_ = &kind;
+  state_ = CalibrationState{.kind = kind.run, .questionNumber = state_->questionNumber};
   const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
   folder_ = surroundings_.recordings / fmt::format("{:%Y-%m-%d_%H-%M-%S}", fmt::gmtime(now));
-  first_ = second_ = nullptr;
+  rounds_ = {};
+  round_ = 0;
+  sessions_ = {};
+  before_ = configured(surroundings_.configuration);
   ask(PoseRequest::Kind::home, "The stand", {});
-  state_.edit().phase = Phase::goingHome;
-  state_.edit().sentence = "The robot goes to its stand.";
+  enter(Phase::goingHome, "The robot goes to its stand.");
+}
+
+void CalibrationRunner::undo() {
+  try {
+    takeBack(surroundings_.configuration);
+    state_ = CalibrationState{.questionNumber = state_->questionNumber};
+    enter(Phase::finished, "What the last calibration saved was taken back.");
+  } catch (const std::exception& error) {
+    enter(Phase::failed, fmt::format("Nothing was taken back: {}", error.what()));
+  }
 }
 
 void CalibrationRunner::enter(Phase phase, const std::string& sentence) {
-  state_.edit().phase = phase;
-  state_.edit().sentence = sentence;
-  state_.edit().secondsLeft.reset();
+  CalibrationState& state = state_.edit();
+  state.phase = phase;
+  state.sentence = sentence;
+  state.question = phase == Phase::waiting ? sentence : "";
+  if (!state.runs()) {
+    state.secondsLeft.reset();
+  }
+}
+
+void CalibrationRunner::fail(const std::string& sentence) {
+  ask(PoseRequest::Kind::home, "", {});
+  enter(Phase::failed, sentence);
 }
 
 void CalibrationRunner::ask(PoseRequest::Kind kind, const std::string& name, std::vector<CompensatedAngles> points) {
@@ -57,18 +90,14 @@ void CalibrationRunner::cycle() {
   state_.edit();
   watchPlayer();
   takeFinding();
+  const bool arrived = player_.request == requests_ && player_.done;
   switch (state_->phase) {
+  case Phase::waiting:
+    return *confirmed_ == state_->questionNumber ? go() : void();
   case Phase::goingHome:
-    if (player_.request == requests_ && player_.done && player_.atHome) {
-      goOn();
-    }
-    return;
+    return arrived && player_.atHome ? endStep() : void();
   case Phase::moving:
-    if (player_.request == requests_ && player_.done) {
-      state_.edit().phase = Phase::collecting;
-      taken_ = {};
-    }
-    return;
+    return arrived ? enter(Phase::collecting, state_->sentence) : void();
   case Phase::collecting:
     return collect();
   default:
@@ -78,52 +107,90 @@ void CalibrationRunner::cycle() {
 
 void CalibrationRunner::watchPlayer() {
   if (const PlayerState* update = playerUpdates_->take()) {
+    const bool pressed = update->presses > player_.presses;
     player_ = *update;
+    if (pressed) {
+      chestPressed();
+    }
   }
-  const bool awaited =
-      state_->phase == Phase::goingHome || state_->phase == Phase::moving || state_->phase == Phase::collecting;
-  if (awaited && player_.request == requests_ && !player_.reason.empty()) {
+  if (state_->runs() && player_.request == requests_ && !player_.reason.empty()) {
     enter(Phase::failed, fmt::format("The calibration ended. {}", player_.reason));
   }
 }
 
-void CalibrationRunner::nextPose() {
-  const auto pose = static_cast<std::size_t>(state_->pose);
-  if (pose == poses_.size()) {
-    ask(PoseRequest::Kind::home, "The stand", {});
-    enter(Phase::goingHome, "All pictures of this round are taken; the robot goes back to its stand.");
-    return;
+void CalibrationRunner::chestPressed() {
+  const CalibrationKind* kind = calibrationKind(*chestStarts_);
+  if (state_->phase == Phase::waiting) {
+    go();
+  } else if (!state_->runs() && kind != nullptr) {
+    asked_ = kind->run; // so that "" ends it
+    start(*kind);
   }
-  ask(PoseRequest::Kind::go, fmt::format("Pose {}", pose + 1), {poses_[pose]});
-  state_.edit().phase = Phase::moving;
-  state_.edit().sentence = fmt::format("Pose {} of {}.", pose + 1, poses_.size());
+}
+
+void CalibrationRunner::nextStep() {
+  const CalibrationStep& step = rounds_[round_][step_];
+  taken_ = {};
+  if (step.question.empty()) {
+    return go();
+  }
+  ++state_.edit().questionNumber;
+  enter(Phase::waiting, step.question);
+}
+
+void CalibrationRunner::go() {
+  const CalibrationStep& step = rounds_[round_][step_];
+  const bool home = step.points.empty();
+  ask(home ? PoseRequest::Kind::home : PoseRequest::Kind::go, step.name, step.points);
+  if (home) {
+    enter(Phase::goingHome, "The robot goes back to its stand.");
+  } else {
+    enter(Phase::moving, fmt::format("{}, {} of {} pictures' places taken.", step.name, state_->pose, state_->poses));
+  }
 }
 
 void CalibrationRunner::collect() {
-  if (!picture_->isNew || picture_->stillFor < *settleTime_ || picture_->frame.time < player_.doneAt) {
-    return;
-  }
-  const TimePoint now = picture_->frame.time;
-  roundStart_ = roundStart_.value_or(now);
-  Capture capture = picture_->capture;
-  int& count = taken_[capture.camera];
-  if (count < *repeats_) {
-    capture.pose = fmt::format("H{:02}", state_->pose);
-    capture.repeat = count++;
-    capture.supportFoot = SupportFoot::both;
-    ++state_.edit().captures;
-    give([round = second_ ? second_ : first_, capture, frame = picture_->frame](Finding&) {
-      round->session.value().add(capture, frame);
-    });
-  }
-  if (taken_["top"] >= *repeats_ && taken_["bottom"] >= *repeats_) {
+  const CalibrationStep& step = rounds_[round_][step_];
+  if (step.pictures > 0) {
+    if (!picture_->isNew || picture_->stillFor < *settleTime_ || picture_->frame.time < player_.doneAt) {
+      return;
+    }
+    roundStart_ = roundStart_.value_or(picture_->frame.time);
+    const Capture& still = picture_->capture;
+    int& count = taken_[still.camera];
+    if (count < step.pictures) {
+      Capture capture = step.taken;
+      capture.repeat += count++;
+      capture.time = still.time;
+      capture.camera = still.camera;
+      std::vector<double> approach = std::move(capture.joints.approach);
+      capture.joints = still.joints;
+      capture.joints.approach = std::move(approach);
+      capture.imu = still.imu;
+      capture.fsr = still.fsr;
+      ++state_.edit().captures;
+      give([round = sessions_[round_], capture, frame = picture_->frame](Finding&) {
+        round->session.value().add(capture, frame);
+      });
+    }
+    if (taken_["top"] < step.pictures || taken_["bottom"] < step.pictures) {
+      return;
+    }
     CalibrationState& state = state_.edit();
     ++state.pose;
     if (state.pose > 1) { // from the first pose's pictures to these
-      state.secondsLeft = seconds(now - *roundStart_) / (state.pose - 1) * (state.poses - state.pose);
+      state.secondsLeft = seconds(picture_->frame.time - *roundStart_) / (state.pose - 1) * (state.poses - state.pose);
     }
-    nextPose();
   }
+  endStep();
+}
+
+void CalibrationRunner::endStep() {
+  if (rounds_[0].empty()) { // at the stand, to begin with
+    return prepare();
+  }
+  ++step_;
+  return step_ < rounds_[round_].size() ? nextStep() : endRound();
 }
 
 } // namespace naocal

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "brain/CalibrationBoards.hpp"
+#include "brain/CalibrationKind.hpp"
 #include "brain/CalibrationSession.hpp"
 #include "brain/CalibrationState.hpp"
+#include "brain/CalibrationStep.hpp"
 #include "brain/Projection.hpp"
 #include "brain/StillPicture.hpp"
 #include "brain/Worker.hpp"
@@ -14,6 +16,7 @@
 #include "hardware/RobotInterface.hpp"
 #include "hardware/exchange/PoseRequest.hpp"
 
+#include <array>
 #include <map>
 #include <memory>
 
@@ -24,15 +27,16 @@ struct CalibrationSurroundings {
   const Robot& drawing;
   RobotIdentity identity;
   Configuration& configuration;     // where results are applied and saved
+  std::filesystem::path poses;      // folder with a pose file per model: V6.json
   std::filesystem::path recordings; // folder that gets one folder per calibration
 };
 
-/// Calibrates neck and cameras of a robot that stands on both feet and whose legs are calibrated: it looks around at
-/// the boards, the captures are solved, the neck's offsets and the cameras' mounts are saved, it looks once more
-/// elsewhere, and says how far the error has fallen. Where that is not by half, what was saved is taken back. Detection
-/// and solving are done by a thread of their own.
+/// Calibrates the robot: takes poses before the boards, solves the captures, saves the joints' offsets and the cameras'
+/// mounts, takes a second, shorter round, and says how far the error of its pictures has fallen. Where that is not by
+/// half, what was saved is taken back. Checking ways, detection and solving are done by a thread of their own.
 ///
-/// Started by its parameter `run` becoming "head" (a value from the file starts nothing), and ended by any other value.
+/// Started by its parameter `run` becoming the name of a kind of calibration (a value from the file starts nothing),
+/// and ended by any other value; also by the chest button, which answers questions as well.
 class CalibrationRunner final : public Module {
 public:
   explicit CalibrationRunner(CalibrationSurroundings surroundings);
@@ -40,6 +44,7 @@ public:
   void parametersChanged() override;
 
 private:
+  using Rounds = std::array<CalibrationRound, 2>; // to calibrate, to check
   /// A round's session, made and used by the worker alone.
   struct Round {
     std::optional<CalibrationSession> session;
@@ -47,18 +52,25 @@ private:
   /// What the worker found out.
   struct Finding {
     std::filesystem::path folder; // of the calibration that it is about
+    std::optional<Rounds> rounds;
     bool isApplied = false;
     std::optional<CalibrationSession::Error> error;
     std::string problem; // one sentence; empty: none
   };
-  void start();
+  void start(const CalibrationKind& kind);
+  void prepare();
+  void undo();
   void enter(CalibrationState::Phase phase, const std::string& sentence);
-  void startRound(std::shared_ptr<Round>& round, const std::string& name);
+  void fail(const std::string& sentence);
+  void startRound();
+  void nextStep();
+  void go();
   void ask(PoseRequest::Kind kind, const std::string& name, std::vector<CompensatedAngles> points);
   void watchPlayer();
-  void goOn();
-  void nextPose();
+  void chestPressed();
   void collect();
+  void endStep();
+  void endRound();
   void solve();
   void check();
   void takeFinding();
@@ -68,26 +80,35 @@ private:
   void give(std::function<void(Finding&)> task);
 
   Parameter<std::string> run_{*this, "run"};
+  Parameter<int> confirmed_{*this, "confirmed"};
+  Parameter<std::string> chestStarts_{*this, "chestStarts"};                               // the kind; empty: none
   Parameter<std::vector<double>> yaws_{*this, "headYaws"}, pitches_{*this, "headPitches"}; // [deg]
-  Parameter<int> repeats_{*this, "repeats"};      // pictures per camera and pose
-  Parameter<double> settleTime_{*this, "settle"}; // before a picture counts [s]
+  Parameter<int> repeats_{*this, "repeats"};          // pictures per camera and pose
+  Parameter<int> checkPoses_{*this, "checkPoses"};    // on each foot, to check
+  Parameter<double> approach_{*this, "approach"};     // from how far joints come into a pose on one foot [deg]
+  Parameter<std::uint64_t> orderSeed_{*this, "seed"}; // of the order of poses
+  Parameter<double> settleTime_{*this, "settle"};     // before a picture counts [s]
   Parameter<CalibrationBoards> boards_{*this, "boards"};
   Dependency<StillPicture> picture_{*this, "stillPicture"};
   Dependency<CameraBeliefs> cameras_{*this, "cameras"};
   Dependency<Latest<PlayerState>> playerUpdates_{*this, "Motion.playerForBrain"};
   Production<Latest<PoseRequest>> request_{*this, "poseRequest"};
   Production<CalibrationState> state_{*this, "calibration"};
+  Production<std::vector<CalibrationKind>> kinds_{*this, "calibrationKinds"};
 
   CalibrationSurroundings surroundings_;
   PlayerState player_;
   std::uint64_t requests_ = 0;
   std::string asked_; // the last value of `run`
   bool configured_ = false;
+  const CalibrationKind* kind_ = nullptr;
   std::filesystem::path folder_;
-  std::vector<CompensatedAngles> poses_;
-  std::map<std::string, int> taken_; // of the present pose, by camera
+  Rounds rounds_;
+  std::size_t round_ = 0, step_ = 0;
+  std::map<std::string, int> taken_; // in the present step, by camera
   std::optional<TimePoint> roundStart_;
-  std::shared_ptr<Round> first_, second_; // their sessions belong to the worker
+  std::array<std::shared_ptr<Round>, 2> sessions_; // belong to the worker
+  StoredResult before_;                            // as configured before
   Latest<Finding> findings_;
   Worker worker_; // last: it uses the others
 };

@@ -58,9 +58,9 @@ StoredResult CalibrationSession::solved() const {
   return readResult(folder_ / "result.json");
 }
 
-CalibrationSession::Error CalibrationSession::error(const StoredResult& result) const {
-  const Comparison comparison = compare(result, {set_}, drawing_, false);
-  return {comparison.nominal.rmsPx, comparison.all.rmsPx};
+CalibrationSession::Error CalibrationSession::error(const StoredResult& before, const StoredResult& after) const {
+  const auto rms = [this](const StoredResult& result) { return compare(result, {set_}, drawing_, false).all.rmsPx; };
+  return {rms(before), rms(after)};
 }
 
 } // namespace naocal

@@ -27,11 +27,11 @@ public:
   /// InputError when there is nothing to fit.
   StoredResult solved() const;
 
-  /// How far this session's corners are from where the drawing and where a result has them [px].
+  /// How far this session's corners are from where each of two calibrations has them [px].
   struct Error {
     double before = 0, after = 0;
   };
-  Error error(const StoredResult& result) const;
+  Error error(const StoredResult& before, const StoredResult& after) const;
 
 private:
   const Robot& drawing_;

@@ -6,9 +6,13 @@
 namespace naocal {
 
 void to_json(nlohmann::json& out, const CalibrationState& state) {
-  constexpr std::array names{"idle", "going home", "moving", "collecting", "solving", "checking", "finished", "failed"};
+  constexpr std::array names{"idle",       "preparing", "going home", "waiting",  "moving",
+                             "collecting", "solving",   "checking",   "finished", "failed"};
   out = {{"phase", names[static_cast<std::size_t>(state.phase)]},
+         {"kind", state.kind},
          {"sentence", state.sentence},
+         {"question", state.question},
+         {"questionNumber", state.questionNumber},
          {"pose", state.pose},
          {"poses", state.poses},
          {"captures", state.captures},

@@ -2,8 +2,10 @@
 
 #include "brain/NewFrame.hpp"
 #include "framework/Module.hpp"
+#include "framework/Parameter.hpp"
 #include "framework/Production.hpp"
 
+#include <array>
 #include <map>
 #include <string>
 
@@ -18,10 +20,16 @@ class ImageReader final : public Module {
 public:
   explicit ImageReader(CameraInterface& cameras) : Module{"ImageReader"}, cameras_{cameras} {}
   void cycle() override;
+  void parametersChanged() override;
 
 private:
+  using Settings = std::map<std::string, int>;
+  static std::string known(const Settings& settings);
+
   CameraInterface& cameras_;
   TimePoint last_;
+  std::array<Settings, 2> set_; // by CameraName
+  Parameter<Settings> topSettings_{*this, "topSettings", known}, bottomSettings_{*this, "bottomSettings", known};
   Production<NewFrame> frame_{*this, "frame"};
   Production<ShownFrame> top_{*this, "CameraCalibration.top_image"}; // the keys that HULKs' panel asks for
   Production<ShownFrame> bottom_{*this, "CameraCalibration.bottom_image"};

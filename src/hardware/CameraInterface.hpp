@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -35,6 +36,10 @@ public:
 
   /// Nothing will come any more: a replay is over.
   virtual bool ended() const { return false; }
+
+  /// A camera's settings by the names of nao/VideoOptions.hpp, such as exposure; cameras that have none ignore them.
+  /// What a camera refuses stands in `link`.
+  virtual void configure(CameraName, const std::map<std::string, int>& /*settings*/) {}
 
   virtual CameraLink link(CameraName camera) const = 0;
 };

@@ -8,10 +8,10 @@
 
 namespace naocal {
 
-void addMotionModules(Thread& motion, RobotInterface& robot, const Robot& drawing) {
+void addMotionModules(Thread& motion, RobotInterface& robot, const Robot& drawing, Ending& ending) {
   motion.add<SensorProvider>(robot);
   motion.add<JointCalibrationProvider>();
-  motion.add<PosePlayer>(drawing);
+  motion.add<PosePlayer>(drawing, ending);
   motion.add<CommandSender>(robot, drawing);
   motion.add<JointHistory>();
 }

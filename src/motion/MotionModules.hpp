@@ -3,10 +3,11 @@
 #include "framework/Thread.hpp"
 #include "hardware/RobotInterface.hpp"
 #include "model/Robot.hpp"
+#include "motion/PosePlayer.hpp"
 
 namespace naocal {
 
-/// The motion thread's modules, for a robot and its drawing, which must outlive the thread.
-void addMotionModules(Thread& motion, RobotInterface& robot, const Robot& drawing);
+/// The motion thread's modules, for a robot and its drawing, which must outlive the thread, and so must `ending`.
+void addMotionModules(Thread& motion, RobotInterface& robot, const Robot& drawing, Ending& ending);
 
 } // namespace naocal

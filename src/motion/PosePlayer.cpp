@@ -41,6 +41,7 @@ void PosePlayer::cycle() {
     }
     advance();
   }
+  ending_.atRest = state_->phase == Phase::off || state_->phase == Phase::fallen || state_->atHome;
   forBrain_.edit().write(*state_);
 }
 
@@ -49,6 +50,9 @@ void PosePlayer::watch(const RobotState& state) {
   const bool newlyPressed = pressed && !wasPressed_;
   wasPressed_ = pressed;
   const Phase phase = state_->phase;
+  if (newlyPressed && (phase == Phase::off || phase == Phase::fallen || state_->atHome)) {
+    ++state_.edit().presses;
+  }
   if (phase == Phase::off || phase == Phase::fallen) {
     return;
   }
@@ -62,6 +66,8 @@ void PosePlayer::watch(const RobotState& state) {
     stop(Phase::holding, "The robot was touched and stopped. Press its chest button to have it go back to its stand.");
   } else if (newlyPressed && !goingHome_ && !state_->atHome) {
     goHome("The chest button was pressed: the robot goes back to its stand.");
+  } else if (ending_.asked && !goingHome_ && !state_->atHome) {
+    goHome("The program is being ended: the robot goes back to its stand.");
   } else if (*hot > *hottest_ && !goingHome_ && !state_->atHome) {
     goHome(fmt::format("{} is {:.0f} degrees Celsius hot: the robot goes back to its stand. Let it cool down.",
                        jointNames[static_cast<std::size_t>(hot - state.temperature.begin())], *hot));
@@ -127,9 +133,7 @@ void PosePlayer::go(const PoseRequest& request) {
     return;
   }
   leaveMotion();
-  if (trail_.back() != desired_->angles) {
-    trail_.push_back(desired_->angles);
-  }
+  extendTrail(desired_->angles);
   start(request.points);
 }
 
@@ -160,16 +164,24 @@ void PosePlayer::leaveMotion() {
   if (goingHome_) {
     trail_.assign(std::make_reverse_iterator(points_.end()), std::make_reverse_iterator(passed));
   } else {
-    trail_.insert(trail_.end(), points_.begin(), passed);
+    std::for_each(points_.begin(), passed, [this](const CompensatedAngles& point) { extendTrail(point); });
   }
   motion_.reset();
   goingHome_ = false;
 }
 
+void PosePlayer::extendTrail(const CompensatedAngles& point) {
+  const auto known = std::find(trail_.begin(), trail_.end(), point);
+  trail_.erase(known == trail_.end() ? known : known + 1, trail_.end());
+  if (known == trail_.end()) {
+    trail_.push_back(point);
+  }
+}
+
 void PosePlayer::stop(Phase phase, const std::string& reason) {
   leaveMotion();
   PlayerState& state = state_.edit();
-  state = {.phase = phase, .request = state.request, .home = home_, .reason = reason};
+  state = {.phase = phase, .request = state.request, .home = home_, .reason = reason, .presses = state.presses};
   desired_.edit().stiffness = phase == Phase::off ? 0 : phase == Phase::fallen ? *fallenStiffness_ : *stiffness_;
 }
 

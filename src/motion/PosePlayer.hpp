@@ -8,6 +8,7 @@
 #include "motion/Measured.hpp"
 #include "motion/PoseMotion.hpp"
 
+#include <atomic>
 #include <map>
 #include <optional>
 #include <string>
@@ -21,15 +22,21 @@ struct DesiredPose {
 };
 void to_json(nlohmann::json& out, const DesiredPose& desired);
 
+/// How the program's end, on another thread, has the robot go to its stand first.
+struct Ending {
+  std::atomic<bool> asked{false};  // by who ends the program
+  std::atomic<bool> atRest{false}; // it stands, or its motors are off or weak
+};
+
 /// Takes the robot from pose to pose: smoothly, at a share of the joints' speeds, back the way it came when it is told
-/// to go home, when the chest button is pressed while it moves or holds a pose, or when a joint gets too hot. Touched
-/// at head, hands or feet it stops where it is and holds; tilted too far its motors become weak.
+/// to go home, when the chest button is pressed while it moves or holds a pose, when the program ends, or when a joint
+/// gets too hot. Touched at head, hands or feet it stops where it is and holds; tilted too far its motors become weak.
 ///
 /// It refuses to start where the robot is not near its stand, and points that joints cannot take; whether the robot
 /// stands on the way is the asking one's to check (which takes longer than a cycle).
 class PosePlayer final : public Module {
 public:
-  explicit PosePlayer(const Robot& robot) : Module{"PosePlayer"}, limits_{robot} {}
+  PosePlayer(const Robot& robot, Ending& ending) : Module{"PosePlayer"}, limits_{robot}, ending_{ending} {}
   void cycle() override;
   void parametersChanged() override;
 
@@ -40,7 +47,8 @@ private:
   void goHome(const std::string& reason);
   bool isReady(const std::string& who); // motors are on, or the robot is at its stand; `who` is refused otherwise
   void start(std::vector<CompensatedAngles> points);
-  void leaveMotion(); // keeps in the trail what it has passed
+  void leaveMotion();                               // keeps in the trail what it has passed
+  void extendTrail(const CompensatedAngles& point); // back at a point of it, the loop from there is forgotten
   void stop(PlayerState::Phase phase, const std::string& reason);
   void advance();
   std::string unreachable(const PoseRequest& request) const;
@@ -61,6 +69,7 @@ private:
   Production<Latest<PlayerState>> forBrain_{*this, "playerForBrain"};
 
   JointLimits limits_;
+  Ending& ending_;
   CompensatedAngles home_;
   std::vector<CompensatedAngles> trail_; // from the stand on: what a way home passes, backwards
   std::optional<PoseMotion> motion_;

@@ -73,6 +73,8 @@ struct Rig {
     std::filesystem::create_directories(folder.path() / "location/default");
     writeAtomically(folder.path() / "location/default/CaptureCollector.json",
                     nlohmann::json{{"latency", latency}}.dump());
+    writeAtomically(folder.path() / "location/default/ImageReader.json",
+                    R"({"topSettings": {}, "bottomSettings": {}})");
     brain.add<ImageReader>(cameras);
     brain.add<CaptureCollector>();
     database.emplace(std::vector<Thread*>{&motion, &brain});

@@ -45,7 +45,7 @@ struct MotionRig {
   };
 
   MotionRig() {
-    addMotionModules(motion, robot, v6());
+    addMotionModules(motion, robot, v6(), ending);
     database.emplace(std::vector<Thread*>{&motion, &brain});
     configure(motion, configuration);
     motion.cycle();
@@ -100,6 +100,7 @@ struct MotionRig {
   }
 
   ScriptedRobot robot;
+  Ending ending;
   TemporaryFolder saved;
   Configuration configuration{std::filesystem::path{NAOCAL_SOURCE_DIR} / "home/configuration",
                               {"", "Ada", "Bob"},

@@ -180,4 +180,61 @@ TEST_CASE("a joint that gets too hot sends the robot home and off rests it") {
   CHECK(rig.robot.sent.back().stiffness[yaw] == 0);
 }
 
+TEST_CASE("a way home leaves out loops") {
+  // Proves that a robot that came back to a point of its way goes home from there, not through what it did since.
+  MotionRig rig;
+  rig.stand();
+  const CompensatedAngles hub = MotionRig::looking(0, 10);
+  rig.ask(Kind::go, {hub, MotionRig::looking(60, 10)});
+  rig.untilDone();
+  rig.ask(Kind::go, {hub, MotionRig::looking(-60, 10)});
+  rig.untilDone();
+  rig.ask(Kind::home);
+  double farthestLeft = 0;
+  for (int i = 0; i < 5000 && !rig.see.player->done; ++i) {
+    rig.cycles(1);
+    farthestLeft = std::max(farthestLeft, rig.robot.sent.back().angles[yaw]);
+  }
+  CHECK(rig.see.player->atHome);
+  CHECK(farthestLeft < radians(1));
+}
+
+TEST_CASE("a program that is being ended brings the robot to its stand first") {
+  // Proves that the end waits for the stand, and that a robot whose motors are off is not waited for.
+  MotionRig rig;
+  rig.cycles(1);
+  CHECK(rig.ending.atRest);
+  rig.stand();
+  rig.ask(Kind::go, {MotionRig::looking(60, 10)});
+  rig.cycles(30);
+  CHECK(!rig.ending.atRest);
+  rig.ending.asked = true;
+  rig.untilDone();
+  CHECK(rig.see.player->reason == "The program is being ended: the robot goes back to its stand.");
+  CHECK(rig.see.player->atHome);
+  CHECK(rig.ending.atRest);
+}
+
+TEST_CASE("the chest button's presses at the stand are told on, those that send the robot home are not") {
+  // Proves both, and that a button that stays pressed counts once.
+  MotionRig rig;
+  const auto press = [&] {
+    rig.robot.state.touch.chestButton = true;
+    rig.cycles(20);
+    rig.robot.state.touch.chestButton = false;
+    rig.cycles(1);
+  };
+  press();
+  CHECK(rig.see.player->presses == 1);
+  rig.stand();
+  press();
+  CHECK(rig.see.player->presses == 2);
+  rig.ask(Kind::go, {MotionRig::looking(60, 10)});
+  rig.cycles(30);
+  press();
+  CHECK(rig.see.player->presses == 2);
+  rig.untilDone();
+  CHECK(rig.see.player->atHome);
+}
+
 } // namespace naocal

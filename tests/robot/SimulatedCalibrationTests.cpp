@@ -1,78 +1,17 @@
-#include "MateClient.hpp"
-#include "TemporaryFolder.hpp"
-#include "captures/CaptureSetFile.hpp"
-#include "captures/Files.hpp"
-#include "hardware/simulated/SimulatedWorld.hpp"
+#include "LegCalibrationTruth.hpp"
 
-#include "RobotProcess.hpp"
+#include "geometry/Angles.hpp"
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
+#include <set>
 
 namespace naocal {
-namespace {
 
 using nlohmann::json;
 
-/// The process as it is shipped, on a simulated robot as fast as it goes, with a configuration and recordings of its
-/// own.
-struct SimulatedProcess {
-  SimulatedProcess(std::uint64_t seed, double offsetRange)
-      : world{drawing, plan(seed, offsetRange)}, robot{world.robot()}, cameras{world.cameras()} {
-    std::filesystem::copy(std::filesystem::path{NAOCAL_SOURCE_DIR} / "home/configuration",
-                          folder.path() / "configuration", std::filesystem::copy_options::recursive);
-    SocketSettings sockets;
-    sockets.debugPort = sockets.configPort = 0;
-    process.emplace(
-        *robot, *cameras, drawing, robot->waitForIdentity(std::chrono::seconds{1}).value(),
-        RobotProcessOptions{folder.path() / "configuration", folder.path() / "recordings", "simulated", sockets, false},
-        [](std::string_view) {});
-  }
-  static SimulatedPlan plan(std::uint64_t seed, double offsetRange) {
-    SimulatedPlan plan;
-    plan.seed = seed;
-    plan.offsetRange = offsetRange;
-    plan.pace = Pace::quick;
-    return plan;
-  }
-
-  /// Starts a calibration over the sockets and waits for its end; the last state that it told.
-  json calibrated() {
-    auto debug = MateClient::debug(process->sockets().debugPort());
-    auto config = MateClient::config(process->sockets().configPort());
-    debug.send(0, "Brain.calibration");
-    debug.send(3);
-    debug.receive(4);
-    process->start([](std::string_view) {});
-    config.send(0, R"([{"mp": "Brain.CalibrationRunner", "key": "run", "value": "head"}])");
-    json state = {{"phase", "idle"}};
-    while (state["phase"] != "finished" && state["phase"] != "failed") {
-      const auto update = debug.receive(2);
-      if (!update) {
-        return {{"phase", "the robot fell silent"}};
-      }
-      state = json::parse(update->body).at(0)["value"];
-    }
-    process->stop();
-    return state;
-  }
-  json saved(const std::string& file) const {
-    return json::parse(fileContent(folder.path() / "configuration/location" / file));
-  }
-
-  TemporaryFolder folder;
-  Robot drawing = loadRobot(configurationDirectory(), "V6");
-  SimulatedWorld world;
-  std::unique_ptr<RobotInterface> robot;
-  std::unique_ptr<CameraInterface> cameras;
-  std::optional<RobotProcess> process;
-};
-
-} // namespace
-
 TEST_CASE("both threads are wired with the shipped configuration") {
   // Proves that every dependency has its producer and every parameter its value, and that all keys are served.
-  SimulatedProcess simulated{1, 0};
+  SimulatedProcess simulated{SimulatedProcess::plan(1, 0)};
   auto debug = MateClient::debug(simulated.process->sockets().debugPort());
   debug.send(3);
   const json list = debug.receiveJson(4);
@@ -90,8 +29,8 @@ TEST_CASE("both threads are wired with the shipped configuration") {
 TEST_CASE("a simulated robot calibrates neck and cameras, driven only through the sockets") {
   // Proves the whole way: started by a SET, poses played, pictures paired and searched, solved, saved into the robot's
   // own files, and checked with pictures that were not used. Its legs are nearly calibrated (within a degree).
-  SimulatedProcess simulated{1, radians(1)};
-  const json state = simulated.calibrated();
+  SimulatedProcess simulated{SimulatedProcess::plan(1, radians(1))};
+  const json state = simulated.calibrated("head");
   INFO(state.dump());
   REQUIRE(state["phase"] == "finished");
   CHECK(state["errorAfter"] < 0.3 * state["errorBefore"].get<double>());
@@ -101,8 +40,8 @@ TEST_CASE("a simulated robot calibrates neck and cameras, driven only through th
 
 TEST_CASE("a calibration of neck and cameras that does not help is taken back") {
   // Proves it for a robot whose legs are off by up to five degrees: what was saved is undone, files and offsets.
-  SimulatedProcess simulated{4, radians(5)};
-  const json state = simulated.calibrated();
+  SimulatedProcess simulated{SimulatedProcess::plan(4, radians(5))};
+  const json state = simulated.calibrated("head");
   INFO(state.dump());
   REQUIRE(state["phase"] == "failed");
   CHECK(state["sentence"].get<std::string>().find("so the calibration was taken back") != std::string::npos);
@@ -110,6 +49,68 @@ TEST_CASE("a calibration of neck and cameras that does not help is taken back") 
   json offsets;
   simulated.process->configuration().keys("Motion.JointCalibrationProvider", offsets);
   CHECK(offsets["headPitch"] == 0.0);
+}
+
+TEST_CASE("a simulated robot calibrates a leg on one foot, and what was saved can be undone") {
+  // Proves the whole way for a robot with offsets to 5 degrees, mounts to 2 and play to half a degree in its gears:
+  // the person is asked before it steps onto the foot, pictures are taken from both sides of each pose, and a point of
+  // the floor 2 m ahead is perceived within 2 cm afterwards, by mechanics of the simulation's own.
+  SimulatedProcess simulated{SimulatedProcess::plan(1, radians(5), radians(0.5))};
+  std::set<std::string> questions;
+  const json state = simulated.calibrated("left leg", [&](const json& now) { questions.insert(now["question"]); });
+  INFO(state.dump());
+  REQUIRE(state["phase"] == "finished");
+  CHECK(questions.contains("The robot is going to stand on its left foot. Put your hands around it without touching "
+                           "it, and confirm."));
+  CHECK(state["errorAfter"] < 0.3 * state["errorBefore"].get<double>());
+  CHECK(state["robotSeconds"] < 240);
+  const StoredResult result = readResult(simulated.recording() / "result.json");
+  const LegCalibrationTruth truth{simulated.drawing, simulated.world.errors(), ServoMechanics{}};
+  CHECK(truth.floorError(SupportFoot::left, {}) > 0.05);
+  CHECK(truth.floorError(SupportFoot::left, result) < 0.02);
+  std::map<std::string, std::set<double>> sides; // of the knee, by pose
+  for (const Capture& capture : readCaptureSet(simulated.recording()).set.captures) {
+    sides[capture.pose].insert(capture.joints.approach.at(*jointNumber("LKneePitch")));
+  }
+  CHECK(sides.size() == 8);
+  for (const auto& [pose, both] : sides) {
+    CHECK(both == std::set<double>{-1, 1});
+  }
+  const std::string body = "default/body/synthetic-1/JointCalibrationProvider.json";
+  CHECK(simulated.saved(body)["lHipYawPitch"] == simulated.saved(body)["rHipYawPitch"]);
+  CHECK(simulated.calibrated("undo")["phase"] == "finished");
+  CHECK(simulated.saved(body).empty());
+}
+
+TEST_CASE("a question that is not answered keeps the robot on both feet, and any other run ends it") {
+  // Proves that nothing moves before a person agrees; an old answer does not count.
+  SimulatedProcess simulated{SimulatedProcess::plan(1, 0)};
+  auto config = MateClient::config(simulated.process->sockets().configPort());
+  auto debug = MateClient::debug(simulated.process->sockets().debugPort());
+  const auto set = [&](const char* key, const json& value) {
+    config.send(0, json::array({{{"mp", "Brain.CalibrationRunner"}, {"key", key}, {"value", value}}}).dump());
+  };
+  const auto until = [&](const std::string& phase) {
+    json state = {{"phase", ""}};
+    while (state["phase"] != phase) {
+      state = json::parse(debug.receive(2).value().body).at(0)["value"];
+    }
+    return state;
+  };
+  debug.send(0, "Brain.calibration");
+  simulated.process->start([](std::string_view) {});
+  set("run", "right leg");
+  const json waiting = until("waiting");
+  CHECK(waiting["questionNumber"] == 1);
+  set("confirmed", 7);
+  const TimePoint asked = simulated.world.truth().time;
+  while (simulated.world.truth().time < asked + std::chrono::seconds{5}) {
+    std::this_thread::sleep_for(std::chrono::milliseconds{10});
+  }
+  CHECK(simulated.world.truth().supportFoot == SupportFoot::both);
+  set("run", "");
+  CHECK(until("failed")["question"] == "");
+  simulated.process->stop();
 }
 
 } // namespace naocal

@@ -4,12 +4,26 @@
 #include "hardware/nao/SharedMemoryRobot.hpp"
 #include "hardware/nao/VideoCameras.hpp"
 #include "hardware/simulated/SimulatedWorld.hpp"
+#include "poses/PoseFile.hpp"
 
 namespace naocal {
 
-Hardware simulatedHardware(std::uint64_t seed) {
+SimulatedPlan simulatedPlan(std::uint64_t seed) {
   SimulatedPlan plan;
   plan.seed = seed;
+  const std::filesystem::path file = configurationDirectory() / "poses" / (plan.model + ".json");
+  for (const auto& [id, placement] : readPoseFile(file, loadRobot(configurationDirectory(), plan.model)).boards) {
+    for (Board& board : plan.boards) {
+      if (board.id == id) {
+        board.placement = placement;
+        board.placement->y += halfStance; // seen from the left sole
+      }
+    }
+  }
+  return plan;
+}
+
+Hardware simulatedHardware(const SimulatedPlan& plan) {
   Hardware hardware{loadRobot(configurationDirectory(), plan.model), nullptr, nullptr, "simulated"};
   SimulatedWorld world{hardware.drawing, plan};
   hardware.robot = world.robot();

@@ -2,6 +2,7 @@
 
 #include "hardware/CameraInterface.hpp"
 #include "hardware/RobotInterface.hpp"
+#include "hardware/simulated/SimulatedPlan.hpp"
 #include "model/Robot.hpp"
 
 #include <cstdint>
@@ -18,8 +19,10 @@ struct Hardware {
   std::string location; // of its configuration, where sdk.json's does not suit it; empty: as sdk.json says
 };
 
-/// A simulated robot that stands before four boards, with offsets and mounts drawn by the seed.
-Hardware simulatedHardware(std::uint64_t seed);
+/// A simulated robot that stands before four boards, which lie where its model's poses want them, with offsets and
+/// mounts drawn by the seed.
+SimulatedPlan simulatedPlan(std::uint64_t seed);
+Hardware simulatedHardware(const SimulatedPlan& plan);
 
 /// The NAO that this process runs on: V6 through its hardware service, V5 through the module in NAOqi; both cameras
 /// through V4L2. Neither needs to answer yet. Throws std::invalid_argument for other models.

@@ -33,8 +33,9 @@ RobotProcess::RobotProcess(RobotInterface& robot, CameraInterface& cameras, cons
                            const RobotIdentity& identity, const RobotProcessOptions& options, Log log)
     : robot_{robot}, cameras_{cameras}, options_{options}, log_{std::move(log)},
       configuration_{options.configuration, namesOf(identity, options), writeAtomically} {
-  addMotionModules(motion_, robot, drawing);
-  addBrainModules(brain_, cameras, {drawing, identity, configuration_, options.recordings});
+  addMotionModules(motion_, robot, drawing, ending_);
+  addBrainModules(brain_, cameras,
+                  {drawing, identity, configuration_, options.configuration / "poses", options.recordings});
   database_.emplace(std::vector<Thread*>{&motion_, &brain_});
   configuration_.mount("tuhhSDK.base", "sdk.json", Part::none);
   const RobotNames names = namesOf(identity, options);
@@ -87,6 +88,18 @@ void RobotProcess::stop() {
       thread->join();
     }
   }
+}
+
+bool RobotProcess::goToStand(std::chrono::milliseconds most) {
+  constexpr std::chrono::milliseconds glance{10};
+  ending_.asked = true;
+  for (auto waited = glance; waited <= most; waited += glance) {
+    std::this_thread::sleep_for(glance);
+    if (ending_.atRest) {
+      return true;
+    }
+  }
+  return false;
 }
 
 } // namespace naocal

@@ -7,6 +7,7 @@
 #include "framework/Thread.hpp"
 #include "hardware/CameraInterface.hpp"
 #include "hardware/RobotInterface.hpp"
+#include "motion/PosePlayer.hpp"
 
 #include <functional>
 #include <optional>
@@ -39,6 +40,10 @@ public:
   void start(std::function<void(std::string_view sentence)> failed);
   void stop();
 
+  /// Has the robot go to its stand from wherever it is, while both threads run. False where it has not come there in
+  /// time.
+  bool goToStand(std::chrono::milliseconds most);
+
   Sockets& sockets() { return *sockets_; }
   Configuration& configuration() { return configuration_; }
   Thread& motion() { return motion_; }
@@ -52,6 +57,7 @@ private:
   RobotProcessOptions options_;
   Log log_;
   Configuration configuration_;
+  Ending ending_;
   Thread motion_{"Motion", Part::body}, brain_{"Brain", Part::head};
   std::optional<Database> database_;
   std::optional<Sockets> sockets_;

@@ -1,6 +1,7 @@
 #include "Hardware.hpp"
 #include "RobotProcess.hpp"
 #include "captures/InputError.hpp"
+#include "hardware/simulated/SimulatedPlanFile.hpp"
 
 #include <CLI/CLI.hpp>
 #include <atomic>
@@ -12,7 +13,7 @@ namespace naocal {
 namespace {
 
 struct Options {
-  std::string hardware = "simulated", model = "V6";
+  std::string hardware = "simulated", model = "V6", simulation;
   std::uint64_t seed = 1;
   RobotProcessOptions process{configurationDirectory(), "recordings", "", std::nullopt, true};
 };
@@ -28,7 +29,10 @@ int run(Options options) {
   ::sigaddset(&ends, SIGINT);
   ::sigaddset(&ends, SIGTERM);
   ::pthread_sigmask(SIG_BLOCK, &ends, nullptr);
-  Hardware hardware = options.hardware == "nao" ? naoHardware(options.model) : simulatedHardware(options.seed);
+  Hardware hardware = options.hardware == "nao" ? naoHardware(options.model)
+                      : options.simulation.empty()
+                          ? simulatedHardware(simulatedPlan(options.seed))
+                          : simulatedHardware(readSimulatedPlan(options.simulation, simulatedPlan(options.seed)));
   const auto identity = hardware.robot->waitForIdentity(std::chrono::seconds{10});
   if (!identity) {
     throw InputError{fmt::format("the robot has not told within 10 s who it is: {}", hardware.robot->link().problem)};
@@ -37,16 +41,20 @@ int run(Options options) {
     options.process.location = hardware.location;
   }
   RobotProcess process{*hardware.robot, *hardware.cameras, hardware.drawing, *identity, options.process, say};
-  std::atomic<bool> failed{false};
-  process.start([&failed, self = ::pthread_self()](std::string_view sentence) {
+  std::atomic<bool> failed{false}, ended{false};
+  process.start([&, self = ::pthread_self()](std::string_view sentence) {
     failed = !sentence.empty();
+    ended = true;
     say(sentence.empty() ? "The replay is over." : sentence);
     ::pthread_kill(self, SIGTERM);
   });
-  say(fmt::format("Robot {} runs; debug socket on port {}, configuration on port {}. End it with Ctrl-C.",
-                  identity->headId, process.sockets().debugPort(), process.sockets().configPort()));
+  say(fmt::format("Robot {} runs{}. End it with Ctrl-C: it goes to its stand first.", identity->headId,
+                  process.sockets().where()));
   int signal = 0;
   ::sigwait(&ends, &signal);
+  if (!failed && !ended && !process.goToStand(std::chrono::seconds{30})) {
+    say("The robot has not come to its stand within 30 s.");
+  }
   process.stop();
   return failed ? 1 : 0;
 }
@@ -66,6 +74,9 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember{{"V5", "V6"}})
       ->capture_default_str();
   app.add_option("--seed", options.seed, "of a simulated robot's offsets and mounts")->capture_default_str();
+  app.add_option("--simulation", options.simulation,
+                 "a file that says more of the simulated robot: ranges of its errors and gears' play, boards, cameras")
+      ->check(CLI::ExistingFile);
   app.add_option("--configuration", options.process.configuration, "folder with location/ and drawings/")
       ->check(CLI::ExistingDirectory);
   app.add_option("--recordings", options.process.recordings, "folder for the captures of calibrations")

@@ -40,6 +40,8 @@ struct PlayerState {
   double progress = 0;       // 0..1 of the present motion
   double secondsLeft = 0;    // of it [s]
   std::string reason;        // one sentence: why it refused, stopped or waits; empty otherwise
+  std::uint64_t presses =
+      0; // of the chest button that did not send the robot home: while it is there, or motors are off
 };
 void to_json(nlohmann::json& out, const PlayerState& state);
 

@@ -11,10 +11,10 @@ constexpr std::chrono::milliseconds glance{50}; // at cameras that are closed or
 
 } // namespace
 
-VideoCameras::VideoCameras(const std::vector<VideoOptions>& cameras, VideoSystem& system) : system_{system} {
+VideoCameras::VideoCameras(const std::vector<VideoOptions>& cameras, VideoSystem& system)
+    : system_{system}, cameras_{cameras} {
   for (const VideoOptions& camera : cameras) {
     devices_.push_back(std::make_unique<VideoDevice>(camera, system));
-    names_.push_back(camera.camera);
   }
 }
 
@@ -67,7 +67,7 @@ bool VideoCameras::wait(std::chrono::nanoseconds most) {
 
 CameraLink VideoCameras::link(CameraName camera) const {
   for (std::size_t i = 0; i < devices_.size(); ++i) {
-    if (names_[i] == camera) {
+    if (cameras_[i].camera == camera) {
       return devices_[i]->link;
     }
   }
@@ -76,9 +76,23 @@ CameraLink VideoCameras::link(CameraName camera) const {
   return absent;
 }
 
+void VideoCameras::configure(CameraName camera, const std::map<std::string, int>& settings) {
+  for (const VideoOptions& options : cameras_) {
+    std::vector<VideoControl> controls = options.controls;
+    for (const auto& [name, value] : settings) { // by name, so automatics first
+      if (const auto id = videoControl(name)) {
+        controls.push_back({name, *id, value});
+      }
+    }
+    if (options.camera == camera) {
+      set(camera, controls);
+    }
+  }
+}
+
 void VideoCameras::set(CameraName camera, const std::vector<VideoControl>& controls) {
   for (std::size_t i = 0; i < devices_.size(); ++i) {
-    if (names_[i] == camera) {
+    if (cameras_[i].camera == camera) {
       devices_[i]->set(controls);
     }
   }

@@ -15,7 +15,10 @@ public:
   std::optional<CameraFrame> waitForFrame(std::chrono::milliseconds timeout) override;
   CameraLink link(CameraName camera) const override;
 
-  /// New settings of a camera, in the camera loop's thread. Each that must be tried again takes 20 ms.
+  /// Beside what the model's cameras need. Each setting that must be tried again takes 20 ms.
+  void configure(CameraName camera, const std::map<std::string, int>& settings) override;
+
+  /// New settings of a camera instead of those that it had, in the camera loop's thread.
   void set(CameraName camera, const std::vector<VideoControl>& controls);
 
 private:
@@ -23,7 +26,7 @@ private:
 
   VideoSystem& system_;
   std::vector<std::unique_ptr<VideoDevice>> devices_;
-  std::vector<CameraName> names_;
+  std::vector<VideoOptions> cameras_; // as they were made
 };
 
 } // namespace naocal

@@ -43,7 +43,7 @@ std::vector<Board> placedBoards(const JsonPlace& place) {
 
 } // namespace
 
-SimulatedPlan readSimulatedPlan(const std::filesystem::path& file) {
+SimulatedPlan readSimulatedPlan(const std::filesystem::path& file, SimulatedPlan plan) {
   const nlohmann::json document = parseJson(fileContent(file), file.string());
   const JsonPlace top{document, file.string()};
   constexpr std::array known{"model",
@@ -64,7 +64,6 @@ SimulatedPlan readSimulatedPlan(const std::filesystem::path& file) {
       place.refuse("a key of a simulated robot (SimulatedPlanFile.hpp)", "the key \"" + key + "\"");
     }
   }
-  SimulatedPlan plan;
   if (const auto model = top.find("model")) {
     plan.model = model->text();
   }

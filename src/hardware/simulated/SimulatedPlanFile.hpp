@@ -6,7 +6,7 @@
 
 namespace naocal {
 
-/// Reads what to simulate. All keys may be missing; those that are keep the plan's defaults:
+/// Reads what to simulate. All keys may be missing; what they would say is as in `plan`:
 ///
 ///     {"model": "V6", "seed": 1, "pace": "real",                                  or "quick"
 ///      "offsetRangeDegrees": 5, "mountRangeDegrees": 2, "playRangeDegrees": 0,    hidden errors, drawn by the seed
@@ -15,6 +15,6 @@ namespace naocal {
 ///      "boards": [...]}                                                           as in a capture set, with placements
 ///
 /// Throws InputError: file, place, what was expected, what was found.
-SimulatedPlan readSimulatedPlan(const std::filesystem::path& file);
+SimulatedPlan readSimulatedPlan(const std::filesystem::path& file, SimulatedPlan plan = {});
 
 } // namespace naocal

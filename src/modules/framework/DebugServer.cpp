@@ -118,6 +118,25 @@ void DebugServer::sendList(Peer& peer) const {
   peer.send(std::make_shared<const std::string>(debugFrame(DebugType::list, body + "]}\n")));
 }
 
+bool DebugServer::isReady(const Peer& peer) const {
+  return !peer.busy() && access_.isOpen(peer.address());
+}
+
+bool DebugServer::isAwaited(const std::string& key) const {
+  return std::any_of(clients_.begin(), clients_.end(),
+                     [&](const auto& client) { return client.second.keys.contains(key) && isReady(*client.first); });
+}
+
+std::vector<CycleReport::Item*> DebugServer::picturesToEncode(CycleReport& report) const {
+  std::vector<CycleReport::Item*> result;
+  for (CycleReport::Item& item : report.items) {
+    if (item.production->isPicture() && isAwaited(byProduction_.at(item.production)->key)) {
+      result.push_back(&item);
+    }
+  }
+  return result;
+}
+
 void DebugServer::send(const CycleReport& report) {
   const auto age = std::chrono::duration_cast<std::chrono::milliseconds>(report.time - base_).count();
   const auto timestamp = static_cast<std::uint64_t>(std::max<decltype(age)>(age, 0));
@@ -126,15 +145,15 @@ void DebugServer::send(const CycleReport& report) {
     std::string frame, element; // one of the two: a picture's frame, a value's element of UPDATE
   };
   std::vector<Part> parts;
-  const auto isReady = [&](const Peer& peer) { return !peer.busy() && access_.isOpen(peer.address()); };
-  for (const auto& [production, sample] : report.items) {
+  for (const auto& [production, sample, picture] : report.items) {
     Shown& shown = *byProduction_.at(production);
-    if (std::none_of(clients_.begin(), clients_.end(), [&](const auto& client) {
-          return client.second.keys.contains(shown.key) && isReady(*client.first);
-        })) {
-      continue; // not even turned into text: pictures take milliseconds
+    if (!isAwaited(shown.key)) {
+      continue; // not even turned into text
     }
-    if (const auto picture = sample->picture()) {
+    if (production->isPicture() && !picture) {
+      continue;
+    }
+    if (picture) {
       const auto body = imageBody(timestamp, picture->width, picture->height, shown.key, picture->bytes);
       parts.push_back({&shown.key, debugFrame(DebugType::image, body), ""});
     } else {

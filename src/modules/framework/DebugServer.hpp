@@ -1,6 +1,7 @@
 #pragma once
 
 #include "framework/Clock.hpp"
+#include "framework/Outbox.hpp"
 #include "framework/Peer.hpp"
 
 #include <map>
@@ -14,7 +15,6 @@ namespace naocal {
 class Access;
 class AnyProduction;
 class Thread;
-struct CycleReport;
 
 /// HULKs' debug protocol: clients subscribe to productions by name and get those that were edited, one UPDATE per cycle
 /// of a thread, pictures before it. All keys are listed from the start, with null until a value was sent. A client to
@@ -31,7 +31,11 @@ public:
   void received(Peer& peer, std::uint8_t type, std::string body) override;
   void closed(Peer& peer) override;
 
-  /// Sends what a cycle left to those who want it.
+  /// The samples of pictures that somebody wants and can take now: to be encoded, by any thread, before the report is
+  /// sent.
+  std::vector<CycleReport::Item*> picturesToEncode(CycleReport& report) const;
+
+  /// Sends what a cycle left to those who want it; pictures that are not encoded are left out.
   void send(const CycleReport& report);
 
   /// Sends the list to the clients of an address that has just become open.
@@ -47,6 +51,8 @@ private:
   void subscribeAll(Peer& peer, const std::string& body);
   void sendList(Peer& peer) const;
   void updateWanted(const std::string& key);
+  bool isReady(const Peer& peer) const;
+  bool isAwaited(const std::string& key) const; // by somebody who is ready
 
   Access& access_;
   TimePoint base_;

@@ -15,6 +15,7 @@ struct CycleReport {
   struct Item {
     const AnyProduction* production;
     std::unique_ptr<const Sample> sample;
+    std::optional<EncodedPicture> picture; // of a picture, once it is encoded
   };
   std::vector<Item> items; // in the order of the thread's productions
 };

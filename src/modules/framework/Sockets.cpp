@@ -8,6 +8,7 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
 #include <boost/asio/post.hpp>
+#include <boost/asio/thread_pool.hpp>
 #include <fmt/format.h>
 #include <thread>
 #include <unistd.h>
@@ -17,30 +18,56 @@ namespace {
 
 /// An outbox and the descriptor by which it wakes the sockets' thread.
 struct Mailbox {
-  explicit Mailbox(boost::asio::io_context& context) : descriptor{context, ::dup(outbox.descriptor())} {}
+  Mailbox(boost::asio::io_context& context, DebugServer& debugServer, boost::asio::thread_pool& encoders)
+      : server{debugServer}, encoder{encoders}, descriptor{context, ::dup(outbox.descriptor())} {}
 
-  Outbox outbox;
-  boost::asio::posix::stream_descriptor descriptor;
-
-  void forward(DebugServer& server) {
-    descriptor.async_wait(boost::asio::posix::stream_descriptor::wait_read, [this, &server](const auto& stopped) {
+  void forward() {
+    descriptor.async_wait(boost::asio::posix::stream_descriptor::wait_read, [this](const auto& stopped) {
       if (!stopped) {
         std::uint64_t count = 0;
         static_cast<void>(!::read(descriptor.native_handle(), &count, sizeof count)); // rests until the next report
-        sendNext(server);
+        sendNext();
       }
     });
   }
 
+  DebugServer& server;
+  boost::asio::thread_pool& encoder;
+  Outbox outbox;
+  boost::asio::posix::stream_descriptor descriptor;
+
 private:
-  /// One report a turn: a picture that takes long keeps neither the other thread's values nor clients waiting.
-  void sendNext(DebugServer& server) {
-    if (const auto report = outbox.take()) {
-      server.send(*report);
-      boost::asio::post(descriptor.get_executor(), [this, &server] { sendNext(server); });
-    } else {
-      forward(server);
+  /// One report a turn, its pictures encoded by a thread of their own: neither the other cycle's values nor clients
+  /// wait.
+  void sendNext() {
+    const std::shared_ptr<CycleReport> report = outbox.take();
+    if (!report) {
+      return forward();
     }
+    const auto send = [this, report] {
+      server.send(*report);
+      boost::asio::post(descriptor.get_executor(), [this] { sendNext(); });
+    };
+    const std::vector<CycleReport::Item*> pictures = server.picturesToEncode(*report);
+    if (pictures.empty()) {
+      return send();
+    }
+    boost::asio::post(encoder, [this, pictures, send] {
+      std::exception_ptr failure;
+      try {
+        for (CycleReport::Item* item : pictures) {
+          item->picture = item->sample->picture();
+        }
+      } catch (...) {
+        failure = std::current_exception();
+      }
+      boost::asio::post(descriptor.get_executor(), [send, failure] {
+        send();
+        if (failure) {
+          std::rethrow_exception(failure); // is logged there
+        }
+      });
+    });
   }
 };
 
@@ -60,10 +87,11 @@ struct Sockets::Implementation {
     if (!settings.unixFolder.empty()) {
       debugListener.listenUnix(settings.unixFolder / "debug");
       configListener.listenUnix(settings.unixFolder / "config");
+      unixFolder = settings.unixFolder;
     }
     for (Thread* cycling : threads) {
-      Mailbox& mailbox = mailboxes.emplace_back(context);
-      mailbox.forward(debug);
+      Mailbox& mailbox = mailboxes.emplace_back(context, debug, encoder);
+      mailbox.forward();
       cycling->tell(mailbox.outbox);
     }
     thread = std::thread{[this, log] { run(log); }};
@@ -72,6 +100,8 @@ struct Sockets::Implementation {
   ~Implementation() {
     context.stop();
     thread.join();
+    encoder.stop();
+    encoder.join();
   }
 
   void run(const Log& log) {
@@ -89,9 +119,11 @@ struct Sockets::Implementation {
   DebugServer debug;
   ConfigServer config;
   boost::asio::io_context context{1};
+  boost::asio::thread_pool encoder{1}; // of pictures
   Listener debugListener, configListener;
   std::deque<Mailbox> mailboxes;
-  std::uint16_t debugPort = 0, configPort = 0;
+  std::uint16_t debugPort = 0, configPort = 0; // 0: not over TCP
+  std::filesystem::path unixFolder;
   std::thread thread;
 };
 
@@ -105,6 +137,17 @@ std::uint16_t Sockets::debugPort() const {
 }
 std::uint16_t Sockets::configPort() const {
   return implementation_->configPort;
+}
+
+std::string Sockets::where() const {
+  std::string result;
+  if (implementation_->debugPort != 0) {
+    result += fmt::format("; debug socket on port {}, configuration on port {}", debugPort(), configPort());
+  }
+  if (!implementation_->unixFolder.empty()) {
+    result += fmt::format("; UNIX sockets in {}", implementation_->unixFolder.string());
+  }
+  return result;
 }
 
 } // namespace naocal

@@ -45,6 +45,9 @@ public:
   std::uint16_t debugPort() const;
   std::uint16_t configPort() const;
 
+  /// Where clients find them: the end of a sentence.
+  std::string where() const;
+
 private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;

@@ -1,10 +1,6 @@
 #include "poses/RandomAttitude.hpp"
 
-#include "model/Masses.hpp"
-#include "poses/Outline.hpp"
-
 #include <algorithm>
-#include <numeric>
 #include <set>
 
 namespace naocal {
@@ -22,11 +18,6 @@ std::vector<std::size_t> headJoints(const Robot& robot) {
   return {joints.begin(), joints.end()};
 }
 
-Eigen::Vector2d middle(const Outline& outline) {
-  const Eigen::Vector2d sum = std::accumulate(outline.begin(), outline.end(), Eigen::Vector2d::Zero().eval());
-  return sum / static_cast<double>(outline.size());
-}
-
 } // namespace
 
 Sieve& Sieve::operator+=(const Sieve& other) {
@@ -39,10 +30,8 @@ Sieve& Sieve::operator+=(const Sieve& other) {
 }
 
 RandomAttitude::RandomAttitude(const Robot& robot, const Scene& scene, const PoseOptions& options, std::size_t first)
-    : robot_{robot}, scene_{scene}, options_{options}, checks_{robot, options}, supportLeg_{robot,
-                                                                                            checks_.support().name},
-      otherLeg_{robot, checks_.other().name}, head_{headJoints(robot)}, hanging_{scene.drawn()},
-      point_(legRanges + head_.size()) {
+    : robot_{robot}, scene_{scene}, options_{options}, checks_{robot, options}, feet_{robot, options.supportFoot},
+      head_{headJoints(robot)}, hanging_{scene.drawn()}, point_(legRanges + head_.size()) {
   points_ = unitPoints(options.sampling, options.seed, point_.size(), options.tries, first);
   std::seed_seq mixed{options.seed, static_cast<std::uint64_t>(first), std::uint64_t{1}};
   random_.seed(mixed);
@@ -110,36 +99,13 @@ bool RandomAttitude::standUp(Belief& belief) {
   soleFromOther.translation.x() = from(options_.otherForwards);
   soleFromOther.translation.y() = -outwards * from(options_.otherSideways);
   soleFromOther.translation.z() = from(options_.otherUp);
-  Eigen::Vector2d wanted = middle(checks_.support().outline);
-  wanted.x() += from(options_.centreForwards);
-  wanted.y() += outwards * from(options_.centreOutwards);
-  soleFromTorso.translation << wanted, from(options_.height);
-
-  constexpr int rounds = 3; // each leaves a small share of the distance
-  for (int round = 0; round < rounds; ++round) {
-    if (!bendLegs(belief, soleFromTorso, soleFromOther)) {
-      return false;
-    }
-    const Eigen::Vector3d centre = soleFromTorso * centreOfMass(robot_, posture(robot_, belief)).inTorso;
-    soleFromTorso.translation.head<2>() += wanted - centre.head<2>();
-  }
-  return bendLegs(belief, soleFromTorso, soleFromOther) && checks_.withinLimits(belief, supportLeg_.joints()) &&
-         checks_.withinLimits(belief, otherLeg_.joints());
-}
-
-bool RandomAttitude::bendLegs(Belief& belief, const RigidTransform& soleFromTorso,
-                              const RigidTransform& soleFromOther) const {
-  const RigidTransform torsoFromSole = soleFromTorso.inverse();
-  const auto support = supportLeg_.angles(torsoFromSole);
-  const auto other = support ? otherLeg_.angles(torsoFromSole * soleFromOther, support->front()) : std::nullopt;
-  if (!other) {
-    return false;
-  }
-  for (std::size_t i = 0; i < support->size(); ++i) {
-    belief.angle(supportLeg_.joints()[i]) = (*support)[i];
-    belief.angle(otherLeg_.joints()[i]) = (*other)[i];
-  }
-  return true;
+  Eigen::Vector2d centre = feet_.middle();
+  centre.x() += from(options_.centreForwards);
+  centre.y() += outwards * from(options_.centreOutwards);
+  soleFromTorso.translation.z() = from(options_.height);
+  return feet_.stand(belief, soleFromTorso, soleFromOther, centre) &&
+         checks_.withinLimits(belief, feet_.supportLeg().joints()) &&
+         checks_.withinLimits(belief, feet_.otherLeg().joints());
 }
 
 void RandomAttitude::turnHead(Belief& belief, const std::function<double(const Interval&)>& draw) const {

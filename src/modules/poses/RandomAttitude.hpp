@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/LegInverseKinematics.hpp"
+#include "poses/OneFoot.hpp"
 #include "poses/PoseChecks.hpp"
 
 #include <functional>
@@ -34,9 +34,8 @@ public:
   std::optional<Belief> reached(const std::vector<double>& point);
 
 private:
-  /// Legs: the torso somewhere over the support sole, then moved until the centre of mass is where it was drawn.
+  /// Legs: the torso somewhere over the support sole, the centre of mass where it was drawn.
   bool standUp(Belief& belief);
-  bool bendLegs(Belief& belief, const RigidTransform& soleFromTorso, const RigidTransform& soleFromOther) const;
   std::optional<SievedPose> attempt(int glances, Sieve& sieve);
   /// Head: as drawn, else anywhere, until a board is in sight of the robot, which must remain stable.
   bool lookAround(SievedPose& attitude, int glances);
@@ -48,7 +47,7 @@ private:
   const Scene& scene_;
   const PoseOptions& options_;
   PoseChecks checks_;
-  Leg supportLeg_, otherLeg_;
+  OneFoot feet_;
   std::vector<std::size_t> head_; // joints between the root and the cameras
   Belief hanging_;                // all joints at rest
   std::unique_ptr<UnitPoints> points_;

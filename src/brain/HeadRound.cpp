@@ -1,0 +1,33 @@
+#include "brain/CalibrationStep.hpp"
+#include "geometry/Angles.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace naocal {
+
+CalibrationRound headRound(const CompensatedAngles& stand, const std::vector<double>& yaws,
+                           const std::vector<double>& pitches, int pictures) {
+  CalibrationRound round;
+  bool backwards = false;
+  for (const double pitch : pitches) {
+    std::vector<double> row = yaws;
+    if (backwards) {
+      std::reverse(row.begin(), row.end());
+    }
+    backwards = !backwards;
+    for (const double yaw : row) {
+      CompensatedAngles pose = stand;
+      pose[*jointNumber("HeadYaw")] = radians(yaw);
+      pose[*jointNumber("HeadPitch")] = radians(pitch);
+      CalibrationStep step{fmt::format("Pose {}", round.size() + 1), "", {pose}, pictures, {}};
+      step.taken.pose = fmt::format("H{:02}", round.size());
+      step.taken.supportFoot = SupportFoot::both;
+      round.push_back(std::move(step));
+    }
+  }
+  round.push_back({"The stand", "", {}, 0, {}});
+  return round;
+}
+
+} // namespace naocal
