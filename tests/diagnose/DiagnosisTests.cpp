@@ -28,6 +28,27 @@ CaptureSet withReadings(CaptureSet set, const std::string& joint, const std::fun
   return set;
 }
 
+/// The pictures of one camera, shifted downwards as it looks up [px].
+CaptureSet withLookingUp(CaptureSet set, const std::string& camera, const std::function<double(double)>& shift) {
+  for (Capture& capture : set.captures) {
+    if (capture.camera == camera) {
+      for (BoardCorners& board : *capture.corners) {
+        for (Eigen::Vector2d& corner : board.uv) {
+          corner.y() += shift(capture.time.count());
+        }
+      }
+    }
+  }
+  return set;
+}
+
+/// First capture to last [s].
+std::pair<double, double> span(const CaptureSet& set) {
+  const auto [first, last] = std::minmax_element(set.captures.begin(), set.captures.end(),
+                                                 [](const Capture& a, const Capture& b) { return a.time < b.time; });
+  return {first->time.count(), last->time.count()};
+}
+
 } // namespace
 
 TEST_CASE("the hidden effect of independent captures heads the ranking with its size") {
@@ -104,10 +125,54 @@ TEST_CASE("a ripple that no effect describes is located and drawn") {
       withReadings(simulatedSet(24, 5), "LKneePitch", [](double q) { return q + radians(0.5) * std::sin(6 * q); }));
   CHECK(diagnosis.verdict == Verdict::unknownEffect);
   REQUIRE(!diagnosis.drivers.empty());
-  CHECK(diagnosis.drivers.front().joint == "LKneePitch");
+  CHECK(diagnosis.drivers.front().place == "LKneePitch");
   CHECK(diagnosis.drivers.front().driver == "q");
   CHECK(diagnosis.drivers.front().amplitude == Approx(radians(0.5)).epsilon(0.4));
   CHECK(diagnosis.sentence.find("unknown") != std::string::npos);
+}
+
+TEST_CASE("a joint that slips once is located, and when") {
+  // Proves the map's steps: from half time on the ankle's reading is off by 0.4 degrees. Joint, driver and a moment
+  // within the two poses around it are told.
+  CaptureSet set = simulatedSet(24, 6);
+  const auto [first, last] = span(set);
+  const double slip = (first + last) / 2;
+  const auto ankle = std::find(set.jointNames.begin(), set.jointNames.end(), "LAnklePitch") - set.jointNames.begin();
+  for (Capture& capture : set.captures) {
+    capture.joints.measured[static_cast<std::size_t>(ankle)] += capture.time.count() > slip ? radians(0.4) : 0;
+  }
+  const Diagnosis diagnosis = diagnosed(set);
+  CAPTURE(diagnosis.sentence);
+  CHECK(diagnosis.verdict == Verdict::unknownEffect);
+  REQUIRE(!diagnosis.drivers.empty());
+  const DriverFinding& found = diagnosis.drivers.front();
+  CHECK(found.place == "LAnklePitch");
+  CHECK(found.driver == "t");
+  CHECK(found.amplitude == Approx(radians(0.2)).epsilon(0.3)); // half of the step
+  REQUIRE(found.expression.starts_with("a*(t > "));
+  CHECK(std::stod(found.expression.substr(7)) == Approx(slip - first).margin(2 * (last - first) / 24));
+}
+
+TEST_CASE("a camera that turns in its mount is told from a joint") {
+  // Proves the map's mounts: the upper camera looks up ever further, by 5 px in the end (half a degree), while the
+  // lower one does not. Camera, time and axis are told; and where it jumps instead, that it was knocked.
+  const CaptureSet good = simulatedSet(24, 8);
+  const auto [first, last] = span(good);
+  const Diagnosis drifting = diagnosed(withLookingUp(
+      good, "top", [&, begin = first, end = last](double time) { return 5 * (time - begin) / (end - begin); }));
+  CAPTURE(drifting.sentence);
+  CHECK(drifting.verdict == Verdict::unknownEffect);
+  REQUIRE(!drifting.drivers.empty());
+  CHECK(drifting.drivers.front().place == "top");
+  CHECK(drifting.drivers.front().driver == "t");
+  CHECK(drifting.drivers.front().about == "y");
+  CHECK(drifting.drivers.front().amplitude == Approx(radians(0.25)).epsilon(0.4));
+
+  const Diagnosis knocked =
+      diagnosed(withLookingUp(good, "top", [half = (first + last) / 2](double time) { return time > half ? 6 : 0; }));
+  CAPTURE(knocked.sentence);
+  CHECK(knocked.verdict == Verdict::badCaptures);
+  CHECK(knocked.sentence.find("camera top moved") != std::string::npos);
 }
 
 TEST_CASE("accidents and wrong set-ups are named, not explained as physics") {

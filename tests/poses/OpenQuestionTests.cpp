@@ -61,7 +61,7 @@ TEST_CASE("twins are asked first, then a curve's rival, then what captures hardl
   diagnosis.verdict = Verdict::unknownEffect;
   diagnosis.suggested = diagnosis.with = {};
   diagnosis.ranking[0].state = State::aliased;
-  diagnosis.drivers = {{.joint = "LKneePitch",
+  diagnosis.drivers = {{.place = "LKneePitch",
                         .driver = "q",
                         .bayes = 60,
                         .expression = "a*sin(6*q) + b*cos(6*q)",

@@ -57,11 +57,7 @@ public:
         {"exitCode", said.exitCode}, {"seconds", seconds.count()}, {"locked", nlohmann::json::object()}};
     answer["diagnosis"] = jsonOf(between_ / "diagnosis.json");
     const auto suggested = answer["diagnosis"].value("suggested", std::vector<std::string>{});
-    const auto before = lockedError({});
-    const auto after = suggested.empty() ? before : lockedError(suggested);
-    if (before && after) {
-      answer["locked"] = {{"beforePx", *before}, {"afterPx", *after}};
-    }
+    answer["locked"] = locked(suggested);
     return answer;
   }
 
@@ -76,21 +72,30 @@ private:
                           {"locked", nlohmann::json::object()}};
   }
 
-  /// rms on poses that were never used for choosing, with these effects in the model. Absent where it cannot be solved.
-  std::optional<double> lockedError(const std::vector<std::string>& with) const {
-    std::vector<std::string> solve{naocal_, "solve", set_.string(), "-o", between_ / "result.json"};
+  /// The errors on poses that were never used for choosing, without and with these effects. Empty where they cannot be
+  /// found.
+  nlohmann::json locked(const std::vector<std::string>& with) const {
+    if (!solved({}, "before.json") || !solved(with, "after.json") ||
+        run({naocal_, "compare", between_ / "after.json", locked_, "--against", between_ / "before.json", "--json",
+             between_ / "compared.json"})
+                .exitCode != 0) {
+      return nlohmann::json::object();
+    }
+    const nlohmann::json compared = jsonOf(between_ / "compared.json");
+    const nlohmann::json& before = compared.at("against");
+    return {{"beforePx", before.at("rmsPx")},
+            {"afterPx", compared.at("rmsPx")},
+            {"weightedBeforePx", before.at("weightedPx")},
+            {"weightedAfterPx", compared.at("weightedPx")}};
+  }
+
+  bool solved(const std::vector<std::string>& with, const char* file) const {
+    std::vector<std::string> solve{naocal_, "solve", set_.string(), "-o", between_ / file};
     if (!with.empty()) {
       solve.insert(solve.end(), {"--with", fmt::format("{}", fmt::join(with, ","))});
     }
-    const int solved = run(solve).exitCode;
-    if (solved != 0 && solved != 3) {
-      return std::nullopt;
-    }
-    if (run({naocal_, "compare", between_ / "result.json", locked_, "--json", between_ / "compared.json"}).exitCode !=
-        0) {
-      return std::nullopt;
-    }
-    return jsonOf(between_ / "compared.json").at("rmsPx").get<double>();
+    const int exitCode = run(solve).exitCode;
+    return exitCode == 0 || exitCode == 3;
   }
 
   std::string naocal_;

@@ -51,8 +51,11 @@ void printCurves(const Diagnosis& diagnosis) {
     for (const auto& [name, value] : curve.coefficients) {
       coefficients += fmt::format("{}{} = {:.4g}", coefficients.empty() ? "" : ", ", name, value);
     }
-    fmt::print("  {:16} over {:18} ±{:.3f}°  evidence {:7.1f}   {}  ({})\n", curve.joint, curve.driver,
-               degrees(curve.amplitude), curve.bayes, curve.expression, coefficients);
+    const std::string like = curve.about.empty()
+                                 ? fmt::format("{}  ({})", curve.expression, coefficients)
+                                 : fmt::format("the camera's mount turns about its {} axis", curve.about);
+    fmt::print("  {:16} over {:18} ±{:.3f}°  evidence {:7.1f}   {}\n", curve.place, curve.driver,
+               degrees(curve.amplitude), curve.bayes, like);
   }
 }
 

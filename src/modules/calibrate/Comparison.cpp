@@ -90,16 +90,23 @@ Prediction prediction(const StoredResult& result, const Measurements& measuremen
   return all;
 }
 
-std::vector<SightingResidual> predicted(const Measurements& measurements, const Model& model, const Prediction& from) {
-  Residuals residuals{measurements, model, Noise{.pixel = 0.3, .encoder = 0, .pose = 0}};
+/// The least cost over the free placements.
+template <typename Problem> auto predicted(Problem& residuals, const Prediction& from) {
   residuals.freeOnly(from.free);
-  const auto minimum = levenbergMarquardt(residuals, residuals.start(from.unknowns));
+  auto minimum = levenbergMarquardt(residuals, residuals.start(from.unknowns));
   if (!minimum) {
     throw InputError{
         "these captures cannot be predicted: a corner that was seen would lie behind the camera; is it the "
         "robot that the result was made for?"};
   }
-  return residuals.sightings(minimum->state);
+  return *std::move(minimum);
+}
+
+/// As they are seen: nothing of them is put down to the joints.
+std::vector<SightingResidual> plainResiduals(const Measurements& measurements, const Model& model,
+                                             const Prediction& from) {
+  Residuals residuals{measurements, model, Noise{.pixel = 0.3, .encoder = 0, .pose = 0}};
+  return residuals.sightings(predicted(residuals, from).state);
 }
 
 Distances distances(std::vector<double> all) {
@@ -137,7 +144,7 @@ Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& se
   std::vector<double> all, nominal;
   std::map<std::string, std::vector<double>> byBoard, byCamera, byPose;
   for (const SightingResidual& seen :
-       predicted(measurements, model, prediction(result, measurements, model, samePlace))) {
+       plainResiduals(measurements, model, prediction(result, measurements, model, samePlace))) {
     const Picture& picture = measurements.pictures[seen.picture];
     for (Eigen::Index i = 0; i < seen.residual.cols(); ++i) {
       const double distance = seen.residual.col(i).norm();
@@ -148,7 +155,7 @@ Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& se
     }
   }
   for (const SightingResidual& seen :
-       predicted(measurements, model, prediction(StoredResult{}, measurements, model, samePlace))) {
+       plainResiduals(measurements, model, prediction(StoredResult{}, measurements, model, samePlace))) {
     for (Eigen::Index i = 0; i < seen.residual.cols(); ++i) {
       nominal.push_back(seen.residual.col(i).norm());
     }
@@ -159,6 +166,18 @@ Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& se
   comparison.byCamera = distances(byCamera);
   comparison.byPose = distances(byPose);
   return comparison;
+}
+
+double weightedError(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot,
+                     bool samePlace, const Noise& noise) {
+  const Measurements measurements = measurementsOf(sets, robot, samePlace);
+  std::vector<std::string> ignored;
+  const Model model = modelOf(result, measurements, ignored);
+  Loss loss;
+  loss.scale = 1;
+  Residuals residuals{measurements, model, noise, loss};
+  const double chi2 = 2 * predicted(residuals, prediction(result, measurements, model, samePlace)).linear.cost;
+  return noise.pixel * std::sqrt(chi2 / static_cast<double>(measurements.cornerCount));
 }
 
 nlohmann::json comparisonJson(const Comparison& comparison) {

@@ -25,6 +25,14 @@ struct Comparison {
 /// those of floor boards and stances are estimated anew unless `samePlace`.
 Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot, bool samePlace);
 
+/// rms error per corner [px] with the joints' random deflections of `noise` allowed for:
+///
+///   noise.pixel * sqrt(chi2 / corners),   chi2 = r^T (pixel^2 I + J_t S J_t^T)^-1 r,   false corners left out
+///
+/// Two results compared at the same noise differ by what they predict alone, not by how the joints happened to rest.
+double weightedError(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot,
+                     bool samePlace, const Noise& noise);
+
 nlohmann::json comparisonJson(const Comparison& comparison);
 
 } // namespace naocal

@@ -27,6 +27,7 @@ struct StoredResult {
   std::map<std::string, Placement> boards;  // by name
   std::map<std::string, Placement> stances; // by name
   std::string definitions = "[]";           // the person's own effects among them: a list of JSON
+  Noise noise;                              // that it was found with
   bool usable = false;
 };
 

@@ -17,6 +17,18 @@ Placement placementFrom(const json& value) {
           value.value("roll", 0.0), value.value("pitch", 0.0), value.value("yaw", 0.0)};
 }
 
+Noise noiseFrom(const json& entry, const std::filesystem::path& file) {
+  const Noise usual;
+  const Noise noise{.pixel = entry.value("pixel", usual.pixel),
+                    .encoder = entry.value("encoder", usual.encoder),
+                    .pose = entry.value("pose", usual.pose)};
+  if (!(noise.pixel > 0 && noise.encoder >= 0 && noise.pose >= 0)) {
+    throw InputError{fmt::format("{}: noise: expected a positive pixel and no negative numbers, found {}",
+                                 file.string(), entry.dump())};
+  }
+  return noise;
+}
+
 } // namespace
 
 StoredResult readResult(const std::filesystem::path& file) {
@@ -33,6 +45,7 @@ StoredResult readResult(const std::filesystem::path& file) {
     if (all.contains("model") && all["model"].contains("define")) {
       result.definitions = all["model"]["define"].dump();
     }
+    result.noise = noiseFrom(all.value("noise", json::object()), file);
     for (const json& effect : all.at("effects")) {
       const std::string label = effect.at("effect").get<std::string>() + "@" + effect.at("at").get<std::string>();
       result.terms.push_back(label);

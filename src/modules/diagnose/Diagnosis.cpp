@@ -1,52 +1,56 @@
 #include "diagnose/Diagnosis.hpp"
 
 #include "captures/InputError.hpp"
+#include "diagnose/Curves.hpp"
 #include "diagnose/DiagnosisFigures.hpp"
-#include "diagnose/Drivers.hpp"
 #include "diagnose/Judgement.hpp"
 #include "diagnose/Ladder.hpp"
 #include "diagnose/Sentences.hpp"
 #include "diagnose/SetUps.hpp"
-#include "diagnose/Shapes.hpp"
 #include "diagnose/Suspicions.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <limits>
 #include <list>
+#include <set>
 
 namespace naocal {
 
 namespace {
 
-/// The best curves of the map.
-std::vector<DriverFinding> curves(const Inquiry& inquiry, const Measurements& measurements) {
-  const std::vector<std::size_t> order = inquiry.cellsByEvidence();
-  std::vector<DriverFinding> result;
-  for (std::size_t i = 0; i < std::min<std::size_t>(3, order.size()); ++i) {
-    result.push_back(driverFinding(inquiry, measurements, order[i]));
+/// Of each place and driver the curve that explains most, best first.
+std::vector<std::size_t> bestCurves(const Inquiry& inquiry, const Measurements& measurements) {
+  std::vector<std::size_t> result;
+  std::set<std::pair<std::string, std::string>> seen;
+  for (std::size_t curve : inquiry.curvesByEvidence()) {
+    const CurveName name = curveName(inquiry, measurements, curve);
+    if (seen.insert({name.place, name.driver}).second) {
+      result.push_back(curve);
+    }
   }
   return result;
 }
 
-std::vector<MapCell> wholeMap(const Inquiry& inquiry, const Measurements& measurements) {
-  std::vector<MapCell> result;
-  for (std::size_t i = 0; i < inquiry.map().cells.size(); ++i) {
-    const DriverCell& cell = inquiry.map().cells[i];
-    result.push_back({measurements.robot.joints[cell.motor].name,
-                      nameAt(inquiry.map().drivers[cell.driver], cell.motor), inquiry.ofCell(i).bayes,
-                      inquiry.ofCell(i).pValue});
+void addMap(const Inquiry& inquiry, const Measurements& measurements, Diagnosis& diagnosis) {
+  std::vector<std::size_t> best = bestCurves(inquiry, measurements);
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, best.size()); ++i) {
+    diagnosis.drivers.push_back(driverFinding(inquiry, measurements, best[i]));
   }
-  return result;
+  std::sort(best.begin(), best.end());
+  for (std::size_t curve : best) {
+    const CurveName name = curveName(inquiry, measurements, curve);
+    diagnosis.map.push_back({name.place, name.driver, inquiry.ofCurve(curve).bayes, inquiry.ofCurve(curve).pValue});
+  }
 }
 
-/// A curve of the map explains the misfit better than any effect that has a name. Where the evidence is large, a curve,
-/// being free, must be ahead by a share of it: it follows several effects at once, each of which is then named in turn.
+/// A curve of the map explains the misfit better than any effect that has a name. The larger the evidence, the further
+/// a curve must be ahead: being free it follows several effects at once, each of which is then named in turn.
 bool isUnknown(const Inquiry& inquiry, std::optional<std::size_t> candidate) {
-  constexpr double better = 6, share = 0.15; // in 2 ln of the Bayes factor
-  const double curve = inquiry.ofCell(inquiry.cellsByEvidence().front()).bayes;
+  constexpr double better = 6, large = 400; // in 2 ln of the Bayes factor
+  const double curve = inquiry.ofCurve(inquiry.curvesByEvidence().front()).bayes;
   const double named = candidate ? inquiry.ofCandidate(*candidate).bayes : -better;
-  return curve > 0 && curve - named > std::max(better, share * named);
+  return curve > 0 && curve - named > std::max(better, named * named / large);
 }
 
 Verdict verdictOf(const Diagnosis& diagnosis, const Inquiry& last, bool unknown) {
@@ -104,12 +108,11 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
     }
     const bool alarm = inquiry.evidence().pValue <= options.alarm && result.suspicious.empty();
     const std::optional<std::size_t> candidate = alarm ? ladder.best(inquiry) : std::nullopt;
-    if (alarm && !inquiry.map().cells.empty()) {
+    if (alarm && inquiry.curveCount() > 0) {
       unknown = isUnknown(inquiry, candidate);
     }
     if (!options.grow || !alarm || unknown || !candidate || !ladder.add(inquiry, *candidate, result)) {
-      result.drivers = curves(inquiry, measurements);
-      result.map = wholeMap(inquiry, measurements);
+      addMap(inquiry, measurements, result);
       result.scatter = inquiry.evidence().level;
       if (!unknown && result.suggested.empty()) {
         const std::vector<Suspicion> moved = movedBoards(sets, measurements, ladder.withoutMovedBoards());

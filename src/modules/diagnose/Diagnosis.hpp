@@ -45,20 +45,21 @@ struct CandidateFinding {
   std::optional<Imprint> imprint;                    // of the first few, in the model as given
 };
 
-/// A curve of a joint over a driver that would explain what is left over.
+/// A curve of a joint, or of a camera's mount, over a driver that would explain what is left over.
 struct DriverFinding {
-  std::string joint, driver; // as in a user's effect: "LKneePitch", "q"
+  std::string place, driver; // as in a user's effect: "LKneePitch", "q"; of a mount the camera: "top", "t"
   std::string what;          // "the angle of LKneePitch"
+  std::string about;         // of a mount: the axis that its curve turns about, "y"
   double share = 0;          // of the scatter from pose to pose (its variance) that it explains
   double likelihoodRatio = 0, bayes = 0, amplitude = 0;     // amplitude [rad]: half of the curve's range
   std::vector<std::array<double, 3>> curve;                 // driver, deflection, its standard error [rad]
-  std::string expression;                                   // a small one that follows the curve
+  std::string expression;                                   // of a joint: a small one that follows the curve
   std::vector<std::pair<std::string, double>> coefficients; // of that expression
 };
 
-/// A cell of the joint x driver map: how well a curve of this joint over this driver would explain what is left over.
+/// A cell of the map: how well a curve of this joint or mount over this driver would explain what is left over.
 struct MapCell {
-  std::string joint, driver; // as in a user's effect
+  std::string place, driver; // as in a user's effect
   double bayes = 0, pValue = 1;
 };
 

@@ -66,9 +66,13 @@ Json driver(const DriverFinding& finding) {
   for (const auto& [name, value] : finding.coefficients) {
     coefficients[name] = value;
   }
-  return {{"at", finding.joint},    {"driver", finding.driver},         {"what", finding.what},
-          {"share", finding.share}, {"evidence", finding.bayes},        {"amplitude", finding.amplitude},
-          {"curve", finding.curve}, {"expression", finding.expression}, {"coefficients", coefficients}};
+  Json result{{"at", finding.place},    {"driver", finding.driver},         {"what", finding.what},
+              {"share", finding.share}, {"evidence", finding.bayes},        {"amplitude", finding.amplitude},
+              {"curve", finding.curve}, {"expression", finding.expression}, {"coefficients", coefficients}};
+  if (!finding.about.empty()) {
+    result["about"] = finding.about;
+  }
+  return result;
 }
 
 } // namespace
@@ -107,7 +111,7 @@ Json diagnosisJson(const Diagnosis& diagnosis) {
   }
   for (const MapCell& cell : diagnosis.map) {
     result["map"].push_back(
-        {{"at", cell.joint}, {"driver", cell.driver}, {"evidence", cell.bayes}, {"pValue", cell.pValue}});
+        {{"at", cell.place}, {"driver", cell.driver}, {"evidence", cell.bayes}, {"pValue", cell.pValue}});
   }
   for (const Suspicion& suspicion : diagnosis.suspicious) {
     Json entry{{"why", suspicion.why}};

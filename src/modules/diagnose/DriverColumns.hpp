@@ -10,12 +10,28 @@
 
 namespace naocal {
 
-/// A joint's deflection as a smooth function of one driver: `count` columns.
+/// How large a curve's coefficients plausibly are [rad]: some tenths of a degree.
+constexpr double plausibleCurve = 0.005;
+
+/// A joint's deflection as a function of one driver x: `count` columns.
 struct DriverCell {
+  enum class Shape {
+    smooth, // Legendre polynomials of degrees 1 to `count` at (x - middle) / half
+    wave,   // sin(waves x), cos(waves x): a gear's or an encoder's ripple
+    step,   // sign(x - middle): something slipped
+    root    // sign(x) sqrt(|x| / half): a spring that stiffens
+  };
   std::size_t motor = 0;
   std::size_t driver = 0; // into `DriverColumns::drivers`
+  Shape shape = Shape::smooth;
   Eigen::Index first = 0, count = 0;
-  double middle = 0, half = 1; // the driver's range: the curve's argument is (driver - middle) / half
+  double least = 0, most = 0; // of the driver, where the joint bends a picture
+  double middle = 0, half = 1;
+  int waves = 0;           // per turn of the driver
+  std::size_t choices = 1; // cells of this shape, of which at most one is true
+
+  /// Its columns at a value of the driver.
+  Eigen::RowVectorXd basis(double x) const;
 };
 
 /// Something that was known at every capture and that a joint's deflection may vary with.
@@ -30,8 +46,9 @@ struct DriverValues {
 
 /// The columns of the joint x driver map: every joint's deflection as a curve over every driver.
 ///
-/// A cell's columns are Legendre polynomials of degrees 1 to 4 over the driver's range (the constant is the joint's
-/// offset), as many as its distinct values allow.
+/// Smooth cells have degrees 1 to 4 over the driver's range (the constant is the joint's offset), as many as its
+/// distinct values allow. Beside them stand the shapes that no polynomial follows: ripples of the joint's own angle, a
+/// step at a moment, the root of its own torque.
 struct DriverColumns {
   std::vector<DriverValues> drivers;
   std::vector<DriverCell> cells; // of one motor side by side
@@ -45,11 +62,14 @@ struct DriverColumns {
   std::vector<std::vector<Block>> blocks; // per pose
 };
 
-/// Curves of up to `degree` of each joint in `measurements.joints` over each of `drivers`. `poses`: as the residuals
-/// make them, for the places of their deflections.
-constexpr Eigen::Index curveDegree = 4;
+/// The map of each joint in `measurements.joints` over each of `drivers`. `poses`: as the residuals make them, for the
+/// places of their deflections.
 DriverColumns driverColumns(const Measurements& measurements, std::vector<DriverValues> drivers,
-                            const std::vector<PoseSystem>& poses, Eigen::Index degree = curveDegree);
+                            const std::vector<PoseSystem>& poses);
+
+/// Only deflections in proportion to each of `drivers`.
+DriverColumns proportionalColumns(const Measurements& measurements, std::vector<DriverValues> drivers,
+                                  const std::vector<PoseSystem>& poses);
 
 /// Legendre polynomials P_1 .. P_count at x in [-1, 1].
 Eigen::RowVectorXd curveBasis(double x, Eigen::Index count);

@@ -32,18 +32,27 @@ Effect moved(Place place, double after) {
   return effect;
 }
 
-/// One capture looks elsewhere than it should.
-Effect bad(double time) {
-  return {.name = "badCapture",
+/// At these instants a camera looks elsewhere than it should.
+Effect turned(std::string name, std::function<bool(double)> when) {
+  return {.name = std::move(name),
           .what = {},
           .formula = {},
           .place = Place::camera,
           .unknowns = {{"rx", "rad", 0.02}, {"ry", "rad", 0.02}, {"rz", "rad", 0.02}},
-          .correct = [time](Belief& belief, const Instant& instant, std::size_t, std::span<const double> values) {
-            if (instant.time.count() == time) {
+          .correct = [when = std::move(when)](Belief& belief, const Instant& instant, std::size_t,
+                                              std::span<const double> values) {
+            if (when(instant.time.count())) {
               belief.mountRotation() += Eigen::Vector3d{values[0], values[1], values[2]};
             }
           }};
+}
+
+Effect bad(double time) {
+  return turned("badCapture", [time](double t) { return t == time; });
+}
+
+Effect knocked(double after) {
+  return turned("cameraKnocked", [after](double t) { return t > after; });
 }
 
 /// Moments between captures, at most `mostMoments`, so that something was seen before and after each.
@@ -66,7 +75,7 @@ std::vector<double> momentsBetween(const std::set<double>& times) {
 
 std::vector<Event> possibleEvents(const std::vector<CaptureSet>& sets, const Measurements& measurements) {
   std::vector<Event> result;
-  std::map<std::size_t, std::set<double>> boards, stances;
+  std::map<std::size_t, std::set<double>> boards, stances, cameras;
   for (const Picture& picture : measurements.pictures) {
     const double time = picture.instant.time.count();
     bool floor = false;
@@ -80,27 +89,35 @@ std::vector<Event> possibleEvents(const std::vector<CaptureSet>& sets, const Mea
       stances[picture.stance].insert(time);
     }
     if (!picture.sightings.empty()) {
+      cameras[picture.camera].insert(time);
       const int id = sets[picture.set].captures[picture.capture].id;
       result.push_back({{bad(time), picture.camera, fmt::format("capture {}", id)},
                         {id},
                         fmt::format("capture {} does not belong to the rest: another picture, or other angles", id)});
     }
   }
-  const auto addMoves = [&](const std::map<std::size_t, std::set<double>>& times, Place place, const auto& name) {
+  const auto addMoves = [&](const std::map<std::size_t, std::set<double>>& times, const auto& effect,
+                            const auto& name) {
     for (const auto& [at, seen] : times) {
       for (double moment : momentsBetween(seen)) {
         const std::string who = name(at);
-        result.push_back({{moved(place, moment), at, fmt::format("{} {:.3f}", who, moment)},
+        result.push_back({{effect(moment), at, fmt::format("{} {:.3f}", who, moment)},
                           {},
                           fmt::format("{} moved {:.1f} s after the first capture", who, moment)});
       }
     }
   };
   if (boards.size() > 1) { // of one board alone it is the robot that moves
-    addMoves(boards, Place::board, [&](std::size_t at) { return "board " + measurements.targets[at].name; });
+    addMoves(
+        boards, [](double moment) { return moved(Place::board, moment); },
+        [&](std::size_t at) { return "board " + measurements.targets[at].name; });
   }
-  addMoves(stances, Place::stance,
-           [&](std::size_t at) { return "the robot in stance " + measurements.standings[at].name; });
+  addMoves(
+      stances, [](double moment) { return moved(Place::stance, moment); },
+      [&](std::size_t at) { return "the robot in stance " + measurements.standings[at].name; });
+  if (cameras.size() > 1) { // of one camera alone it may as well be the head
+    addMoves(cameras, knocked, [&](std::size_t at) { return "camera " + measurements.robot.cameras[at].name; });
+  }
   return result;
 }
 

@@ -76,15 +76,38 @@ Eigen::MatrixXd ratios(const std::vector<ScoreTests>& tests, const PoseScores& s
 
 /// Most of the alarm's false alarms are left to the effects that have a name: there are many more curves, and for one
 /// of them to raise it, it must be rarer by this factor (a weighted test: Genovese, Roeder and Wasserman 2006).
-constexpr double rarer = 8;
+constexpr double rarer = 16;
 
 double smallestP(const ScoreProblem& problem, const ScoreTests& tests, const Eigen::VectorXd& ratio) {
   double result = 1;
   for (std::size_t i = 0; i < problem.groups.size(); ++i) {
     const double p = tail(ratio[at(i)], tests.freedom(i));
-    result = std::min(result, problem.groups[i].first < problem.candidates ? p : rarer * p);
+    result = std::min(result, i < problem.named ? p : rarer * p);
   }
   return result;
+}
+
+/// 2 ln of the Bayes factor of coefficients ~ N(0, 1): |L^-1 s|^2 - 2 ln |L|, L L^T = information + 1.
+double bayesOf(const Eigen::MatrixXd& information, const Eigen::VectorXd& score) {
+  Eigen::MatrixXd posterior = information;
+  posterior.diagonal().array() += 1;
+  const Eigen::LLT<Eigen::MatrixXd> factor{posterior};
+  return score.dot(factor.solve(score)) - 2 * factor.matrixLLT().diagonal().array().log().sum();
+}
+
+/// The same where the first few coefficients may suffice, all degrees as likely: the mean of their Bayes factors.
+double bayesOf(const ColumnGroup& group, const Eigen::MatrixXd& information, const Eigen::VectorXd& score) {
+  const Eigen::Index part = group.part > 0 ? group.part : group.count;
+  std::vector<double> degrees;
+  for (Eigen::Index count = part; count <= group.count; count += part) {
+    degrees.push_back(bayesOf(information.topLeftCorner(count, count), score.head(count)));
+  }
+  const double most = *std::max_element(degrees.begin(), degrees.end());
+  double mean = 0;
+  for (double degree : degrees) {
+    mean += std::exp((degree - most) / 2) / static_cast<double>(degrees.size());
+  }
+  return most + 2 * std::log(mean) - 2 * std::log(static_cast<double>(group.choices));
 }
 
 /// Estimates and Bayes factors of the measurements' groups.
@@ -101,11 +124,7 @@ void describe(const ScoreProblem& problem, const std::vector<ScoreTests>& tests,
       const Eigen::MatrixXd scaled =
           plausible.asDiagonal() * scores[i].information * plausible.asDiagonal(); // in units of the plausible
       const Eigen::VectorXd scaledScore = plausible.cwiseProduct(scores[i].score);
-      Eigen::MatrixXd posterior = scaled;
-      posterior.diagonal().array() += 1;
-      const Eigen::LLT<Eigen::MatrixXd> factor{posterior};
-      const double bayes =
-          scaledScore.dot(factor.solve(scaledScore)) - 2 * factor.matrixLLT().diagonal().array().log().sum() - worse;
+      const double bayes = bayesOf(columns, scaled, scaledScore) - worse;
       group.bayes = level == 0 ? bayes : std::max(group.bayes, bayes);
       Eigen::MatrixXd nearly = scaled; // a wide prior instead of none: absorbed directions stay where they are
       nearly.diagonal().array() += 1e-4;
@@ -129,7 +148,7 @@ void describe(const ScoreProblem& problem, const std::vector<ScoreTests>& tests,
 /// The level that the best candidate effect leaves.
 std::size_t bestLevel(const ScoreProblem& problem, const std::vector<ScoreTests>& tests, const Evidence& evidence) {
   double level = evidence.level, most = 0;
-  for (std::size_t i = 0; i < problem.groups.size() && problem.groups[i].first < problem.candidates; ++i) {
+  for (std::size_t i = 0; i < problem.named; ++i) {
     if (evidence.groups[i].bayes > most) {
       most = evidence.groups[i].bayes;
       level = evidence.groups[i].level;
@@ -168,7 +187,8 @@ Evidence evidenceOf(const ScoreProblem& problem, const Noise& noise, const std::
   const ScoreTests& there = tests[null.level.front()];
   Evidence result;
   result.level = there.noise().pose;
-  result.withoutScatter = tests.front().modelAlone(measured, priorScore).deviance[0] - null.deviance[0];
+  result.withoutScatter =
+      tests.front().modelAlone(measured, priorScore).deviance[0] - null.deviance[0] + scatterPenalty(result.level);
   result.groups.resize(problem.groups.size());
   describe(problem, tests, measured, priorScore, null, result);
   const Eigen::VectorXd ratio = ratios(tests, measured, priorScore, null, problem.groups.size());

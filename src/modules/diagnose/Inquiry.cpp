@@ -46,25 +46,37 @@ Residuals::Linear linearisedAt(const Measurements& measurements, const Model& mo
 Inquiry::Inquiry(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
                  const std::vector<Term>& candidates, const InquiryOptions& options)
     : candidates_{candidates}, noise_{fit.noise} {
+  std::vector<DriverValues> drivers;
+  if (options.map) {
+    drivers = driversOf(measurements, model, fit.unknowns);
+  }
+  mounts_ = mountCurves(measurements, drivers);
   Model extended = model;
   std::vector<ColumnGroup> groups;
-  for (Term& candidate : candidates_) {
+  const auto extend = [&](const Term& term) {
     groups.push_back({static_cast<Eigen::Index>(extended.unknownCount() - model.unknownCount()),
-                      static_cast<Eigen::Index>(candidate.effect.unknowns.size())});
-    extended.add(candidate);
+                      static_cast<Eigen::Index>(term.effect.unknowns.size())});
+    extended.add(term);
+  };
+  for (const Term& candidate : candidates_) {
+    extend(candidate);
+  }
+  for (const MountCurve& mount : mounts_) {
+    extend(mount.term);
+    groups.back().part = 3;
   }
   linear_ = linearisedAt(measurements, extended, fit);
-  map_ = driverColumns(measurements,
-                       options.map ? driversOf(measurements, model, fit.unknowns) : std::vector<DriverValues>{},
-                       linear_.poses);
+  map_ = driverColumns(measurements, std::move(drivers), linear_.poses);
   const auto columns = static_cast<Eigen::Index>(extended.unknownCount() - model.unknownCount());
   for (const DriverCell& cell : map_.cells) {
-    groups.push_back({columns + cell.first, cell.count});
+    const bool nested = cell.shape == DriverCell::Shape::smooth;
+    groups.push_back({columns + cell.first, cell.count, nested ? 1 : 0, cell.choices});
   }
   Eigen::VectorXd plausible(columns + map_.count);
   plausible << extended.sigmas().tail(columns), Eigen::VectorXd::Constant(map_.count, plausibleCurve);
-  problem_ = std::make_unique<ScoreProblem>(
-      ScoreProblem{&linear_, &map_, fit.unknowns, model.sigmas(), std::move(groups), columns, std::move(plausible)});
+  problem_ =
+      std::make_unique<ScoreProblem>(ScoreProblem{&linear_, &map_, fit.unknowns, model.sigmas(), std::move(groups),
+                                                  candidates_.size(), columns, std::move(plausible)});
   evidence_ = evidenceOf(*problem_, noise_, options.levels, options.draws, options.seed);
 }
 
@@ -72,8 +84,8 @@ std::vector<std::size_t> Inquiry::candidatesByEvidence() const {
   return byBayes({evidence_.groups.data(), candidates_.size()});
 }
 
-std::vector<std::size_t> Inquiry::cellsByEvidence() const {
-  return byBayes({evidence_.groups.data() + candidates_.size(), map_.cells.size()});
+std::vector<std::size_t> Inquiry::curvesByEvidence() const {
+  return byBayes({evidence_.groups.data() + candidates_.size(), curveCount()});
 }
 
 std::optional<std::size_t> Inquiry::find(const std::string& label) const {

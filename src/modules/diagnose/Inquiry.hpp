@@ -2,6 +2,7 @@
 
 #include "calibrate/Calibration.hpp"
 #include "diagnose/Evidence.hpp"
+#include "diagnose/MountCurves.hpp"
 #include "residuals/Model.hpp"
 
 #include <memory>
@@ -11,18 +12,15 @@
 
 namespace naocal {
 
-/// How large a curve's coefficients plausibly are [rad]: some tenths of a degree.
-constexpr double plausibleCurve = 0.005;
-
 struct InquiryOptions {
   Eigen::Index draws = 199; // of pure noise, for the alarm's null distribution
   std::uint64_t seed = 1;
-  bool map = true;                           // joints over drivers beside the candidates
+  bool map = true;                           // joints and mounts over drivers beside the candidates
   std::vector<double> levels = poseLevels(); // of pose noise
 };
 
-/// A fitted model put to the question: which of these candidates, and which curve of a joint over a driver, would
-/// explain what is left over? All linearised at the fit.
+/// A fitted model put to the question: which of these candidates, and which curve of a joint or mount over a driver,
+/// would explain what is left over? All linearised at the fit.
 class Inquiry {
 public:
   Inquiry(const Inquiry&) = delete; // its problem points into it
@@ -32,6 +30,7 @@ public:
 
   const std::vector<Term>& candidates() const { return candidates_; }
   const Residuals::Linear& linear() const { return linear_; }
+  const std::vector<MountCurve>& mounts() const { return mounts_; }
   const DriverColumns& map() const { return map_; }
   const ScoreProblem& problem() const { return *problem_; }
   const Evidence& evidence() const { return evidence_; }
@@ -40,17 +39,19 @@ public:
 
   /// Places among the candidates, the likeliest first.
   std::vector<std::size_t> candidatesByEvidence() const;
-  /// Places among the map's cells, the one that explains most first.
-  std::vector<std::size_t> cellsByEvidence() const;
+  /// Places among the curves (the mounts', then the map's cells), the one that explains most first.
+  std::vector<std::size_t> curvesByEvidence() const;
 
   /// The place of a candidate among them, by its label.
   std::optional<std::size_t> find(const std::string& label) const;
   const GroupEvidence& ofCandidate(std::size_t candidate) const { return evidence_.groups[candidate]; }
-  const GroupEvidence& ofCell(std::size_t cell) const { return evidence_.groups[candidates_.size() + cell]; }
+  std::size_t curveCount() const { return mounts_.size() + map_.cells.size(); }
+  const GroupEvidence& ofCurve(std::size_t curve) const { return evidence_.groups[candidates_.size() + curve]; }
 
 private:
   std::vector<Term> candidates_;
   Noise noise_;
+  std::vector<MountCurve> mounts_;
   Residuals::Linear linear_;
   DriverColumns map_;
   std::unique_ptr<ScoreProblem> problem_;

@@ -1,8 +1,10 @@
 #include "diagnose/ScoreTests.hpp"
+#include "geometry/Angles.hpp"
 #include "geometry/Index.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 
 namespace naocal {
 
@@ -25,6 +27,11 @@ Eigen::MatrixXd whiteningOf(const Eigen::MatrixXd& block, const Eigen::MatrixXd&
 }
 
 } // namespace
+
+double scatterPenalty(double level) {
+  constexpr double usual = radians(0.02);
+  return 2 * std::log1p(std::pow(level / usual, 2));
+}
 
 ScoreTests::ScoreTests(const ScoreProblem& problem, const Noise& noise) : problem_{problem}, noise_{noise} {
   const Eigen::Index unknowns = problem.own() + problem.candidates;
@@ -118,7 +125,8 @@ void ScoreTests::ownScores(const PoseScores& scores, const Eigen::VectorXd& prio
   }
   own_.matrixL().solveInPlace(own);
   outcome.chi2 -= own.colwise().squaredNorm();
-  outcome.deviance = outcome.chi2.array() + logDeterminant_ + 2 * own_.matrixLLT().diagonal().array().log().sum();
+  outcome.deviance = outcome.chi2.array() + logDeterminant_ + 2 * own_.matrixLLT().diagonal().array().log().sum() +
+                     scatterPenalty(noise_.pose);
 }
 
 ScoreTests::Outcome ScoreTests::modelAlone(const PoseScores& scores, const Eigen::VectorXd& priorScore) const {

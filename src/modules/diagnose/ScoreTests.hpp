@@ -9,24 +9,31 @@
 
 namespace naocal {
 
-/// Columns that stand or fall together: an effect's unknowns, or a curve of the map.
+/// Columns that stand or fall together: an effect's unknowns, or a curve of the map's.
 struct ColumnGroup {
   Eigen::Index first = 0, count = 0; // among the candidates' columns
+  Eigen::Index part = 0;             // of a smooth curve: columns per degree; the first few may suffice
+  std::size_t choices = 1;           // groups of which at most one is true: a priori it is this one as often as another
 };
 
-/// What score tests are about. `linear` has the model's own unknowns first, then those of candidate effects; behind
-/// them come the map's columns.
+/// What score tests are about. `linear` has the model's own unknowns first, then the candidates' columns: those of
+/// candidate effects and of the mounts' curves; behind them come the joints' curves, the columns of `map`.
 struct ScoreProblem {
   const Residuals::Linear* linear;
   const DriverColumns* map;
   Eigen::VectorXd unknowns;        // the own unknowns where `linear` was taken
   Eigen::VectorXd sigmas;          // their priors
-  std::vector<ColumnGroup> groups; // candidate effects, then the map's cells
-  Eigen::Index candidates = 0;     // columns of candidate effects
+  std::vector<ColumnGroup> groups; // candidate effects, the mounts' curves, then the map's cells
+  std::size_t named = 0;           // how many of the groups are candidate effects
+  Eigen::Index candidates = 0;     // columns that `linear` has beyond the own unknowns
   Eigen::VectorXd plausible;       // per column of a group: how large its coefficient plausibly is
 
   Eigen::Index own() const { return sigmas.size(); }
 };
+
+/// -2 ln of the half-Cauchy prior of pose noise [rad], up to a constant: few poses hardly tell an effect from scatter
+/// beyond what robots have, some 0.02 degrees (Gelman, Bayesian Analysis 1 (2006) 515).
+double scatterPenalty(double level);
 
 /// Score (Lagrange multiplier) tests of all groups at one level of noise, everything already in the model projected out
 /// (Rao 1948; Breusch and Pagan 1980):
@@ -35,8 +42,8 @@ class ScoreTests {
 public:
   ScoreTests(const ScoreProblem& problem, const Noise& noise);
 
-  /// Of each set of scores (column): -2 ln of the model's own restricted likelihood up to a constant, chi2 up to a
-  /// constant that is the same at all levels, and how far each group (row) lowers it.
+  /// Of each set of scores (column): -2 ln of the model's own restricted likelihood times the prior of the pose noise,
+  /// up to a constant; chi2 up to a constant that is the same at all levels; how far each group (row) lowers it.
   struct Outcome {
     Eigen::RowVectorXd deviance, chi2;
     Eigen::MatrixXd falls;
@@ -52,7 +59,7 @@ public:
   };
   std::vector<GroupScore> groups(const PoseScores& scores, const Eigen::VectorXd& priorScore) const;
 
-  /// Projected information of all candidate effects' unknowns (not of the map).
+  /// Projected information of the candidates' columns (not of the map's).
   const Eigen::MatrixXd& information() const { return information_; }
   /// The part of a group's information that the own unknowns do not absorb.
   double keptFraction(std::size_t group) const { return kept_[group]; }

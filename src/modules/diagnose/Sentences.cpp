@@ -39,9 +39,13 @@ std::string missing(const Diagnosis& diagnosis) {
 
 std::string unknown(const Diagnosis& diagnosis) {
   const DriverFinding& curve = diagnosis.drivers.front();
+  const std::string where = curve.about.empty() ? curve.place
+                                                : fmt::format("the mount of camera {}, which turns about its {} axis,",
+                                                              curve.place, curve.about);
   return fmt::format("unknown effect: no effect of the catalogue explains the misfit. It sits at {} and varies with {} "
-                     "({}), by about ±{:.2f}°; like {}. {}",
-                     curve.joint, curve.driver, curve.what, degrees(curve.amplitude), curve.expression,
+                     "({}), by about ±{:.2f}°{}. {}",
+                     where, curve.driver, curve.what, degrees(curve.amplitude),
+                     curve.expression.empty() ? "" : "; like " + curve.expression,
                      diagnosis.suggested.empty()
                          ? ""
                          : fmt::format("It is left after adding {}.", fmt::join(diagnosis.suggested, ", ")));

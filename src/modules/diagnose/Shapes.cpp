@@ -38,7 +38,7 @@ std::vector<DriverValues> shapes(const DriverValues& driver, std::size_t motor,
       [&](std::size_t i) { return std::copysign(std::sqrt(std::abs(x[i])), x[i]); });
   add(fmt::format("sqrt(abs({}))", name), [&](std::size_t i) { return std::sqrt(std::abs(x[i])); });
   if (driver.kind == Driver::angle) {
-    for (const int k : {1, 2, 3, 6}) {
+    for (int k = 1; k <= 8; ++k) {
       const std::string angle = k == 1 ? name : fmt::format("{}*{}", k, name);
       add(fmt::format("sin({})", angle), [&](std::size_t i) { return std::sin(k * x[i]); });
       add(fmt::format("cos({})", angle), [&](std::size_t i) { return std::cos(k * x[i]); });
@@ -65,11 +65,12 @@ bool isSineOf(const std::string& sine, const std::string& cosine) {
   return sine.starts_with("sin(") && cosine.starts_with("cos(") && sine.substr(4) == cosine.substr(4);
 }
 
-/// Finds the expression for the misfit of `finding`'s joint: one shape, or a sine with its cosine.
+} // namespace
+
 void express(const Inquiry& inquiry, const Measurements& measurements, const DriverCell& cell, DriverFinding& finding) {
   const std::vector<DriverValues>& drivers = inquiry.map().drivers;
   DriverColumns columns =
-      driverColumns(measurements, shapes(drivers[cell.driver], cell.motor, drivers), inquiry.linear().poses, 1);
+      proportionalColumns(measurements, shapes(drivers[cell.driver], cell.motor, drivers), inquiry.linear().poses);
   const std::vector<DriverCell> single = columns.cells;
   const auto nameOf = [&](std::size_t i) { return columns.drivers[single[i].driver].name; };
   for (std::size_t i = 0; i + 1 < single.size(); ++i) {
@@ -82,6 +83,7 @@ void express(const Inquiry& inquiry, const Measurements& measurements, const Dri
   problem.map = &columns;
   problem.plausible = Eigen::VectorXd::Constant(problem.candidates + columns.count, plausibleCurve);
   problem.groups.clear();
+  problem.named = 0;
   for (const DriverCell& shape : columns.cells) {
     problem.groups.push_back({problem.candidates + shape.first, shape.count});
   }
@@ -97,36 +99,6 @@ void express(const Inquiry& inquiry, const Measurements& measurements, const Dri
       finding.coefficients.emplace_back(coefficient, best->estimate[column] / single[i].half);
     }
   }
-}
-
-} // namespace
-
-DriverFinding driverFinding(const Inquiry& inquiry, const Measurements& measurements, std::size_t cell) {
-  const DriverCell& columns = inquiry.map().cells[cell];
-  const DriverValues& driver = inquiry.map().drivers[columns.driver];
-  const GroupEvidence& group = inquiry.ofCell(cell);
-  DriverFinding result;
-  result.joint = measurements.robot.joints[columns.motor].name;
-  result.driver = nameAt(driver, columns.motor);
-  result.what = driver.what;
-  result.likelihoodRatio = group.likelihoodRatio;
-  result.bayes = group.bayes;
-  const double level = inquiry.evidence().level;
-  result.share = level > 0 ? 1 - std::pow(group.level / level, 2) : 0;
-  constexpr int points = 41;
-  double least = 0, most = 0;
-  for (int i = 0; i < points; ++i) {
-    const double x = -1 + 2.0 * i / (points - 1);
-    const Eigen::RowVectorXd basis = curveBasis(x, columns.count);
-    const double value = basis.dot(group.estimate);
-    result.curve.push_back(
-        {columns.middle + columns.half * x, value, std::sqrt((basis * group.covariance * basis.transpose())(0, 0))});
-    least = i == 0 ? value : std::min(least, value);
-    most = i == 0 ? value : std::max(most, value);
-  }
-  result.amplitude = (most - least) / 2;
-  express(inquiry, measurements, columns, result);
-  return result;
 }
 
 } // namespace naocal

@@ -4,8 +4,8 @@
 
 namespace naocal {
 
-/// A cell of the map as a finding: its curve, and the small expression that follows the misfit best (linear, square,
-/// |x|, sign, root, sines and cosines of x, 2x, 3x and 6x, a step in time, the driver times the joint's torque).
-DriverFinding driverFinding(const Inquiry& inquiry, const Measurements& measurements, std::size_t cell);
+/// Adds to a finding the small expression that follows the misfit of its joint over its driver best: linear, square,
+/// |x|, sign, root, sines and cosines of x to 8x, a step in time, the driver times the joint's torque.
+void express(const Inquiry& inquiry, const Measurements& measurements, const DriverCell& cell, DriverFinding& finding);
 
 } // namespace naocal

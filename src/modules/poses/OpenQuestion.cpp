@@ -79,7 +79,7 @@ void askAboutCurve(const Diagnosis& diagnosis, const Robot& robot, OpenQuestion&
   if (rival == diagnosis.ranking.end() || curve.expression.empty()) {
     return;
   }
-  nlohmann::json definition{{"name", "curve"}, {"at", curve.joint}, {"correction", curve.expression}};
+  nlohmann::json definition{{"name", "curve"}, {"at", curve.place}, {"correction", curve.expression}};
   Eigen::VectorXd size(static_cast<Eigen::Index>(curve.coefficients.size()));
   for (Eigen::Index i = 0; i < size.size(); ++i) {
     const auto& [name, value] = curve.coefficients[static_cast<std::size_t>(i)];
@@ -88,11 +88,11 @@ void askAboutCurve(const Diagnosis& diagnosis, const Robot& robot, OpenQuestion&
   }
   question.effects.push_back(userEffect(JsonPlace{definition, "the curve"}, robot));
   const Eigen::VectorXd plausible = Term{question.effects.back()}.sigmas();
-  suspect({{"curve@" + curve.joint, size, plausible},
+  suspect({{"curve@" + curve.place, size, plausible},
            {rival->term.label(), rival->evidence.estimate, rival->term.sigmas()}},
           {curve.bayes, rival->evidence.bayes}, question);
   question.rivals = true;
-  question.why = fmt::format("tells a curve of {} over {} from {}", curve.joint, curve.driver, rival->term.label());
+  question.why = fmt::format("tells a curve of {} over {} from {}", curve.place, curve.driver, rival->term.label());
 }
 
 void askWhether(const Diagnosis& diagnosis, State state, OpenQuestion& question) {

@@ -44,6 +44,7 @@ json modelFile(const JsonPlace& curve) {
 
 json curveJson(const JsonPlace& curve) {
   const std::string joint = curve.at("at").text(), driver = curve.at("driver").text();
+  const auto about = curve.find("about");
   const auto [unit, scale] = shownUnit(driverUnit(driver));
   json points = json::array();
   for (const JsonPlace& point : curve.at("curve").elements()) {
@@ -61,7 +62,9 @@ json curveJson(const JsonPlace& curve) {
           {"amplitude", degrees(curve.at("amplitude").number(anyNumber))},
           {"evidence", curve.at("evidence").number(anyNumber)},
           {"expression", curve.at("expression").text()},
-          {"model", modelFile(curve)}};
+          {"title", about ? fmt::format("turn of camera {} about its {} axis", joint, about->text())
+                          : fmt::format("deflection of {}", joint)},
+          {"model", about ? json(nullptr) : modelFile(curve)}};
 }
 
 json mapJson(const JsonPlace& diagnosis) {

@@ -64,6 +64,8 @@ Answer readAnswer(const json& file) {
   if (locked.contains("beforePx") && locked.contains("afterPx")) {
     answer.lockedBeforePx = locked.at("beforePx").get<double>();
     answer.lockedAfterPx = locked.at("afterPx").get<double>();
+    answer.lockedFell = locked.value("weightedAfterPx", *answer.lockedAfterPx) <
+                        locked.value("weightedBeforePx", *answer.lockedBeforePx);
   }
   const json& diagnosis = file.at("diagnosis");
   if (diagnosis.is_null()) {

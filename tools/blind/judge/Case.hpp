@@ -44,6 +44,7 @@ struct Answer {
   std::vector<std::string> suggested;
   std::vector<Driver> drivers;
   std::optional<double> lockedBeforePx, lockedAfterPx; // rms on poses that were never used for choosing
+  bool lockedFell = false;                             // that error, joints' random errors allowed for
 };
 
 struct Case {

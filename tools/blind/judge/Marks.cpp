@@ -110,9 +110,10 @@ Marks marks(const Case& one) {
   if (truth.group == "catalogue") {
     markNaming(truth.effects.front(), answer, result);
     constexpr double plain = 20, roundedUp = 0.95; // the size that was aimed at is met within 2 %
-    if (truth.effects.front().noncentrality > roundedUp * plain && answer.lockedBeforePx && answer.lockedAfterPx) {
+    const bool notable = truth.effects.front().noncentrality > roundedUp * plain;
+    if (notable && answer.lockedAfterPx && !answer.suggested.empty()) {
       constexpr double near = 1.1;
-      result.errorFell = !answer.suggested.empty() && *answer.lockedAfterPx < *answer.lockedBeforePx;
+      result.errorFell = answer.lockedFell;
       result.nearFloor = *answer.lockedAfterPx <= near * truth.lockedFloorPx;
     }
   } else if (truth.group == "pair") {

@@ -11,7 +11,7 @@ struct Marks {
   std::optional<bool> detected, top1, top3, inClass; // one hidden effect of the catalogue
   std::optional<double> expected;                    // probability of detection by theory
   std::vector<bool> covered;                         // by true unknown: inside the 95 % interval
-  std::optional<bool> errorFell, nearFloor;          // on locked poses, after adding what was suggested
+  std::optional<bool> errorFell, nearFloor;          // on locked poses, by adding what was suggested
   std::optional<bool> bothFound;                     // two effects
   std::optional<int> extra;                          // suggested beyond them
   std::optional<bool> placeAndDriver;                // outside the catalogue

@@ -12,6 +12,7 @@ namespace blind {
 namespace {
 
 constexpr double mostPhysicalSizes = 6; // a flaw larger than so many of its physical sizes is drawn anew
+constexpr double visible = 10;          // where poses show a flaw less, the question belongs to the absorbed ones
 
 const Family& familyNamed(const std::string& effect) {
   for (const std::vector<Family>* families : {&catalogue(), &outside()}) {
@@ -56,12 +57,13 @@ std::vector<double> physicalSize(const Family& family, Chance& chance) {
   return values;
 }
 
-bool hide(const Item& item, Question& question, Chance& chance) {
+/// `haste`: from 0 to 1 the longer nothing was found; demands are lowered accordingly.
+bool hide(const Item& item, double haste, Question& question, Chance& chance) {
   const Noncentrality noncentrality{question.robot, question.session, question.plan.noise};
   const Hiding hiding{question.robot, question.session, noncentrality};
   const auto sized = [&](const Family& family, double wanted) {
     return hiding.sized(family, somePlace(family, question.plan, chance), randomShape(family, chance), wanted,
-                        mostPhysicalSizes);
+                        (1 + haste) * mostPhysicalSizes);
   };
   if (item.group == "absorbed") {
     constexpr double untestable = 1e-4; // of the evidence
@@ -82,9 +84,8 @@ bool hide(const Item& item, Question& question, Chance& chance) {
   const Family& family = familyNamed(item.kind);
   if (item.noncentrality == 0) {
     auto values = item.group == "outside" ? randomShape(family, chance) : physicalSize(family, chance);
-    constexpr double visible = 10; // where these poses hardly show it, the question belongs to the absorbed ones
     question.hidden.push_back(hiding.given(family, somePlace(family, question.plan, chance), std::move(values)));
-    return question.hidden.front().noncentrality > visible;
+    return question.hidden.front().noncentrality > (1 - haste) * visible;
   }
   if (const auto hidden = sized(family, item.noncentrality)) {
     question.hidden.push_back(*hidden);
@@ -96,7 +97,7 @@ bool hide(const Item& item, Question& question, Chance& chance) {
 } // namespace
 
 Question ask(const Drawing& drawing, const Item& item, Chance& chance) {
-  constexpr int tries = 60;
+  constexpr int tries = 120;
   for (int attempt = 0; attempt < tries; ++attempt) {
     Question question;
     question.plan = drawnPlan(item, chance);
@@ -114,7 +115,7 @@ Question ask(const Drawing& drawing, const Item& item, Chance& chance) {
       joint.slipTime = readings[readings.size() * (30 + chance.below(40)) / 100].time; // when it slips at all
     }
     const bool harmless = item.group == "control" || item.group == "decoy" || item.group == "corrupted";
-    if (harmless || hide(item, question, chance)) {
+    if (harmless || hide(item, static_cast<double>(attempt) / (tries - 1), question, chance)) {
       for (const Hidden& hidden : question.hidden) {
         apply(hidden, question.robot);
       }

@@ -81,7 +81,7 @@ function curveFigure(curve, go) {
     const reach = 1.05 * Math.max(1e-3, ...points.map(([, y, error]) => Math.abs(y) + 2 * error));
     const xs = points.map(([x]) => x), name = driver === "q" ? joint : driver === "tau" ? "tau_" + joint : driver;
     const {x, y} = axes(context, box, [Math.min(...xs), Math.max(...xs)], [-reach, reach],
-      {yLabel: "deflection of " + joint + " [°]", xLabel: name + (unit ? " [" + unit + "]" : "")});
+      {yLabel: curve.title + " [°]", xLabel: name + (unit ? " [" + unit + "]" : "")});
     const path = list => {
       context.beginPath();
       list.forEach(([a, b], i) => i ? context.lineTo(x(a), y(b)) : context.moveTo(x(a), y(b)));
@@ -94,10 +94,10 @@ function curveFigure(curve, go) {
     context.lineWidth = 2.5;
     path(points);
     context.stroke();
-    return points.map(([a, b, error]) => ({x: x(a), y: y(b), tip: () => name + " = " + withUnit(short(a), unit) + "\n" + joint +
-      " deflects by " + withError(b, error, "°")}));
+    return points.map(([a, b, error]) => ({x: x(a), y: y(b), tip: () => name + " = " + withUnit(short(a), unit) + "\n" + curve.title +
+      ": " + withError(b, error, "°")}));
   }});
   return make("figure", {}, drawn, make("figcaption", {}, make("b", {}, joint + " over " + what), ": ± " + short(curve.amplitude) +
     "°, evidence " + tenths(curve.evidence)),
-    curve.evidence > 0 ? button("Take over as an own effect", () => { ownFrom(curve.model.define[0]); go("own"); }, {class: "small"}) : null);
+    curve.evidence > 0 && curve.model ? button("Take over as an own effect", () => { ownFrom(curve.model.define[0]); go("own"); }, {class: "small"}) : null);
 }

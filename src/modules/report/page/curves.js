@@ -14,7 +14,7 @@ function showCurves(parent) {
     const caption = figure.appendChild(element("figcaption"));
     caption.append(element("b", "", curve.joint + " over " + curve.what),
       ": ± " + short(curve.amplitude) + "°, evidence " + tenths(curve.evidence));
-    if (curve.evidence > 0) {
+    if (curve.evidence > 0 && curve.model) {
       figure.append(copyBox("like " + curve.expression, modelText(curve.model)));
     }
   }
@@ -24,13 +24,13 @@ function showCurves(parent) {
 const modelText = model =>
   JSON.stringify(model, null, 1).replace(/\{\s+("sigma": [^,]+),\s+("unit": "[^"]+")\s+\}/g, "{$1, $2}");
 
-function drawCurve(context, width, height, {joint, driver, unit, points}) {
+function drawCurve(context, width, height, {joint, driver, unit, points, title}) {
   const box = {left: 52, right: width - 8, top: 30, bottom: height - 42};
   const reach = 1.05 * Math.max(1e-3, ...points.map(([, y, error]) => Math.abs(y) + 2 * error));
   const xs = points.map(([x]) => x), ends = [Math.min(...xs), Math.max(...xs)];
   const name = driver === "q" ? joint : driver === "tau" ? "tau_" + joint : driver;
   const {x, y} = axes(context, box, ends, [-reach, reach],
-    {title: "deflection of " + joint + " [°]", xLabel: name + (unit ? " [" + unit + "]" : "")});
+    {title: title + " [°]", xLabel: name + (unit ? " [" + unit + "]" : "")});
   const path = list => {
     context.beginPath();
     list.forEach(([a, b], i) => i ? context.lineTo(x(a), y(b)) : context.moveTo(x(a), y(b)));
@@ -45,7 +45,7 @@ function drawCurve(context, width, height, {joint, driver, unit, points}) {
   path(points);
   context.stroke();
   return points.map(([a, b, error]) => ({
-    x: x(a), y: y(b), tip: () => name + " = " + withUnit(short(a), unit) + "\n" + joint + " deflects by " +
+    x: x(a), y: y(b), tip: () => name + " = " + withUnit(short(a), unit) + "\n" + title + ": " +
       withError(b, error, "").trim() + "°",
   }));
 }
