@@ -1,5 +1,7 @@
 #include "brain/BrainModules.hpp"
 
+#include "brain/BehaviorModule.hpp"
+#include "brain/CameraMatrices.hpp"
 #include "brain/CaptureCollector.hpp"
 #include "brain/ImageReader.hpp"
 #include "brain/Projection.hpp"
@@ -12,6 +14,8 @@ void addBrainModules(Thread& brain, CameraInterface& cameras, const CalibrationS
   brain.add<ImageReader>(cameras);
   brain.add<Projection>();
   brain.add<CaptureCollector>();
+  brain.add<CameraMatrices>(surroundings.drawing);
+  brain.add<BehaviorModule>();
   brain.add<CalibrationRunner>(surroundings);
 }
 

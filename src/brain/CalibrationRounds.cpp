@@ -31,6 +31,10 @@ CalibrationRound legRound(const std::deque<LegPoses>& legs, RoundOptions options
 
 void CalibrationRunner::prepare() {
   enter(Phase::preparing, "The ways between the poses are being checked.");
+  give([files = surroundings_.files, folder = folder_](Finding&) {
+    std::filesystem::create_directories(folder);
+    std::filesystem::copy(files, folder / "configuration", std::filesystem::copy_options::recursive);
+  });
   RoundOptions options{*repeats_, radians(*approach_), 0, *orderSeed_};
   if (kind_->feet.front() == SupportFoot::both) {
     rounds_[0] = headRound(player_.home, *yaws_, *pitches_, options.pictures);
@@ -43,7 +47,7 @@ void CalibrationRunner::prepare() {
     return startRound();
   }
   give([options, checkPoses = *checkPoses_, kind = kind_, home = player_.home, &drawing = surroundings_.drawing,
-        file = surroundings_.poses / (surroundings_.drawing.model + ".json")](Finding& finding) mutable {
+        file = surroundings_.files / "poses" / (surroundings_.drawing.model + ".json")](Finding& finding) mutable {
     const PoseFile poses = readPoseFile(file, drawing);
     std::deque<LegPoses> legs;
     for (const SupportFoot foot : kind->feet) {

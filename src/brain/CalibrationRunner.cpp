@@ -1,5 +1,6 @@
 #include "brain/CalibrationRunner.hpp"
 
+#include "brain/PictureDifference.hpp"
 #include "brain/SavedCalibration.hpp"
 
 #include <fmt/chrono.h>
@@ -90,6 +91,7 @@ void CalibrationRunner::cycle() {
   state_.edit();
   watchPlayer();
   takeFinding();
+  follow(*look_);
   const bool arrived = player_.request == requests_ && player_.done;
   switch (state_->phase) {
   case Phase::waiting:
@@ -109,6 +111,7 @@ void CalibrationRunner::watchPlayer() {
   if (const PlayerState* update = playerUpdates_->take()) {
     const bool pressed = update->presses > player_.presses;
     player_ = *update;
+    playerKnown_ = true;
     if (pressed) {
       chestPressed();
     }
@@ -128,9 +131,29 @@ void CalibrationRunner::chestPressed() {
   }
 }
 
+void CalibrationRunner::follow(const WantedLook& look) {
+  if (state_->runs() || !playerKnown_ || look == followed_) {
+    return;
+  }
+  if (look.active) {
+    ask(PoseRequest::Kind::go, "Looking there", {lookingFrom(player_.home, look.yaw, look.pitch)});
+  } else if (followed_.active) {
+    ask(PoseRequest::Kind::home, "The stand", {});
+  }
+  followed_ = look;
+}
+
+bool CalibrationRunner::isStill(const CameraFrame& frame) {
+  const auto before = previous_.find(frame.camera);
+  const auto one = before == previous_.end() ? std::nullopt : greyPicture(before->second), other = greyPicture(frame);
+  previous_[frame.camera] = frame;
+  return one && other && pictureDifference(*one, *other) <= *stillPicture_;
+}
+
 void CalibrationRunner::nextStep() {
   const CalibrationStep& step = rounds_[round_][step_];
   taken_ = {};
+  previous_ = {};
   if (step.question.empty()) {
     return go();
   }
@@ -158,7 +181,7 @@ void CalibrationRunner::collect() {
     roundStart_ = roundStart_.value_or(picture_->frame.time);
     const Capture& still = picture_->capture;
     int& count = taken_[still.camera];
-    if (count < step.pictures) {
+    if (count < step.pictures && isStill(picture_->frame)) {
       Capture capture = step.taken;
       capture.repeat += count++;
       capture.time = still.time;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "brain/BehaviorModule.hpp"
 #include "brain/CalibrationBoards.hpp"
 #include "brain/CalibrationKind.hpp"
 #include "brain/CalibrationSession.hpp"
@@ -27,7 +28,7 @@ struct CalibrationSurroundings {
   const Robot& drawing;
   RobotIdentity identity;
   Configuration& configuration;     // where results are applied and saved
-  std::filesystem::path poses;      // folder with a pose file per model: V6.json
+  std::filesystem::path files;      // the configuration's folder, copied into recordings; poses/V6.json and so on
   std::filesystem::path recordings; // folder that gets one folder per calibration
 };
 
@@ -68,6 +69,8 @@ private:
   void ask(PoseRequest::Kind kind, const std::string& name, std::vector<CompensatedAngles> points);
   void watchPlayer();
   void chestPressed();
+  void follow(const WantedLook& look);
+  bool isStill(const CameraFrame& frame);
   void collect();
   void endStep();
   void endRound();
@@ -83,14 +86,16 @@ private:
   Parameter<int> confirmed_{*this, "confirmed"};
   Parameter<std::string> chestStarts_{*this, "chestStarts"};                               // the kind; empty: none
   Parameter<std::vector<double>> yaws_{*this, "headYaws"}, pitches_{*this, "headPitches"}; // [deg]
-  Parameter<int> repeats_{*this, "repeats"};          // pictures per camera and pose
-  Parameter<int> checkPoses_{*this, "checkPoses"};    // on each foot, to check
-  Parameter<double> approach_{*this, "approach"};     // from how far joints come into a pose on one foot [deg]
-  Parameter<std::uint64_t> orderSeed_{*this, "seed"}; // of the order of poses
-  Parameter<double> settleTime_{*this, "settle"};     // before a picture counts [s]
+  Parameter<int> repeats_{*this, "repeats"};              // pictures per camera and pose
+  Parameter<int> checkPoses_{*this, "checkPoses"};        // on each foot, to check
+  Parameter<double> approach_{*this, "approach"};         // from how far joints come into a pose on one foot [deg]
+  Parameter<std::uint64_t> orderSeed_{*this, "seed"};     // of the order of poses
+  Parameter<double> settleTime_{*this, "settle"};         // before a picture counts [s]
+  Parameter<double> stillPicture_{*this, "stillPicture"}; // how far a picture may differ from the one before it [grey]
   Parameter<CalibrationBoards> boards_{*this, "boards"};
   Dependency<StillPicture> picture_{*this, "stillPicture"};
   Dependency<CameraBeliefs> cameras_{*this, "cameras"};
+  Dependency<WantedLook> look_{*this, "wantedLook"};
   Dependency<Latest<PlayerState>> playerUpdates_{*this, "Motion.playerForBrain"};
   Production<Latest<PoseRequest>> request_{*this, "poseRequest"};
   Production<CalibrationState> state_{*this, "calibration"};
@@ -98,6 +103,8 @@ private:
 
   CalibrationSurroundings surroundings_;
   PlayerState player_;
+  bool playerKnown_ = false;
+  WantedLook followed_;
   std::uint64_t requests_ = 0;
   std::string asked_; // the last value of `run`
   bool configured_ = false;
@@ -105,7 +112,8 @@ private:
   std::filesystem::path folder_;
   Rounds rounds_;
   std::size_t round_ = 0, step_ = 0;
-  std::map<std::string, int> taken_; // in the present step, by camera
+  std::map<std::string, int> taken_;           // in the present step, by camera
+  std::map<CameraName, CameraFrame> previous_; // of the present step
   std::optional<TimePoint> roundStart_;
   std::array<std::shared_ptr<Round>, 2> sessions_; // belong to the worker
   StoredResult before_;                            // as configured before

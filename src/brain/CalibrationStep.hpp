@@ -27,6 +27,9 @@ struct RoundOptions {
   std::uint64_t seed = 1; // of that order
 };
 
+/// The stand with the head turned [deg].
+CompensatedAngles lookingFrom(const CompensatedAngles& stand, double yaw, double pitch);
+
 /// The stand with the head at each pair of these angles [deg], row by row of pitches, back and forth.
 CalibrationRound headRound(const CompensatedAngles& stand, const std::vector<double>& yaws,
                            const std::vector<double>& pitches, int pictures);

@@ -21,12 +21,14 @@ class CaptureCollector final : public Module {
 public:
   CaptureCollector() : Module{"CaptureCollector"} {}
   void cycle() override;
+  void parametersChanged() override { latencyShown_ = *latency_; }
 
 private:
   Parameter<double> latency_{*this, "latency"}; // from a picture's stamp to the middle of its exposure [s]
   Dependency<NewFrame> frame_{*this, "frame"};
   Dependency<JointMoments> moments_{*this, "Motion.jointHistory"};
   Production<StillPicture> picture_{*this, "stillPicture"};
+  Production<double> latencyShown_{*this, "captureLatency"}; // [s]
   std::deque<CameraFrame> waiting_;
 };
 

@@ -6,6 +6,13 @@
 
 namespace naocal {
 
+CompensatedAngles lookingFrom(const CompensatedAngles& stand, double yaw, double pitch) {
+  CompensatedAngles pose = stand;
+  pose[*jointNumber("HeadYaw")] = radians(yaw);
+  pose[*jointNumber("HeadPitch")] = radians(pitch);
+  return pose;
+}
+
 CalibrationRound headRound(const CompensatedAngles& stand, const std::vector<double>& yaws,
                            const std::vector<double>& pitches, int pictures) {
   CalibrationRound round;
@@ -17,10 +24,8 @@ CalibrationRound headRound(const CompensatedAngles& stand, const std::vector<dou
     }
     backwards = !backwards;
     for (const double yaw : row) {
-      CompensatedAngles pose = stand;
-      pose[*jointNumber("HeadYaw")] = radians(yaw);
-      pose[*jointNumber("HeadPitch")] = radians(pitch);
-      CalibrationStep step{fmt::format("Pose {}", round.size() + 1), "", {pose}, pictures, {}};
+      CalibrationStep step{
+          fmt::format("Pose {}", round.size() + 1), "", {lookingFrom(stand, yaw, pitch)}, pictures, {}};
       step.taken.pose = fmt::format("H{:02}", round.size());
       step.taken.supportFoot = SupportFoot::both;
       round.push_back(std::move(step));

@@ -25,6 +25,12 @@ public:
     return tasks_.size();
   }
 
+  /// Waits until all tasks are finished.
+  void finish() {
+    std::unique_lock lock{mutex_};
+    finished_.wait(lock, [this] { return tasks_.empty(); });
+  }
+
 private:
   void run(const std::stop_token& stop) {
     std::unique_lock lock{mutex_};
@@ -34,11 +40,12 @@ private:
       task();
       lock.lock();
       tasks_.pop_front();
+      finished_.notify_all();
     }
   }
 
   mutable std::mutex mutex_;
-  std::condition_variable_any added_;
+  std::condition_variable_any added_, finished_;
   std::deque<std::function<void()>> tasks_; // the first is being done
   std::jthread thread_;                     // last: it uses the others
 };

@@ -61,6 +61,18 @@ TEST_CASE("a mount's keys have the bytes of HULKs' protocol") {
   CHECK(received->body == body);
 }
 
+TEST_CASE("a second process does not take the first one's UNIX sockets") {
+  // Proves that it is refused with a sentence, and that the first one is reached there before and after.
+  ShownRobot robot;
+  SocketSettings second = robot.settings;
+  second.tcp = false;
+  CHECK_THROWS_WITH((Sockets{second, {}, robot.robot.configuration, Clock::now(), [](std::string_view) {}}),
+                    Catch::Contains("sockets/debug: another process listens there; stop what listens there"));
+  auto client = MateClient::config(robot.settings.unixFolder / "config");
+  client.send(getMounts);
+  CHECK(client.receive().has_value());
+}
+
 TEST_CASE("a value set over the network reaches the module and is saved") {
   // Proves the way from the socket to the next cycle and into the robot's own file, by two clients, and undo.
   ShownRobot robot;

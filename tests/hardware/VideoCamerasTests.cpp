@@ -199,6 +199,11 @@ TEST_CASE("a setting is read back, tried again, and said when it is refused") {
   CHECK(refusal({"exposure", V4L2_CID_EXPOSURE_ABSOLUTE, 999}) ==
         "/dev/top (top camera): its exposure can be 0 to 255, not 999");
   CHECK(refusal({"hue", V4L2_CID_HUE, 0}) == "/dev/top (top camera): it has no hue");
+  scene.top().controls[V4L2_CID_EXPOSURE_ABSOLUTE].stubborn = 0;
+  scene.cameras().configure(CameraName::top, {{"exposure", 70}});
+  CHECK(scene.top().controls[V4L2_CID_EXPOSURE_ABSOLUTE].value == 70);
+  scene.cameras().configure(CameraName::top, {}); // as the model's cameras are
+  CHECK(scene.top().controls[V4L2_CID_EXPOSURE_ABSOLUTE].value == 100);
   scene.video.expose(scene.top(), 1, 1s);
   CHECK(scene.next());
 

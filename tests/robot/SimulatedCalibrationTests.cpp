@@ -3,11 +3,38 @@
 #include "geometry/Angles.hpp"
 
 #include <catch2/catch.hpp>
+#include <future>
+#include <mutex>
 #include <set>
 
 namespace naocal {
 
 using nlohmann::json;
+
+namespace {
+
+/// Replays a calibration's first round with its own configuration; what is said at the end.
+std::string replayed(const std::filesystem::path& recording, const std::filesystem::path& folder) {
+  const Hardware hardware = replayedHardware(recording / "first", recording / "configuration");
+  SocketSettings sockets;
+  sockets.debugPort = sockets.configPort = 0;
+  RobotProcess process{
+      *hardware.robot,
+      *hardware.cameras,
+      hardware.drawing,
+      hardware.robot->waitForIdentity(std::chrono::seconds{1}).value(),
+      RobotProcessOptions{recording / "configuration", folder, "simulated", sockets, false, hardware.replay.get()},
+      [](std::string_view) {}};
+  std::promise<std::string> over;
+  std::once_flag once;
+  process.start(
+      [&](std::string_view sentence) { std::call_once(once, [&] { over.set_value(std::string{sentence}); }); });
+  const std::string failure = over.get_future().get();
+  process.stop();
+  return failure.empty() ? process.replayed()->compared(recording / "first" / "result.json") : failure;
+}
+
+} // namespace
 
 TEST_CASE("both threads are wired with the shipped configuration") {
   // Proves that every dependency has its producer and every parameter its value, and that all keys are served.
@@ -54,7 +81,8 @@ TEST_CASE("a calibration of neck and cameras that does not help is taken back") 
 TEST_CASE("a simulated robot calibrates a leg on one foot, and what was saved can be undone") {
   // Proves the whole way for a robot with offsets to 5 degrees, mounts to 2 and play to half a degree in its gears:
   // the person is asked before it steps onto the foot, pictures are taken from both sides of each pose, and a point of
-  // the floor 2 m ahead is perceived within 2 cm afterwards, by mechanics of the simulation's own.
+  // the floor 2 m ahead is perceived within 2 cm afterwards, by mechanics of the simulation's own. Replaying the
+  // recording gives the same estimates to the last bit.
   SimulatedProcess simulated{SimulatedProcess::plan(1, radians(5), radians(0.5))};
   std::set<std::string> questions;
   const json state = simulated.calibrated("left leg", [&](const json& now) { questions.insert(now["question"]); });
@@ -80,6 +108,11 @@ TEST_CASE("a simulated robot calibrates a leg on one foot, and what was saved ca
   CHECK(simulated.saved(body)["lHipYawPitch"] == simulated.saved(body)["rHipYawPitch"]);
   CHECK(simulated.calibrated("undo")["phase"] == "finished");
   CHECK(simulated.saved(body).empty());
+
+  const std::filesystem::path recording = simulated.recording().parent_path();
+  CHECK(std::filesystem::exists(recording / "configuration/location/default/sdk.json"));
+  CHECK(replayed(recording, simulated.folder.path() / "again").find("estimates are the recorded ones, bit for bit.") !=
+        std::string::npos);
 }
 
 TEST_CASE("a question that is not answered keeps the robot on both feet, and any other run ends it") {

@@ -1,10 +1,13 @@
 #include "Hardware.hpp"
 
+#include "framework/ConfigurationLayers.hpp"
 #include "hardware/nao/LolaRobot.hpp"
 #include "hardware/nao/SharedMemoryRobot.hpp"
 #include "hardware/nao/VideoCameras.hpp"
 #include "hardware/simulated/SimulatedWorld.hpp"
 #include "poses/PoseFile.hpp"
+
+#include <nlohmann/json.hpp>
 
 namespace naocal {
 
@@ -29,6 +32,17 @@ Hardware simulatedHardware(const SimulatedPlan& plan) {
   hardware.robot = world.robot();
   hardware.cameras = world.cameras();
   return hardware;
+}
+
+Hardware replayedHardware(const std::filesystem::path& round, const std::filesystem::path& configuration) {
+  const auto collector =
+      readConfiguration(configuration / "location" / "default" / "head" / "default" / "CaptureCollector.json");
+  ReplayOptions options;
+  if (collector && collector->contains("latency")) {
+    options.latency = fromSeconds(collector->at("latency").get<double>());
+  }
+  const auto world = std::make_shared<ReplayWorld>(round, options);
+  return {loadRobot(configuration, world->set().model), world->robot(), world->cameras(), "", world};
 }
 
 Hardware naoHardware(const std::string& model) {

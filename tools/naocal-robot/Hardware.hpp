@@ -2,6 +2,7 @@
 
 #include "hardware/CameraInterface.hpp"
 #include "hardware/RobotInterface.hpp"
+#include "hardware/replay/ReplayWorld.hpp"
 #include "hardware/simulated/SimulatedPlan.hpp"
 #include "model/Robot.hpp"
 
@@ -17,12 +18,17 @@ struct Hardware {
   std::unique_ptr<RobotInterface> robot;
   std::unique_ptr<CameraInterface> cameras;
   std::string location; // of its configuration, where sdk.json's does not suit it; empty: as sdk.json says
+  std::shared_ptr<const ReplayWorld> replay = nullptr;
 };
 
 /// A simulated robot that stands before four boards, which lie where its model's poses want them, with offsets and
 /// mounts drawn by the seed.
 SimulatedPlan simulatedPlan(std::uint64_t seed);
 Hardware simulatedHardware(const SimulatedPlan& plan);
+
+/// A recorded round of a calibration, with the latency between picture and joints that the configuration says. Throws
+/// InputError or ConfigurationError.
+Hardware replayedHardware(const std::filesystem::path& round, const std::filesystem::path& configuration);
 
 /// The NAO that this process runs on: V6 through its hardware service, V5 through the module in NAOqi; both cameras
 /// through V4L2. Neither needs to answer yet. Throws std::invalid_argument for other models.

@@ -34,8 +34,10 @@ RobotProcess::RobotProcess(RobotInterface& robot, CameraInterface& cameras, cons
     : robot_{robot}, cameras_{cameras}, options_{options}, log_{std::move(log)},
       configuration_{options.configuration, namesOf(identity, options), writeAtomically} {
   addMotionModules(motion_, robot, drawing, ending_);
-  addBrainModules(brain_, cameras,
-                  {drawing, identity, configuration_, options.configuration / "poses", options.recordings});
+  addBrainModules(brain_, cameras, {drawing, identity, configuration_, options.configuration, options.recordings});
+  if (options.replay != nullptr) {
+    replayed_ = &brain_.add<ReplayedCalibration>(drawing, *options.replay, options.recordings);
+  }
   database_.emplace(std::vector<Thread*>{&motion_, &brain_});
   configuration_.mount("tuhhSDK.base", "sdk.json", Part::none);
   const RobotNames names = namesOf(identity, options);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "brain/BrainModules.hpp"
+#include "brain/ReplayedCalibration.hpp"
 #include "framework/Configuration.hpp"
 #include "framework/Database.hpp"
 #include "framework/Sockets.hpp"
@@ -24,6 +25,7 @@ struct RobotProcessOptions {
   std::string location;                  // empty: as sdk.json says
   std::optional<SocketSettings> sockets; // absent: as sdk.json and access.json say
   bool realTime = true;                  // ask the system to prefer the motion thread
+  const ReplayWorld* replay = nullptr;   // whose captures are to be taken anew, into `recordings`
 };
 
 /// Both threads of the robot, wired and configured, with their sockets. Making it throws WiringError,
@@ -44,6 +46,9 @@ public:
   /// time.
   bool goToStand(std::chrono::milliseconds most);
 
+  /// Of a replay; nullptr where nothing is replayed.
+  ReplayedCalibration* replayed() { return replayed_; }
+
   Sockets& sockets() { return *sockets_; }
   Configuration& configuration() { return configuration_; }
   Thread& motion() { return motion_; }
@@ -59,6 +64,7 @@ private:
   Configuration configuration_;
   Ending ending_;
   Thread motion_{"Motion", Part::body}, brain_{"Brain", Part::head};
+  ReplayedCalibration* replayed_ = nullptr;
   std::optional<Database> database_;
   std::optional<Sockets> sockets_;
   std::function<void(std::string_view)> failed_;

@@ -14,6 +14,7 @@ namespace {
 
 struct Options {
   std::string hardware = "simulated", model = "V6", simulation;
+  std::filesystem::path recording;
   std::uint64_t seed = 1;
   RobotProcessOptions process{configurationDirectory(), "recordings", "", std::nullopt, true};
 };
@@ -23,16 +24,43 @@ void say(std::string_view sentence) {
   std::clog << fmt::format("{}\n", sentence) << std::flush;
 }
 
+/// The round of a recording that calibrated; a set by itself is its own round.
+std::filesystem::path roundOf(const std::filesystem::path& recording) {
+  return std::filesystem::exists(recording / "first") ? recording / "first" : recording;
+}
+
+/// Replays with the configuration that was recorded, into a recording of its own.
+Hardware replay(Options& options) {
+  if (options.recording.empty()) {
+    throw InputError{"--hardware replay: expected what to replay, such as --recording recordings/2026-01-31_12-00-00"};
+  }
+  if (std::filesystem::exists(options.recording / "configuration")) {
+    options.process.configuration = options.recording / "configuration";
+  }
+  Hardware hardware = replayedHardware(roundOf(options.recording), options.process.configuration);
+  options.process.recordings /= options.recording.filename().string() + "-replayed";
+  options.process.replay = hardware.replay.get();
+  return hardware;
+}
+
+Hardware hardwareOf(Options& options) {
+  if (options.hardware == "nao") {
+    return naoHardware(options.model);
+  }
+  if (options.hardware == "replay") {
+    return replay(options);
+  }
+  const SimulatedPlan plan = simulatedPlan(options.seed);
+  return simulatedHardware(options.simulation.empty() ? plan : readSimulatedPlan(options.simulation, plan));
+}
+
 int run(Options options) {
   sigset_t ends; // blocked in all threads, waited for here
   ::sigemptyset(&ends);
   ::sigaddset(&ends, SIGINT);
   ::sigaddset(&ends, SIGTERM);
   ::pthread_sigmask(SIG_BLOCK, &ends, nullptr);
-  Hardware hardware = options.hardware == "nao" ? naoHardware(options.model)
-                      : options.simulation.empty()
-                          ? simulatedHardware(simulatedPlan(options.seed))
-                          : simulatedHardware(readSimulatedPlan(options.simulation, simulatedPlan(options.seed)));
+  const Hardware hardware = hardwareOf(options);
   const auto identity = hardware.robot->waitForIdentity(std::chrono::seconds{10});
   if (!identity) {
     throw InputError{fmt::format("the robot has not told within 10 s who it is: {}", hardware.robot->link().problem)};
@@ -56,6 +84,9 @@ int run(Options options) {
     say("The robot has not come to its stand within 30 s.");
   }
   process.stop();
+  if (process.replayed() != nullptr && !failed) {
+    say(process.replayed()->compared(roundOf(options.recording) / "result.json"));
+  }
   return failed ? 1 : 0;
 }
 
@@ -68,12 +99,14 @@ int main(int argc, char** argv) {
                "naocal-robot"};
   app.footer("Example: naocal-robot --hardware simulated --recordings /tmp/recordings");
   app.add_option("--hardware", options.hardware, "the robot behind it")
-      ->check(CLI::IsMember{{"simulated", "nao"}})
+      ->check(CLI::IsMember{{"simulated", "nao", "replay"}})
       ->capture_default_str();
   app.add_option("--model", options.model, "of the NAO that it runs on")
       ->check(CLI::IsMember{{"V5", "V6"}})
       ->capture_default_str();
   app.add_option("--seed", options.seed, "of a simulated robot's offsets and mounts")->capture_default_str();
+  app.add_option("--recording", options.recording, "what to replay: a calibration's folder, or a capture set")
+      ->check(CLI::ExistingDirectory);
   app.add_option("--simulation", options.simulation,
                  "a file that says more of the simulated robot: ranges of its errors and gears' play, boards, cameras")
       ->check(CLI::ExistingFile);

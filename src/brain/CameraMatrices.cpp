@@ -1,0 +1,72 @@
+#include "brain/CameraMatrices.hpp"
+
+#include "geometry/Index.hpp"
+#include "model/Kinematics.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+namespace {
+
+Eigen::Isometry3d isometry(const RigidTransform& transform) {
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  result.linear() = transform.rotation;
+  result.translation() = transform.translation;
+  return result;
+}
+
+/// [[angle, axis], position], lengths in units of `metre`.
+nlohmann::json kinematicMatrix(const Eigen::Isometry3d& transform, double metre) {
+  const Eigen::AngleAxisd turn{transform.linear()};
+  const Eigen::Vector3d position = metre * transform.translation();
+  return {{turn.angle(), turn.axis().x(), turn.axis().y(), turn.axis().z()},
+          {position.x(), position.y(), position.z()}};
+}
+
+} // namespace
+
+PanelMatrices panelMatrices(const Robot& drawing, const JointMoment& moment, CameraName camera,
+                            const CameraBelief& cameraBelief) {
+  Belief belief = drawnBelief(drawing, Quantities{drawing.joints.size(), drawing.lengths.size(), 0});
+  for (std::size_t joint = 0; joint < drawing.joints.size(); ++joint) {
+    belief.angle(joint) = moment.angles[jointNumber(drawing.joints[joint].name).value()];
+  }
+  belief.mountRotation() = Eigen::Vector3d{cameraBelief.rotation.data()};
+  const CameraMount& mount = drawing.cameras.at(drawing.cameraIndex(toString(camera)).value());
+  const Posture torsoFromLink = posture(drawing, belief);
+  const RigidTransform& torsoFromHead = torsoFromLink[mount.link];
+  Eigen::Vector3d sole = torsoFromLink[drawing.soles.front().link].translation;
+  for (const Sole& other : drawing.soles) {
+    const Eigen::Vector3d& place = torsoFromLink[other.link].translation;
+    sole = place.z() < sole.z() ? place : sole;
+  }
+  RigidTransform groundFromTorso{rotationY(moment.tilt[1]) * rotationX(moment.tilt[0]), Eigen::Vector3d::Zero()};
+  groundFromTorso.translation.z() = -(groundFromTorso.rotation * sole).z();
+  const RigidTransform groundFromCamera = groundFromTorso * torsoFromHead * linkFromCamera(mount, belief);
+  return {isometry(torsoFromHead.inverse()), isometry(groundFromTorso.inverse()), isometry(groundFromCamera.inverse()),
+          camera};
+}
+
+void CameraMatrices::cycle() {
+  const auto newest = moments_->newest();
+  if (!frame_->isNew || !newest) {
+    return;
+  }
+  const CameraFrame& frame = frame_->frame;
+  const auto belief = cameras_->find(std::string{toString(frame.camera)});
+  const auto moment = moments_->at(std::min(frame.time + fromSeconds(*latency_), newest->time));
+  if (belief != cameras_->end() && moment) {
+    matrices_ = panelMatrices(drawing_, *moment, frame.camera, belief->second);
+  }
+}
+
+void to_json(nlohmann::json& out, const PanelMatrices& matrices) {
+  constexpr double millimetres = 1000, metres = 1;
+  out = {{"torso2Head", kinematicMatrix(matrices.headFromTorso, millimetres)},
+         {"ground2Torso", kinematicMatrix(matrices.torsoFromGround, millimetres)},
+         {"imageInfos",
+          {{"ground2Camera", kinematicMatrix(matrices.cameraFromGround, metres)},
+           {"identification", toString(matrices.camera)}}}};
+}
+
+} // namespace naocal

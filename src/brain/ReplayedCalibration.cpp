@@ -1,0 +1,63 @@
+#include "brain/ReplayedCalibration.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+ReplayedCalibration::ReplayedCalibration(const Robot& drawing, const ReplayWorld& world, std::filesystem::path folder)
+    : Module{"ReplayedCalibration"}, world_{world} {
+  CaptureSet header = world.set();
+  header.captures.clear();
+  header.source = nullptr;
+  session_.emplace(drawing, std::move(header), std::move(folder));
+}
+
+void ReplayedCalibration::cycle() {
+  const Capture* recorded = picture_->isNew ? world_.captureOf(picture_->frame) : nullptr;
+  if (recorded == nullptr) {
+    return;
+  }
+  Capture capture = *recorded;
+  const Capture& still = picture_->capture;
+  capture.source = nullptr;
+  capture.time = still.time;
+  capture.joints.measured = still.joints.measured;
+  capture.joints.temperature = still.joints.temperature;
+  capture.joints.current = still.joints.current;
+  capture.imu = still.imu;
+  capture.fsr = still.fsr;
+  worker_.add([this, capture = std::move(capture), frame = picture_->frame] {
+    try {
+      session_->add(capture, frame);
+    } catch (...) {
+      failure_ = failure_ ? failure_ : std::current_exception();
+    }
+  });
+}
+
+std::string ReplayedCalibration::compared(const std::filesystem::path& recordedResult) {
+  worker_.finish();
+  if (failure_) {
+    std::rethrow_exception(failure_);
+  }
+  const StoredResult anew = session_->solved();
+  const std::string replayed = fmt::format("{} captures were replayed and solved", session_->captures());
+  if (!std::filesystem::exists(recordedResult)) {
+    return replayed + "; the recording has no result to compare with.";
+  }
+  const StoredResult recorded = readResult(recordedResult);
+  std::size_t same = 0;
+  for (const auto& [name, value] : recorded.values) {
+    const auto found = anew.values.find(name);
+    same += found != anew.values.end() && found->second == value;
+  }
+  if (same == recorded.values.size() && anew.values.size() == same) {
+    return fmt::format("{}: all {} estimates are the recorded ones, bit for bit.", replayed, same);
+  }
+  return fmt::format("{}: of {} recorded estimates {} are the same, bit for bit; the others differ, so program or "
+                     "configuration are not those that recorded.",
+                     replayed, recorded.values.size(), same);
+}
+
+} // namespace naocal

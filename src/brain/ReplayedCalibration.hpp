@@ -1,0 +1,34 @@
+#pragma once
+
+#include "brain/CalibrationSession.hpp"
+#include "brain/StillPicture.hpp"
+#include "brain/Worker.hpp"
+#include "framework/Dependency.hpp"
+#include "framework/Module.hpp"
+#include "hardware/replay/ReplayWorld.hpp"
+
+#include <optional>
+
+namespace naocal {
+
+/// Takes a recording's captures anew while it is replayed: pairing, detection and solving as on the robot. What no
+/// replay tells (which pose it was, what was commanded, how joints moved) is taken from the recording.
+class ReplayedCalibration final : public Module {
+public:
+  /// `folder`: for the new recording. Everything must outlive it.
+  ReplayedCalibration(const Robot& drawing, const ReplayWorld& world, std::filesystem::path folder);
+  void cycle() override;
+
+  /// Once the replay is over and its thread has ended: solves, and says in a sentence how the estimates compare with a
+  /// recorded result. Throws what was thrown on the way.
+  std::string compared(const std::filesystem::path& recordedResult);
+
+private:
+  const ReplayWorld& world_;
+  Dependency<StillPicture> picture_{*this, "stillPicture"};
+  std::optional<CalibrationSession> session_;
+  std::exception_ptr failure_; // the worker's first
+  Worker worker_;              // last: it uses the others
+};
+
+} // namespace naocal

@@ -1,0 +1,39 @@
+#include "brain/CameraMatrices.hpp"
+
+#include "geometry/Angles.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+TEST_CASE("the panel's matrices are those of a robot that stands upright") {
+  // Proves frames, units and directions by the drawing's lengths: straight legs, head turned to the left.
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  JointMoment moment;
+  moment.angles[*jointNumber("HeadYaw")] = radians(90);
+  const nlohmann::json shown = panelMatrices(robot, moment, CameraName::top, {});
+  const auto position = [](const nlohmann::json& matrix) {
+    return Eigen::Vector3d{matrix[1][0], matrix[1][1], matrix[1][2]};
+  };
+  CHECK(shown["imageInfos"]["identification"] == "top");
+  CHECK((position(shown["ground2Torso"]) - Eigen::Vector3d{0, 0, -333.09}).norm() < 0.01); // mm
+  CHECK(shown["torso2Head"][0][0].get<double>() == Approx(radians(90)));
+  CHECK(shown["torso2Head"][0][3].get<double>() == Approx(-1)); // inverse: back to the right
+  CHECK((position(shown["torso2Head"]) - Eigen::Vector3d{0, 0, -126.5}).norm() < 0.01);
+  // the ground's origin, seen from a camera 0.5232 m above it and 0.0587 m in front of the neck, 1.2 degrees down [m]
+  CHECK(position(shown["imageInfos"]["ground2Camera"]).norm() == Approx(std::hypot(0.05871, 0.52323)).margin(1e-5));
+}
+
+TEST_CASE("a tilted torso moves the ground, not the head") {
+  // Proves that roll and pitch come from the inertial unit: the ground's z axis, seen from a torso that leans forward.
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  JointMoment moment;
+  moment.tilt = {0, radians(10)};
+  const PanelMatrices matrices = panelMatrices(robot, moment, CameraName::bottom, {});
+  const Eigen::Vector3d up = matrices.torsoFromGround.linear().col(2);
+  CHECK(up.x() == Approx(-std::sin(radians(10))));
+  CHECK(matrices.headFromTorso.linear().isIdentity(1e-12));
+}
+
+} // namespace naocal
