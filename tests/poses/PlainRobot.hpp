@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -104,8 +106,58 @@ inline bool inside(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vec
   return true;
 }
 
-/// The robot stands on one flat sole and holds the other one up.
+/// Where the corners of a sole are, given how the other one sees it.
+inline std::vector<Eigen::Vector3d> placed(const std::vector<Eigen::Vector3d>& corners, const Eigen::Isometry3d& from) {
+  std::vector<Eigen::Vector3d> result;
+  for (const Eigen::Vector3d& corner : corners) {
+    result.push_back(from * corner);
+  }
+  return result;
+}
+
+/// Corners of the right sole in the frame of the left one [m].
+inline std::vector<Eigen::Vector3d> rightSole(const Json& robot, const Angles& angles) {
+  const auto links = posture(robot, angles);
+  return placed(outline(robot, "right"), links.at(robot["soles"]["left"]["link"].get<std::string>()).inverse() *
+                                             links.at(robot["soles"]["right"]["link"].get<std::string>()));
+}
+
+/// The robot stands on both soles: on the plane nearest to their corners, no straight line through the foot of the
+/// centre of mass has all corners on one side.
+inline bool standsOnBoth(const Json& robot, const Angles& angles) {
+  const auto links = posture(robot, angles);
+  std::vector<Eigen::Vector3d> corners;
+  for (const char* side : {"left", "right"}) {
+    const auto own = placed(outline(robot, side), links.at(robot["soles"][side]["link"].get<std::string>()));
+    corners.insert(corners.end(), own.begin(), own.end());
+  }
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& corner : corners) {
+    middle += corner / static_cast<double>(corners.size());
+  }
+  Eigen::MatrixXd about(corners.size(), 3);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    about.row(static_cast<Eigen::Index>(i)) = (corners[i] - middle).transpose();
+  }
+  const Eigen::Vector3d up = Eigen::JacobiSVD<Eigen::MatrixXd>{about, Eigen::ComputeThinV}.matrixV().col(2);
+  const Eigen::Vector3d centre = centreOfMass(robot, links), x = up.unitOrthogonal(), y = up.cross(x);
+  std::vector<double> directions;
+  for (const Eigen::Vector3d& corner : corners) {
+    directions.push_back(std::atan2(y.dot(corner - centre), x.dot(corner - centre)));
+  }
+  std::sort(directions.begin(), directions.end());
+  double widest = directions.front() + 360 * degree - directions.back();
+  for (std::size_t i = 1; i < directions.size(); ++i) {
+    widest = std::max(widest, directions[i] - directions[i - 1]);
+  }
+  return widest < 180 * degree;
+}
+
+/// The robot stands on one flat sole and holds the other one up, or on both.
 inline bool stands(const Json& robot, const std::string& side, const Angles& angles) {
+  if (side == "both") {
+    return standsOnBoth(robot, angles);
+  }
   const std::string other = side == "left" ? "right" : "left";
   const auto links = posture(robot, angles);
   const Eigen::Isometry3d soleFromTorso = links.at(robot["soles"][side]["link"].get<std::string>()).inverse();

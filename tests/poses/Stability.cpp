@@ -3,6 +3,7 @@
 #include "captures/InputError.hpp"
 #include "geometry/Angles.hpp"
 #include "poses/Outline.hpp"
+#include <algorithm>
 
 #include <catch2/catch.hpp>
 
@@ -55,29 +56,28 @@ TEST_CASE("a robot stands while its centre of mass is over the sole and the othe
   // Proves both conditions on one attitude that leans sideways over its ankle: the straight robot on one foot falls to
   // the other side, leaning over the foot it stands, leaning farther it falls outwards; and the foot must be lifted.
   const Robot robot = v6();
-  const Sole &left = supportSole(robot, SupportFoot::left), &right = otherSole(robot, SupportFoot::left);
   const auto at = [&](double ankleRoll) { return posture(robot, onLeftFoot(robot, ankleRoll)); };
-  CHECK_FALSE(stands(robot, at(0), left, right, {}));
-  CHECK(stands(robot, at(11), left, right, {}));
-  CHECK_FALSE(stands(robot, at(25), left, right, {}));
-  CHECK_FALSE(stands(robot, at(11), left, right, {0.06, 0})); // the sole is less than 12 cm wide
-  CHECK_FALSE(stands(robot, at(11), left, right, {0, 0.2}));
+  CHECK_FALSE(stands(robot, at(0), SupportFoot::left, {}));
+  CHECK(stands(robot, at(11), SupportFoot::left, {}));
+  CHECK_FALSE(stands(robot, at(25), SupportFoot::left, {}));
+  CHECK_FALSE(stands(robot, at(11), SupportFoot::left, {0.06, 0})); // the sole is less than 12 cm wide
+  CHECK_FALSE(stands(robot, at(11), SupportFoot::left, {0, 0.2}));
 
   Belief bothDown = onLeftFoot(robot, 11);
   bothDown.angle(*robot.jointIndex("RHipPitch")) = 0;
   bothDown.angle(*robot.jointIndex("RKneePitch")) = 0;
   bothDown.angle(*robot.jointIndex("RAnklePitch")) = radians(40); // toes down
-  CHECK_FALSE(stands(robot, posture(robot, bothDown), left, right, {}));
+  CHECK_FALSE(stands(robot, posture(robot, bothDown), SupportFoot::left, {}));
 }
 
 TEST_CASE("the share of robots that stand despite errors falls as the errors grow") {
   // Proves that errors are drawn and counted: without any, all stand; with small ones all do; with large ones not even
   // half; and that a robot that does not stand by itself never passes. It does not prove the distribution.
   const Robot robot = v6();
-  const Sole &left = supportSole(robot, SupportFoot::left), &right = otherSole(robot, SupportFoot::left);
   std::mt19937_64 random{3};
   const auto passes = [&](double ankleRoll, double errorDegrees, double share) {
-    return shareStanding(robot, onLeftFoot(robot, ankleRoll), left, right, {radians(errorDegrees), 200, share}, random)
+    return shareStanding(robot, onLeftFoot(robot, ankleRoll), SupportFoot::left, {radians(errorDegrees), 200, share},
+                         random)
         .has_value();
   };
   CHECK(passes(11, 0, 1));
@@ -92,4 +92,46 @@ TEST_CASE("a robot without soles is refused") {
   Robot robot = v6();
   robot.soles.clear();
   CHECK_THROWS_WITH(supportSole(robot, SupportFoot::left), Catch::Contains("expected a left sole"));
+}
+
+TEST_CASE("a point is within the hull of points where it is inside their convex outline") {
+  // Proves the quick test against the outline's sides for 2000 random points and sets, and the outline itself: every
+  // point of a set lies in it, and its corners are of the set and run counter-clockwise.
+  std::mt19937_64 random{8};
+  std::uniform_real_distribution<double> unit{-1, 1};
+  int within = 0;
+  for (int draw = 0; draw < 2000; ++draw) {
+    Outline points(3 + draw % 9);
+    for (Eigen::Vector2d& point : points) {
+      point = {unit(random), unit(random)};
+    }
+    const Outline outline = hull(points);
+    for (const Eigen::Vector2d& point : points) {
+      CHECK(depthInside(outline, point) > -1e-12);
+    }
+    for (const Eigen::Vector2d& corner : outline) {
+      CHECK(std::find(points.begin(), points.end(), corner) != points.end());
+    }
+    const Eigen::Vector2d point{unit(random), unit(random)};
+    CHECK(withinHull(points, point) == (depthInside(outline, point) > 0));
+    within += withinHull(points, point) ? 1 : 0;
+  }
+  CHECK(within > 300);
+  CHECK(within < 1700);
+}
+
+TEST_CASE("a robot on both feet stands where its centre of mass is between them, whatever one foot alone would do") {
+  // Proves it for the straight robot, which falls from one foot, and for one that leans over both ankles too far.
+  const Robot robot = v6();
+  const auto leaning = [&](double ankleRoll) {
+    Belief belief = drawnBelief(robot, Quantities{robot.joints.size(), robot.lengths.size(), 0});
+    for (const char* joint : {"LAnkleRoll", "RAnkleRoll"}) {
+      belief.angle(*robot.jointIndex(joint)) = radians(ankleRoll);
+    }
+    return posture(robot, belief);
+  };
+  CHECK_FALSE(stands(robot, leaning(0), SupportFoot::left, {}));
+  CHECK(stands(robot, leaning(0), SupportFoot::both, {0.04, 0}));
+  CHECK(stands(robot, leaning(8), SupportFoot::both, {}));
+  CHECK_FALSE(stands(robot, leaning(30), SupportFoot::both, {}));
 }

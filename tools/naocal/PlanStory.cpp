@@ -35,6 +35,14 @@ void printSigmas(const PosePlan& plan) {
   }
 }
 
+void printMisfit(const PosePlan& plan) {
+  if (plan.misfit) {
+    fmt::print("\nwith {} where a robot has {}, or the other way round, the fit to these poses is worse by chi2 of at "
+               "least {:.1f} (both as large as they plausibly may be; 10 is beyond doubt)\n",
+               plan.options.effects[0], plan.options.effects[1], *plan.misfit);
+  }
+}
+
 /// The floor from above, the robot looks up: a character is 6 cm wide and 12 cm high.
 void printFloor(const PosePlan& plan) {
   constexpr int rows = 14, columns = 45, ahead = 11; // rows before the robot
@@ -49,7 +57,8 @@ void printFloor(const PosePlan& plan) {
     }
   }
   floor[ahead][columns / 2] = '^';
-  fmt::print("\nwhere to lay the boards (^ the foot it stands on, looking up; a dot is 6 cm by 12 cm):\n");
+  fmt::print("\nwhere to lay the boards (^ the foot it stands on, of both the left one, looking up; a dot is 6 cm by "
+             "12 cm):\n");
   for (const std::string& row : floor) {
     fmt::print("  {}\n", row);
   }
@@ -95,13 +104,13 @@ void printComparison(const PosePlan& plan) {
     return;
   }
   fmt::print("what the criteria select among the same {} candidates, boards where they were given, nothing refined:\n"
-             "  {:<10} {:>5}  {:>12}  {:>9}  {:>24}  {}\n",
+             "  {:<12} {:>5}  {:>12}  {:>9}  {:>24}  {}{}\n",
              plan.sieve.seeing, "criterion", "poses", "worst offset", "mean", "worst, places known",
-             "pairs of joints that look alike (cost)");
+             "pairs of joints that look alike (cost)", plan.misfit ? "  effects told apart (chi2)" : "");
   for (const CriterionResult& each : plan.comparison) {
-    fmt::print("  {:<10} {:>5}  {:>10.3f} °  {:>7.3f} °  {:>22.3f} °  {:>3} ({:.3f})\n", name(each.criterion),
+    fmt::print("  {:<12} {:>5}  {:>10.3f} °  {:>7.3f} °  {:>22.3f} °  {:>30} ({:.3f}){}\n", name(each.criterion),
                each.poses, degrees(each.worst), degrees(each.mean), degrees(each.worstKnown), each.interaction.count,
-               each.interaction.cost);
+               each.interaction.cost, each.misfit ? fmt::format("  {:>25.1f}", *each.misfit) : "");
   }
   fmt::print("\n");
 }
@@ -112,6 +121,7 @@ void printPlan(const PosePlan& plan) {
   printSieve(plan.sieve);
   printComparison(plan);
   printSigmas(plan);
+  printMisfit(plan);
   printFloor(plan);
   printWay(plan);
 }

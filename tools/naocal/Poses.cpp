@@ -1,15 +1,12 @@
 #include "Commands.hpp"
+#include "PlanInputs.hpp"
 #include "PlanStory.hpp"
-#include "captures/CaptureSetFile.hpp"
 #include "captures/Files.hpp"
 #include "captures/InputError.hpp"
 #include "geometry/Angles.hpp"
 #include "poses/PlanFile.hpp"
-#include "poses/PoseFile.hpp"
-#include "synthetic/SimulationPlan.hpp"
 
 #include <CLI/CLI.hpp>
-#include <cstdlib>
 #include <fmt/core.h>
 #include <map>
 #include <memory>
@@ -19,7 +16,8 @@ namespace naocal {
 
 namespace {
 
-const std::map<std::string, SupportFoot> feet{{"left", SupportFoot::left}, {"right", SupportFoot::right}};
+const std::map<std::string, SupportFoot> feet{
+    {"left", SupportFoot::left}, {"right", SupportFoot::right}, {"both", SupportFoot::both}};
 const std::map<std::string, Sampling> samplings{
     {"even", Sampling::even}, {"grid", Sampling::grid}, {"random", Sampling::random}};
 
@@ -39,12 +37,18 @@ struct PosesCommand {
 
   void run() {
     const Robot drawn = loadRobot(configurationDirectory(), robot);
+    if (plan.mirrored && plan.poses.supportFoot == SupportFoot::both) {
+      throw InputError{"--mirror: expected --support left or right, found both; poses on both feet look at both legs"};
+    }
+    if (plan.criterion == Criterion::discriminate && plan.effects.empty()) {
+      throw InputError{"--criterion discriminate: expected --effects with two effects to tell apart, found none"};
+    }
     plan.poses.limitMargin = plan.poses.stability.jointError = radians(jointErrorDegrees);
     plan.sigma = radians(sigmaDegrees);
-    plan.weights = readWeights();
-    Surveyed scene = boards.empty() ? Surveyed{SimulationPlan{}.boards, SimulationPlan{}.cameras} : surveyed();
+    plan.weights = readWeights(weights);
+    PlannedScene scene = boards.empty() ? plannedScene() : plannedScene(boards);
     if (!extend.empty()) {
-      keep(drawn, scene.boards);
+      extendPlan(extend, drawn, scene.boards, plan);
     }
     const PosePlan result = posePlan(drawn, scene.boards, scene.cameras, plan,
                                      [](const std::string& what) { fmt::print(stderr, "{}\n", what); });
@@ -55,65 +59,6 @@ struct PosesCommand {
       writePoseFiles(result, drawn, poseFiles);
       fmt::print("{} holds a .pose file for each\n", poseFiles);
     }
-  }
-
-private:
-  struct Surveyed {
-    std::vector<Board> boards;
-    std::map<std::string, CameraIntrinsics> cameras;
-  };
-
-  /// Boards and cameras of a capture set; placements that are only guessed are where planning begins.
-  Surveyed surveyed() const {
-    const CaptureSet set = readCaptureSet(boards, BadCaptures::skip).set;
-    Surveyed result{{}, set.cameras};
-    for (Board board : set.boards) {
-      if (board.link == "floor") {
-        board.placement = board.placement || !board.hasGuess ? board.placement : board.placementGuess;
-        result.boards.push_back(board);
-      }
-    }
-    if (result.boards.empty()) {
-      throw InputError{fmt::format("{}: expected a board on the floor, found none", boards)};
-    }
-    return result;
-  }
-
-  /// Poses of an earlier plan stay, and its boards where they are.
-  void keep(const Robot& drawn, std::vector<Board>& known) {
-    const PoseFile earlier = readPoseFile(extend, drawn);
-    for (const PlayablePose& pose : earlier.poses) {
-      if (pose.supportFoot != plan.poses.supportFoot) {
-        throw InputError{fmt::format("{}: expected poses on the foot of --support, found {} on another; extend a plan "
-                                     "of one foot",
-                                     extend, pose.id)};
-      }
-      plan.kept.push_back(pose.angles);
-    }
-    for (Board& board : known) {
-      const auto place = earlier.boards.find(board.id);
-      if (place == earlier.boards.end()) {
-        throw InputError{fmt::format("{}: expected where board {} lies, found nothing; name the set that has the "
-                                     "plan's boards with --boards",
-                                     extend, board.id)};
-      }
-      board.placement = place->second;
-    }
-    plan.moveBoards = false;
-  }
-
-  std::map<std::string, double> readWeights() const {
-    std::map<std::string, double> result;
-    for (const std::string& text : weights) {
-      const std::size_t equals = text.find('=');
-      char* end = nullptr;
-      const double weight = equals == std::string::npos ? -1 : std::strtod(text.c_str() + equals + 1, &end);
-      if (!(weight >= 0) || *end != '\0' || end == text.c_str() + equals + 1) {
-        throw InputError{fmt::format("--weight: expected NAME=NUMBER such as LKneePitch=2, found {}", text)};
-      }
-      result[text.substr(0, equals)] = weight;
-    }
-    return result;
   }
 };
 
@@ -129,7 +74,7 @@ void addPoses(CLI::App& app) {
   poses->add_option("-o,--output", command->output, "POSES.json, to be written")->required();
   poses->add_option("--pose-files", command->poseFiles, "a folder for HULKs' .pose files too");
   poses->add_option("--robot", command->robot, "its model")->capture_default_str();
-  poses->add_option("--support", plan.poses.supportFoot, "the foot to stand on: left or right")
+  poses->add_option("--support", plan.poses.supportFoot, "the foot to stand on: left, right or both")
       ->transform(CLI::CheckedTransformer(feet, CLI::ignore_case));
   poses->add_option("--candidates", plan.poses.tries, "attitudes to draw and sieve")
       ->capture_default_str()
@@ -141,11 +86,17 @@ void addPoses(CLI::App& app) {
       ->add_option(
           "--criterion", plan.criterion,
           "what to make small: D volume, A mean, E worst direction, the worst joint; thesis: what looks alike to "
-          "the cameras, poses selected only")
+          "the cameras, poses selected only; discriminate: which of two effects is there; time: seconds to play")
       ->transform(CLI::CheckedTransformer(criteria()));
   poses->add_option("--sigma", command->sigmaDegrees, "that --criterion time must reach for every offset [degrees]")
       ->capture_default_str()
       ->check(CLI::Range(0.001, 10.0));
+  poses
+      ->add_option("--effects", plan.effects,
+                   "two, such as elasticity@LKneePitch,backlash@LKneePitch: how well the poses "
+                   "tell them apart")
+      ->delimiter(',')
+      ->expected(2);
   poses->add_option("--weight", command->weights,
                     "NAME=NUMBER: how much a joint or camera counts in the thesis's criterion; 1 if not given");
   poses->add_flag("--mirror", plan.mirrored,

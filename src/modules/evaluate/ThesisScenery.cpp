@@ -44,7 +44,7 @@ std::vector<Board> floorTiles() {
 std::vector<Eigen::VectorXd> candidatePoses(const Robot& robot, const ThesisScenery& scenery, std::size_t count) {
   PoseOptions options;
   options.sight = scenery.limits;
-  const Scene scene{robot, supportSole(robot, options.supportFoot), scenery.targets, scenery.cameras, options.sight};
+  const Scene scene{robot, options.supportFoot, scenery.targets, scenery.cameras, options.sight};
   std::vector<Eigen::VectorXd> poses;
   for (const Belief& belief : stableAttitudes(robot, scene, options, count)) {
     poses.emplace_back(belief.values.head(at(robot.joints.size())));

@@ -1,7 +1,5 @@
 #include "poses/BoardPlaces.hpp"
 
-#include "poses/Stability.hpp"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 
@@ -11,7 +9,7 @@ BoardPlaces::BoardPlaces(const Robot& robot, SupportFoot supportFoot, double far
     : farthest_{farthest}, gap_{gap} {
   feet_ = {supportSole(robot, supportFoot).outline, otherSole(robot, supportFoot).outline};
   for (Eigen::Vector2d& corner : feet_.back()) {
-    corner.y() += supportFoot == SupportFoot::left ? -betweenFeet : betweenFeet;
+    corner.y() += supportFoot == SupportFoot::right ? betweenFeet : -betweenFeet;
   }
 }
 

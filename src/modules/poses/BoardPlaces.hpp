@@ -3,6 +3,7 @@
 #include "captures/Capture.hpp"
 #include "model/Robot.hpp"
 #include "poses/Outline.hpp"
+#include "poses/Stability.hpp"
 
 #include <vector>
 
@@ -11,8 +12,6 @@ namespace naocal {
 /// The squares of a board on the floor and `margin` around them [m], counter-clockwise.
 Outline sheet(const Board& board, double margin = 0);
 
-/// The distance of two soles that stand side by side [m].
-constexpr double betweenFeet = 0.1;
 /// y of the line between them in the frame of the one that the robot stands on [m].
 constexpr double middleBetweenFeet(SupportFoot supportFoot) {
   return supportFoot == SupportFoot::right ? betweenFeet / 2 : -betweenFeet / 2;

@@ -25,8 +25,10 @@ std::vector<BoardTolerance> boardTolerances(const Robot& robot, const std::vecto
                                             const std::map<std::string, CameraIntrinsics>& cameras,
                                             const PlanOptions& options, const std::vector<SievedPose>& poses) {
   constexpr double growth = 1.1, farthest = 0.3, mostTurned = std::numbers::pi / 4; // [1], [m], [rad]
-  const auto worst = [&](const std::vector<Board>& laid) {                          // absent: a pose sees none
-    const PlanScore score{robot, laid, cameras, options};
+  PlanOptions drawn = options;
+  drawn.wornRobots = 0;
+  const auto worst = [&](const std::vector<Board>& laid) { // absent: a pose sees none
+    const PlanScore score{robot, laid, cameras, drawn};
     const std::vector<Eigen::MatrixXd> parts = score.parts(poses);
     const bool blind = std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.isZero(); });
     return blind ? std::nullopt : std::optional{score.worstSigma(score.sum(poses))};

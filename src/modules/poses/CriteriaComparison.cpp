@@ -29,15 +29,19 @@ std::vector<CriterionResult> compareCriteria(const Robot& robot, const std::vect
                                              const std::map<std::string, CameraIntrinsics>& cameras,
                                              const PlanOptions& options, const std::vector<SievedPose>& candidates) {
   std::vector<CriterionResult> result;
-  for (std::size_t criterion = 0; criterion <= static_cast<std::size_t>(Criterion::interaction); ++criterion) {
+  for (std::size_t criterion = 0; criterion < static_cast<std::size_t>(Criterion::time); ++criterion) {
+    if (static_cast<Criterion>(criterion) == Criterion::discriminate && options.effects.empty()) {
+      continue;
+    }
     PlanOptions own = options;
+    own.wornRobots = 0;
     own.criterion = static_cast<Criterion>(criterion);
     const PlanScore score{robot, boards, cameras, own};
     for (const std::size_t count : {3, 5, 8}) {
       const std::vector<SievedPose> poses = score.best(candidates, count);
       const std::map<std::string, double> unknown = score.sigmas(poses, false);
       result.push_back({own.criterion, poses.size(), largest(unknown), rootMeanSquare(unknown),
-                        largest(score.sigmas(poses, true)), score.interaction(poses)});
+                        largest(score.sigmas(poses, true)), score.interaction(poses), score.misfit(poses)});
     }
   }
   return result;

@@ -39,8 +39,7 @@ void addMirrored(PosePlan& plan, const Robot& robot, const std::map<std::string,
     SievedPose image{score.scene().drawn(), {}, plan.standing[i]};
     image.belief.values.head(at(robot.joints.size())) = mirrored(robot, plan.poses[i].pose.angles);
     const Posture torsoFromLink = posture(robot, image.belief);
-    if (checks.touchesItself(torsoFromLink) ||
-        !stands(robot, torsoFromLink, checks.support(), checks.other(), {0.01, 0.01})) {
+    if (checks.touchesItself(torsoFromLink) || !stands(robot, torsoFromLink, options.poses.supportFoot, {0.01, 0.01})) {
       throw InputError{fmt::format("pose {}: its mirror image is not valid; plan the other foot by itself", i)};
     }
     plan.poses.push_back({{options.poses.supportFoot, image.belief.values.head(at(robot.joints.size())),

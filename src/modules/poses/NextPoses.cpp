@@ -1,5 +1,6 @@
 #include "poses/NextPoses.hpp"
 
+#include "poses/Approach.hpp"
 #include "poses/Discrimination.hpp"
 
 #include <algorithm>
@@ -22,16 +23,10 @@ std::vector<ProposedPose> candidates(const Robot& robot, const CaptureSet& set, 
     wanted.seed = options.seed;
     wanted.tries = 400 * options.candidates;
     wanted.stability.draws = 0; // the offsets are known by now: the fitted robot is tried, not any that might be
-    const Scene scene{robot, supportSole(robot, here.supportFoot), here.boards, set.cameras, wanted.sight};
+    const Scene scene{robot, here.supportFoot, here.boards, set.cameras, wanted.sight};
     for (const Belief& belief : stableAttitudes(robot, scene, wanted, options.candidates / around.size())) {
-      ProposedPose pose{{here.supportFoot, belief.values.head(static_cast<Eigen::Index>(robot.joints.size())), {}}, {}};
-      pose.approach.resize(pose.pose.angles.size());
-      for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-        const double drawn = random() % 2 == 0 ? 1 : -1;
-        const std::size_t motor = robot.joints[joint].motor;
-        pose.approach[static_cast<Eigen::Index>(joint)] =
-            motor < joint ? pose.approach[static_cast<Eigen::Index>(motor)] : drawn;
-      }
+      ProposedPose pose{{here.supportFoot, belief.values.head(static_cast<Eigen::Index>(robot.joints.size())), {}},
+                        randomApproach(robot, random)};
       result.push_back(pose);
       if (bothWays) {
         pose.approach = -pose.approach;
@@ -40,13 +35,6 @@ std::vector<ProposedPose> candidates(const Robot& robot, const CaptureSet& set, 
     }
   }
   return result;
-}
-
-bool looksAtApproach(const Model& model) {
-  return std::any_of(model.terms().begin(), model.terms().end(), [](const Term& term) {
-    const auto& needs = term.effect.needs;
-    return std::find(needs.begin(), needs.end(), Driver::approach) != needs.end();
-  });
 }
 
 /// The poses of the largest gain, each beside those before it; `known` gets what they tell.

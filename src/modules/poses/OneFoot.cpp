@@ -4,23 +4,18 @@
 #include "geometry/Index.hpp"
 #include "model/Masses.hpp"
 #include "poses/BoardPlaces.hpp"
+#include "poses/Outline.hpp"
 #include "poses/Stability.hpp"
 
 #include <Eigen/Geometry>
 #include <array>
 #include <fmt/format.h>
-#include <numeric>
 
 namespace naocal {
 
 OneFoot::OneFoot(const Robot& robot, SupportFoot supportFoot)
-    : robot_{robot}, supportLeg_{robot, supportSole(robot, supportFoot).name}, otherLeg_{
-                                                                                   robot,
-                                                                                   otherSole(robot, supportFoot).name} {
-  const Outline& outline = supportSole(robot, supportFoot).outline;
-  const Eigen::Vector2d sum = std::accumulate(outline.begin(), outline.end(), Eigen::Vector2d::Zero().eval());
-  middle_ = sum / static_cast<double>(outline.size());
-}
+    : robot_{robot}, supportLeg_{robot, supportSole(robot, supportFoot).name},
+      otherLeg_{robot, otherSole(robot, supportFoot).name}, middle_{middle(supportSole(robot, supportFoot).outline)} {}
 
 bool OneFoot::stand(Belief& belief, RigidTransform soleFromTorso, const RigidTransform& soleFromOther,
                     const Eigen::Vector2d& centre) const {

@@ -1,6 +1,9 @@
 #include "poses/Outline.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
 #include <limits>
 
 namespace naocal {
@@ -13,6 +16,45 @@ double depthInside(const Outline& outline, const Eigen::Vector2d& point) {
     depth = std::min(depth, inwards.dot(point - outline[i]) / side.norm());
   }
   return depth;
+}
+
+Outline hull(const Outline& points) {
+  namespace geometry = boost::geometry;
+  using Point = geometry::model::d2::point_xy<double>;
+  constexpr bool clockwise = false, closed = false;
+  geometry::model::multi_point<Point> all;
+  for (const Eigen::Vector2d& point : points) {
+    all.emplace_back(point.x(), point.y());
+  }
+  geometry::model::ring<Point, clockwise, closed> ring;
+  geometry::convex_hull(all, ring);
+  Outline result;
+  for (const Point& corner : ring) {
+    result.emplace_back(corner.x(), corner.y());
+  }
+  return result;
+}
+
+bool withinHull(const Outline& points, const Eigen::Vector2d& point) {
+  // Seen from the point, all others lie in a wedge from `right` to `left` narrower than half a turn, unless it is
+  // within.
+  const auto turn = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); };
+  Eigen::Vector2d right = points.front() - point, left = right;
+  for (const Eigen::Vector2d& other : points) {
+    const Eigen::Vector2d to = other - point;
+    const bool beyondLeft = turn(left, to) > 0, beyondRight = turn(right, to) < 0;
+    if (beyondLeft && beyondRight) {
+      return true;
+    }
+    left = beyondLeft ? to : left;
+    right = beyondRight ? to : right;
+  }
+  return false;
+}
+
+Eigen::Vector2d middle(const Outline& outline) {
+  const Eigen::Vector2d sum = std::accumulate(outline.begin(), outline.end(), Eigen::Vector2d::Zero().eval());
+  return sum / static_cast<double>(outline.size());
 }
 
 bool apart(const Outline& a, const Outline& b) {

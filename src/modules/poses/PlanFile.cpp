@@ -34,9 +34,10 @@ Json assumptions(const PlanOptions& options) {
           {"samples", 1},
           {"jointError", options.poses.stability.jointError},
           {"boards",
-           "placements in the frame of the sole that the robot stands on; for poses on both feet in turn that "
-           "of the first pose, the other foot 0.1 m beside it"},
-          {"unknowns", "joint offsets, rotations of both cameras, x, y and yaw of every board"}};
+           "placements in the frame of the sole that the robot stands on, on both feet the left one; for poses on both "
+           "feet in turn that of the first pose, the other foot 0.1 m beside it"},
+          {"unknowns", "joint offsets, rotations of both cameras, x, y and yaw of every board"},
+          {"floor", "on both feet the right sole lies on the left one's floor to 1 mm and 0.005 rad"}};
 }
 
 Json boardsWithTolerances(const PosePlan& plan) {
@@ -63,6 +64,9 @@ Json comparisonJson(const PosePlan& plan) {
                       {"meanSigma", each.mean},
                       {"worstSigmaKnown", each.worstKnown},
                       {"interaction", {{"cost", each.interaction.cost}, {"count", each.interaction.count}}}});
+    if (each.misfit) {
+      result.back()["misfit"] = *each.misfit;
+    }
   }
   return result;
 }
@@ -95,6 +99,10 @@ Json planJson(const PosePlan& plan, const Robot& robot) {
                  {"criterion", name(plan.options.criterion)},
                  {"interaction", {{"cost", plan.interaction.cost}, {"count", plan.interaction.count}}},
                  {"assumptions", assumptions(plan.options)}};
+  if (plan.misfit) {
+    result["effects"] = plan.options.effects;
+    result["misfit"] = *plan.misfit;
+  }
   if (!plan.comparison.empty()) {
     result["comparison"] = comparisonJson(plan);
   }

@@ -71,7 +71,7 @@ double PlanRefinement::value(const PlanDraft& draft) const {
   const PlanScore score{robot_, draft.boards, cameras_, options_};
   Eigen::MatrixXd sum = score.known();
   for (const Eigen::MatrixXd& part : score.parts(draft.poses)) {
-    if (part.isZero()) {
+    if (part.leftCols(part.rows()).isZero()) {
       return std::numeric_limits<double>::infinity(); // a pose that sees nothing
     }
     sum += part;

@@ -1,18 +1,22 @@
 #include "poses/PlanScore.hpp"
 
 #include "poses/PoseOrder.hpp"
+#include "poses/TellingApart.hpp"
+#include "poses/WornRobots.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <random>
 
 namespace naocal {
 
 PlanScore::PlanScore(const Robot& robot, const std::vector<Board>& boards,
                      const std::map<std::string, CameraIntrinsics>& cameras, const PlanOptions& options)
-    : robot_{robot}, cameras_{cameras}, options_{options}, scene_{robot, supportSole(robot, options.poses.supportFoot),
-                                                                  boards, cameras, options.poses.sight},
-      judge_{robot, scene_, scene_.joints(), options.criterion, options.known}, known_{judge_.prior()} {
+    : robot_{robot}, cameras_{cameras}, options_{options}, boards_{boards}, scene_{robot, options.poses.supportFoot,
+                                                                                   boards, cameras,
+                                                                                   options.poses.sight},
+      judge_{robot, scene_, scene_.joints(), options.criterion, options.known}, worn_{wornRobots(robot, options.poses,
+                                                                                                 options.wornRobots,
+                                                                                                 1)},
+      known_{judge_.prior().replicate(1, static_cast<Eigen::Index>(worn_.size() + 1))} {
   for (const Eigen::VectorXd& angles : options.kept) {
     kept_.push_back({scene_.drawn(), {}, 0});
     kept_.back().belief.values.head(angles.size()) = angles;
@@ -31,9 +35,12 @@ Interaction PlanScore::interaction(const std::vector<SievedPose>& poses) const {
 }
 
 std::vector<SievedPose> PlanScore::best(const std::vector<SievedPose>& candidates, std::size_t count) const {
+  if (options_.criterion == Criterion::discriminate) {
+    return TellingApart{robot_, boards_, cameras_, options_}.best(kept_, candidates, count);
+  }
   const std::vector<std::size_t> indices = options_.criterion == Criterion::interaction
                                                ? thesis().chain(candidates, count)
-                                               : selected(judge_, known_, parts(candidates), count);
+                                               : selected(judge_, expected(known_), expectedParts(candidates), count);
   std::vector<SievedPose> result;
   for (const std::size_t index : indices) {
     result.push_back(candidates[index]);
@@ -41,12 +48,55 @@ std::vector<SievedPose> PlanScore::best(const std::vector<SievedPose>& candidate
   return result;
 }
 
-std::vector<Eigen::MatrixXd> PlanScore::parts(const std::vector<SievedPose>& poses) const {
+std::optional<double> PlanScore::misfit(const std::vector<SievedPose>& poses) const {
+  return options_.effects.empty()
+             ? std::nullopt
+             : std::optional{TellingApart{robot_, boards_, cameras_, options_}.misfit(kept_, poses)};
+}
+
+std::vector<Eigen::MatrixXd> PlanScore::partsOfDrawn(const std::vector<SievedPose>& poses) const {
   std::vector<Eigen::MatrixXd> result = informations(robot_, scene_, poses, options_.noise);
   for (Eigen::MatrixXd& information : result) {
     information = judge_.part(information);
   }
   return result;
+}
+
+Eigen::MatrixXd PlanScore::expected(const Eigen::MatrixXd& sum) const {
+  Eigen::MatrixXd result = ofRobot(sum, 0);
+  for (std::size_t robot = 1; robot <= worn_.size(); ++robot) {
+    result += ofRobot(sum, robot) / static_cast<double>(worn_.size());
+  }
+  return result;
+}
+
+std::vector<Eigen::MatrixXd> PlanScore::expectedParts(const std::vector<SievedPose>& poses) const {
+  std::vector<Eigen::MatrixXd> result = partsOfDrawn(poses);
+  for (const Eigen::VectorXd& errors : worn_) {
+    const std::vector<Eigen::MatrixXd> own = partsOfDrawn(takenBy(errors, poses));
+    for (std::size_t pose = 0; pose < poses.size(); ++pose) {
+      result[pose] += own[pose] / static_cast<double>(worn_.size());
+    }
+  }
+  return result;
+}
+
+std::vector<Eigen::MatrixXd> PlanScore::parts(const std::vector<SievedPose>& poses) const {
+  std::vector<Eigen::MatrixXd> result = partsOfDrawn(poses);
+  for (std::size_t robot = 0; robot < worn_.size(); ++robot) {
+    const std::vector<Eigen::MatrixXd> own = partsOfDrawn(takenBy(worn_[robot], poses));
+    for (std::size_t pose = 0; pose < poses.size(); ++pose) {
+      if (robot == 0) {
+        result[pose].conservativeResize(Eigen::NoChange, known_.cols());
+      }
+      result[pose].middleCols(static_cast<Eigen::Index>(robot + 1) * known_.rows(), known_.rows()) = own[pose];
+    }
+  }
+  return result;
+}
+
+Eigen::MatrixXd PlanScore::ofRobot(const Eigen::MatrixXd& sum, std::size_t robot) const {
+  return sum.middleCols(static_cast<Eigen::Index>(robot) * sum.rows(), sum.rows());
 }
 
 Eigen::MatrixXd PlanScore::sum(const std::vector<SievedPose>& poses) const {
@@ -58,12 +108,16 @@ Eigen::MatrixXd PlanScore::sum(const std::vector<SievedPose>& poses) const {
 }
 
 double PlanScore::worstSigma(const Eigen::MatrixXd& sum) const {
-  return std::sqrt(judge_.covariance(sum).diagonal().maxCoeff());
+  return std::sqrt(judge_.covariance(ofRobot(sum, 0)).diagonal().maxCoeff());
 }
 
 double PlanScore::value(const Eigen::MatrixXd& sum, const std::vector<SievedPose>& poses) const {
   if (options_.criterion != Criterion::time) {
-    return judge_(sum);
+    double ofWorn = 0;
+    for (std::size_t robot = 1; robot <= worn_.size(); ++robot) {
+      ofWorn += judge_(ofRobot(sum, robot)) / static_cast<double>(worn_.size());
+    }
+    return judge_(ofRobot(sum, 0)) + ofWorn;
   }
   constexpr double farMore = 1e6;
   const double missing = worstSigma(sum) / options_.sigma;
@@ -82,21 +136,16 @@ std::map<std::string, double> PlanScore::sigmas(const std::vector<SievedPose>& p
 }
 
 std::map<std::string, double> PlanScore::sigmasOfRobots(const std::vector<SievedPose>& poses) const {
-  constexpr int robots = 100;
-  const double width = options_.poses.stability.jointError;
-  std::mt19937_64 random{options_.poses.seed};
-  std::uniform_real_distribution<double> error{-width, width};
+  constexpr std::size_t robots = 100;
+  std::vector<SievedPose> all = kept_;
+  all.insert(all.end(), poses.begin(), poses.end());
   Eigen::VectorXd variances = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(judge_.joints().size()));
-  for (int i = 0; i < robots; ++i) {
-    std::vector<double> errors(robot_.joints.size());
-    std::generate(errors.begin(), errors.end(), [&] { return error(random); });
-    std::vector<SievedPose> worn = poses;
-    for (SievedPose& pose : worn) {
-      for (std::size_t joint = 0; joint < errors.size(); ++joint) {
-        pose.belief.angle(joint) += errors[robot_.joints[joint].motor];
-      }
+  for (const Eigen::VectorXd& errors : wornRobots(robot_, options_.poses, robots, 2)) {
+    Eigen::MatrixXd sum = judge_.prior();
+    for (const Eigen::MatrixXd& part : partsOfDrawn(takenBy(errors, all))) {
+      sum += part;
     }
-    variances += judge_.covariance(sum(worn)).diagonal() / robots;
+    variances += judge_.covariance(sum).diagonal() / robots;
   }
   return named(variances);
 }

@@ -39,6 +39,8 @@ Capture plannedCapture(const CaptureSet& set, const Robot& robot, const Proposed
   return capture;
 }
 
+} // namespace
+
 std::vector<BoardCorners> seenBy(const std::string& camera, const std::vector<Sight>& sights) {
   std::vector<BoardCorners> result;
   for (const Sight& sight : sights) {
@@ -49,8 +51,6 @@ std::vector<BoardCorners> seenBy(const std::string& camera, const std::vector<Si
   }
   return result;
 }
-
-} // namespace
 
 std::string plannedName(std::size_t pose) {
   return fmt::format("planned {:06}", pose);
@@ -92,8 +92,7 @@ std::vector<ProposedPose> feasibleByFit(const std::vector<CaptureSet>& sets, con
   const Robot& robot = measurements.robot;
   std::map<SupportFoot, Scene> scenes;
   for (const Surroundings& here : around) {
-    scenes.try_emplace(here.supportFoot, robot, supportSole(robot, here.supportFoot), here.boards, sets.back().cameras,
-                       SightLimits{});
+    scenes.try_emplace(here.supportFoot, robot, here.supportFoot, here.boards, sets.back().cameras, SightLimits{});
   }
   std::map<std::size_t, Picture> pictures; // per camera in use, the last one: only its angles will change
   for (const Picture& picture : measurements.pictures) {
@@ -111,8 +110,7 @@ std::vector<ProposedPose> feasibleByFit(const std::vector<CaptureSet>& sets, con
       Belief belief = scene.drawn();
       belief.values.head(ofRobot) = believed(measurements, model, picture, unknowns).values.head(ofRobot);
       const Posture torsoFromLink = posture(robot, belief);
-      if (!stands(robot, torsoFromLink, supportSole(robot, pose.supportFoot), otherSole(robot, pose.supportFoot),
-                  fittedFooting)) {
+      if (!stands(robot, torsoFromLink, pose.supportFoot, fittedFooting)) {
         break;
       }
       for (Sight& sight : scene.sights(belief, torsoFromLink)) {

@@ -20,6 +20,9 @@ struct ProposedPose {
 std::vector<CaptureSet> withPlanned(const std::vector<CaptureSet>& sets, const Robot& robot,
                                     const std::vector<ProposedPose>& poses);
 
+/// What a camera sees, corners' pixels nothing.
+std::vector<BoardCorners> seenBy(const std::string& camera, const std::vector<Sight>& sights);
+
 /// The name of a planned pose's captures.
 std::string plannedName(std::size_t pose);
 

@@ -10,16 +10,15 @@ namespace {
 
 constexpr std::size_t chunk = 5000; // attitudes
 
-/// J^T (pixel^2 I + J_t s^2 J_t^T)^-1 J of J^T J, by Woodbury: an offset and the deflections of its joint have the same
+/// J^T (R + J_t s^2 J_t^T)^-1 J of J^T R^-1 J, by Woodbury: an offset and the deflections of its joint have the same
 /// columns.
 Eigen::MatrixXd whitened(const Eigen::MatrixXd& gram, Eigen::Index joints, const Noise& noise) {
-  const double information = 1 / (noise.pixel * noise.pixel);
   const double deflection = noise.encoder * noise.encoder + noise.pose * noise.pose;
-  const Eigen::MatrixXd byJoints = information * gram.leftCols(joints);
+  const Eigen::MatrixXd byJoints = gram.leftCols(joints);
   Eigen::MatrixXd inner = byJoints.topRows(joints);
   inner.diagonal().array() += 1 / deflection;
   const Eigen::MatrixXd half = inner.llt().matrixL().solve(byJoints.transpose());
-  return information * gram - half.transpose() * half;
+  return gram - half.transpose() * half;
 }
 
 } // namespace
@@ -59,7 +58,7 @@ std::vector<Eigen::MatrixXd> informations(const Robot& robot, const Scene& scene
     const auto joints = static_cast<Eigen::Index>(robot.joints.size());
     Belief belief = scene.drawn(); // the boards may lie elsewhere than when the pose was drawn
     belief.values.head(joints) = poses[i].belief.values.head(joints);
-    result[i] = whitened(scene.information(belief, posture(robot, belief)), joints, noise);
+    result[i] = whitened(scene.information(belief, posture(robot, belief), noise.pixel), joints, noise);
   });
   return result;
 }

@@ -30,8 +30,8 @@ bool PoseChecks::touchesItself(const Posture& torsoFromLink) const {
 
 std::optional<double> PoseChecks::standing(const Belief& belief, const Posture& torsoFromLink,
                                            std::mt19937_64& random) const {
-  return stands(robot_, torsoFromLink, support_, other_, options_.footing)
-             ? shareStanding(robot_, belief, support_, other_, options_.stability, random)
+  return stands(robot_, torsoFromLink, options_.supportFoot, options_.footing)
+             ? shareStanding(robot_, belief, options_.supportFoot, options_.stability, random)
              : std::nullopt;
 }
 

@@ -9,7 +9,7 @@
 
 namespace naocal {
 
-/// What makes a pose on one foot a safe one.
+/// What makes a standing pose a safe one.
 class PoseChecks {
 public:
   PoseChecks(const Robot& robot, const PoseOptions& options);

@@ -53,6 +53,7 @@ double PoseJudge::operator()(const Eigen::MatrixXd& information) const {
     return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>{covariance, Eigen::EigenvaluesOnly}.eigenvalues().maxCoeff();
   case Criterion::worst:
   case Criterion::interaction:
+  case Criterion::discriminate:
   case Criterion::time:
     break;
   }

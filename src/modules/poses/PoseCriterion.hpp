@@ -11,14 +11,15 @@ namespace naocal {
 
 /// What a set of poses should make small, of the joint offsets' covariance C or else.
 enum class Criterion {
-  determinant, // D: the volume, log det C
-  trace,       // A: the mean variance
-  eigenvalue,  // E: the worst direction's variance
-  worst,       // the worst joint's variance (smoothly: a norm), be cameras and boards unknown or, 3.4 times, known
-  interaction, // the thesis's: what looks alike to the cameras (poses/Interaction.hpp)
-  time         // the seconds that it takes to play poses which reach a sigma that is asked for
+  determinant,  // D: the volume, log det C
+  trace,        // A: the mean variance
+  eigenvalue,   // E: the worst direction's variance
+  worst,        // the worst joint's variance (smoothly: a norm), be cameras and boards unknown or, 3.4 times, known
+  interaction,  // the thesis's: what looks alike to the cameras (poses/Interaction.hpp)
+  discriminate, // what leaves open which of two effects is there (poses/TellingApart.hpp)
+  time          // the seconds that it takes to play poses which reach a sigma that is asked for
 };
-constexpr std::array<std::string_view, 6> criterionNames{"D", "A", "E", "worst", "thesis", "time"};
+constexpr std::array<std::string_view, 7> criterionNames{"D", "A", "E", "worst", "thesis", "discriminate", "time"};
 constexpr std::string_view name(Criterion criterion) {
   return criterionNames[static_cast<std::size_t>(criterion)];
 }
@@ -37,7 +38,7 @@ public:
 
   /// Of the offsets, by a sum of parts [rad^2].
   Eigen::MatrixXd covariance(const Eigen::MatrixXd& sum) const;
-  /// The value to make small, by a sum of parts (`interaction`, `time`: as `worst`).
+  /// The value to make small, by a sum of parts (`interaction`, `discriminate`, `time`: as `worst`).
   double operator()(const Eigen::MatrixXd& information) const;
 
   const std::vector<std::size_t>& joints() const { return joints_; }

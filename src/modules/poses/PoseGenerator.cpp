@@ -24,7 +24,7 @@ std::vector<Belief> stableAttitudes(const Robot& robot, const Scene& scene, cons
 std::vector<PlannedPose> stablePoses(const Robot& robot, const std::vector<Board>& boards,
                                      const std::map<std::string, CameraIntrinsics>& cameras,
                                      const PoseOptions& options) {
-  const Scene scene{robot, supportSole(robot, options.supportFoot), boards, cameras, options.sight};
+  const Scene scene{robot, options.supportFoot, boards, cameras, options.sight};
   const std::vector<Belief> found = stableAttitudes(robot, scene, options, options.choice * options.count);
   if (found.size() < options.count) {
     throw InputError{fmt::format("expected {} stable poses that see a board, found {} in {} attempts; put the boards "

@@ -52,7 +52,7 @@ nlohmann::json posesOf(const std::vector<ProposedPose>& poses, const std::vector
     for (const Sight& sight : pose.sights) {
       boards.insert(sight.board);
     }
-    result.push_back({{"id", fmt::format("{}{:02}", pose.supportFoot == SupportFoot::right ? 'R' : 'L', i)},
+    result.push_back({{"id", fmt::format("{}{:02}", "LRB"[static_cast<std::size_t>(pose.supportFoot)], i)},
                       {"supportFoot", supportFootWords[static_cast<std::size_t>(pose.supportFoot)]},
                       {"joints", perJoint(robot, pose.angles, false)},
                       {"approach", perJoint(robot, poses[i].approach, true)},

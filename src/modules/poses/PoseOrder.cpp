@@ -87,16 +87,35 @@ WayChecks::WayChecks(const Robot& robot, const PoseOptions& options, const Motio
 
 std::optional<double> WayChecks::seconds(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const {
   std::mt19937_64 random{options_.seed};
+  const Posture before = posture(robot_, from);
+  if (slides(before, posture(robot_, to))) {
+    return std::nullopt;
+  }
   Belief belief = drawnBelief(robot_, Quantities{robot_.joints.size(), robot_.lengths.size(), 0});
   const int steps = std::max(1, static_cast<int>(std::ceil((to - from).cwiseAbs().maxCoeff() / motion_.step)));
   for (int i = 1; i < steps; ++i) {
     belief.values.head(from.size()) = from + (to - from) * i / steps;
     const Posture torsoFromLink = posture(robot_, belief);
-    if (checks_.touchesItself(torsoFromLink) || !checks_.standing(belief, torsoFromLink, random)) {
+    if (slides(before, torsoFromLink) || checks_.touchesItself(torsoFromLink) ||
+        !checks_.standing(belief, torsoFromLink, random)) {
       return std::nullopt;
     }
   }
   return secondsBetween(robot_, from, to, motion_.speed);
+}
+
+/// On both feet: whether a corner of the other sole comes to lie elsewhere, seen from the support sole.
+bool WayChecks::slides(const Posture& before, const Posture& now) const {
+  if (options_.supportFoot != SupportFoot::both) {
+    return false;
+  }
+  const Sole &support = checks_.support(), &other = checks_.other();
+  const RigidTransform then = before[support.link].inverse() * before[other.link],
+                       there = now[support.link].inverse() * now[other.link];
+  return std::any_of(other.outline.begin(), other.outline.end(), [&](const Eigen::Vector2d& corner) {
+    const Eigen::Vector3d point{corner.x(), corner.y(), 0};
+    return (then * point - there * point).norm() > motion_.slip;
+  });
 }
 
 double secondsToPlay(const Robot& robot, const std::vector<SievedPose>& poses, double secondsPerPose) {

@@ -14,6 +14,7 @@ struct Motion {
   double share = 0.97; // of robots with joint errors that must stand all along
   double speed = 0.15; // a robot on one foot moves slowly
   double step = 0.03;  // at most this far between checks, of the joint that moves most [rad]
+  double slip = 0.003; // on both feet: of a corner of the other sole, that gears and soles may give way [m]
 };
 
 /// From one pose to another (angles per joint), the slowest joint at a share `speed` of its full one [s].
@@ -27,10 +28,12 @@ public:
   WayChecks& operator=(const WayChecks&) = delete;
 
   /// Of the motion from one to the other; absent where the robot, or too many of those with joint errors, would fall
-  /// over or touch itself on the way.
+  /// over or touch itself on the way, or a foot of both would slide.
   std::optional<double> seconds(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const;
 
 private:
+  bool slides(const Posture& before, const Posture& now) const;
+
   const Robot& robot_;
   Motion motion_;
   PoseOptions options_; // on the way

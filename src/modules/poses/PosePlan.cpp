@@ -4,13 +4,9 @@
 #include "poses/BoardPlaces.hpp"
 #include "poses/Mirror.hpp"
 #include "poses/MirroredPlan.hpp"
-#include "poses/PlanRefinement.hpp"
+#include "poses/PlanSearch.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
-#include <limits>
-#include <mutex>
-#include <tbb/parallel_for.h>
 
 namespace naocal {
 
@@ -39,98 +35,29 @@ public:
                                    "boards nearer, try more candidates or ask for fewer poses",
                                    options_.poses.count, candidates.attitudes.size(), options_.poses.tries)};
     }
+    thin(candidates.attitudes);
     if (options_.compare) {
       tell_("comparing what the criteria select");
       result.comparison = compareCriteria(robot_, draft_.boards, cameras_, options_, candidates.attitudes);
     }
-    if (options_.criterion == Criterion::time) {
-      chooseQuickest(candidates.attitudes);
-    } else {
-      chooseAndRefine(candidates.attitudes);
-    }
+    draft_ = PlanSearch{robot_, cameras_, options_, tell_}.found(draft_.boards, candidates.attitudes);
+    options_.poses.count = draft_.poses.size();
     describe(result);
     result.sieve = candidates.sieve;
     return result;
   }
 
 private:
-  PlanScore score() const { return score(options_); }
-  PlanScore score(const PlanOptions& options) const { return {robot_, draft_.boards, cameras_, options}; }
+  PlanScore score() const { return {robot_, draft_.boards, cameras_, options_}; }
 
-  void chooseAndRefine(const std::vector<SievedPose>& attitudes) {
-    if (options_.criterion == Criterion::interaction) { // as the thesis has it: selected, not refined
-      draft_.poses = score().best(attitudes, options_.poses.count);
-      return;
-    }
-    std::vector<PlanDraft> drafts(options_.starts, draft_);
-    tbb::parallel_for(std::size_t{0}, drafts.size(), [&](std::size_t i) {
-      PlanOptions beginning = options_;
-      beginning.criterion = static_cast<Criterion>(i % static_cast<std::size_t>(Criterion::interaction));
-      drafts[i].poses = score(beginning).best(attitudes, options_.poses.count);
-      refine(drafts[i], attitudes, i);
-    });
-    const auto better = [this](const PlanDraft& one, const PlanDraft& other) { return value(one) < value(other); };
-    draft_ = *std::min_element(drafts.begin(), drafts.end(), better);
-    for (std::size_t round = 1; round < options_.rounds; ++round) {
-      refine(draft_, attitudes, options_.starts + round);
-    }
-  }
-
-  /// As few poses as reach the sigma, and more as long as that saves time.
-  void chooseQuickest(const std::vector<SievedPose>& attitudes) {
-    constexpr double reached = 1e5; // [s]
-    const std::size_t most = options_.poses.count;
-    PlanDraft best;
-    double least = std::numeric_limits<double>::infinity();
-    for (options_.poses.count = 2; options_.poses.count <= most; ++options_.poses.count) {
-      PlanDraft draft{score().best(attitudes, options_.poses.count), draft_.boards};
-      refine(draft, attitudes, options_.poses.count);
-      const double there = value(draft);
-      if (there > least && least < reached) {
-        break;
+  /// On both feet a million attitudes leave a hundred thousand candidates; more of them serve no plan.
+  void thin(std::vector<SievedPose>& attitudes) const {
+    if (attitudes.size() > options_.weighed) {
+      for (std::size_t i = 0; i < options_.weighed; ++i) {
+        std::swap(attitudes[i], attitudes[i * attitudes.size() / options_.weighed]);
       }
-      if (there < least) {
-        least = there;
-        best = std::move(draft);
-      }
+      attitudes.resize(options_.weighed, attitudes.front());
     }
-    if (least > reached) {
-      throw InputError{
-          fmt::format("expected at most {} poses to tell every offset to {:.3f} degrees, found {:.3f}; ask "
-                      "for more poses or less",
-                      most, degrees(options_.sigma), worst(best))};
-    }
-    draft_ = std::move(best);
-    options_.poses.count = draft_.poses.size();
-  }
-
-  /// Refines what is drafted, and once more from what is then the best selection.
-  void refine(PlanDraft& draft, std::vector<SievedPose> attitudes, std::uint64_t seed) {
-    PlanRefinement refinement{robot_, cameras_, options_, options_.poses.seed + seed};
-    for (const bool again : {false, true}) {
-      if (again && options_.criterion != Criterion::time) {
-        attitudes.insert(attitudes.end(), draft.poses.begin(), draft.poses.end());
-        draft.poses = PlanScore{robot_, draft.boards, cameras_, options_}.best(attitudes, options_.poses.count);
-      }
-      refinement.refinePoses(draft);
-      if (options_.moveBoards) {
-        refinement.refineBoards(draft);
-      }
-    }
-    const std::string found =
-        fmt::format("refined {} poses: the worst offset's sigma is {:.4f} deg", draft.poses.size(), worst(draft));
-    const std::lock_guard lock{telling_};
-    tell_(found);
-  }
-
-  double value(const PlanDraft& draft) const {
-    const PlanScore here{robot_, draft.boards, cameras_, options_};
-    return here.value(here.sum(draft.poses), draft.poses);
-  }
-
-  double worst(const PlanDraft& draft) const { // [deg]
-    const PlanScore here{robot_, draft.boards, cameras_, options_};
-    return degrees(here.worstSigma(here.sum(draft.poses)));
   }
 
   void describe(PosePlan& result) {
@@ -144,6 +71,7 @@ private:
     result.sigmaKnown = here.sigmas(draft_.poses, true);
     result.sigmaOfRobots = here.sigmasOfRobots(draft_.poses);
     result.interaction = here.interaction(draft_.poses);
+    result.misfit = here.misfit(draft_.poses);
     result.tolerances = boardTolerances(robot_, draft_.boards, cameras_, options_, draft_.poses);
     result.kept = options_.kept.size();
     std::vector<SievedPose> all = here.kept();
@@ -155,7 +83,7 @@ private:
       belief.values.head(joints) = attitude.belief.values.head(joints);
       result.poses.push_back({{options_.poses.supportFoot, belief.values.head(joints),
                                here.scene().sights(belief, posture(robot_, belief))},
-                              Eigen::VectorXd::Zero(joints)});
+                              attitude.approach.size() > 0 ? attitude.approach : Eigen::VectorXd::Zero(joints)});
       result.standing.push_back(attitude.standing);
     }
     result.options = options_;
@@ -169,7 +97,6 @@ private:
   PlanOptions options_;
   const std::function<void(const std::string&)>& tell_;
   PlanDraft draft_;
-  std::mutex telling_;
 };
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "poses/PoseWays.hpp"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,12 +25,14 @@ struct PosePlan {
   std::map<std::string, double> sigma, sigmaKnown; // per joint's offset; with cameras and boards known [rad]
   std::map<std::string, double> sigmaOfRobots;     // of robots with joint errors, root of the mean square [rad]
   Interaction interaction;                         // that the poses leave, by the thesis's measure
+  std::optional<double> misfit;                    // by which the poses tell PlanOptions::effects apart (chi2)
   std::vector<CriterionResult> comparison;         // with PlanOptions::compare
   PlanOptions options;
 };
 
-/// Plans poses on one foot that tell the joint offsets of its leg and the head best: candidates are sieved, the best
-/// are selected, then poses and boards are moved a little as long as that helps; again from the boards' new places.
+/// Plans poses on one foot or both that tell the joint offsets of its leg or both and the head best: candidates are
+/// sieved, the best are selected, then poses and boards are moved a little as long as that helps; again from the
+/// boards' new places.
 ///
 /// `boards`: with placements in the support sole's frame to begin with. Throws InputError when there are too few
 /// candidates. `tell`: what is being done, for people.

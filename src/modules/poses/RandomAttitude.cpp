@@ -1,13 +1,10 @@
 #include "poses/RandomAttitude.hpp"
 
-#include <algorithm>
 #include <set>
 
 namespace naocal {
 
 namespace {
-
-constexpr std::size_t legRanges = 11; // that `standUp` draws from
 
 std::vector<std::size_t> headJoints(const Robot& robot) {
   std::set<std::size_t> joints;
@@ -30,8 +27,8 @@ Sieve& Sieve::operator+=(const Sieve& other) {
 }
 
 RandomAttitude::RandomAttitude(const Robot& robot, const Scene& scene, const PoseOptions& options, std::size_t first)
-    : robot_{robot}, scene_{scene}, options_{options}, checks_{robot, options}, feet_{robot, options.supportFoot},
-      head_{headJoints(robot)}, hanging_{scene.drawn()}, point_(legRanges + head_.size()) {
+    : robot_{robot}, scene_{scene}, checks_{robot, options}, legs_{robot, options}, head_{headJoints(robot)},
+      hanging_{scene.drawn()}, point_(legs_.ranges() + head_.size()) {
   points_ = unitPoints(options.sampling, options.seed, point_.size(), options.tries, first);
   std::seed_seq mixed{options.seed, static_cast<std::uint64_t>(first), std::uint64_t{1}};
   random_.seed(mixed);
@@ -52,10 +49,11 @@ std::optional<Belief> RandomAttitude::reached(const std::vector<double>& point) 
   point_ = point;
   used_ = 0;
   Belief belief = hanging_;
-  if (!standUp(belief)) {
+  const auto draw = [&](const Interval& interval) { return from(interval); };
+  if (!legs_.bend(belief, draw) || !checks_.withinLimits(belief, legs_.joints())) {
     return std::nullopt;
   }
-  turnHead(belief, [&](const Interval& interval) { return from(interval); });
+  turnHead(belief, draw);
   return belief;
 }
 
@@ -83,32 +81,12 @@ std::optional<SievedPose> RandomAttitude::attempt(int glances, Sieve& sieve) {
   ++sieve.seeing;
   for (std::size_t i = 0; i < head_.size(); ++i) {
     const AngleRange& limits = robot_.joints[head_[i]].limits;
-    result.point[legRanges + i] = (result.belief.angle(head_[i]) - limits.lower) / (limits.upper - limits.lower);
+    result.point[legs_.ranges() + i] = (result.belief.angle(head_[i]) - limits.lower) / (limits.upper - limits.lower);
   }
   return result;
 }
 
-bool RandomAttitude::standUp(Belief& belief) {
-  const double outwards = options_.supportFoot == SupportFoot::left ? 1 : -1; // the support foot's outer side
-  RigidTransform soleFromTorso;
-  soleFromTorso.rotation = rotationZ(from(options_.yaw)) * rotationY(from(options_.pitch));
-  soleFromTorso.rotation *= rotationX(from(options_.roll));
-  RigidTransform soleFromOther;
-  soleFromOther.rotation = rotationY(from(options_.otherTilt));
-  soleFromOther.rotation *= rotationX(from(options_.otherTilt));
-  soleFromOther.translation.x() = from(options_.otherForwards);
-  soleFromOther.translation.y() = -outwards * from(options_.otherSideways);
-  soleFromOther.translation.z() = from(options_.otherUp);
-  Eigen::Vector2d centre = feet_.middle();
-  centre.x() += from(options_.centreForwards);
-  centre.y() += outwards * from(options_.centreOutwards);
-  soleFromTorso.translation.z() = from(options_.height);
-  return feet_.stand(belief, soleFromTorso, soleFromOther, centre) &&
-         checks_.withinLimits(belief, feet_.supportLeg().joints()) &&
-         checks_.withinLimits(belief, feet_.otherLeg().joints());
-}
-
-void RandomAttitude::turnHead(Belief& belief, const std::function<double(const Interval&)>& draw) const {
+void RandomAttitude::turnHead(Belief& belief, const DrawnNumber& draw) const {
   for (const std::size_t joint : head_) {
     belief.angle(joint) = draw({robot_.joints[joint].limits.lower, robot_.joints[joint].limits.upper});
   }

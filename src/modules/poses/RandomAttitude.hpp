@@ -1,9 +1,8 @@
 #pragma once
 
-#include "poses/OneFoot.hpp"
 #include "poses/PoseChecks.hpp"
+#include "poses/StandingLegs.hpp"
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <random>
@@ -16,9 +15,10 @@ struct SievedPose {
   Belief belief;
   std::vector<double> point; // where in the ranges it was drawn from, one number in [0, 1] per range
   double standing = 0;       // share of robots with joint errors that stand so
+  Eigen::VectorXd approach;  // per joint as in ProposedPose; empty: any
 };
 
-/// Draws attitudes of a robot on one foot from the ranges of PoseOptions, and sieves them.
+/// Draws attitudes of a standing robot from the ranges of PoseOptions, and sieves them.
 class RandomAttitude {
 public:
   /// `first`: where in the sequence of attitudes to begin.
@@ -34,20 +34,17 @@ public:
   std::optional<Belief> reached(const std::vector<double>& point);
 
 private:
-  /// Legs: the torso somewhere over the support sole, the centre of mass where it was drawn.
-  bool standUp(Belief& belief);
   std::optional<SievedPose> attempt(int glances, Sieve& sieve);
   /// Head: as drawn, else anywhere, until a board is in sight of the robot, which must remain stable.
   bool lookAround(SievedPose& attitude, int glances);
-  void turnHead(Belief& belief, const std::function<double(const Interval&)>& draw) const;
+  void turnHead(Belief& belief, const DrawnNumber& draw) const;
 
   double from(const Interval& interval); // by the next number of the point
 
   const Robot& robot_;
   const Scene& scene_;
-  const PoseOptions& options_;
   PoseChecks checks_;
-  OneFoot feet_;
+  StandingLegs legs_;
   std::vector<std::size_t> head_; // joints between the root and the cameras
   Belief hanging_;                // all joints at rest
   std::unique_ptr<UnitPoints> points_;

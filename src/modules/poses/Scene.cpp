@@ -1,6 +1,8 @@
 #include "poses/Scene.hpp"
 
 #include "captures/InputError.hpp"
+#include "geometry/Index.hpp"
+#include "poses/Stability.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -11,10 +13,6 @@ namespace naocal {
 
 namespace {
 
-Eigen::Index index(std::size_t i) {
-  return static_cast<Eigen::Index>(i);
-}
-
 /// All corners of a board, to be projected.
 CornerBlocks allCorners(const Board& board) {
   BoardCorners all{.board = board.id, .ids = std::vector<int>(board.points.size()), .uv = {}};
@@ -23,23 +21,9 @@ CornerBlocks allCorners(const Board& board) {
   return cornerBlocks(board, all);
 }
 
-/// What pixels of the corners seen tell about the picture's six-dimensional motion.
-Eigen::Matrix<double, 6, 6> ofMotion(const ProjectedBlocks& corners, const std::vector<int>& seen) {
-  Eigen::Matrix<double, 6, 6> sum = Eigen::Matrix<double, 6, 6>::Zero();
-  for (const int corner : seen) {
-    const ProjectedBlock& block = corners[static_cast<std::size_t>(corner / 4)];
-    Eigen::Matrix<double, 6, 2> rows;
-    for (int i = 0; i < 6; ++i) {
-      rows.row(i) << block.rowsU[i][corner % 4], block.rowsV[i][corner % 4];
-    }
-    sum += rows * rows.transpose();
-  }
-  return sum;
-}
-
 } // namespace
 
-Scene::Scene(const Robot& robot, const Sole& support, const std::vector<Board>& boards,
+Scene::Scene(const Robot& robot, SupportFoot foot, const std::vector<Board>& boards,
              const std::map<std::string, CameraIntrinsics>& cameras, const SightLimits& limits)
     : robot_{robot}, limits_{limits}, boards_{boards},
       quantities_{robot.joints.size(), robot.lengths.size(), boards.size()}, drawn_{drawnBelief(robot, quantities_)} {
@@ -52,6 +36,10 @@ Scene::Scene(const Robot& robot, const Sole& support, const std::vector<Board>& 
     }
     drawn_.boardPlacement(board) << placement->x, placement->y, placement->z, placement->roll, placement->pitch,
         placement->yaw;
+  }
+  const Sole& support = supportSole(robot, foot);
+  if (foot == SupportFoot::both) {
+    otherSole_ = View::betweenLinks(robot, quantities_, otherSole(robot, foot).link, support.link);
   }
   for (const auto& [name, lens] : cameras) {
     const auto camera = robot.cameraIndex(name);
@@ -78,7 +66,7 @@ Scene::Projection Scene::projection(const Outlook& outlook, Belief& belief, cons
   }
   const Eigen::Vector3d cameraInBoard = result.attitude.opticalFromBoard.inverse().translation;
   for (std::size_t corner = 0; corner < board.points.size(); ++corner) {
-    const auto lane = index(corner % 4);
+    const auto lane = at(corner % 4);
     const double u = result.corners[corner / 4].u[lane], v = result.corners[corner / 4].v[lane];
     const Eigen::Vector3d ray = cameraInBoard - board.points[corner];
     const double distance = ray.norm();
@@ -101,6 +89,11 @@ std::vector<std::size_t> Scene::joints() const {
       motors.insert(robot_.joints[joint].motor);
     }
   }
+  if (otherSole_) {
+    for (const std::size_t joint : otherSole_->joints()) {
+      motors.insert(robot_.joints[joint].motor);
+    }
+  }
   return {motors.begin(), motors.end()};
 }
 
@@ -114,52 +107,6 @@ std::vector<Sight> Scene::sights(const Belief& belief, const Posture& torsoFromL
     }
   }
   return sights;
-}
-
-Eigen::MatrixXd Scene::information(const Belief& belief, const Posture& torsoFromLink) const {
-  const std::size_t mounts = robot_.joints.size(), boards = mounts + 3 * robot_.cameras.size();
-  const auto size = index(boards + 3 * boards_.size());
-  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(size, size);
-  Belief own = belief;
-  for (const Outlook& outlook : outlooks_) {
-    const Projection seen = projection(outlook, own, torsoFromLink);
-    if (seen.seen.empty()) {
-      continue;
-    }
-    std::vector<std::size_t> quantities, unknowns; // what moves the picture, and the unknown behind it
-    const auto add = [&](std::size_t quantity, std::size_t unknown) {
-      quantities.push_back(quantity);
-      unknowns.push_back(unknown);
-    };
-    for (const std::size_t joint : outlook.view.joints()) {
-      add(quantities_.angle(joint), robot_.joints[joint].motor);
-    }
-    const std::size_t board = outlook.view.board();
-    for (const std::size_t i : {0, 1, 2}) {
-      add(quantities_.mountRotation() + i, mounts + 3 * outlook.camera + i);
-      add(quantities_.board(board) + (i < 2 ? i : 5), boards + 3 * board + i);
-    }
-    Eigen::MatrixXd motion(6, index(quantities.size()));
-    outlook.view.motion(robot_, seen.attitude, own, torsoFromLink, quantities, {}, motion);
-    const Eigen::MatrixXd ofQuantities = motion.transpose() * ofMotion(seen.corners, seen.seen) * motion;
-    for (std::size_t a = 0; a < unknowns.size(); ++a) {
-      for (std::size_t b = 0; b < unknowns.size(); ++b) {
-        information(index(unknowns[a]), index(unknowns[b])) += ofQuantities(index(a), index(b));
-      }
-    }
-  }
-  return information;
-}
-
-Eigen::MatrixXd Scene::priorInformation() const {
-  // Offsets are uniform within 6.5 degrees and cameras turned by up to 2; boards lie about where they should.
-  const double offset = radians(6.5) / std::sqrt(3.0), mount = radians(2) / std::sqrt(3.0); // [rad]
-  constexpr double board = 0.1;                                                             // [m] and [rad]
-  const auto offsets = index(robot_.joints.size()), mounts = index(3 * robot_.cameras.size());
-  Eigen::VectorXd sigma = Eigen::VectorXd::Constant(offsets + mounts + index(3 * boards_.size()), board);
-  sigma.head(offsets).setConstant(offset);
-  sigma.segment(offsets, mounts).setConstant(mount);
-  return sigma.array().square().inverse().matrix().asDiagonal();
 }
 
 } // namespace naocal

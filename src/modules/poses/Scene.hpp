@@ -5,6 +5,7 @@
 #include "model/Picture.hpp"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,25 +26,26 @@ struct Sight {
   std::vector<int> corners; // ids
 };
 
-/// A robot on one sole, boards around it on the floor, and what its cameras see of them.
+/// A robot on one sole or both, boards around it on the floor, and what its cameras see of them.
 class Scene {
 public:
-  /// `boards`: with their placements in the support sole's frame, else InputError. `cameras`: by the robot's names.
-  Scene(const Robot& robot, const Sole& support, const std::vector<Board>& boards,
+  /// `boards`: with their placements in the support sole's frame (on both feet the left one's), else InputError.
+  /// `cameras`: by the robot's names.
+  Scene(const Robot& robot, SupportFoot foot, const std::vector<Board>& boards,
         const std::map<std::string, CameraIntrinsics>& cameras, const SightLimits& limits);
 
   /// The drawn robot on its sole among the boards, all angles zero.
   const Belief& drawn() const { return drawn_; }
 
-  /// Joints between the sole and the cameras, by their motors.
+  /// Joints between the sole and the cameras, by their motors; on both feet the other leg's too.
   std::vector<std::size_t> joints() const;
 
   std::vector<Sight> sights(const Belief& belief, const Posture& torsoFromLink) const;
 
-  /// J^T J over the corners in sight, for 1 px of noise: what the pictures of a pose tell about the unknowns: an offset
-  /// per joint of the drawing (at its motor) [rad], three rotations per camera [rad], and x, y [m], yaw [rad] per
-  /// board.
-  Eigen::MatrixXd information(const Belief& belief, const Posture& torsoFromLink) const;
+  /// J^T R^-1 J over the corners in sight, `pixel` being their noise [px]: what the pictures of a pose tell about the
+  /// unknowns: an offset per joint of the drawing (at its motor) [rad], three rotations per camera [rad], and x, y [m],
+  /// yaw [rad] per board. On both feet also over how the right sole lies on the left one's floor (FloorContact).
+  Eigen::MatrixXd information(const Belief& belief, const Posture& torsoFromLink, double pixel = 1) const;
 
   /// What is known of them before any picture: 1 / sigma^2 on the diagonal.
   Eigen::MatrixXd priorInformation() const;
@@ -65,12 +67,15 @@ private:
   };
   Projection projection(const Outlook& outlook, Belief& belief, const Posture& torsoFromLink) const;
 
+  void addFloorContact(const Belief& belief, const Posture& torsoFromLink, Eigen::MatrixXd& information) const;
+
   const Robot& robot_;
   SightLimits limits_;
   std::vector<Board> boards_;
   Quantities quantities_;
   Belief drawn_;
   std::vector<Outlook> outlooks_;
+  std::optional<View> otherSole_; // on both feet: how it sees the floor
 };
 
 } // namespace naocal

@@ -1,15 +1,13 @@
 #include "geometry/Index.hpp"
+#include "residuals/FloorContact.hpp"
 #include "residuals/Workspace.hpp"
 
 #include <Eigen/Geometry>
 
 namespace naocal {
 
-namespace {} // namespace
-
 /// The other sole's height over the floor and its tilt are zero but for `FloorContact`; in units of pixels, as all sums
 /// are.
-///   height = -n . t, d(height) = -n . v;  n = the floor's normal in the sole, d(n) = omega x n
 void Residuals::addFloorContact(const Picture& picture, const PreparedPicture& prepared, Workspace& work,
                                 PoseSystem& system) const {
   const View& sole = *picture.otherSole;
@@ -17,10 +15,7 @@ void Residuals::addFloorContact(const Picture& picture, const PreparedPicture& p
   const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
   const Eigen::Vector3d scale =
       noise_.pixel * Eigen::Vector3d{1 / FloorContact::height, 1 / FloorContact::tilt, 1 / FloorContact::tilt};
-  Eigen::Matrix<double, 3, 6> byMotion = Eigen::Matrix<double, 3, 6>::Zero();
-  byMotion.row(0).tail<3>() = -normal.transpose();
-  byMotion.bottomLeftCorner<2, 3>() = -crossMatrix(normal).topRows<2>();
-  byMotion = scale.asDiagonal() * byMotion;
+  const Eigen::Matrix<double, 3, 6> byMotion = noise_.pixel * floorContactByMotion(normal);
   const Eigen::Vector3d residual =
       scale.cwiseProduct(Eigen::Vector3d{-normal.dot(attitude.opticalFromWorld.translation), normal.x(), normal.y()});
   work.motion.resize(6, at(prepared.floor.quantities.size()));

@@ -15,12 +15,6 @@ struct Noise {
   double pose = 0; // of a deflection that all captures of a pose share (stiction), per joint [rad]
 };
 
-/// How flat soles and floor are, where the robot stands on both feet.
-struct FloorContact {
-  static constexpr double height = 0.001; // of one sole over the other's floor [m]
-  static constexpr double tilt = 0.005;   // [rad]
-};
-
 /// How far an inertial unit's angles are off at rest, beside its tilt in the torso. No data sheet tells; readings of a
 /// standing robot wander by some tenths of a degree.
 struct ImuReading {
