@@ -1,6 +1,7 @@
 #pragma once
 
 #include "RobotV6.hpp"
+#include "evaluate/ThesisPoses.hpp"
 #include "evaluate/ThesisStage.hpp"
 
 #include <map>
@@ -9,13 +10,12 @@ namespace naocal {
 
 /// The stage of a setting; its poses are chosen once.
 inline ThesisStage thesisStageFor(const ThesisSetting& setting) {
-  static std::map<ThesisFeature, std::vector<Eigen::VectorXd>> nested;
-  std::vector<Eigen::VectorXd>& all = nested[setting.feature];
+  static std::map<std::pair<ThesisFeature, PoseChoice>, std::vector<Eigen::VectorXd>> chosen;
+  std::vector<Eigen::VectorXd>& all = chosen[{setting.feature, setting.choice}];
   if (all.empty()) {
-    all = thesisPoses(v6(), setting.feature, 8);
+    all = thesisPoses(v6(), setting.feature, setting.choice, 8);
   }
-  return {
-      v6(), setting.feature, {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(setting.poses)}, setting.samples};
+  return {v6(), setting, posesOf(setting, v6(), all)};
 }
 
 } // namespace naocal

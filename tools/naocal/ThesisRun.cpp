@@ -1,6 +1,7 @@
 #include "ThesisRun.hpp"
 
 #include "Progress.hpp"
+#include "evaluate/ThesisPoses.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -72,7 +73,7 @@ private:
       const auto start = std::chrono::steady_clock::now();
       const ThesisAnswer answer = trial.answer(solver);
       own[solver].seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      own[solver].add(answer, limit);
+      own[solver].add(trial.offsets(), answer, limit);
     }
   }
 
@@ -98,7 +99,7 @@ void runThesis(ThesisEvaluation& evaluation, unsigned jobs, const std::function<
       }
     }
   }
-  std::map<ThesisFeature, std::vector<Eigen::VectorXd>> poses;
+  std::map<std::pair<ThesisFeature, PoseChoice>, std::vector<Eigen::VectorXd>> chosen;
   const Progress progress{"error sets"};
   std::mutex telling;
   std::size_t done = 0;
@@ -112,15 +113,14 @@ void runThesis(ThesisEvaluation& evaluation, unsigned jobs, const std::function<
       told(evaluation.sets);
       continue;
     }
-    std::vector<Eigen::VectorXd>& nested = poses[setting.feature];
+    std::vector<Eigen::VectorXd>& nested = chosen[{setting.feature, setting.choice}];
     if (nested.empty()) {
-      nested = thesisPoses(robot, setting.feature, 8);
+      nested = thesisPoses(robot, setting.feature, setting.choice, 8);
     }
-    const ThesisStage stage{robot,
-                            setting.feature,
-                            {nested.begin(), nested.begin() + static_cast<std::ptrdiff_t>(setting.poses)},
-                            setting.samples};
-    evaluation.joints = stage.jointNames();
+    const ThesisStage stage{robot, setting, posesOf(setting, robot, nested)};
+    if (const auto names = stage.jointNames(); names.size() > evaluation.joints.size()) {
+      evaluation.joints = names; // those of one leg come first
+    }
     const auto tallies = SettingRun{stage, setting, solvers, evaluation}.tallies(jobs, told);
     if (!tallies) {
       return;

@@ -20,14 +20,22 @@ std::string figures(const ThesisEvaluation& evaluation, const ThesisCell& cell, 
   if (!ours || !theirs) {
     return fmt::format("{:>26}", "not done");
   }
-  return fmt::format("{:5.1f}  {:5.1f}  {:5.1f}  {:5.1f}", 100 * ours->successAt(tolerance),
-                     100 * theirs->successAt(tolerance), 100 * ours->limitAt(tolerance), 100 * cell.published);
+  return fmt::format("{:5.1f}  {:5.1f}  {:5.1f}  {:>5}", 100 * ours->successAt(tolerance),
+                     100 * theirs->successAt(tolerance), 100 * ours->limitAt(tolerance),
+                     cell.published ? fmt::format("{:.1f}", 100 * *cell.published) : "-");
 }
 
 std::string rowName(const ThesisCell& cell) {
   const ThesisSetting& setting = cell.setting;
   if (cell.table == "5.5") {
     return fmt::format("{}, {}", setting.largeErrors ? "1..6.5 deg" : "6.5 deg", word(cell.solver));
+  }
+  if (cell.table == "beyond") {
+    return setting.bothLegs                             ? "both legs at once, 13 offsets"
+           : setting.unknownPlaces                      ? "mounts and places unknown"
+           : setting.choice == PoseChoice::chain        ? "poses of the thesis's chain"
+           : setting.jointNoise == AngleNoise::stiction ? "gears stick, 0.05 deg"
+                                                        : "our poses";
   }
   return fmt::format("{}{}{}", word(setting.noise),
                      setting.angleNoise() ? fmt::format(" {}", word(setting.jointNoise)) : "",
@@ -38,7 +46,8 @@ const char* title(const std::string& table) {
   return table == "5.5"   ? "table 5.5: floor grid, no noise"
          : table == "5.6" ? "table 5.6: floor grid, Levenberg-Marquardt"
          : table == "5.7" ? "table 5.7: boards, Levenberg-Marquardt"
-                          : "table 5.8: boards, random starts";
+         : table == "5.8" ? "table 5.8: boards, random starts"
+                          : "beyond the thesis: boards, pixel noise and the real encoder's, Levenberg-Marquardt";
 }
 
 std::string trimmed(const std::string& line) {
@@ -154,7 +163,7 @@ void printThesisTables(const ThesisEvaluation& evaluation, double degrees) {
   fmt::print("success in % with all 8 offsets within {:.1f} deg: ours, the thesis's solver with our derivatives (LM), "
              "Cramer-Rao limit, thesis\n",
              toleranceDegrees(tolerance));
-  for (const char* table : {"5.5", "5.6", "5.7", "5.8"}) {
+  for (const char* table : {"5.5", "5.6", "5.7", "5.8", "beyond"}) {
     printTable(evaluation, table, tolerance);
   }
   printOthers(evaluation, tolerance);

@@ -50,9 +50,11 @@ std::vector<AngleNoise> readings(const ThesisSetting& setting) {
 } // namespace
 
 std::string ThesisSetting::name() const {
-  return fmt::format("{}, {} poses, {}{}{}{}", word(feature), poses, word(noise),
+  return fmt::format("{}, {} poses, {}{}{}{}{}{}{}", word(feature), poses, word(noise),
                      angleNoise() ? fmt::format(" ({})", word(jointNoise)) : "",
-                     samples > 1 ? fmt::format(", {} samples", samples) : "", largeErrors ? ", 1..6.5 deg" : "");
+                     samples > 1 ? fmt::format(", {} samples", samples) : "", largeErrors ? ", 1..6.5 deg" : "",
+                     bothLegs ? ", both legs" : "", unknownPlaces ? ", mounts and places unknown" : "",
+                     choice == PoseChoice::chain ? ", the thesis's poses" : "");
 }
 
 std::vector<ThesisCell> thesisCells() {
@@ -67,6 +69,25 @@ std::vector<ThesisCell> thesisCells() {
         setting.jointNoise = reading;
         cells.push_back({row.table, setting, row.solver, std::round(100 * percent) / 1e4});
       }
+    }
+  }
+  const std::vector<ThesisCell> beyond = cellsBeyond();
+  cells.insert(cells.end(), beyond.begin(), beyond.end());
+  return cells;
+}
+
+std::vector<ThesisCell> cellsBeyond() {
+  const ThesisSetting real{.noise = ThesisNoise::both, .jointNoise = AngleNoise::encoder};
+  ThesisSetting legs = real, places = real, sticking = real, chain = real;
+  legs.bothLegs = true;
+  places.unknownPlaces = true;
+  sticking.jointNoise = AngleNoise::stiction;
+  chain.choice = PoseChoice::chain;
+  std::vector<ThesisCell> cells;
+  for (ThesisSetting setting : {real, chain, sticking, legs, places}) {
+    for (const std::size_t poses : {3, 5, 8}) {
+      setting.poses = poses;
+      cells.push_back({"beyond", setting, ThesisSolver::plain, std::nullopt});
     }
   }
   return cells;
@@ -97,7 +118,11 @@ std::string_view word(ThesisNoise noise) {
 }
 
 std::string_view word(AngleNoise noise) {
-  return std::array{"0.007rad", "0.007deg", "encoder"}.at(static_cast<std::size_t>(noise));
+  return std::array{"0.007rad", "0.007deg", "encoder", "encoder+stiction"}.at(static_cast<std::size_t>(noise));
+}
+
+std::string_view word(PoseChoice choice) {
+  return choice == PoseChoice::ours ? "ours" : "thesis-chain";
 }
 
 std::string_view word(ThesisSolver solver) {

@@ -40,7 +40,8 @@ ThesisEvaluation merged(const std::vector<ThesisEvaluation>& parts) {
                                    result.seed, result.sets, result.pixel, result.parts, part->seed, part->sets,
                                    part->pixel, part->parts)};
     }
-    result.joints = result.joints.empty() ? part->joints : result.joints; // empty: stopped before the first setting
+    result.joints =
+        result.joints.size() < part->joints.size() ? part->joints : result.joints; // one may have stopped early
     for (const std::size_t done : part->done) {
       if (std::find(result.done.begin(), result.done.end(), done) != result.done.end()) {
         throw InputError{fmt::format("expected every part once, found {}/{} twice", done, result.parts)};
@@ -70,8 +71,9 @@ std::optional<ThesisReading> bestReading(const ThesisEvaluation& evaluation) {
       std::size_t cells = 0;
       for (const ThesisCell& cell : thesisCells()) {
         const ThesisTally* tally = evaluation.tally(cell.setting, cell.solver);
-        if (tally && cell.setting.angleNoise() && cell.setting.jointNoise == reading && cell.published > 0) {
-          squares += std::pow(tally->successAt(tolerance) - cell.published, 2);
+        if (tally && cell.setting.angleNoise() && cell.setting.jointNoise == reading &&
+            cell.published.value_or(0) > 0) {
+          squares += std::pow(tally->successAt(tolerance) - *cell.published, 2);
           ++cells;
         }
       }

@@ -39,9 +39,12 @@ nlohmann::json cellJson(const ThesisCell& cell, ThesisSolver solver, const Thesi
       {"jointNoise", word(setting.jointNoise)},
       {"samples", setting.samples},
       {"errors", setting.largeErrors ? largeErrors : usualErrors},
+      {"legs", setting.bothLegs ? "both" : "left"},
+      {"places", setting.unknownPlaces ? "unknown" : "known"},
+      {"chosenBy", word(setting.choice)},
       {"solver", word(solver)},
       {"thesisSolver", word(cell.solver)},
-      {"thesis", cell.published},
+      {"thesis", cell.published ? nlohmann::json(*cell.published) : nlohmann::json()},
       {"success", byTolerance([&](std::size_t i) { return tally.successAt(i); })},
       {"limit", byTolerance([&](std::size_t i) { return tally.limitAt(i); })},
       {"secondsPerSolve", tally.seconds / static_cast<double>(std::max<std::size_t>(tally.sets, 1))}};
@@ -52,6 +55,9 @@ nlohmann::json cellJson(const ThesisCell& cell, ThesisSolver solver, const Thesi
       {"sets", tally.sets}, {"success", tally.success}, {"draws", tally.limitDraws}, {"limit", tally.limit}};
   for (std::size_t joint = 0; joint < tally.errors.size(); ++joint) {
     result["errorCounts"][joints[joint]] = tally.errors[joint];
+  }
+  for (std::size_t joint = 0; joint < tally.offsets.size(); ++joint) {
+    result["offsetCounts"][joints[joint]] = tally.offsets[joint];
   }
   return result;
 }
@@ -70,10 +76,13 @@ ThesisSetting settingAt(const JsonPlace& cell) {
   setting.feature = wordAt<ThesisFeature>(cell, "feature", {ThesisFeature::grid, ThesisFeature::boards});
   setting.poses = static_cast<std::size_t>(cell.at("poses").integer(1, largestNumber));
   setting.noise = wordAt<ThesisNoise>(cell, "noise", {none, pixel, joint, both});
-  setting.jointNoise =
-      wordAt<AngleNoise>(cell, "jointNoise", {AngleNoise::radians, AngleNoise::degrees, AngleNoise::encoder});
+  setting.jointNoise = wordAt<AngleNoise>(
+      cell, "jointNoise", {AngleNoise::radians, AngleNoise::degrees, AngleNoise::encoder, AngleNoise::stiction});
   setting.samples = static_cast<std::size_t>(cell.at("samples").integer(1, largestNumber));
   setting.largeErrors = cell.at("errors").oneOf({usualErrors, largeErrors}) == 1;
+  setting.bothLegs = cell.at("legs").oneOf({"left", "both"}) == 1;
+  setting.unknownPlaces = cell.at("places").oneOf({"known", "unknown"}) == 1;
+  setting.choice = wordAt<PoseChoice>(cell, "chosenBy", {PoseChoice::ours, PoseChoice::chain});
   return setting;
 }
 
@@ -94,8 +103,13 @@ ThesisTally tallyAt(const JsonPlace& cell, const std::vector<std::string>& joint
     tally.status[static_cast<std::size_t>(status)] =
         static_cast<std::size_t>(cell.at("status").at(key).integer(0, largestNumber));
   }
-  for (std::size_t joint = 0; cell.find("errorCounts") && joint < joints.size(); ++joint) {
-    readCounts(cell.at("errorCounts").at(joints[joint]), tally.errors.emplace_back());
+  for (const std::string& joint : joints) { // of one leg: fewer
+    if (const auto errors = cell.find("errorCounts"); errors && errors->find(joint)) {
+      readCounts(errors->at(joint), tally.errors.emplace_back());
+    }
+    if (const auto offsets = cell.find("offsetCounts"); offsets && offsets->find(joint)) {
+      readCounts(offsets->at(joint), tally.offsets.emplace_back());
+    }
   }
   tally.seconds = cell.at("secondsPerSolve").number({0, 1e6, "s"}) * static_cast<double>(tally.sets);
   return tally;
@@ -121,6 +135,7 @@ nlohmann::json evaluationJson(const ThesisEvaluation& evaluation) {
                            {"done", evaluation.done},
                            {"joints", evaluation.joints},
                            {"errorBins", {{"firstDegrees", firstErrorDegrees}, {"widthDegrees", errorBinDegrees}}},
+                           {"offsetBins", {{"firstDegrees", firstOffsetDegrees}, {"widthDegrees", offsetBinDegrees}}},
                            {"cells", cells}};
   if (const auto best = bestReading(evaluation)) {
     result["reproduction"] = {{"jointNoise", word(best->jointNoise)},

@@ -1,21 +1,15 @@
 #include "evaluate/ThesisScenery.hpp"
 
-#include "captures/InputError.hpp"
-#include "evaluate/ThesisStage.hpp"
 #include "geometry/Index.hpp"
-#include "poses/PlannedInformation.hpp"
-#include "poses/PoseGenerator.hpp"
-#include "poses/PoseSelection.hpp"
+#include "poses/Stability.hpp"
 #include "synthetic/SimulationPlan.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
+#include <numeric>
 
 namespace naocal {
 
 namespace {
-
-const double range = radians(6.5); // of offsets [rad]
 
 /// Floor points every quarter of a metre up to 4 m away, square metres of them.
 std::vector<Board> floorTiles() {
@@ -40,61 +34,6 @@ std::vector<Board> floorTiles() {
   return tiles;
 }
 
-/// Attitudes in which a robot stands and sees something.
-std::vector<Eigen::VectorXd> candidatePoses(const Robot& robot, const ThesisScenery& scenery, std::size_t count) {
-  PoseOptions options;
-  options.sight = scenery.limits;
-  const Scene scene{robot, options.supportFoot, scenery.targets, scenery.cameras, options.sight};
-  std::vector<Eigen::VectorXd> poses;
-  for (const Belief& belief : stableAttitudes(robot, scene, options, count)) {
-    poses.emplace_back(belief.values.head(at(robot.joints.size())));
-  }
-  return poses;
-}
-
-std::size_t cornersSeen(const PoseGroup& pose, const Measurements& taken) {
-  std::size_t corners = 0;
-  for (const Reading& reading : pose.readings) {
-    for (const std::size_t picture : reading.pictures) {
-      for (const Sighting& sighting : taken.pictures[picture].sightings) {
-        corners += sighting.ids.size();
-      }
-    }
-  }
-  return corners;
-}
-
-/// What a pose is worth over robots with unknown offsets.
-struct Prospect {
-  Eigen::MatrixXd information; // about the offsets, on average
-  bool sees = true;            // every robot sees enough
-};
-
-std::vector<Prospect> prospects(const ThesisStage& stage, const Model& model, const Noise& noise) {
-  constexpr std::size_t robots = 40, enough = 24;
-  const auto unknowns = at(model.unknownCount());
-  Measurements taken = stage.everything();
-  std::vector<Prospect> result(taken.poses.size(), Prospect{Eigen::MatrixXd::Zero(unknowns, unknowns)});
-  Randomness chance{1, "robots before the thesis's poses"};
-  const auto exact = [](double angle) { return AngleReading{angle, angle}; };
-  for (std::size_t robot = 0; robot < robots; ++robot) {
-    Eigen::VectorXd offsets{unknowns};
-    for (double& offset : offsets) {
-      offset = chance.within(range);
-    }
-    stage.take(offsets, exact, 0, chance, taken);
-    const Residuals residuals{taken, model, noise};
-    const auto linear = residuals.linearised(residuals.start(offsets)).value(); // what is seen lies before the camera
-    for (std::size_t pose = 0; pose < result.size(); ++pose) {
-      PoseInformation told = informationOf(linear.poses[pose], noise);
-      told.hessian /= robots;
-      told.addTo(result[pose].information);
-      result[pose].sees = result[pose].sees && cornersSeen(taken.poses[pose], taken) >= enough;
-    }
-  }
-  return result;
-}
-
 } // namespace
 
 ThesisScenery thesisScenery(ThesisFeature feature) {
@@ -113,30 +52,43 @@ ThesisScenery thesisScenery(ThesisFeature feature) {
   return result;
 }
 
-std::vector<Eigen::VectorXd> thesisPoses(const Robot& robot, ThesisFeature feature, std::size_t count) {
-  constexpr std::size_t candidates = 300;
-  const std::vector<Eigen::VectorXd> poses = candidatePoses(robot, thesisScenery(feature), candidates);
-  const ThesisStage stage{robot, feature, poses, 1};
-  const Model model = offsetModel(stage, range / std::sqrt(3.0));
-  const std::vector<Prospect> all = prospects(stage, model, Noise{});
-  std::vector<std::size_t> usable;
-  std::vector<Eigen::MatrixXd> informations;
-  for (std::size_t pose = 0; pose < poses.size(); ++pose) {
-    if (all[pose].sees) {
-      usable.push_back(pose);
-      informations.push_back(all[pose].information);
+Measurements everythingInSight(const Robot& robot, const ThesisScenery& scenery, const ThesisSetting& setting,
+                               const std::vector<ThesisPose>& poses) {
+  CaptureSet set{.name = "thesis", .model = robot.model, .cameras = scenery.cameras, .boards = scenery.targets};
+  set.stances = {{0, SupportFoot::left, Placement{}}, {1, SupportFoot::right, Placement{.y = -betweenFeet}}};
+  for (Board& board : set.boards) {
+    if (setting.unknownPlaces) {
+      board.placementGuess = *board.placement;
+      board.hasGuess = true;
+      board.placement.reset();
     }
   }
-  if (usable.size() < count) {
-    throw InputError{fmt::format("expected {} poses that see the {} despite wrong offsets, found {} in {} stable ones",
-                                 count, word(feature), usable.size(), poses.size())};
+  for (const Joint& joint : robot.joints) {
+    set.jointNames.push_back(joint.name);
   }
-  const Eigen::MatrixXd prior = model.sigmas().cwiseAbs2().cwiseInverse().asDiagonal();
-  std::vector<Eigen::VectorXd> result;
-  for (const std::size_t chosen : mostInformative(prior, informations, count)) {
-    result.push_back(poses[usable[chosen]]);
+  std::vector<BoardCorners> all;
+  for (const Board& board : scenery.targets) {
+    BoardCorners& corners = all.emplace_back(BoardCorners{board.id, std::vector<int>(board.points.size()), {}});
+    std::iota(corners.ids.begin(), corners.ids.end(), 0);
+    corners.uv.assign(board.points.size(), Eigen::Vector2d::Zero());
   }
-  return result;
+  for (std::size_t pose = 0; pose < poses.size(); ++pose) {
+    for (std::size_t sample = 0; sample < setting.samples; ++sample) {
+      for (const auto& [camera, lens] : scenery.cameras) {
+        Capture& capture = set.captures.emplace_back();
+        capture.id = static_cast<int>(set.captures.size());
+        capture.pose = fmt::format("P{:04}", pose);
+        capture.repeat = static_cast<int>(sample);
+        capture.repeatKind = RepeatKind::reapproach; // so that each sample's readings have errors of their own
+        capture.camera = camera;
+        capture.supportFoot = poses[pose].foot;
+        capture.stance = poses[pose].foot == SupportFoot::left ? 0 : 1;
+        capture.joints.measured.assign(poses[pose].angles.begin(), poses[pose].angles.end());
+        capture.corners = all;
+      }
+    }
+  }
+  return measurementsOf({set}, robot);
 }
 
 } // namespace naocal

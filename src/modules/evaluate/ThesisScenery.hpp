@@ -2,6 +2,7 @@
 
 #include "evaluate/ThesisCell.hpp"
 #include "poses/Scene.hpp"
+#include "residuals/Measurements.hpp"
 
 namespace naocal {
 
@@ -16,10 +17,14 @@ struct ThesisScenery {
 /// that are told apart by correspondence; a single point of a tile is seen as well.
 ThesisScenery thesisScenery(ThesisFeature feature);
 
-/// As many stable poses as wanted, in each of which all of 40 robots drawn with offsets up to 6.5 degrees see enough
-/// (24 corners), chosen one by one: each the one that, on average over such robots, tells most about the offsets beside
-/// those before it (largest determinant; corners within 0.3 px, an encoder's noise marginalised). The first three are
-/// the poses for three. Throws InputError when there are not that many.
-std::vector<Eigen::VectorXd> thesisPoses(const Robot& robot, ThesisFeature feature, std::size_t count);
+/// How a robot stands, its angles per joint [rad].
+struct ThesisPose {
+  SupportFoot foot = SupportFoot::left;
+  Eigen::VectorXd angles;
+};
+
+/// What there is to see in the poses: all of it, in pictures by each camera, as often as the setting has samples.
+Measurements everythingInSight(const Robot& robot, const ThesisScenery& scenery, const ThesisSetting& setting,
+                               const std::vector<ThesisPose>& poses);
 
 } // namespace naocal

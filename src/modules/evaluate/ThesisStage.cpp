@@ -3,44 +3,12 @@
 #include "evaluate/ThesisScenery.hpp"
 #include "geometry/Index.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
-#include <numeric>
 
 namespace naocal {
 
 namespace {
-
-/// Measurements in the poses, in each of which everything is to be seen.
-Measurements everythingInSight(const Robot& robot, const ThesisScenery& scenery,
-                               const std::vector<Eigen::VectorXd>& poses, std::size_t samples) {
-  CaptureSet set{.name = "thesis", .model = robot.model, .cameras = scenery.cameras, .boards = scenery.targets};
-  set.stances = {{0, SupportFoot::left, Placement{}}};
-  for (const Joint& joint : robot.joints) {
-    set.jointNames.push_back(joint.name);
-  }
-  std::vector<BoardCorners> all;
-  for (const Board& board : scenery.targets) {
-    BoardCorners& corners = all.emplace_back(BoardCorners{board.id, std::vector<int>(board.points.size()), {}});
-    std::iota(corners.ids.begin(), corners.ids.end(), 0);
-    corners.uv.assign(board.points.size(), Eigen::Vector2d::Zero());
-  }
-  for (std::size_t pose = 0; pose < poses.size(); ++pose) {
-    for (std::size_t sample = 0; sample < samples; ++sample) {
-      for (const auto& [camera, lens] : scenery.cameras) {
-        Capture& capture = set.captures.emplace_back();
-        capture.id = static_cast<int>(set.captures.size());
-        capture.pose = fmt::format("P{:04}", pose);
-        capture.repeat = static_cast<int>(sample);
-        capture.repeatKind = RepeatKind::reapproach; // so that each sample's readings have errors of their own
-        capture.camera = camera;
-        capture.joints.measured.assign(poses[pose].begin(), poses[pose].end());
-        capture.corners = all;
-      }
-    }
-  }
-  return measurementsOf({set}, robot);
-}
 
 /// Which corners of a target are in sight, and where; few ones count as none.
 void findSeen(const Board& target, const Attitude& attitude, const ProjectedBlocks& projected,
@@ -67,9 +35,20 @@ void findSeen(const Board& target, const Attitude& attitude, const ProjectedBloc
 
 } // namespace
 
-ThesisStage::ThesisStage(const Robot& robot, ThesisFeature feature, const std::vector<Eigen::VectorXd>& poses,
-                         std::size_t samples)
-    : scenery_{thesisScenery(feature)}, everything_{everythingInSight(robot, scenery_, poses, samples)} {}
+ThesisStage::ThesisStage(const Robot& robot, const ThesisSetting& setting, const std::vector<ThesisPose>& poses)
+    : scenery_{thesisScenery(setting.feature)}, everything_{everythingInSight(robot, scenery_, setting, poses)} {
+  std::vector<Effect> effects{jointOffset()};
+  if (setting.unknownPlaces) {
+    effects.push_back(cameraRotation());
+  }
+  model_ = makeModel(everything_, {}, {}, effects);
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    const auto motor = std::find(joints().begin(), joints().end(), robot.joints[joint].motor);
+    if (motor != joints().end()) {
+      driven_.emplace_back(joint, motor - joints().begin());
+    }
+  }
+}
 
 std::vector<std::string> ThesisStage::jointNames() const {
   std::vector<std::string> names;
@@ -80,22 +59,29 @@ std::vector<std::string> ThesisStage::jointNames() const {
 }
 
 /// Fills `seen` with what its camera shows when the stage's joints truly are at these angles.
-void ThesisStage::look(const Picture& all, const Eigen::VectorXd& angles, Picture& seen) const {
+void ThesisStage::look(const Picture& all, const Eigen::VectorXd& angles, const Eigen::VectorXd& truth,
+                       Picture& seen) const {
   thread_local Posture torsoFromLink;
   thread_local ProjectedBlocks projected;
   thread_local BoardCorners corners;
   const Robot& robot = everything_.robot;
-  Belief truth = all.drawn;
-  for (std::size_t i = 0; i < joints().size(); ++i) {
-    truth.angle(joints()[i]) = angles[at(i)];
+  Belief real = all.drawn;
+  for (const auto& [joint, i] : driven_) {
+    real.angle(joint) = angles[i];
   }
-  posture(robot, truth, all.sightings.front().view.links(), torsoFromLink);
-  Attitude attitude = all.sightings.front().view.pathAttitude(robot, truth, torsoFromLink);
+  for (std::size_t term = joints().size(); term < model_.terms().size(); ++term) { // mounts and places
+    const Term& other = model_.terms()[term];
+    for (const std::size_t place : placesOn(other, everything_, all)) {
+      other.effect.correct(real, all.instant, place, other.values(truth));
+    }
+  }
+  posture(robot, real, all.sightings.front().view.links(), torsoFromLink);
+  Attitude attitude = all.sightings.front().view.pathAttitude(robot, real, torsoFromLink);
   const CameraIntrinsics& lens = scenery_.cameras.at(robot.cameras[all.camera].name);
   seen.sightings.clear();
   for (const Sighting& sighting : all.sightings) {
-    sighting.view.placeBoard(placed(truth.boardPlacement(sighting.view.board())), attitude);
-    if (!sighting.view.project(attitude, truth, sighting.corners, projected)) {
+    sighting.view.placeBoard(placed(real.boardPlacement(sighting.view.board())), attitude);
+    if (!sighting.view.project(attitude, real, sighting.corners, projected)) {
       continue;
     }
     const Board& target = everything_.targets[sighting.view.board()].board;
@@ -106,22 +92,23 @@ void ThesisStage::look(const Picture& all, const Eigen::VectorXd& angles, Pictur
   }
 }
 
-void ThesisStage::take(const Eigen::VectorXd& offsets, const std::function<AngleReading(double)>& read, double pixel,
+void ThesisStage::take(const Eigen::VectorXd& truth, const std::function<AngleReading(double)>& read, double pixel,
                        Randomness& chance, Measurements& taken) const {
-  Eigen::VectorXd angles{offsets.size()};
+  Eigen::VectorXd angles{at(joints().size())}, reported = angles;
   for (const PoseGroup& pose : everything_.poses) {
     for (const Reading& each : pose.readings) {
       const Belief& commanded = everything_.pictures[each.pictures.front()].drawn;
       for (std::size_t i = 0; i < joints().size(); ++i) {
         const AngleReading reading = read(commanded.angle(joints()[i]));
-        angles[at(i)] = reading.raw - offsets[at(i)];
-        for (const std::size_t index : each.pictures) {
-          Picture& picture = taken.pictures[index];
-          picture.drawn.angle(joints()[i]) = picture.instant.q[at(joints()[i])] = reading.reported;
-        }
+        angles[at(i)] = reading.raw - truth[at(i)];
+        reported[at(i)] = reading.reported;
       }
       for (const std::size_t index : each.pictures) {
-        look(everything_.pictures[index], angles, taken.pictures[index]);
+        Picture& picture = taken.pictures[index];
+        for (const auto& [joint, i] : driven_) {
+          picture.drawn.angle(joint) = picture.instant.q[at(joint)] = reported[i];
+        }
+        look(everything_.pictures[index], angles, truth, picture);
       }
     }
   }
@@ -137,10 +124,17 @@ void ThesisStage::take(const Eigen::VectorXd& offsets, const std::function<Angle
   }
 }
 
-Model offsetModel(const ThesisStage& stage, double sigma) {
-  Effect offset = jointOffset();
-  offset.unknowns.front().sigma = sigma;
-  return makeModel(stage.everything(), {}, {}, {offset});
+Model unknownsOf(const ThesisStage& stage, double offsetSigma, double mountSigma) {
+  Model result;
+  for (Term term : stage.model().terms()) {
+    for (Unknown& unknown : term.effect.unknowns) {
+      if (!term.isPlacement) {
+        unknown.sigma = term.effect.place == Place::camera ? mountSigma : offsetSigma;
+      }
+    }
+    result.add(std::move(term));
+  }
+  return result;
 }
 
 } // namespace naocal

@@ -9,21 +9,35 @@ namespace naocal {
 
 namespace {
 
-/// Of an error [rad].
-std::size_t errorBin(double error) {
-  const double bin = std::floor((degrees(error) - firstErrorDegrees) / errorBinDegrees);
-  return static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(errorBins - 1)));
+/// Of an angle [rad], in bins of that width.
+std::size_t binOf(double angle, double first, double width, std::size_t bins) {
+  const double bin = std::floor((degrees(angle) - first) / width);
+  return static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(bins - 1)));
+}
+
+template <typename Bins> void addBins(const std::vector<Bins>& more, std::vector<Bins>& sum) {
+  sum.resize(std::max(sum.size(), more.size()));
+  for (std::size_t joint = 0; joint < more.size(); ++joint) {
+    for (std::size_t bin = 0; bin < more[joint].size(); ++bin) {
+      sum[joint][bin] += more[joint][bin];
+    }
+  }
 }
 
 } // namespace
 
-void ThesisTally::add(const ThesisAnswer& answer, const std::vector<double>& limitErrors) {
+void ThesisTally::add(const Eigen::VectorXd& offset, const ThesisAnswer& answer,
+                      const std::vector<double>& limitErrors) {
   ++sets;
   ++status[static_cast<std::size_t>(answer.status(radians(toleranceDegrees(statusTolerance))))];
   limitDraws += limitErrors.size();
   errors.resize(std::max(errors.size(), static_cast<std::size_t>(answer.errors.size())));
   for (std::size_t joint = 0; joint < static_cast<std::size_t>(answer.errors.size()); ++joint) {
-    ++errors[joint][errorBin(answer.errors[at(joint)])];
+    ++errors[joint][binOf(answer.errors[at(joint)], firstErrorDegrees, errorBinDegrees, errorBins)];
+  }
+  offsets.resize(static_cast<std::size_t>(offset.size()));
+  for (std::size_t joint = 0; joint < offsets.size(); ++joint) {
+    ++offsets[joint][binOf(offset[at(joint)], firstOffsetDegrees, offsetBinDegrees, offsetBins)];
   }
   for (std::size_t i = 0; i < toleranceCount; ++i) {
     const double tolerance = radians(toleranceDegrees(i));
@@ -37,12 +51,8 @@ void ThesisTally::add(const ThesisTally& other) {
   sets += other.sets;
   limitDraws += other.limitDraws;
   seconds += other.seconds;
-  errors.resize(std::max(errors.size(), other.errors.size()));
-  for (std::size_t joint = 0; joint < other.errors.size(); ++joint) {
-    for (std::size_t bin = 0; bin < errorBins; ++bin) {
-      errors[joint][bin] += other.errors[joint][bin];
-    }
-  }
+  addBins(other.errors, errors);
+  addBins(other.offsets, offsets);
   for (std::size_t i = 0; i < status.size(); ++i) {
     status[i] += other.status[i];
   }

@@ -19,16 +19,21 @@ constexpr std::size_t statusTolerance = 1;
 constexpr std::size_t errorBins = 60;
 constexpr double firstErrorDegrees = -3, errorBinDegrees = 0.1;
 
+/// Bins of an offset before it is found: 0.5 degrees wide from -7 to 7.
+constexpr std::size_t offsetBins = 28;
+constexpr double firstOffsetDegrees = -7, offsetBinDegrees = 0.5;
+
 /// How often a solver succeeded in a setting. Only counts, so that parts add up to the whole.
 struct ThesisTally {
   std::size_t sets = 0, limitDraws = 0;
-  std::array<std::size_t, 4> status{};                    // by ThesisStatus
-  std::array<std::size_t, toleranceCount> success{};      // sets
-  std::array<std::size_t, toleranceCount> limit{};        // draws of an efficient estimator's errors
-  std::vector<std::array<std::size_t, errorBins>> errors; // per joint: sets that were solved, by the offset's error
-  double seconds = 0;                                     // in the solver
+  std::array<std::size_t, 4> status{};                      // by ThesisStatus
+  std::array<std::size_t, toleranceCount> success{};        // sets
+  std::array<std::size_t, toleranceCount> limit{};          // draws of an efficient estimator's errors
+  std::vector<std::array<std::size_t, errorBins>> errors;   // per joint: sets that were solved, by the offset's error
+  std::vector<std::array<std::size_t, offsetBins>> offsets; // per joint: sets, by the offset itself
+  double seconds = 0;                                       // in the solver
 
-  void add(const ThesisAnswer& answer, const std::vector<double>& limitErrors);
+  void add(const Eigen::VectorXd& offsets, const ThesisAnswer& answer, const std::vector<double>& limitErrors);
   void add(const ThesisTally& other);
   double successAt(std::size_t tolerance) const; // [1]
   double limitAt(std::size_t tolerance) const;   // [1]

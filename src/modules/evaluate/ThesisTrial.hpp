@@ -35,28 +35,21 @@ public:
   std::vector<double> limit(std::size_t draws);
 
   const Measurements& taken() const { return taken_; }
-  const Eigen::VectorXd& offsets() const { return offsets_; } // the true ones, per joint of the stage [rad]
+  Eigen::VectorXd offsets() const { return truth_.head(joints()); } // the true ones, per joint of the stage [rad]
   const Noise& noise() const { return noise_; }
 
 private:
-  struct Search;
-  template <typename Problem> static Search search(const Problem& problem, const Residuals::State& start);
-  Search found(ThesisSolver solver);
-  Search fromRandomStarts();
-  Search ours();
-  Search byCostsOnly(ThesisSolver solver);
-  Eigen::VectorXd zero() const { return Eigen::VectorXd::Zero(offsets_.size()); }
-  Eigen::VectorXd randomStart();
+  Eigen::Index joints() const { return static_cast<Eigen::Index>(stage_.joints().size()); }
 
   const ThesisStage& stage_;
   ThesisSetting setting_;
   Noise noise_;
   Model plainModel_, ourModel_;
   Measurements taken_;
-  Eigen::VectorXd offsets_;
-  std::optional<Residuals> pixels_, whitened_; // plain least squares; our weights and priors
-  double numbers_ = 0;                         // measured: two per corner
-  double rmsAtTruth_ = 0;                      // [px]
+  Eigen::VectorXd truth_;                             // of the stage's model
+  std::optional<Residuals> pixels_, whitened_, flat_; // as ThesisSearch has them
+  double numbers_ = 0;                                // measured: two per corner
+  double rmsAtTruth_ = 0;                             // [px]
   std::optional<Randomness> starts_, limits_;
 };
 
