@@ -136,7 +136,7 @@ TEST_CASE("a broken result file is refused with one sentence") {
     return std::string{"no refusal"};
   };
   CHECK_THAT(refusal("/format", "naocal-captures"),
-             Catch::Contains("result.json: format: expected \"naocal-result\" or"));
+             Catch::Contains("result.json: format: expected \"naocal-result\", \"naocal-diagnosis\" or"));
   CHECK_THAT(refusal("/version", 2), Catch::Contains("version"));
   CHECK_THAT(refusal("/sightings", json::array()), Catch::Contains("sightings: expected at least one board"));
   CHECK_THAT(refusal("/sightings/3/camera", "side"), Catch::Contains("expected the key \"side\""));

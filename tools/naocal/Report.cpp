@@ -20,10 +20,13 @@ struct ReportCommand {
 
 void addReport(CLI::App& app) {
   auto command = std::make_shared<ReportCommand>();
-  CLI::App* reporter =
-      app.add_subcommand("report", "one HTML page to look at a result or a diagnosis, readable without a network");
+  CLI::App* reporter = app.add_subcommand(
+      "report", "one HTML page to look at a result, a diagnosis or an evaluation, readable without a network");
   reporter->footer("Example: naocal report result.json -o report.html");
-  reporter->add_option("FILE", command->file, "a result of 'naocal solve' or a diagnosis of 'naocal diagnose'")
+  reporter
+      ->add_option(
+          "FILE", command->file,
+          "a result of 'naocal solve', a diagnosis of 'naocal diagnose' or what 'naocal evaluate thesis --json' writes")
       ->required();
   reporter->add_option("-o,--output", command->output, "the page to write")->required();
   reporter->callback([command] {

@@ -12,6 +12,6 @@ struct Page {
   std::string_view sections, style, script;
 };
 
-extern const Page result, diagnosis;
+extern const Page result, diagnosis, evaluation;
 
 } // namespace naocal::pageFiles

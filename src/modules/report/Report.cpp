@@ -3,6 +3,7 @@
 #include "captures/Files.hpp"
 #include "captures/JsonText.hpp"
 #include "report/DiagnosisData.hpp"
+#include "report/EvaluationData.hpp"
 #include "report/PageData.hpp"
 #include "report/PageFiles.hpp"
 
@@ -48,13 +49,19 @@ std::string reportPage(const std::filesystem::path& file) {
   const json document = parseJson(fileContent(file), file.string());
   const JsonPlace top{document, file.string()};
   const JsonPlace format = top.at("format");
-  const bool isDiagnosis = format.value() == "naocal-diagnosis";
-  if (!isDiagnosis && format.value() != "naocal-result") {
-    format.refuse("\"naocal-result\" or \"naocal-diagnosis\", as 'naocal solve' and 'naocal diagnose' write them");
+  const bool isDiagnosis = format.value() == "naocal-diagnosis", isEvaluation = format.value() == "naocal-evaluation";
+  if (!isDiagnosis && !isEvaluation && format.value() != "naocal-result") {
+    format.refuse(
+        "\"naocal-result\", \"naocal-diagnosis\" or \"naocal-evaluation\", as 'naocal solve', 'naocal diagnose' "
+        "and 'naocal evaluate thesis' write them");
   }
   top.at("version").integer(1, 1);
-  const std::string data = harmless(isDiagnosis ? diagnosisData(top) : pageData(top, Sources{top, file}));
-  const pageFiles::Page& page = isDiagnosis ? pageFiles::diagnosis : pageFiles::result;
+  const std::string data = harmless(isDiagnosis    ? diagnosisData(top)
+                                    : isEvaluation ? evaluationData(top)
+                                                   : pageData(top, Sources{top, file}));
+  const pageFiles::Page& page = isDiagnosis    ? pageFiles::diagnosis
+                                : isEvaluation ? pageFiles::evaluation
+                                               : pageFiles::result;
   return filled(pageFiles::frame,
                 {{"style", page.style}, {"sections", page.sections}, {"data", data}, {"script", page.script}});
 }

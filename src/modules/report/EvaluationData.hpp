@@ -1,0 +1,12 @@
+#pragma once
+
+#include "captures/JsonPlace.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace naocal {
+
+/// What the page about an evaluation (EVALUATION.json) shows. Throws InputError with the place of whatever is missing.
+nlohmann::json evaluationData(const JsonPlace& evaluation);
+
+} // namespace naocal

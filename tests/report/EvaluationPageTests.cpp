@@ -1,0 +1,81 @@
+#include "Browser.hpp"
+#include "Result.hpp"
+
+#include "captures/InputError.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace naocal;
+using nlohmann::json;
+
+namespace {
+
+/// An evaluation of one setting by two solvers, as its file has it.
+json evaluation() {
+  json cell{{"table", "5.7"},
+            {"feature", "boards"},
+            {"poses", 3},
+            {"noise", "both"},
+            {"jointNoise", "encoder"},
+            {"samples", 1},
+            {"errors", "6.5"},
+            {"legs", "left"},
+            {"places", "known"},
+            {"chosenBy", "ours"},
+            {"solver", "ours"},
+            {"thesis", 0.25},
+            {"success", {{"0.1", 0.5}, {"0.2", 0.75}, {"1.0", 1}}},
+            {"limit", {{"0.1", 0.5}, {"0.2", 0.875}, {"1.0", 1}}},
+            {"errorCounts", {{"HeadYaw", {1, 2, 1}}}},
+            {"offsetCounts", {{"HeadYaw", {2, 2}}}}};
+  json plain = cell;
+  plain["solver"] = "lm";
+  plain["success"]["0.2"] = 0.625;
+  return {{"format", "naocal-evaluation"},
+          {"version", 1},
+          {"sets", 4},
+          {"errorBins", {{"firstDegrees", -0.15}, {"widthDegrees", 0.1}}},
+          {"offsetBins", {{"firstDegrees", -5}, {"widthDegrees", 5}}},
+          {"cells", {cell, plain}}};
+}
+
+std::string pageOf(const json& file) {
+  const TemporaryFolder folder;
+  writeAtomically(folder.path() / "evaluation.json", file.dump());
+  return reportPage(folder.path() / "evaluation.json");
+}
+
+} // namespace
+
+TEST_CASE("a page about an evaluation shows every solver's success and errors") {
+  // Proves that figures come to the page unchanged and sorted by tolerance, solvers of a setting together. It does not
+  // prove what is drawn.
+  const json data = shown(pageOf(evaluation()));
+  CHECK(data["tolerances"] == json{0.1, 0.2, 1.0});
+  REQUIRE(data["tables"].size() == 1);
+  REQUIRE(data["tables"][0]["cells"].size() == 1);
+  const json& figure = data["tables"][0]["cells"][0];
+  CHECK(figure["thesis"] == 0.25);
+  REQUIRE(figure["solvers"].size() == 2);
+  CHECK(figure["solvers"][0]["limit"] == json{0.5, 0.875, 1});
+  CHECK(figure["solvers"][1]["success"] == json{0.5, 0.625, 1});
+  const json& joint = data["settings"][0]["joints"][0];
+  CHECK(joint["name"] == "HeadYaw");
+  CHECK(joint["before"]["counts"] == json{2, 2});
+  CHECK(joint["solvers"][1]["counts"] == json{1, 2, 1});
+  json none = evaluation();
+  none["cells"] = json::array();
+  CHECK_THROWS_AS(pageOf(none), InputError);
+}
+
+TEST_CASE("a browser draws the page about an evaluation without complaint") {
+  // Proves, where chromium is installed, that both groups of figures are there and no script fails.
+  const auto drawn = drawnByBrowser(pageOf(evaluation()));
+  if (!drawn) {
+    WARN("no chromium: not looked at");
+    return;
+  }
+  CHECK_THAT(*drawn, !Catch::Contains("Uncaught"));
+  CHECK_THAT(*drawn, Catch::Contains("aria-label=\"HeadYaw\""));
+  CHECK_THAT(*drawn, Catch::Contains("aria-label=\"boards, 3 poses, noise: both (encoder)\""));
+}
