@@ -1,0 +1,29 @@
+#include "poses/PlanSpread.hpp"
+#include "geometry/Angles.hpp"
+
+#include <cstdlib>
+#include <fmt/core.h>
+
+// Whether a plan's predicted sigmas are the spread of simulated calibrations, joint by joint: benchmark_spread [ROBOTS]
+// [left|right|both]. 500 robots (the default) tell a spread to 3 %.
+
+int main(int count, char** arguments) {
+  using namespace naocal;
+  const std::uint64_t robots = count > 1 ? std::strtoull(arguments[1], nullptr, 10) : 500;
+  const std::string support = count > 2 ? arguments[2] : "left";
+  PlanOptions options;
+  options.poses.supportFoot = support == "both"    ? SupportFoot::both
+                              : support == "right" ? SupportFoot::right
+                                                   : SupportFoot::left;
+  options.poses.count = 8;
+  options.poses.tries = 200'000;
+  options.poses.sampling = Sampling::even;
+  const SimulationPlan scene;
+  const PosePlan plan = posePlan(v6(), scene.boards, scene.cameras, options);
+  fmt::print("{:<14} {:>12} {:>12} {:>8}\n", "offset", "predicted", "spread", "ratio");
+  for (const auto& [joint, spread] : simulatedSpread(plan, robots)) {
+    const double predicted = plan.sigmaOfRobots.at(joint);
+    fmt::print("{:<14} {:>10.4f} ° {:>10.4f} ° {:>8.3f}\n", joint, degrees(predicted), degrees(spread),
+               spread / predicted);
+  }
+}
