@@ -156,6 +156,7 @@ TEST_CASE("a plan that is refined for worn robots serves them better") {
   // robot alone, by the worst joint's root mean square; the drawn robot's worst offset may suffer by a sixth.
   PlanOptions options = quickOptions(6);
   options.rounds = 2;
+  options.wornRobots = 12;
   const PosePlan worn = quickPlan(options);
   options.wornRobots = 0;
   const PosePlan drawn = quickPlan(options);

@@ -117,15 +117,17 @@ TEST_CASE("exchange finds the best set where all sets can be tried") {
 }
 
 TEST_CASE("predicted sigmas are the spread of calibrations with the planned poses and boards") {
-  // Proves the prediction against 120 simulated robots, pooled over joints (5 % is the pooled figure's own spread), on
-  // one foot and on both; benchmark_spread does so with 500, joint by joint.
+  // Proves the prediction against 120 simulated robots, pooled over joints (5 % is the pooled figure's own spread);
+  // benchmark_spread does so with 500, joint by joint. On both feet it promises too little: the simulated floor is
+  // perfect, while a plan takes soles to lie flat to 1 mm and 0.005 rad only.
   for (const PosePlan& plan : {example(), quickPlan(quickOptions(8, SupportFoot::both))}) {
     double squares = 0;
     for (const auto& [joint, spread] : simulatedSpread(plan, 120)) {
       squares += std::pow(spread / plan.sigmaOfRobots.at(joint), 2) / static_cast<double>(plan.sigmaOfRobots.size());
     }
-    CAPTURE(plan.poses.front().pose.supportFoot);
-    CHECK(std::sqrt(squares) == Approx(1).margin(0.1));
+    const bool both = plan.poses.front().pose.supportFoot == SupportFoot::both;
+    CHECK(std::sqrt(squares) < 1.1);
+    CHECK(std::sqrt(squares) > (both ? 0.6 : 0.9));
   }
 }
 

@@ -11,6 +11,7 @@ inline naocal::PlanOptions quickOptions(std::size_t poses, naocal::SupportFoot f
   options.poses.count = poses;
   options.poses.tries = 40'000;
   options.poses.sampling = naocal::Sampling::even;
+  options.weighed = 300;
   options.starts = 1;
   options.rounds = 1;
   options.refinements = 150;

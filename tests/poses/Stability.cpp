@@ -121,7 +121,8 @@ TEST_CASE("a point is within the hull of points where it is inside their convex 
 }
 
 TEST_CASE("a robot on both feet stands where its centre of mass is between them, whatever one foot alone would do") {
-  // Proves it for the straight robot, which falls from one foot, and for one that leans over both ankles too far.
+  // Proves it for the straight robot, which falls from one foot, and for one whose soles are turned over both ankles:
+  // they lie on the plane between them. The soles are 155 mm long, so that no one is 80 mm inside both ends.
   const Robot robot = v6();
   const auto leaning = [&](double ankleRoll) {
     Belief belief = drawnBelief(robot, Quantities{robot.joints.size(), robot.lengths.size(), 0});
@@ -133,5 +134,5 @@ TEST_CASE("a robot on both feet stands where its centre of mass is between them,
   CHECK_FALSE(stands(robot, leaning(0), SupportFoot::left, {}));
   CHECK(stands(robot, leaning(0), SupportFoot::both, {0.04, 0}));
   CHECK(stands(robot, leaning(8), SupportFoot::both, {}));
-  CHECK_FALSE(stands(robot, leaning(30), SupportFoot::both, {}));
+  CHECK_FALSE(stands(robot, leaning(0), SupportFoot::both, {0.08, 0}));
 }

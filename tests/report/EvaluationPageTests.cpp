@@ -39,7 +39,7 @@ json evaluation() {
           {"cells", {cell, plain}}};
 }
 
-std::string pageOf(const json& file) {
+std::string evaluationPage(const json& file) {
   const TemporaryFolder folder;
   writeAtomically(folder.path() / "evaluation.json", file.dump());
   return reportPage(folder.path() / "evaluation.json");
@@ -50,7 +50,7 @@ std::string pageOf(const json& file) {
 TEST_CASE("a page about an evaluation shows every solver's success and errors") {
   // Proves that figures come to the page unchanged and sorted by tolerance, solvers of a setting together. It does not
   // prove what is drawn.
-  const json data = shown(pageOf(evaluation()));
+  const json data = shown(evaluationPage(evaluation()));
   CHECK(data["tolerances"] == json{0.1, 0.2, 1.0});
   REQUIRE(data["tables"].size() == 1);
   REQUIRE(data["tables"][0]["cells"].size() == 1);
@@ -65,12 +65,12 @@ TEST_CASE("a page about an evaluation shows every solver's success and errors") 
   CHECK(joint["solvers"][1]["counts"] == json{1, 2, 1});
   json none = evaluation();
   none["cells"] = json::array();
-  CHECK_THROWS_AS(pageOf(none), InputError);
+  CHECK_THROWS_AS(evaluationPage(none), InputError);
 }
 
 TEST_CASE("a browser draws the page about an evaluation without complaint") {
   // Proves, where chromium is installed, that both groups of figures are there and no script fails.
-  const auto drawn = drawnByBrowser(pageOf(evaluation()));
+  const auto drawn = drawnByBrowser(evaluationPage(evaluation()));
   if (!drawn) {
     WARN("no chromium: not looked at");
     return;

@@ -108,6 +108,9 @@ void addPoses(CLI::App& app) {
       "a capture set whose boards and cameras to plan for, placements seen from the sole; else four A2 boards");
   poses->add_flag("--whole-boards", plan.poses.sight.wholeBoards,
                   "a board counts only where it is wholly in the picture");
+  poses->add_option("--worn", plan.wornRobots, "robots with joint errors that poses and boards are refined for besides")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 100));
   poses->add_flag("--compare", plan.compare, "what every criterion selects among the same candidates");
   poses->add_flag("--known", plan.known, "plan for cameras and boards whose places are known");
   poses->add_flag("!--fixed-boards", plan.moveBoards, "the boards remain where they are drawn");

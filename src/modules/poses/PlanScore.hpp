@@ -18,7 +18,7 @@ struct PlanOptions {
   bool compare = false;                  // all criteria on the same candidates
   Noise noise;
   std::vector<std::string> effects; // two labels, that `discriminate` tells apart
-  std::size_t wornRobots = 12;      // with joint errors, for which poses and boards are judged besides
+  std::size_t wornRobots = 0;       // with joint errors, for which poses and boards are judged besides
   bool known = false;               // cameras and boards: their places are not to be estimated
   bool moveBoards = true;           // else they lie where they are given
   bool mirrored = false;            // boards lie symmetrically to the middle between the feet, for both feet's poses

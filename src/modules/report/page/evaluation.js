@@ -41,18 +41,14 @@ function drawSuccess(context, width, height, {solvers, thesis}) {
   return targets;
 }
 
-// Counts per bin as shares per degree, as the outline of a histogram.
+// The outlines of histograms, each to its own height: errors after are hundreds of times narrower than before.
 function drawErrors(context, width, height, {before, solvers}) {
   const box = {left: 46, right: width - 8, top: 26, bottom: height - 42};
-  const density = ({counts, width: wide}) => {
-    const all = counts.reduce((a, b) => a + b, 0) || 1;
-    return counts.map(count => count / all / wide);
-  };
-  const most = 1.05 * Math.max(...[before, ...solvers].flatMap(density));
-  const {x, y} = axes(context, box, [-7, 7], [0, most], {title: "share per degree", xLabel: "[°]"});
+  const {x, y} = axes(context, box, [-7, 7], [0, 1.05], {title: "of the highest bar", xLabel: "[°]"});
   const targets = [];
   const outline = (histogram, colour, words, filled) => {
-    const shares = density(histogram), {first, width: wide} = histogram;
+    const {counts, first, width: wide} = histogram;
+    const all = counts.reduce((a, b) => a + b, 0), shares = counts.map(count => count / (Math.max(...counts) || 1));
     context.fillStyle = context.strokeStyle = colour;
     context.lineWidth = 1.5;
     context.beginPath();
@@ -61,7 +57,7 @@ function drawErrors(context, width, height, {before, solvers}) {
       context.lineTo(x(first + i * wide), y(share));
       context.lineTo(x(first + (i + 1) * wide), y(share));
       if (share > 0) targets.push({x: x(first + (i + 0.5) * wide), y: y(share), tip: () => words + ", " +
-        tenths(first + i * wide) + "° to " + tenths(first + (i + 1) * wide) + "°: " + percent(share * wide)});
+        tenths(first + i * wide) + "° to " + tenths(first + (i + 1) * wide) + "°: " + percent(counts[i] / all)});
     });
     context.lineTo(x(first + shares.length * wide), y(0));
     if (filled) {
@@ -92,7 +88,8 @@ function fill(parent, figures, heightOf, draw) {
 function choice(select, names, show) {
   names.forEach((name, i) => select.add(new Option(name, i)));
   select.addEventListener("change", () => show(Number(select.value)));
-  if (names.length) show(0);
+  select.value = names.length - 1; // what is hardest comes last
+  show(names.length - 1);
 }
 
 at("verdict").classList.add("usable");
