@@ -1,10 +1,10 @@
 #include "poses/Outline.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <limits>
+#include <numeric>
 
 namespace naocal {
 
