@@ -7,7 +7,8 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
   if(EXISTS ${page_output}.missing)
     file(REMOVE ${page_output}) # to be tried again
   endif()
-  file(GLOB page_files CONFIGURE_DEPENDS ${page_folder}/*.js ${page_folder}/*.css ${page_folder}/*.html)
+  file(GLOB page_files CONFIGURE_DEPENDS ${page_folder}/*.js ${page_folder}/*.css ${page_folder}/*.html
+    ${CMAKE_SOURCE_DIR}/src/modules/report/page/shared/*.js)
   add_custom_command(
     OUTPUT ${page_output}
     COMMAND ${CMAKE_COMMAND} -DNPM=${NPM} -DOUTPUT=${page_output} -DSOURCE=${page_folder} -P ${page_folder}/build.cmake

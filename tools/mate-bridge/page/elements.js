@@ -1,4 +1,4 @@
-// Elements, and the note beside the pointer.
+// Elements, and files for the person.
 
 // make("p", {class: "soft", onclick}, "text", child): properties that are functions are listeners.
 export function make(tag, properties = {}, ...children) {
@@ -30,18 +30,6 @@ export function choice(label, options, chosen, changed) {
   }
   return make("label", {}, label + " ", select);
 }
-
-const tip = () => document.getElementById("tip");
-
-export function showTip(event, text) {
-  const note = tip();
-  note.hidden = false;
-  note.textContent = text;
-  note.style.left = Math.max(4, Math.min(event.clientX + 14, innerWidth - note.offsetWidth - 8)) + "px";
-  note.style.top = (event.clientY + 18 + note.offsetHeight < innerHeight ? event.clientY + 18
-                                                                        : event.clientY - note.offsetHeight - 12) + "px";
-}
-export const hideTip = () => { tip().hidden = true; };
 
 export const empty = (title, ...words) => make("div", {class: "empty"}, make("h2", {}, title), make("p", {}, ...words));
 

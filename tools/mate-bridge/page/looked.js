@@ -1,7 +1,7 @@
 // The candidate that is looked at: what it is, what the captures say of it, what it looks like.
 import {make, button, choice} from "./elements.js";
 import {withUnit, short, tenths, px, chance, sizeWords, stateWords, stateName} from "./words.js";
-import {figure, axes, arrow, colours, enlargement, enlargedWords} from "./canvas.js";
+import {figure, drawAdded, drawShift, colours, enlargement, enlargedWords} from "./canvas.js";
 import {state, act} from "./state.js";
 
 let shownCamera = 0;
@@ -49,11 +49,10 @@ function imprintOf(imprint, {pictures, cameras}, again) {
       context.fillRect(0, 0, width, height);
       caption.textContent = "capture " + pictures[seen.picture].capture + ", " + camera + " camera: " + px(seen.before) +
         " rms, " + px(seen.after) + " once the model without it is fitted; " + enlargedWords(enlarged);
-      return seen.corners.map(([u, v, du, dv, left, down]) => {
-        const x = scale * (u + 0.5), y = scale * (v + 0.5);
-        arrow(context, colours.orange, 3, x, y, scale * enlarged * du, scale * enlarged * dv);
-        arrow(context, colours.blue, 1.5, x, y, scale * enlarged * left, scale * enlarged * down);
-        return {x, y, tip: () => "shifted by " + px(Math.hypot(du, dv)) + ", after refitting " + px(Math.hypot(left, down))};
+      return seen.corners.map(corner => {
+        const [, , du, dv, left, down] = corner;
+        return {...drawShift(context, scale, enlarged, corner), tip: () => "shifted by " + px(Math.hypot(du, dv)) +
+          ", after refitting " + px(Math.hypot(left, down))};
       });
     },
   });
@@ -65,42 +64,8 @@ function imprintOf(imprint, {pictures, cameras}, again) {
 
 // A point per pose; the slope is the size.
 function addedOf({label, added}, {poses}) {
-  const {slope, sigma, points} = added;
-  const drawn = figure({
-    height: 240, label: "what each pose says about " + label,
-    draw: (context, width, height) => {
-      const box = {left: 46, right: width - 8, top: 28, bottom: height - 42};
-      const spread = (values, least) => {
-        const low = Math.min(0, ...values), high = Math.max(0, ...values), margin = 0.06 * (high - low) + least;
-        return [low - margin, high + margin];
-      };
-      const [left, right] = spread(points.map(([, x]) => x), 1e-9), [bottom, top] = spread(points.map(([, , y]) => y), 1);
-      const {x, y, line} = axes(context, box, [left, right], [bottom, top], {yLabel: "measured that way [sigma]", xLabel: "what it would do to the pose [sigma]"});
-      context.save();
-      context.beginPath();
-      context.rect(box.left, box.top, box.right - box.left, box.bottom - box.top);
-      context.clip();
-      context.fillStyle = context.strokeStyle = colours.orange;
-      for (const end of [left, right]) {
-        context.globalAlpha = 0.2;
-        context.beginPath();
-        context.moveTo(x(0), y(0));
-        context.lineTo(x(end), y(end * (slope - 2 * sigma)));
-        context.lineTo(x(end), y(end * (slope + 2 * sigma)));
-        context.fill();
-        context.globalAlpha = 1;
-      }
-      context.lineWidth = 2;
-      line(x(left), y(left * slope), x(right), y(right * slope));
-      context.restore();
-      context.fillStyle = colours.blue;
-      return points.filter(([pose]) => pose !== null).map(([pose, a, b]) => {
-        context.beginPath();
-        context.arc(x(a), y(b), 2.8, 0, 7);
-        context.fill();
-        return {x: x(a), y: y(b), tip: () => "pose " + poses[pose].name + "\nmeasured " + tenths(b) + " sigma that way"};
-      });
-    },
-  });
+  const tipOf = ([pose, , y]) => "pose " + poses[pose].name + "\nmeasured " + tenths(y) + " sigma that way";
+  const drawn = figure({height: 240, label: "what each pose says about " + label,
+    draw: (context, width, height) => drawAdded(context, width, height, added, tipOf)});
   return [make("h3", {}, "What each pose says"), make("p", {class: "soft"}, "Convincing: many poses along a line that is not flat."), drawn];
 }

@@ -6,7 +6,7 @@ import {state, act, notice, onNotice} from "./state.js";
 import {showModel} from "./model.js";
 import {showCompare} from "./compare.js";
 import {showLearn} from "./learn.js";
-import {showMap} from "./map.js";
+import {showMap} from "./jointMap.js";
 import {showOwn} from "./own.js";
 import {showResult} from "./result.js";
 import {showLive, leaveLive, liveTold} from "./live.js";

@@ -1,10 +1,8 @@
 // One picture with its corners: a ring where measured, a line to the cross where predicted.
 import {make} from "./elements.js";
-import {figure, colours, enlargement, enlargedWords} from "./canvas.js";
+import {figure, colours, enlargement, enlargedWords, drawCorner, doubtfulBelow} from "./canvas.js";
 import {px, direction, pictureName, rms} from "./words.js";
 import {state} from "./state.js";
-
-const doubtfulBelow = 0.5;
 
 // The corners of a picture in the layer shown: {u, v, du, dv, id, board, weight, picture}. Made once: there may be many.
 const made = new WeakMap(); // by picture: corners and their rms, by layer
@@ -64,29 +62,12 @@ function draw(context, width, height, picture, caption, redraw) {
   const enlarged = enlargement(corners.map(({du, dv}) => scale * Math.hypot(du, dv)), 0.06 * width);
   const targets = corners.map(corner => {
     const x = scale * (corner.u + 0.5), y = scale * (corner.v + 0.5);
-    return {x, y, endX: x + scale * enlarged * corner.du, endY: y + scale * enlarged * corner.dv, corner, tip: () => cornerTip(corner)};
+    return {x, y, endX: x + scale * enlarged * corner.du, endY: y + scale * enlarged * corner.dv,
+      doubtful: corner.weight < doubtfulBelow, tip: () => cornerTip(corner)};
   });
   if (behind) targets.forEach(target => drawCorner(context, target, true));
   targets.forEach(target => drawCorner(context, target, false));
   caption.replaceChildren(make("b", {}, px(pictureRms(picture)) + " rms"), ", " + enlargedWords(enlarged) + ": " +
     pictureName(picture) + ", " + (picture.boards.length === 1 ? "board " : "boards ") + picture.boards.map(({board}) => board).join(", "));
   return targets;
-}
-
-// As a halo broad and pale, to make it stand out from a photograph.
-function drawCorner(context, {x, y, endX, endY, corner}, halo) {
-  const stroke = (name, path) => {
-    context.strokeStyle = halo ? "rgba(255, 255, 255, 0.6)" : colours[name];
-    context.lineWidth = halo ? 3.5 : 1.5;
-    context.beginPath();
-    path();
-    context.stroke();
-  };
-  stroke("orange", () => {
-    context.moveTo(x, y); context.lineTo(endX, endY);
-    context.moveTo(endX - 3, endY - 3); context.lineTo(endX + 3, endY + 3);
-    context.moveTo(endX - 3, endY + 3); context.lineTo(endX + 3, endY - 3);
-  });
-  stroke("blue", () => context.arc(x, y, 3.5, 0, 7));
-  if (corner.weight < doubtfulBelow) stroke("pink", () => context.rect(x - 8, y - 8, 16, 16));
 }

@@ -48,7 +48,7 @@ function draw(context, width, height, {points, horizontal, vertical, choose}) {
   const reach = 1.15 * Math.max(0.3, quantile(points.map(({y}) => Math.abs(y)), 0.995));
   const box = {left: 50, right: width - 10, top: 28, bottom: height - 44};
   const {x, y, line} = axes(context, box, [low - margin, high + margin], [vertical.value === "length" ? 0 : -reach, reach],
-    {xLabel: horizontal.text, yLabel: "predicted − measured, " + vertical.text});
+    {xLabel: horizontal.text, title: "predicted − measured, " + vertical.text});
   context.fillStyle = colours.blue;
   context.globalAlpha = Math.max(0.12, Math.min(0.6, 900 / points.length));
   const size = points.length > 20000 ? 2 : 3.2;

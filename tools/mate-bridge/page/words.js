@@ -1,52 +1,13 @@
-// Numbers in words, as the report writes them.
+// Numbers in words, as the report writes them, and what only the panel says.
+import {stateWords as concluded} from "../../../src/modules/report/page/shared/words.js";
 
-const minus = text => text.replace("-", "−");
+export * from "../../../src/modules/report/page/shared/words.js";
 
-// The value with as many digits as its error bar deserves.
-export function withError(value, sigma, unit = "") {
-  const digits = Math.min(6, Math.max(0, 1 - Math.floor(Math.log10(Math.abs(sigma) || 1))));
-  return withUnit(minus(value.toFixed(digits)) + " ± " + sigma.toFixed(digits), unit);
-}
-
-export const withUnit = (text, unit) => !unit ? text : unit.startsWith("°") ? text + unit : text + " " + unit;
-export const sizeWords = ({name, value, sigma, unit}) =>
-  value === null || sigma === null ? name + " unknown" : name + " = " + withError(value, sigma, unit);
-export const px = value => minus(value.toFixed(Math.abs(value) < 10 ? 2 : 1)) + " px";
 export const px3 = value => value.toFixed(3) + " px";
-
-// Three digits at most; a dash for what is not known.
-export const short = value => value === null || value === undefined || !isFinite(value) ? "–"
-  : minus(String(Number(value.toPrecision(3))));
-export const tenths = value => minus((Math.round(10 * value) / 10 || 0).toFixed(1)); // never −0.0
-export const number = value => minus(String(value));
-export const chance = p => p < 0.001 ? "p < 0.001" : "p = " + Number(p.toPrecision(2));
-
-// "0.80 px to the right, 0.30 px down"
-export const direction = (x, y) =>
-  px(Math.abs(x)) + (x < 0 ? " to the left, " : " to the right, ") + px(Math.abs(y)) + (y < 0 ? " up" : " down");
-
-export function quantile(values, share) {
-  const sorted = Float64Array.from(values).sort();
-  return sorted.length ? sorted[Math.floor(share * (sorted.length - 1))] : 0;
-}
-
 export const rms = values => Math.sqrt(values.reduce((sum, value) => sum + value * value, 0) / Math.max(1, values.length));
 
-export const stateWords = {
-  "present": "added to this model, it would explain more than chance does",
-  "aliased": "explains as much, but one that these captures cannot tell from it was taken",
-  "trivial": "there, but too small to matter",
-  "absent": "would have been seen if it were as large as it plausibly is",
-  "inconclusive": "might be there without being seen",
-  "absorbed": "these poses cannot test it: other unknowns imitate it, or hardly anything moves it",
-  "no-data": "cannot be tested: what drives it was not recorded",
-};
-
+export const stateWords = {...concluded, present: "added to this model, it would explain more than chance does"};
 export const stateName = name => name === "present" ? "would help" : name.replace("-", " ");
-
-export const driverWords = name => name === "t" ? "time" : name === "approach" ? "how it was approached"
-  : name === "T" ? "its temperature" : name === "qd" ? "its speed"
-  : name.startsWith("tau_") ? "the torque on " + name.slice(4) : "the angle of " + name;
 
 export const pictureName = ({capture, camera, pose}) =>
   "capture " + capture + (pose ? ", pose " + pose : "") + ", " + camera + " camera";

@@ -20,14 +20,14 @@ function showAdded(parent) {
 
 function addedFigure(candidate) {
   const figure = element("figure");
-  canvasFigure(figure, () => 280, (context, width, height) => drawAdded(context, width, height, candidate),
-    "what each pose says about " + candidate.label);
+  canvasFigure(figure, 280, (context, width, height) =>
+    drawAdded(context, width, height, candidate.added, point => pointTip(point, candidate)), "what each pose says about " + candidate.label);
   figure.appendChild(element("figcaption")).append(element("b", "", candidate.label), ": " + addedWords(candidate.added));
   return figure;
 }
 
 const slopeWords = ({of, unit}, slope, sigma) =>
-  withUnit(of + " = " + withError(slope, sigma, "").trim(), unit || (of === "size" ? "times what was found" : ""));
+  withUnit(of + " = " + withError(slope, sigma), unit || (of === "size" ? "times what was found" : ""));
 
 // The size, and how far it rests on one pose.
 function addedWords(added) {
@@ -46,43 +46,7 @@ function addedWords(added) {
     poseName(weakest.pose) + ", which counts most, ") + twoDigits(left) + " sigma" + (left < strength / 2 ? " without it." : ".");
 }
 
-function drawAdded(context, width, height, {label, added}) {
-  const {of, unit, slope, sigma, points, like} = added;
-  const xs = [0, ...points.map(([, x]) => x)], ys = [0, ...points.map(([, , y]) => y)];
-  const box = {left: 46, right: width - 8, top: 30, bottom: height - 42};
-  const spread = (values, least) => {
-    const low = Math.min(...values), high = Math.max(...values), margin = 0.06 * (high - low) + least;
-    return [low - margin, high + margin];
-  };
-  const [left, right] = spread(xs, 1e-9), [bottom, top] = spread(ys, 1);
-  const {x, y, line} = axes(context, box, [left, right], [bottom, top], {title: "measured that way [sigma]",
-    xLabel: "what " + (of === "size" ? "the size found" : withUnit(of + " = 1", unit)) + " would do to the pose [sigma]"});
-  context.save();
-  context.beginPath();
-  context.rect(box.left, box.top, box.right - box.left, box.bottom - box.top);
-  context.clip();
-  context.strokeStyle = context.fillStyle = colours.orange;
-  for (const end of [left, right]) {
-    context.globalAlpha = 0.2;
-    context.beginPath();
-    context.moveTo(x(0), y(0));
-    context.lineTo(x(end), y(end * (slope - 2 * sigma)));
-    context.lineTo(x(end), y(end * (slope + 2 * sigma)));
-    context.fill();
-    context.globalAlpha = 1;
-  }
-  context.lineWidth = 2;
-  line(x(left), y(left * slope), x(right), y(right * slope));
-  context.restore();
-  context.strokeStyle = context.fillStyle = colours.blue;
-  context.lineWidth = 1;
-  return points.filter(([pose]) => pose !== null).map(([pose, a, b]) => {
-    context.globalAlpha = 0.45;
-    line(x(a), y(b - 1), x(a), y(b + 1));
-    context.globalAlpha = 1;
-    const target = {x: x(a), y: y(b)};
-    dot(context, target);
-    return {...target, tip: () => poseTip(pose) + "\n" + label + " from this pose alone: " +
-      slopeWords(added, b / a, 1 / Math.abs(a)) + "\nit moves the pose " + (a < 0 ? "against" : "in") + " the sense of " + like};
-  });
+function pointTip([pose, a, b], {label, added}) {
+  return poseTip(pose) + "\n" + label + " from this pose alone: " + slopeWords(added, b / a, 1 / Math.abs(a)) + "\nit moves the pose " +
+    (a < 0 ? "against" : "in") + " the sense of " + added.like;
 }

@@ -1,5 +1,4 @@
-"use strict";
-// What every page needs: its data, elements, numbers in words, the note beside the pointer, text to copy.
+// What every page needs: its data, elements, notes beside the pointer, text to copy.
 
 const at = id => document.getElementById(id);
 const data = JSON.parse(at("data").textContent);
@@ -11,45 +10,7 @@ function element(tag, className, text) {
   return result;
 }
 
-// The value with as many digits as its error bar deserves.
-function withError(value, halfWidth, unit) {
-  const digits = Math.min(6, Math.max(0, 1 - Math.floor(Math.log10(halfWidth || 1))));
-  return value.toFixed(digits).replace("-", "−") + " ± " + halfWidth.toFixed(digits) + " " + unit;
-}
-
-const px = value => value.toFixed(Math.abs(value) < 10 ? 2 : 1) + " px";
-
-// Three digits at most, with a real minus; a dash for what is not known.
-const short = value => value === null ? "–" : String(Number(value.toPrecision(3))).replace("-", "−");
-const tenths = value => (Math.round(10 * value) / 10 || 0).toFixed(1).replace("-", "−"); // never −0.0
-const withUnit = (text, unit) => unit.startsWith("°") || !unit ? text + unit : text + " " + unit;
-
-// "p = 0.02"
-const chance = p => p < 0.001 ? "p < 0.001" : "p = " + Number(p.toPrecision(2));
-
-// "0.80 px to the right, 0.30 px down"
-const direction = ([x, y]) =>
-  px(Math.abs(x)) + (x < 0 ? " to the left, " : " to the right, ") + px(Math.abs(y)) + (y < 0 ? " up" : " down");
-
 const lengthOf = ([x, y]) => Math.hypot(x, y);
-const mean = values => values.reduce((a, b) => a + b, 0) / values.length;
-
-// The value that a share of the values does not exceed; 0 when there are none.
-function quantile(values, share) {
-  const sorted = Float64Array.from(values).sort();
-  return sorted.length ? sorted[Math.floor(share * (sorted.length - 1))] : 0;
-}
-
-function showTip(event, text) {
-  const tip = at("tip");
-  tip.hidden = false;
-  tip.textContent = text;
-  tip.style.left = Math.max(4, Math.min(event.clientX + 14, innerWidth - tip.offsetWidth - 8)) + "px";
-  tip.style.top = (event.clientY + 18 + tip.offsetHeight < innerHeight ? event.clientY + 18
-                                                                     : event.clientY - tip.offsetHeight - 12) + "px";
-}
-
-const hideTip = () => { at("tip").hidden = true; };
 
 // The note `text` beside the pointer while it is over `part`.
 function tipOver(part, text) {

@@ -3,19 +3,6 @@
 const shownFirst = 12;
 let shownState = "", showAll = false;
 
-const stateWords = {
-  "present": "the captures need it",
-  "aliased": "explains as much, but one that these captures cannot tell from it was taken",
-  "trivial": "there, but too small to matter",
-  "absent": "would have been seen if it were as large as it plausibly is",
-  "inconclusive": "might be there without being seen",
-  "absorbed": "these poses cannot test it: other unknowns imitate it, or hardly anything moves it",
-  "no-data": "cannot be tested: what drives it was not recorded",
-};
-
-const sizeWords = ({name, value, sigma, unit}) =>
-  value === null || sigma === null ? name + " unknown" : withUnit(name + " = " + withError(value, sigma, "").trim(), unit);
-
 const detectableWords = ({detectable, unit}) =>
   detectable === null ? "–" : withUnit(String(Number(detectable.toPrecision(2))), unit);
 

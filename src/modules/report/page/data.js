@@ -4,8 +4,6 @@
 // noise.
 let layer = "reported";
 
-const doubtfulBelow = 0.7; // weight of a corner; as the result's list of doubtful corners
-
 const corners = []; // {picture, board, id, u, v, reported: [du, dv], fitted: [du, dv], weight}
 const boardViews = []; // {picture, board, corners}
 for (const picture of data.pictures) {

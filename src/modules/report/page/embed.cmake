@@ -1,13 +1,16 @@
 # Puts the pages' files into the program: included by CMake it adds the step, run by the build it writes the source.
+# What stands in shared/ is drawn in the panel's page too, which imports it as modules; here files are one script, as
+# which they need neither `import` nor `export`, nor npm.
 set(result_sections result.html)
 set(result_style style.css)
-set(result_script basics.js data.js drawing.js estimates.js pictures.js fields.js trends.js groups.js result.js)
+set(shared shared/words.js shared/figure.js shared/axes.js shared/plots.js)
+set(result_script ${shared} basics.js data.js drawing.js estimates.js pictures.js fields.js trends.js groups.js result.js)
 set(evaluation_sections evaluation.html)
 set(evaluation_style style.css evaluation.css)
-set(evaluation_script basics.js drawing.js evaluation.js)
+set(evaluation_script ${shared} basics.js drawing.js evaluation.js)
 set(diagnosis_sections diagnosis.html)
 set(diagnosis_style style.css diagnosis.css)
-set(diagnosis_script basics.js drawing.js ladder.js candidates.js taken.js added.js aliases.js imprint.js map.js curves.js whatif.js within.js diagnosis.js)
+set(diagnosis_script ${shared} basics.js drawing.js ladder.js candidates.js taken.js added.js aliases.js imprint.js map.js curves.js whatif.js within.js diagnosis.js)
 
 if(CMAKE_SCRIPT_MODE_FILE)
   set(source "#include \"report/PageFiles.hpp\"\n\nnamespace naocal::pageFiles {\n\n")
@@ -19,6 +22,10 @@ if(CMAKE_SCRIPT_MODE_FILE)
       string(APPEND source "\n  .${part} =")
       foreach(file IN LISTS ${page}_${part})
         file(READ ${CMAKE_CURRENT_LIST_DIR}/${file} text)
+        if(part STREQUAL "script")
+          string(REGEX REPLACE "(^|\n)import [^\n]*" "" text "${text}")
+          string(REGEX REPLACE "(^|\n)export " "\\1" text "${text}")
+        endif()
         string(APPEND source "\n    R\"embedded(${text})embedded\"")
       endforeach()
       string(APPEND source ",")
@@ -31,7 +38,7 @@ endif()
 
 set(folder ${CMAKE_CURRENT_SOURCE_DIR}/report/page)
 set(output ${CMAKE_CURRENT_BINARY_DIR}/report/PageFiles.cpp)
-file(GLOB files CONFIGURE_DEPENDS ${folder}/*.html ${folder}/*.css ${folder}/*.js)
+file(GLOB files CONFIGURE_DEPENDS ${folder}/*.html ${folder}/*.css ${folder}/*.js ${folder}/shared/*.js)
 add_custom_command(
   OUTPUT ${output}
   COMMAND ${CMAKE_COMMAND} -DOUTPUT=${output} -P ${folder}/embed.cmake

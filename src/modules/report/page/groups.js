@@ -7,7 +7,7 @@ function showGroups(parent, members, xLabel, label) {
     if (!groups.has(member.group)) groups.set(member.group, []);
     groups.get(member.group).push(member);
   }
-  canvasFigure(parent, () => 280, (context, width, height) => {
+  canvasFigure(parent, 280, (context, width, height) => {
     const values = members.map(member => rms(member.corners));
     const highest = Math.max(1e-3, Math.min(1.08 * quantile(values, 1), 4 * quantile(values, 0.9)));
     const box = {left: 45, right: width - 5, top: 30, bottom: height - 40};
@@ -24,7 +24,8 @@ function drawGroup(context, {x, y, line}, {name, list, place, highest}) {
   const targets = list.map((member, i) => {
     const value = rms(member.corners), across = list.length > 1 ? 1.2 * half * (i / (list.length - 1) - 0.5) : 0;
     return {
-      x: x(place) + across, y: y(Math.min(highest, value)), beyond: value > highest ? -1 : 0, picture: member.picture,
+      x: x(place) + across, y: y(Math.min(highest, value)), beyond: value > highest ? -1 : 0,
+      click: () => showPicture(member.picture),
       tip: () => member.name + "\n" + px(value) + " rms; all of " + name + ": " + px(level),
     };
   });

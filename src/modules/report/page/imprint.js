@@ -66,11 +66,9 @@ function drawImprint(context, width, height, {seen, scale, caption, camera}) {
   caption.replaceChildren(element("b", "", camera + " camera"), ", " + (seen.length > 1 ? seen.length + " captures"
     : captureName(seen[0].picture)) + ": " + over(({before}) => before) + " rms, " + over(({after}) => after) +
     " after refitting; " + enlargedWords(enlarged));
-  return corners.map(({picture, corner: [u, v, du, dv, left, down]}) => {
-    const x = scale * (u + 0.5), y = scale * (v + 0.5);
-    arrow(context, colours.orange, 3, x, y, scale * enlarged * du, scale * enlarged * dv);
-    arrow(context, colours.blue, 1.5, x, y, scale * enlarged * left, scale * enlarged * down);
-    return {x, y, tip: () => captureName(picture) + "\nshifted by " + direction([du, dv]) + "\nafter refitting " +
-      direction([left, down])};
+  return corners.map(({picture, corner}) => {
+    const [, , du, dv, left, down] = corner;
+    return {...drawShift(context, scale, enlarged, corner), tip: () => captureName(picture) + "\nshifted by " +
+      direction(du, dv) + "\nafter refitting " + direction(left, down)};
   });
 }

@@ -52,7 +52,7 @@ function cornerTarget(corner, scale, enlarged) {
   const [du, dv] = corner[layer], x = scale * (corner.u + 0.5), y = scale * (corner.v + 0.5);
   return {
     x, y, endX: x + scale * enlarged * du, endY: y + scale * enlarged * dv,
-    doubtful: corner.weight < doubtfulBelow, picture: corner.picture, tip: () => cornerTip(corner),
+    doubtful: corner.weight < doubtfulBelow, click: () => showPicture(corner.picture), tip: () => cornerTip(corner),
   };
 }
 
@@ -61,25 +61,7 @@ function cornerTip(corner) {
     : corner.weight < 1 ? "\ncounts " + Math.round(100 * corner.weight) + " %" : "";
   return "board " + corner.board + ", corner " + corner.id + " at (" + corner.u.toFixed(1) + ", " + corner.v.toFixed(1) +
     ")\n" + pictureName(corner.picture) + "\npredicted " + px(lengthOf(corner[layer])) + " off: " +
-    direction(corner[layer]) + weight;
-}
-
-// A ring where measured, a cross where predicted; as a halo broad and pale, to make it stand out from a photograph.
-function drawCorner(context, {x, y, endX, endY, doubtful}, halo) {
-  const stroke = (name, path) => {
-    context.strokeStyle = halo ? "rgba(255, 255, 255, 0.6)" : colours[name];
-    context.lineWidth = halo ? 3.5 : 1.5;
-    context.beginPath();
-    path();
-    context.stroke();
-  };
-  stroke("orange", () => {
-    context.moveTo(x, y); context.lineTo(endX, endY);
-    context.moveTo(endX - 3, endY - 3); context.lineTo(endX + 3, endY + 3);
-    context.moveTo(endX - 3, endY + 3); context.lineTo(endX + 3, endY - 3);
-  });
-  stroke("blue", () => context.arc(x, y, 3.5, 0, 7));
-  if (doubtful) stroke("pink", () => context.rect(x - 8, y - 8, 16, 16));
+    direction(...corner[layer]) + weight;
 }
 
 function showPage() {

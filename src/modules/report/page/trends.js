@@ -30,9 +30,9 @@ function drawTrend(context, box, points, side, highest, xLabel) {
     return {
       x: x(point.x), y: y(Math.max(-highest, Math.min(highest, value))),
       beyond: Math.abs(value) > highest ? -Math.sign(value) : 0,
-      picture: point.view.picture,
+      click: () => showPicture(point.view.picture),
       tip: () => pictureName(point.view.picture) + "\nboard " + point.view.board + ": predicted " +
-        direction(point.error) + " on average\n" + xLabel + ": " + Number(point.x.toFixed(2)),
+        direction(...point.error) + " on average\n" + xLabel + ": " + Number(point.x.toFixed(2)),
     };
   });
   targets.forEach(target => dot(context, target));

@@ -36,7 +36,7 @@ function showWhatIf(parent) {
   const first = data.candidates.length ? data.candidates[0].label.split("@")[1] : "";
   joint.selectedIndex = Math.max(0, ranked.findIndex(({joint: name}) => name === first)); // several joints move pictures alike
   const chosen = () => ranked[joint.selectedIndex].offered[driver.selectedIndex].driver;
-  const redraw = canvasFigure(parent, () => 340, (context, width, height) =>
+  const redraw = canvasFigure(parent, 340, (context, width, height) =>
     drawWhatIf(context, width, height, joint.value, chosen(), caption), "deflection of a joint over a driver");
   parent.append(caption);
   const offer = () => {
@@ -114,7 +114,7 @@ function drawWhatIf(context, width, height, joint, driver, caption) {
     dot(context, target);
     return {...target, tip: () => poseName(point.pose) + "\ncaptures " + pictures.map(picture =>
       data.pictures[picture].capture).join(", ") + "\n" + what + ": " + withUnit(short(a), unit) + "\n" + joint + " off by " +
-      withError(b, sigma, "").trim() + "°"};
+      withError(b, sigma, "°")};
   });
   context.globalAlpha = 1;
   context.strokeStyle = context.fillStyle = colours.orange;

@@ -11,7 +11,7 @@ function showWithin(fields, ranges) {
     figure.append(caption);
   }
   const caption = element("figcaption");
-  canvasFigure(ranges, () => 300, (context, width, height) => drawRanges(context, width, height, caption),
+  canvasFigure(ranges, 300, (context, width, height) => drawRanges(context, width, height, caption),
     "what is left over the distance of boards");
   ranges.append(caption);
 }
@@ -28,7 +28,7 @@ function drawWithin(context, width, height, {camera, scale, caption}) {
     const x = scale * (cell.u + 0.5), y = scale * (cell.v + 0.5), certain = sure.includes(cell);
     arrow(context, certain ? colours.orange : colours.soft, certain ? 2.5 : 1, x, y, scale * enlarged * cell.du,
       scale * enlarged * cell.dv);
-    return {x, y, tip: () => cell.corners + " corners, in the mean predicted " + direction([cell.du, cell.dv]) + " (± " +
+    return {x, y, tip: () => cell.corners + " corners, in the mean predicted " + direction(cell.du, cell.dv) + " (± " +
       px(cell.sigma) + ")\nlargest: " + captureName(cell.worst)};
   });
 }

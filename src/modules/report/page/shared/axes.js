@@ -1,0 +1,78 @@
+// What drawings share: round numbers, axes, arrows, points.
+import {colours} from "./figure.js";
+import {number, quantile} from "./words.js";
+
+// Round numbers from low to high, about `count` of them.
+export function ticks(low, high, count) {
+  const rough = (high - low) / Math.max(1, count), power = 10 ** Math.floor(Math.log10(rough));
+  const step = power * [1, 2, 5, 10].find(factor => factor * power >= 0.7 * rough);
+  const result = [];
+  for (let i = Math.ceil(low / step); i * step <= high + 1e-9 * step; ++i) result.push(Number((i * step).toPrecision(12)));
+  return result;
+}
+
+// Grid lines and numbers around `box`; returns the functions from values to pixels. Without xLabel no x numbers.
+export function axes(context, box, [xLow, xHigh], [yLow, yHigh], {title, xLabel}) {
+  const x = value => box.left + (value - xLow) / (xHigh - xLow) * (box.right - box.left);
+  const y = value => box.bottom - (value - yLow) / (yHigh - yLow) * (box.bottom - box.top);
+  const line = (x0, y0, x1, y1) => {
+    context.beginPath();
+    context.moveTo(x0, y0);
+    context.lineTo(x1, y1);
+    context.stroke();
+  };
+  context.fillStyle = colours.soft;
+  context.lineWidth = 1;
+  context.textAlign = "right";
+  context.textBaseline = "middle";
+  for (const value of ticks(yLow, yHigh, (box.bottom - box.top) / 45)) {
+    context.strokeStyle = value === 0 ? colours.soft : colours.line;
+    line(box.left, y(value), box.right, y(value));
+    context.fillText(number(value), box.left - 6, y(value));
+  }
+  context.strokeStyle = colours.line;
+  context.textAlign = "center";
+  context.textBaseline = "top";
+  if (xLabel) {
+    for (const value of ticks(xLow, xHigh, (box.right - box.left) / 70)) {
+      line(x(value), box.bottom, x(value), box.bottom + 4);
+      context.fillText(number(value), x(value), box.bottom + 6);
+    }
+    context.fillText(xLabel, (box.left + box.right) / 2, box.bottom + 22);
+  }
+  context.textAlign = "left";
+  context.fillText(title, box.left - 40, box.top - 20);
+  return {x, y, line};
+}
+
+// How often errors are enlarged so that most of them stay shorter than `longest`.
+export const enlargement = (lengths, longest) =>
+  [200, 100, 50, 20, 10, 5, 2].find(factor => factor * quantile(lengths, 0.9) <= longest) || 1;
+export const enlargedWords = factor => factor === 1 ? "not enlarged" : "enlarged " + factor + " times";
+
+export function arrow(context, colour, thick, x, y, dx, dy) {
+  const length = Math.hypot(dx, dy), head = Math.min(5 + thick, 0.5 * length), angle = Math.atan2(dy, dx);
+  context.strokeStyle = colour;
+  context.lineWidth = thick;
+  context.beginPath();
+  context.moveTo(x, y);
+  context.lineTo(x + dx, y + dy);
+  for (const side of [-2.6, 2.6]) {
+    context.moveTo(x + dx, y + dy);
+    context.lineTo(x + dx + head * Math.cos(angle + side), y + dy + head * Math.sin(angle + side));
+  }
+  context.stroke();
+}
+
+// A point beyond an axis lies at its end and points outwards (`beyond` -1: up).
+export function dot(context, {x, y, beyond}) {
+  context.beginPath();
+  if (beyond) {
+    context.moveTo(x - 4, y - 2 * beyond);
+    context.lineTo(x + 4, y - 2 * beyond);
+    context.lineTo(x, y + 5 * beyond);
+  } else {
+    context.arc(x, y, 2.5, 0, 7);
+  }
+  context.fill();
+}

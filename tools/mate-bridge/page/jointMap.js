@@ -1,0 +1,45 @@
+// The joint by driver map, and the best of its curves.
+import {make, button, empty} from "./elements.js";
+import {figure, bestOf, mapHeight, drawMap, drawCurve} from "./canvas.js";
+import {tenths, driverWords, short} from "./words.js";
+import {state} from "./state.js";
+import {ownFrom} from "./own.js";
+
+export function showMap(parent, go) {
+  const {questions} = state;
+  if (!questions) {
+    parent.replaceChildren(make("h1", {}, "Joint by driver"), empty("The map is being drawn", "This takes a second or two."));
+    return;
+  }
+  const cells = questions.map;
+  if (!cells.length) {
+    parent.replaceChildren(make("h1", {}, "Joint by driver"), empty("There is no map", "No joint of these captures moved enough for a curve."));
+    return;
+  }
+  const best = bestOf(cells);
+  const map = figure({
+    height: mapHeight(cells), label: "evidence by joint and driver",
+    draw: (context, width, height) => drawMap(context, width, height, cells),
+  });
+  parent.replaceChildren(
+    make("h1", {}, "Joint by driver"),
+    make("p", {class: "soft"}, "How well a smooth curve of each joint (rows) over each thing that it may vary with (columns) " +
+      "would explain what the model leaves over: the darker, the better. This looks beyond the known effects. ",
+      make("b", {}, best.evidence > 0 ? "Best: " + best.joint + " over " + driverWords(best.driver) + " (evidence " + tenths(best.evidence) + ")."
+        : "Here it is empty: nothing is left.")),
+    make("div", {class: "controls"}, button("PNG", () => map.save("map.png"), {class: "small"})),
+    map, make("h2", {}, "Curves"),
+    make("p", {class: "soft"}, questions.curves.some(({evidence}) => evidence > 0)
+      ? "The best curves with a band of two standard errors. Take one over as an effect of your own and see what it explains."
+      : "Their evidence is below 0: nothing is left that a curve would explain. They are drawn so that you can see that."),
+    make("div", {class: "grid"}, ...questions.curves.map(curve => curveFigure(curve, go))));
+}
+
+function curveFigure(curve, go) {
+  const {joint, what} = curve;
+  const drawn = figure({height: 250, label: joint + " over " + what,
+    draw: (context, width, height) => drawCurve(context, width, height, curve)});
+  return make("figure", {}, drawn, make("figcaption", {}, make("b", {}, joint + " over " + what), ": ± " + short(curve.amplitude) +
+    "°, evidence " + tenths(curve.evidence)),
+    curve.evidence > 0 ? button("Take over as an own effect", () => { ownFrom(curve.model.define[0]); go("own"); }, {class: "small"}) : null);
+}
