@@ -15,7 +15,7 @@ namespace naocal {
 
 OneFoot::OneFoot(const Robot& robot, SupportFoot supportFoot)
     : robot_{robot}, supportLeg_{robot, supportSole(robot, supportFoot).name},
-      otherLeg_{robot, otherSole(robot, supportFoot).name}, middle_{middle(supportSole(robot, supportFoot).outline)} {}
+      otherLeg_{robot, otherSole(robot, supportFoot).name}, middle_{naocal::middle(supportSole(robot, supportFoot).outline)} {}
 
 bool OneFoot::stand(Belief& belief, RigidTransform soleFromTorso, const RigidTransform& soleFromOther,
                     const Eigen::Vector2d& centre) const {
