@@ -89,6 +89,9 @@ void CalibrationRunner::ask(PoseRequest::Kind kind, const std::string& name, std
 
 void CalibrationRunner::cycle() {
   state_.edit();
+  if (++cycles_ % 30 == 0) { // what does not change: who comes to look later is told within a second
+    kinds_.edit();
+  }
   watchPlayer();
   takeFinding();
   follow(*look_);

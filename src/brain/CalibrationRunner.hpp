@@ -105,7 +105,7 @@ private:
   PlayerState player_;
   bool playerKnown_ = false;
   WantedLook followed_;
-  std::uint64_t requests_ = 0;
+  std::uint64_t requests_ = 0, cycles_ = 0;
   std::string asked_; // the last value of `run`
   bool configured_ = false;
   const CalibrationKind* kind_ = nullptr;

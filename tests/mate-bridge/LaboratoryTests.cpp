@@ -7,6 +7,7 @@
 #include "synthetic/Simulation.hpp"
 #include "synthetic/StandingPoses.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -119,4 +120,50 @@ TEST_CASE("what cannot be done is refused with a sentence and changes nothing") 
   CHECK(bench.told["fit"]["without"] == Json::array({"jointOffset@HeadYaw"}));
   bench.laboratory.add("jointOffset@HeadYaw");
   CHECK(bench.told["fit"]["without"].empty());
+}
+
+TEST_CASE("what the panel saves is what the terminal reads") {
+  // Proves that a result is opened again with its model, a diagnosis with what it suggests, a model file has the
+  // person's own effect, and that reports are pages; what is in them is tested with them.
+  Bench bench;
+  bench.laboratory.fit();
+  bench.laboratory.define({{"name", "spring"},
+                           {"at", "LKneePitch"},
+                           {"correction", "a*tau"},
+                           {"unknowns", {{"a", {{"unit", "rad/Nm"}, {"sigma", 0.01}}}}}});
+  const std::filesystem::path folder = bench.set.folder.path();
+  writeAtomically(folder / "result.json", bench.laboratory.file("result.json"));
+  const OpenedSets again = openSets({(folder / "result.json").string()});
+  CHECK(std::count(again.terms.begin(), again.terms.end(), "spring@LKneePitch") == 1);
+  CHECK(Json::parse(bench.laboratory.file("model.json"))["define"][0]["name"] == "spring");
+  bench.laboratory.goTo(0);
+  bench.laboratory.question();
+  writeAtomically(folder / "diagnosis.json", bench.laboratory.file("diagnosis.json"));
+  CHECK(openSets({(folder / "diagnosis.json").string()}).sets.size() == 1);
+  for (const char* const name : {"report.html", "diagnosis.html"}) {
+    CHECK_THAT(bench.laboratory.file(name), Catch::StartsWith("<!doctype html>"));
+  }
+  CHECK_THROWS_WITH(bench.laboratory.file("poses.json"), Catch::Contains("ask for them first"));
+  CHECK_THROWS_AS(bench.laboratory.file("passwords.txt"), InputError);
+}
+
+TEST_CASE("other captures are compared with the fit") {
+  // Proves that the same captures give the fit's own error, and that the drawing alone is worse.
+  Bench bench;
+  bench.laboratory.fit();
+  bench.laboratory.compareWith(openSets({(bench.set.folder.path() / "flawed").string()}));
+  const Json compared = bench.told["compared"];
+  CHECK(compared["rmsPx"].get<double>() == Approx(bench.told["fit"]["rms"].get<double>()).epsilon(0.2));
+  CHECK(compared["nominal"]["rmsPx"].get<double>() > 3 * compared["rmsPx"].get<double>());
+}
+
+TEST_CASE("poses are proposed for what the model leaves open") {
+  // Proves that as many come as were asked for, with the angles to play them; that they tell is proven with the poses.
+  Bench bench;
+  bench.laboratory.fit();
+  bench.laboratory.propose(2);
+  const Json next = bench.told["next"];
+  REQUIRE(next["poses"].size() == 2);
+  CHECK(next["poses"][0]["joints"].contains("LKneePitch"));
+  CHECK(Json::parse(bench.laboratory.file("poses.json"))["poses"].size() == 2);
 }

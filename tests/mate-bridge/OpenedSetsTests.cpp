@@ -46,6 +46,28 @@ TEST_CASE("a result is opened with its captures and its model") {
   CHECK_FALSE(told["fit"]["pictures"].empty());
 }
 
+TEST_CASE("a recording is opened with all its sets, a diagnosis with what it suggests") {
+  // Proves both, and that an older diagnosis is opened with the sets that are named behind it and refused without.
+  const TemporaryFolder folder;
+  writeSetAndResult(folder.path() / "recording");
+  std::filesystem::rename(folder.path() / "recording" / "few", folder.path() / "recording" / "second");
+  std::filesystem::copy(folder.path() / "recording" / "second", folder.path() / "recording" / "first",
+                        std::filesystem::copy_options::recursive);
+  const std::string recording = (folder.path() / "recording").string();
+  const OpenedSets opened = openSets({recording});
+  REQUIRE(opened.sets.size() == 2);
+  CHECK(opened.sets.front().name == "first");
+
+  const std::string first = recording + "/first", file = (folder.path() / "diagnosis.json").string();
+  Json diagnosis{{"format", "naocal-diagnosis"}, {"version", 1}, {"suggested", {"elasticity@LKneePitch"}}};
+  writeAtomically(file, diagnosis.dump());
+  CHECK_THROWS_WITH(openSets({file}), Contains("name them behind it"));
+  CHECK(openSets({file, first}).with == std::vector<std::string>{"elasticity@LKneePitch"});
+  diagnosis["inputs"] = {{"sets", {first}}, {"sha256", {""}}};
+  writeAtomically(file, diagnosis.dump());
+  CHECK(openSets({file}).sets.size() == 1);
+}
+
 TEST_CASE("what cannot be opened is refused with its name and what to do") {
   // Proves the sentences for what is neither a set nor a result, and for a result without its captures.
   const TemporaryFolder folder;
@@ -54,7 +76,8 @@ TEST_CASE("what cannot be opened is refused with its name and what to do") {
   CHECK_THROWS_AS(openSets({(folder.path() / "nowhere").string()}), InputError);
   CHECK_THROWS_WITH(openSets({result, result}), Contains("opened by itself"));
   writeAtomically(folder.path() / "other.json", R"({"format": "naocal-poses"})");
-  CHECK_THROWS_WITH(openSets({(folder.path() / "other.json").string()}), Contains("opens capture sets and results"));
+  CHECK_THROWS_WITH(openSets({(folder.path() / "other.json").string()}),
+                    Contains("opens capture sets, recordings, results and diagnoses"));
   std::filesystem::remove_all(folder.path() / "few");
   CHECK_THROWS_WITH(openSets({result}), Contains("is not there any more") && Contains("open the captures themselves"));
 }

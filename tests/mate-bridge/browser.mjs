@@ -7,7 +7,7 @@ import {join} from "node:path";
 
 const notRun = 77; // CTest's SKIP_RETURN_CODE
 
-const skip = why => { console.log("not run: " + why); process.exit(notRun); };
+export const skip = why => { console.log("not run: " + why); process.exit(notRun); };
 
 // The browser's driver and axe, from the packages that the page was built with.
 export function tools(modules) {
@@ -36,12 +36,12 @@ export async function started(program, ...options) {
     child.stdout.on("data", data => { text += data; if (text.includes("\n")) resolve(text); });
     child.on("exit", code => reject(new Error(program + " ended with " + code)));
   });
-  return {line, stop: signal => new Promise(resolve => { child.on("exit", resolve); child.kill(signal); })};
+  return {line, pid: child.pid, stop: signal => new Promise(resolve => { child.on("exit", resolve); child.kill(signal); })};
 }
 
 export async function panelOf(bridge, ...options) {
-  const {line, stop} = await started(bridge, "--no-open", ...options);
-  return {address: line.match(/http:\/\/\S+/)[0], stop};
+  const {line, pid, stop} = await started(bridge, "--no-open", ...options);
+  return {address: line.match(/http:\/\/\S+/)[0], pid, stop};
 }
 
 export const run = (program, ...options) => execFileSync(program, options, {stdio: ["ignore", "ignore", "inherit"]});

@@ -3,7 +3,7 @@
 // Proves that page, bridge and science work together and leaves pictures of every view; not that the numbers are right.
 // Usage: node laboratory.mjs NAOCAL MATE-BRIDGE NODE_MODULES PICTURES
 import {createServer} from "node:http";
-import {readFileSync} from "node:fs";
+import {readFileSync, writeFileSync} from "node:fs";
 import {join} from "node:path";
 import {tools, check, panelOf, run, folder, quietPage, portrait, px, end} from "./browser.mjs";
 
@@ -56,10 +56,49 @@ for (let x = 0.15; x < 0.95 && other === first; x += 0.02) {
 check(other !== first, "a click on a point shows its capture: " + other);
 await page.getByLabel("Error over").selectOption({label: "the angle of LKneePitch [°]"});
 await portrait(page, axe, pictures, "compare");
+// Every drawing is saved as a picture and as strokes.
+const saved = async click => {
+  const [file] = await Promise.all([page.waitForEvent("download"), click()]);
+  const path = join(here, file.suggestedFilename());
+  await file.saveAs(path);
+  return {name: file.suggestedFilename(), content: readFileSync(path)};
+};
+const svg = await saved(() => page.getByRole("button", {name: /^save as SVG: error/}).click({force: true}));
+check(svg.name.endsWith(".svg") && svg.content.includes("<svg") && (svg.content.toString().match(/<(path|rect)/g) || []).length > 500, "a drawing is saved as SVG, with its points: " + svg.name);
+const png = await saved(() => page.getByRole("button", {name: /^save as PNG: error/}).click({force: true}));
+check(png.content.subarray(1, 4).toString() === "PNG", "a drawing is saved as PNG");
 await tab("Map");
 await portrait(page, axe, pictures, "map");
 await tab("Result");
 await portrait(page, axe, pictures, "result");
+const rows = (await saved(() => page.getByRole("button", {name: "CSV", exact: true}).click())).content.toString().split("\n");
+check(rows[0].startsWith("effect,at,unit,value") && rows.some(row => row.startsWith("joint offset,LKneePitch,°,")), "estimates are saved as a table");
+
+// What to measure next, other captures, and the files that the terminal's commands write.
+await tab("Next poses");
+await page.getByLabel("How many").selectOption("2");
+await page.getByRole("button", {name: "Suggest poses"}).click();
+await page.locator(".standing, .empty:has-text('There are none')").first().waitFor({timeout: 60000});
+await idle();
+check(await page.locator(".standing").count() === 2 || (await page.locator(".empty").innerText()).includes("none to suggest"), "poses are suggested, or it is said that nothing is open");
+await page.waitForTimeout(300);
+await portrait(page, axe, pictures, "next");
+run(naocal, "simulate", join(here, "others"), "--hidden-flaw", "--poses", "8", "--samples", "2", "--seed", "2", "--robot-seed", "1");
+await tab("Files");
+await page.getByLabel("path of other captures").fill(join(here, "others"));
+await page.getByRole("button", {name: "Compare", exact: true}).last().click();
+await page.getByText("from their predictions over").waitFor();
+await idle();
+await portrait(page, axe, pictures, "files");
+const result = JSON.parse((await saved(() => page.getByRole("button", {name: "result.json"}).click())).content);
+check(result.format === "naocal-result" && result.effects.some(one => one.effect === effect && one.at === at), "the result is saved as naocal solve writes it");
+const session = (await saved(() => page.getByRole("button", {name: "session.html"}).click())).content.toString();
+check(!session.includes("<script") && (session.match(/<img /g) || []).length >= 8 && session.includes("Where the prediction fails"), "the session is one page: " + Math.round(session.length / 1e5) / 10 + " MB");
+writeFileSync(join(pictures, "session.html"), session);
+const alone = await browser.newPage({viewport: {width: 1200, height: 900}});
+await alone.goto("file://" + join(pictures, "session.html"));
+await alone.screenshot({path: join(pictures, "session.png"), fullPage: true});
+await alone.close();
 
 // An own effect: a broken one shows where, a good one can be added.
 await tab("Own effect");
@@ -107,8 +146,8 @@ const tried = await foreign.evaluate(async address => ({
   }),
 }), panel.address);
 check(JSON.stringify(tried) === '{"live":"closed","read":"refused","image":"refused","script":"refused"}', "a stranger's page gets nothing: " + JSON.stringify(tried));
-const alone = await fetch(panel.address.replace(/[0-9a-f]{32}/, "0".repeat(32)));
-check(alone.status === 404, "another token finds nothing");
+const unknown = await fetch(panel.address.replace(/[0-9a-f]{32}/, "0".repeat(32)));
+check(unknown.status === 404, "another token finds nothing");
 stranger.close();
 
 // The bridge ends: the panel says so, and keeps what it shows.
@@ -119,5 +158,8 @@ await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor();
 await page.locator("#undo").click();
 await page.getByText("The bridge is not connected").waitFor();
 await page.screenshot({path: join(pictures, "bridge-away.png")});
+await page.locator("#notice button").click();
+await page.getByText("If it was started anew, open the address that it prints").waitFor({timeout: 30000});
+check(true, "the panel says what to do when the bridge was started anew");
 await browser.close();
 end();

@@ -2,46 +2,30 @@
 // cameras and taking it back, values over time, a parameter set and saved, a robot that dies and comes back.
 // Proves that panel, bridge and robot process work together and leaves pictures of every view.
 // Usage: node robot.mjs NAOCAL-ROBOT MATE-BRIDGE NODE_MODULES CONFIGURATION PICTURES
-import {cpSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync} from "node:fs";
+import {readdirSync, readFileSync} from "node:fs";
 import {join} from "node:path";
-import {spawn} from "node:child_process";
 import {tools, check, panelOf, folder, quietPage, portrait, px, end} from "./browser.mjs";
+import {robotIn} from "./robotHere.mjs";
 
 const [, , robotProgram, bridge, modules, configuration, pictures] = process.argv;
-const {launch, axe} = tools(modules), here = folder();
-cpSync(configuration, join(here, "configuration"), {recursive: true});
-const settings = join(here, "configuration/location/default/sdk.json");
-writeFileSync(settings, readFileSync(settings, "utf8").replace('"network.enableDebugTCPTransport": true', '"network.enableDebugTCPTransport": false')
-  .replace('"local.unixSocketDirectory": ""', '"local.unixSocketDirectory": "' + join(here, "sockets/") + '"'));
-mkdirSync(join(here, "sockets"));
-
-let robot;
-async function startRobot() {
-  robot = spawn(robotProgram, ["--configuration", join(here, "configuration"), "--recordings", join(here, "recordings")], {stdio: "ignore"});
-  process.on("exit", () => robot.kill("SIGKILL"));
-  for (let i = 0; i < 300; ++i) {
-    const name = readdirSync(join(here, "sockets")).find(one => existsSync(join(here, "sockets", one, "config")));
-    if (name) return join(here, "sockets", name);
-    await new Promise(resolve => setTimeout(resolve, 100));
-  }
-  throw new Error("the robot does not listen");
-}
-const address = await startRobot();
+const {launch, axe} = tools(modules), here = folder(), robot = robotIn(here, robotProgram, configuration);
+const address = await robot.start();
 const panel = await panelOf(bridge, "--robot", address), browser = await launch();
 const opened = Date.now(), page = await quietPage(browser, panel.address);
 const tab = name => page.getByRole("button", {name, exact: true}).click();
 
-await page.getByText("pictures a second").first().waitFor();
+await page.getByText("pictures a second").first().waitFor({timeout: 120000});
 console.log("measured: from opening to the first live picture: " + (Date.now() - opened) + " ms");
 await page.waitForTimeout(3000);
 console.log("measured: cameras: " + (await page.locator(".camera figcaption").allInnerTexts()).join("; "));
 
-await page.getByRole("button", {name: "Calibrate neck and cameras"}).click();
+await page.getByRole("button", {name: "Calibrate …"}).click();
 await portrait(page, axe, pictures, "calibrate-confirm");
 await page.getByRole("button", {name: "Start", exact: true}).click();
-await page.getByText(/pose [1-9] of/).waitFor({timeout: 60000});
+await page.getByText(/pose [1-9] of/).waitFor({timeout: 180000});
 await page.screenshot({path: join(pictures, "calibrate-running.png")});
-await page.getByRole("heading", {name: /^(Finished|Failed)$/}).waitFor({timeout: 240000});
+await page.getByRole("heading", {name: /^(Finished|Failed)$/}).waitFor({timeout: 480000});
+check((await page.locator(".camera figcaption").first().innerText()).includes("corners, predicted"), "corners are found in the live pictures: " + await page.locator(".camera figcaption").first().innerText());
 const bars = page.locator(".rung.flat"), before = px(await bars.nth(0).innerText()), after = px(await bars.nth(1).innerText());
 check(await page.getByRole("heading", {name: "Finished"}).count() === 1 && after < 0.5 * before, "the robot is calibrated: " + before + " px before, " + after + " px after");
 await page.getByRole("rowheader", {name: "headYaw"}).waitFor();
@@ -50,10 +34,9 @@ await page.getByRole("button", {name: "Undo …"}).click();
 await page.getByRole("button", {name: /^Undo on/}).click();
 await page.getByText("None: every joint counts as it reads.").waitFor();
 check(true, "undo takes the offsets back");
-await page.locator("#notice button").click();
 
 // Stop ends a calibration at once.
-await page.getByRole("button", {name: "Calibrate neck and cameras"}).click();
+await page.getByRole("button", {name: "Calibrate …"}).click();
 await page.getByRole("button", {name: "Start", exact: true}).click();
 await page.getByRole("heading", {name: /^(Moving|Collecting|Going home)$/}).waitFor();
 await page.getByRole("button", {name: "Stop"}).click();
@@ -86,11 +69,11 @@ for (let i = 0; i < 100 && !saved(); ++i) await page.waitForTimeout(100);
 check(saved(), "saving writes it, once it is confirmed");
 
 // The robot's process dies and is started anew.
-robot.kill("SIGKILL");
+robot.kill();
 await page.getByText(/Nothing can be set until it is back/).waitFor();
 await tab("Calibrate");
 await page.screenshot({path: join(pictures, "robot-gone.png")});
-await startRobot();
+await robot.start();
 await page.locator(".robot.connected").waitFor();
 await page.getByText("pictures a second").first().waitFor();
 check(true, "a robot that comes back is seen again");

@@ -1,10 +1,12 @@
 #include "LabDesk.hpp"
 
 #include "Laboratory.hpp"
+#include "Wire.hpp"
 
 #include "captures/Files.hpp"
 #include "captures/InputError.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -37,7 +39,7 @@ LabDesk::LabDesk(OpenedSets opened, Tell tell)
       laboratory_{std::make_shared<Laboratory>(std::move(opened), [this](const std::string& kind, const Json& content) {
         Json message = content;
         message["kind"] = kind;
-        tell_(kind, message.dump(-1, ' ', false, Json::error_handler_t::replace));
+        tell_(kind, wireText(message));
       })} {
   work("fitting", [](Laboratory& laboratory) { laboratory.fit(); });
   question();
@@ -47,13 +49,13 @@ LabDesk::~LabDesk() = default;
 
 void LabDesk::work(const char* what, std::function<void(Laboratory&)> change) {
   worker_.add([this, what, change = std::move(change)] {
-    tell_("work", Json{{"kind", "work"}, {"what", what}}.dump());
+    tell_("work", wireText({{"kind", "work"}, {"what", what}}));
     try {
       change(*laboratory_);
     } catch (const InputError& error) {
-      tell_("refused", Json{{"kind", "refused"}, {"sentence", error.what()}}.dump());
+      tell_("refused", wireText({{"kind", "refused"}, {"sentence", error.what()}}));
     }
-    tell_("work", Json{{"kind", "work"}, {"what", nullptr}}.dump());
+    tell_("work", wireText({{"kind", "work"}, {"what", nullptr}}));
   });
 }
 
@@ -77,14 +79,43 @@ bool LabDesk::asked(const Json& request) {
   } else if (verb == "define") {
     const Json effect = request.at("effect");
     work("fitting", [effect](Laboratory& laboratory) { laboratory.define(effect); });
-  } else if (verb == "search") {
-    work("searching for all that is missing", [](Laboratory& laboratory) { laboratory.search(); });
-    return true;
   } else {
-    return false;
+    return askedForMore(verb, request);
   }
   question();
   return true;
+}
+
+/// What leaves the model as it is.
+bool LabDesk::askedForMore(const std::string& verb, const Json& request) {
+  if (verb == "search") {
+    work("searching for all that is missing", [](Laboratory& laboratory) { laboratory.search(); });
+  } else if (verb == "propose") {
+    const std::size_t count = std::clamp(request.at("count").get<int>(), 1, 20);
+    work("choosing poses", [count](Laboratory& laboratory) { laboratory.propose(count); });
+  } else if (verb == "compare") {
+    const std::vector<std::string> paths = request.at("paths");
+    work("comparing with other captures", [paths](Laboratory& laboratory) { laboratory.compareWith(openSets(paths)); });
+  } else if (verb == "make") {
+    const std::string name = request.at("file");
+    work("writing", [this, name](Laboratory& laboratory) {
+      std::string content = laboratory.file(name);
+      {
+        const std::lock_guard lock{mutex_};
+        made_[name] = std::move(content);
+      }
+      tell_("made", wireText({{"kind", "made"}, {"file", name}}));
+    });
+  } else {
+    return false;
+  }
+  return true;
+}
+
+std::optional<std::string> LabDesk::made(const std::string& name) const {
+  const std::lock_guard lock{mutex_};
+  const auto found = made_.find(name);
+  return found == made_.end() ? std::nullopt : std::optional{found->second};
 }
 
 Json LabDesk::checked(const Json& effect) const {

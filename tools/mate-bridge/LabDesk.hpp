@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -25,12 +26,16 @@ public:
   LabDesk(OpenedSets opened, Tell tell);
   ~LabDesk();
 
-  /// Does what a panel asks for: {"do": "add" | "drop", "label"}, {"do": "goTo", "rung"}, {"do": "search"},
-  /// {"do": "define", "effect"}. False: that is nothing for the laboratory.
+  /// Does what a panel asks for: {"do": "add" | "drop", "label"}, {"do": "goTo", "rung"}, {"do": "search"}, {"do":
+  /// "define", "effect"}, {"do": "propose", "count"}, {"do": "compare", "paths"}, {"do": "make", "file"}. False: that
+  /// is nothing for the laboratory.
   bool asked(const nlohmann::json& request);
 
   /// Whether a person's own effect can be used; at once, whatever the desk works at.
   nlohmann::json checked(const nlohmann::json& effect) const;
+
+  /// A file that was made ("made" says when).
+  std::optional<std::string> made(const std::string& name) const;
 
   /// The file of a picture that was kept: "SET/CAPTURE". Absent when there is none.
   std::optional<std::string> picture(std::string_view path) const;
@@ -38,11 +43,14 @@ public:
 private:
   void work(const char* what, std::function<void(Laboratory&)> change);
   void question();
+  bool askedForMore(const std::string& verb, const nlohmann::json& request);
 
   Tell tell_;
   Robot robot_;
   std::map<std::string, std::filesystem::path> images_; // "SET/CAPTURE"
   std::shared_ptr<Laboratory> laboratory_;              // of the worker's thread
+  mutable std::mutex mutex_;
+  std::map<std::string, std::string> made_; // files by name
   Worker worker_;
 };
 

@@ -2,11 +2,11 @@
 
 #include "LaboratoryJson.hpp"
 
+#include "calibrate/ResultFile.hpp"
 #include "captures/InputError.hpp"
 #include "effects/UserEffect.hpp"
 #include "residuals/ModelFile.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -17,49 +17,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char* definitionsName = "your own effects";
-
-bool contains(const std::vector<std::string>& labels, const std::string& label) {
-  return std::find(labels.begin(), labels.end(), label) != labels.end();
-}
-
-std::vector<std::string> labelsOf(const Model& model) {
-  std::vector<std::string> labels;
-  for (const Term& term : model.terms()) {
-    if (!term.isPlacement && term.asked) {
-      labels.push_back(term.label());
-    }
-  }
-  return labels;
-}
-
-std::vector<std::string> without(const std::vector<std::string>& labels, const std::vector<std::string>& others) {
-  std::vector<std::string> rest;
-  std::copy_if(labels.begin(), labels.end(), std::back_inserter(rest),
-               [&](const std::string& label) { return !contains(others, label); });
-  return rest;
-}
-
-/// Where to begin: the base model, or that of the result that was opened.
-Rung firstRung(const OpenedSets& opened, const Measurements& measurements) {
-  if (opened.terms.empty()) {
-    return {};
-  }
-  const std::vector<std::string> base = labelsOf(makeModel(measurements));
-  std::vector<std::string> with = without(opened.terms, base);
-  // the base has every offset that can be asked for; others are along because torques depend on them
-  std::erase_if(with, [](const std::string& label) { return label.starts_with("jointOffset@"); });
-  return {std::move(with), without(base, opened.terms), "", 0, {}};
-}
-
-Json rungJson(const Rung& rung) {
-  Json json{{"with", rung.with}, {"without", rung.without}, {"step", rung.step}, {"rms", rung.rmsPx}};
-  if (rung.questioned) {
-    json["heldOut"] = rung.questioned->heldOutPx;
-    json["floor"] = rung.questioned->noiseFloorPx;
-    json["alarm"] = rung.questioned->alarm;
-  }
-  return json;
-}
 
 } // namespace
 
@@ -101,7 +58,10 @@ void Laboratory::fit() {
   const Model model = makeModel(measurements_, rung.with, rung.without, effects());
   const CalibrationResult result = calibrate(measurements_, model);
   rung.rmsPx = result.rmsPx;
-  Json told = fitJson(opened_, measurements_, model, result);
+  result_ = resultJson(opened_.sets, measurements_, model, result, opened_.inputs);
+  diagnosis_.reset();
+  next_.reset();
+  Json told = fitJson(result_, opened_, measurements_, model, result);
   told["with"] = rung.with;
   told["without"] = rung.without;
   told["labels"] = labelsOf(model);
@@ -155,16 +115,22 @@ DiagnosisOptions Laboratory::options(const Rung& rung) const {
   return result;
 }
 
+const Diagnosis& Laboratory::diagnosis() {
+  if (!diagnosis_) {
+    DiagnosisOptions asked = options(rungs_[at_]);
+    asked.grow = false;
+    diagnosis_ = diagnose(opened_.sets, measurements_, asked);
+  }
+  return *diagnosis_;
+}
+
 void Laboratory::question() {
-  Rung& rung = rungs_[at_];
-  DiagnosisOptions asked = options(rung);
-  asked.grow = false;
-  const Diagnosis diagnosis = diagnose(opened_.sets, measurements_, asked);
-  if (!diagnosis.steps.empty()) {
-    rung.questioned = diagnosis.steps.front();
+  const Diagnosis& here = diagnosis();
+  if (!here.steps.empty()) {
+    rungs_[at_].questioned = here.steps.front();
     tellLadder();
   }
-  tell_("questions", questionsJson(diagnosis));
+  tell_("questions", questionsJson(here));
 }
 
 void Laboratory::search() {

@@ -1,30 +1,23 @@
 #pragma once
 
 #include "OpenedSets.hpp"
+#include "Rung.hpp"
 
-#include "diagnose/Diagnosis.hpp"
+#include "poses/NextPoses.hpp"
 
 #include <functional>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 namespace naocal {
-
-/// A model that was tried: the base with and without some effects, and how well it did.
-struct Rung {
-  std::vector<std::string> with, without; // "E@P"
-  std::string step;                       // "+ elasticity@LKneePitch"; empty for the first
-  double rmsPx = 0;
-  std::optional<Step> questioned; // once it was put to the question
-};
 
 /// The loop of a person with captures: add, drop, look, go back. Knows no threads and no sockets: everything that
 /// changes is told to whoever asked for it, in units that people read.
 ///
 /// Told kinds: "set" once (what was opened, the effects that there are), "ladder" (all rungs and where one stands),
 /// "fit" (estimates and residuals of the model), "questions" (its candidates, map, curves), "found" (what a search for
-/// all that is missing says).
+/// all that is missing says), "next" (poses that would tell more), "compared" (other captures' errors).
 class Laboratory {
 public:
   using Tell = std::function<void(const std::string& kind, const nlohmann::json& content)>;
@@ -40,6 +33,13 @@ public:
   void question();
   /// Adds what is missing as long as the captures bear it, without changing the model: many seconds.
   void search();
+  /// Proposes poses that would best tell what the model leaves open: some seconds.
+  void propose(std::size_t count);
+  /// How well the fit predicts captures that it has not seen.
+  void compareWith(const OpenedSets& others);
+  /// What naocal would write of the model: "result.json", "diagnosis.json", "poses.json", "model.json", "report.html"
+  /// of the result, "diagnosis.html". Throws InputError for another name, or where nothing was proposed.
+  std::string file(const std::string& name);
 
   /// Takes a person's own effect in, in place of one of that name, and adds it to the model where it sits at a joint.
   void define(const nlohmann::json& effect);
@@ -50,12 +50,16 @@ private:
   void tellLadder() const;
   void go(Rung rung);
   DiagnosisOptions options(const Rung& rung) const;
+  const Diagnosis& diagnosis();
 
   OpenedSets opened_;
   Measurements measurements_;
   Tell tell_;
   std::vector<Rung> rungs_;
-  std::size_t at_ = 0; // the rung that one stands on
+  std::size_t at_ = 0;                 // the rung that one stands on
+  nlohmann::json result_;              // of that rung, as a file has it
+  std::optional<Diagnosis> diagnosis_; // of it, once it was put to the question
+  std::optional<NextPoses> next_;      // and proposed for
 };
 
 /// Whether a person's own effect can be used: {"ok": true}, or {"ok": false, "sentence": .., "letter": place in the

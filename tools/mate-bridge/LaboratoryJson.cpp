@@ -1,6 +1,5 @@
 #include "LaboratoryJson.hpp"
 
-#include "calibrate/ResultFile.hpp"
 #include "diagnose/DiagnosisFile.hpp"
 #include "diagnose/Drivers.hpp"
 #include "report/DiagnosisData.hpp"
@@ -49,9 +48,8 @@ Json picturesJson(const OpenedSets& opened, const Measurements& measurements, co
 
 } // namespace
 
-Json fitJson(const OpenedSets& opened, const Measurements& measurements, const Model& model,
+Json fitJson(const Json& document, const OpenedSets& opened, const Measurements& measurements, const Model& model,
              const CalibrationResult& result) {
-  const Json document = resultJson(opened.sets, measurements, model, result, opened.inputs);
   const JsonPlace place{document, "the fit"};
   Json fit{{"usable", result.usable},
            {"headline", headline(place)},

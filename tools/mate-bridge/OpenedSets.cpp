@@ -5,9 +5,12 @@
 #include "captures/InputError.hpp"
 #include "captures/JsonPlace.hpp"
 #include "captures/JsonText.hpp"
+#include "detect/SetDetection.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 namespace naocal {
 
@@ -15,6 +18,10 @@ namespace {
 
 void addSet(const std::string& folder, OpenedSets& opened) {
   CaptureSet set = readCaptureSet(folder, BadCaptures::refuse).set;
+  if (std::any_of(set.captures.begin(), set.captures.end(), [](const Capture& one) { return !one.corners; })) {
+    detectInSet(set, folder, std::max(1U, std::thread::hardware_concurrency()),
+                [](std::size_t, std::size_t) { return true; });
+  }
   if (!opened.folders.emplace(set.name, folder).second) {
     throw InputError{fmt::format("two sets are called \"{}\"; rename the folder of one", set.name)};
   }
@@ -38,18 +45,73 @@ std::string folderOf(const std::string& written, const std::filesystem::path& re
                   result.string(), written, beside.string())};
 }
 
-void addResult(const std::string& file, OpenedSets& opened) {
-  const nlohmann::json document = parseJson(fileContent(file), file);
-  const JsonPlace result{document, file};
-  if (const std::string format = result.at("format").text(); format != "naocal-result") {
-    result.at("format").refuse("\"naocal-result\": mate-bridge opens capture sets and results");
+bool isSet(const std::filesystem::path& folder) {
+  return std::filesystem::exists(folder / "captures.json");
+}
+
+/// A set, or the sets that lie in a folder of them, as the robot records a calibration.
+void addFolder(const std::string& folder, OpenedSets& opened) {
+  std::vector<std::string> sets;
+  if (!isSet(folder) && std::filesystem::is_directory(folder)) {
+    for (const auto& entry : std::filesystem::directory_iterator{folder}) {
+      if (entry.is_directory() && isSet(entry.path())) {
+        sets.push_back(entry.path().string());
+      }
+    }
+    std::sort(sets.begin(), sets.end());
   }
+  if (sets.empty()) {
+    sets.push_back(folder); // whose reader says what is wrong
+  }
+  for (const std::string& set : sets) {
+    addSet(set, opened);
+  }
+}
+
+/// The sets that a result or a diagnosis was made from.
+void addInputs(const JsonPlace& document, const std::string& file, OpenedSets& opened) {
+  for (const JsonPlace& set : document.at("inputs").at("sets").elements()) {
+    addSet(folderOf(set.text(), file), opened);
+  }
+}
+
+/// A diagnosis: its sets, unless they are named, and what it suggests.
+void addDiagnosis(const JsonPlace& diagnosis, const std::string& file, bool setsAreNamed, OpenedSets& opened) {
+  for (const JsonPlace& label : diagnosis.at("suggested").elements()) {
+    opened.with.push_back(label.text());
+  }
+  if (!setsAreNamed) {
+    if (!diagnosis.find("inputs")) {
+      throw InputError{
+          fmt::format("{}: this diagnosis does not say of which captures it is; name them behind it", file)};
+    }
+    addInputs(diagnosis, file, opened);
+  }
+}
+
+void addResult(const JsonPlace& result, const std::string& file, OpenedSets& opened) {
   const StoredResult stored = readResult(file);
   opened.terms = stored.terms;
   opened.definitions = stored.definitions;
-  for (const JsonPlace& set : result.at("inputs").at("sets").elements()) {
-    addSet(folderOf(set.text(), file), opened);
+  addInputs(result, file, opened);
+}
+
+/// A result, or a diagnosis, which may stand with its sets.
+void addDocument(const std::string& file, bool alone, OpenedSets& opened) {
+  const nlohmann::json document = parseJson(fileContent(file), file);
+  const JsonPlace place{document, file};
+  const std::string format = place.at("format").text();
+  if (format == "naocal-diagnosis") {
+    return addDiagnosis(place, file, !alone, opened);
   }
+  if (format != "naocal-result") {
+    place.at("format").refuse("\"naocal-result\" or \"naocal-diagnosis\": mate-bridge opens capture sets, recordings, "
+                              "results and diagnoses");
+  }
+  if (!alone) {
+    throw InputError{fmt::format("{}: a result is opened by itself, with the sets that it was made from", file)};
+  }
+  addResult(place, file, opened);
 }
 
 } // namespace
@@ -58,15 +120,13 @@ OpenedSets openSets(const std::vector<std::string>& paths) {
   OpenedSets opened;
   for (const std::string& path : paths) {
     if (std::filesystem::is_directory(path) || !path.ends_with(".json")) {
-      addSet(path, opened);
-    } else if (paths.size() > 1) {
-      throw InputError{fmt::format("{}: a result is opened by itself, with the sets that it was made from", path)};
+      addFolder(path, opened);
     } else {
-      addResult(path, opened);
+      addDocument(path, paths.size() == 1, opened);
     }
   }
   if (opened.sets.empty()) {
-    throw InputError{"expected a folder with captures.json or a result; found none"};
+    throw InputError{"expected a folder with captures.json, a result or a diagnosis; found none"};
   }
   opened.robot = loadRobot(configurationDirectory(), opened.sets.front().model);
   return opened;

@@ -17,12 +17,15 @@ struct OpenedSets {
   ResultInputs inputs;
   std::map<std::string, std::filesystem::path> folders; // by the set's name
   Robot robot;
-  std::vector<std::string> terms; // of the result that was opened; empty for capture sets: the base model
+  std::vector<std::string> terms; // of the result that was opened; empty: the base model
+  std::vector<std::string> with;  // what a diagnosis that was opened added to the base model
   std::string definitions = "[]"; // the person's own effects: a list of JSON
 };
 
-/// Opens folders with captures.json, or one RESULT.json together with the sets that it was made from (as they are
-/// written there, or beside it). Throws InputError that names file, what was expected and found.
+/// Opens capture sets (folders with captures.json), recordings of the robot (folders of sets), or one RESULT.json or
+/// DIAGNOSIS.json together with the sets that it was made from (as they are written there, or beside it; behind an
+/// older diagnosis they are named). Pictures whose corners were not looked for are searched, and nothing is written.
+/// Throws InputError that names file, what was expected and found.
 OpenedSets openSets(const std::vector<std::string>& paths);
 
 } // namespace naocal

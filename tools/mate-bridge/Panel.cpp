@@ -4,6 +4,8 @@
 #include "LabDesk.hpp"
 #include "Robots.hpp"
 #include "Server.hpp"
+#include "StandingRobot.hpp"
+#include "Wire.hpp"
 #include "page/Page.hpp"
 
 #include "captures/InputError.hpp"
@@ -45,23 +47,39 @@ struct Panel::Implementation {
       robots.connect(robot);
     }
     if (options.opened) {
-      desk.emplace(std::move(*options.opened), [this](const std::string& kind, std::string json) {
-        boost::asio::post(context, [this, kind, told = message(std::move(json))] {
-          if (kind != "refused") {
-            latest[kind] = told;
-          }
-          server.sendAll(told);
-        });
-      });
+      open(std::move(*options.opened));
     }
   }
 
-  Robots::Calls robotCalls() {
-    return {
-        [this](const std::string& json) { server.sendAll(message(json)); },
-        [this](std::size_t panel, const std::string& json) { server.send(panel, message(json)); },
-        [this](std::size_t panel, std::string json) { server.send(panel, message(std::move(json), false, true)); },
-        [this](std::size_t panel, std::string bytes) { server.send(panel, message(std::move(bytes), true, true)); }};
+  /// Puts captures on the laboratory's desk, in place of those that lie there.
+  void open(OpenedSets opened) {
+    const std::size_t number = desks + 1;
+    auto fresh =
+        std::make_unique<LabDesk>(std::move(opened), [this, number](const std::string& kind, std::string json) {
+          boost::asio::post(context, [this, number, kind, told = message(std::move(json))] {
+            if (number != desks) {
+              return; // the desk was cleared since
+            }
+            if (kind != "refused" && kind != "made") {
+              latest[kind] = told;
+            }
+            server.sendAll(told);
+          });
+        });
+    desks = number;
+    latest.clear();
+    server.sendAll(message(R"({"kind": "opened"})"));
+    desk = std::move(fresh);
+  }
+
+  Message hello() const { return message(Json{{"kind", "hello"}, {"laboratory", desk != nullptr}}.dump()); }
+
+  RobotsCalls robotCalls() {
+    return {[this](const std::string& json) { server.sendAll(message(json)); },
+            [this](std::size_t panel, const std::string& json) { server.send(panel, message(json)); },
+            [this](std::size_t panel, std::string json) { server.send(panel, message(std::move(json), false, true)); },
+            [this](std::size_t panel, std::string bytes) { server.send(panel, message(std::move(bytes), true, true)); },
+            [this](std::function<void()> action) { boost::asio::post(context, std::move(action)); }};
   }
 
   Answer file(std::string_view path) const {
@@ -71,6 +89,11 @@ struct Panel::Implementation {
       return picture ? Answer{200, "application/octet-stream", std::move(*picture)}
                      : plain(404, "This picture was not kept.");
     }
+    constexpr std::string_view made = "made/";
+    if (path.starts_with(made)) {
+      auto content = desk ? desk->made(std::string{path.substr(made.size())}) : std::nullopt;
+      return content ? Answer{200, "application/octet-stream", std::move(*content)} : plain(404, "This was not made.");
+    }
     if (const auto part = pageFile(path.empty() ? "index.html" : path)) {
       return {200, std::string{part->type}, std::string{part->content}};
     }
@@ -78,7 +101,7 @@ struct Panel::Implementation {
   }
 
   void greet(std::size_t panel) {
-    server.send(panel, message(Json{{"kind", "hello"}, {"laboratory", desk.has_value()}}.dump()));
+    server.send(panel, hello());
     for (const auto& [kind, told] : latest) {
       server.send(panel, told);
     }
@@ -96,6 +119,14 @@ struct Panel::Implementation {
         server.send(panel, message(answer.dump()));
         return;
       }
+      if (request.at("do") == "open") {
+        open(openSets(request.at("paths").get<std::vector<std::string>>()));
+        return;
+      }
+      if (request.at("do") == "stand") {
+        server.send(panel, message(stood(request).dump()));
+        return;
+      }
       if (robots.asked(panel, request) || (desk && desk->asked(request))) {
         return;
       }
@@ -106,15 +137,27 @@ struct Panel::Implementation {
       problem = fmt::format("the bridge did not understand the panel: {}", error.what());
     }
     const Json refused{{"kind", "refused"}, {"sentence", problem}};
-    server.send(panel, message(refused.dump(-1, ' ', false, Json::error_handler_t::replace)));
+    server.send(panel, message(wireText(refused)));
   }
 
+  /// How a robot would stand: {"angles": by joint or in HULKs' order [rad]} answered with "stand" and its number.
+  Json stood(const Json& request) const {
+    const Json& given = request.at("angles");
+    const auto angles = given.is_array() ? anglesInOrder(given, drawing) : anglesByName(given, drawing);
+    Json answer = angles ? StandingRobot{drawing, *angles}.drawn({}) : Json::object();
+    answer["kind"] = "stand";
+    answer["number"] = request.at("number");
+    return answer;
+  }
+
+  const Robot drawing = loadRobot(configurationDirectory(), "V6");
   boost::asio::io_context context;
   boost::asio::signal_set signals;
   std::map<std::string, Message> latest; // what the laboratory told, by kind: for panels to come
   Robots robots;
   Server server;
-  std::optional<LabDesk> desk; // ends first: its thread posts to the context
+  std::size_t desks = 0;         // that there were
+  std::unique_ptr<LabDesk> desk; // ends first: its thread posts to the context
 };
 
 Panel::Panel(PanelOptions options) : implementation_{std::make_unique<Implementation>(std::move(options))} {}

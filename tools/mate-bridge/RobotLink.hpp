@@ -10,6 +10,8 @@ class io_context;
 
 namespace naocal {
 
+class RobotConversation;
+
 /// What a robot tells; bodies as they came, JSON where it should be.
 struct RobotCalls {
   std::function<void()> changed; // connected, or not any more: `sentence` says why
@@ -35,10 +37,12 @@ public:
   /// `settings`: [{"mp": .., "key": .., "value": ..}]. False: not connected, so nothing was sent.
   bool set(const std::string& settings);
   bool save();
+  /// The same settings again whenever it connects anew, before anything else, until a robot ends the connection for
+  /// them: its secret.
+  bool introduce(const std::string& settings);
 
 private:
-  struct Implementation;
-  std::shared_ptr<Implementation> implementation_;
+  std::shared_ptr<RobotConversation> conversation_;
 };
 
 } // namespace naocal

@@ -1,16 +1,12 @@
 #include "Server.hpp"
 
-#include "Guard.hpp"
+#include "Exchange.hpp"
 #include "Live.hpp"
 
 #include "captures/InputError.hpp"
 
-#include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/read.hpp>
-#include <boost/beast/http/string_body.hpp>
-#include <boost/beast/http/write.hpp>
 #include <fmt/format.h>
 #include <map>
 
@@ -19,54 +15,6 @@ namespace naocal {
 namespace beast = boost::beast;
 namespace http = boost::beast::http;
 using Tcp = boost::asio::ip::tcp;
-
-namespace {
-
-/// One request of a browser: read, and answered, refused or made live; then it ends.
-struct Exchange {
-  explicit Exchange(Tcp::socket socket) : stream{std::move(socket)} {
-    parser.header_limit(16 << 10);
-    parser.body_limit(0);
-  }
-  beast::tcp_stream stream;
-  beast::flat_buffer buffer;
-  http::request_parser<http::empty_body> parser;
-  http::response<http::string_body> response;
-};
-
-std::string_view headerOf(const http::request<http::empty_body>& request, beast::string_view name) {
-  const beast::string_view value = request[name];
-  return {value.data(), value.size()};
-}
-
-Asked askedBy(const http::request<http::empty_body>& request) {
-  const beast::string_view method = request.method_string(), target = request.target();
-  return {{method.data(), method.size()}, {target.data(), target.size()},      headerOf(request, "Host"),
-          headerOf(request, "Origin"),    headerOf(request, "Sec-Fetch-Site"), beast::websocket::is_upgrade(request)};
-}
-
-void reply(const std::shared_ptr<Exchange>& exchange, Answer answer) {
-  auto& response = exchange->response;
-  response.result(answer.status);
-  response.set(http::field::content_type, answer.type);
-  response.set(http::field::cache_control, "no-store");
-  response.set("Content-Security-Policy",
-               "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; "
-               "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'");
-  response.set("X-Content-Type-Options", "nosniff");
-  response.set("Referrer-Policy", "no-referrer");
-  response.set("Cross-Origin-Resource-Policy", "same-origin");
-  response.set("Cross-Origin-Opener-Policy", "same-origin");
-  response.body() = std::move(answer.body);
-  response.keep_alive(false);
-  response.prepare_payload();
-  http::async_write(exchange->stream, response, [exchange](beast::error_code, std::size_t) {
-    beast::error_code ignored;
-    exchange->stream.socket().shutdown(Tcp::socket::shutdown_send, ignored);
-  });
-}
-
-} // namespace
 
 struct Server::Implementation : std::enable_shared_from_this<Implementation> {
   Implementation(boost::asio::io_context& context, std::uint16_t port, const std::string& token, ServerCalls given)
@@ -114,8 +62,7 @@ struct Server::Implementation : std::enable_shared_from_this<Implementation> {
   }
 
   void answer(const std::shared_ptr<Exchange>& exchange) {
-    const auto& request = exchange->parser.get();
-    const Asked asked = askedBy(request);
+    const Asked asked = askedBy(*exchange);
     if (const auto refusal = guard.refusal(asked)) {
       reply(exchange, {refusal->status, "text/plain; charset=utf-8", refusal->sentence + "\n"});
     } else if (!asked.live) {

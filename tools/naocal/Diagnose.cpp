@@ -53,6 +53,7 @@ int diagnose(DiagnoseCommand& command) {
   if (!command.json.empty()) {
     nlohmann::json json = diagnosisJson(diagnosis);
     json["next"] = nextJson(next, given.robot);
+    json["inputs"] = {{"sets", given.inputs.sets}, {"sha256", given.inputs.sha256}};
     writeJson(json, command.json);
   }
   if (!command.poses.empty() && !next.poses.empty()) {

@@ -1,5 +1,6 @@
 #include "detect/Detection.hpp"
 
+#include "captures/Files.hpp"
 #include "captures/InputError.hpp"
 #include "detect/BoardDetection.hpp"
 #include "detect/BoardLayout.hpp"
@@ -77,10 +78,16 @@ GreyPicture readPicture(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) {
     throw InputError(fmt::format("{}: a picture was expected, but there is no such file", file.string()));
   }
-  const cv::Mat1b image = cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
+  return pictureOf(fileContent(file), file.string());
+}
+
+GreyPicture pictureOf(std::string_view content, const std::string& name) {
+  // OpenCV does not write through this pointer
+  const cv::Mat bytes{1, static_cast<int>(content.size()), CV_8UC1, const_cast<char*>(content.data())};
+  const cv::Mat1b image = content.empty() ? cv::Mat{} : cv::imdecode(bytes, cv::IMREAD_GRAYSCALE);
   if (image.empty()) {
     throw InputError(
-        fmt::format("{}: a picture (.png, .jpg, ...) was expected, but it could not be read as one", file.string()));
+        fmt::format("{}: a picture (.png, .jpg, ...) was expected, but it could not be read as one", name));
   }
   return {image.cols, image.rows, {image.begin(), image.end()}};
 }

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace naocal {
@@ -44,6 +45,9 @@ Detection detect(const GreyPicture& picture, const std::vector<Board>& boards, c
 
 /// Reads a picture file of any usual format as grey. Throws InputError that names the file.
 GreyPicture readPicture(const std::filesystem::path& file);
+
+/// The same of a file's content; `name`: what a refusal calls it.
+GreyPicture pictureOf(std::string_view content, const std::string& name);
 
 /// A finding's kind as it stands in files: "wrong-pattern".
 std::string name(FindingKind kind);

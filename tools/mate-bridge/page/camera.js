@@ -1,29 +1,68 @@
-// A camera's live picture; its place stays as large before and after it comes.
+// A camera's live picture; its place stays as large before and after it comes. Where the bridge found corners, they are
+// drawn over it: rings where they are, crosses where they should be.
 import {make} from "./elements.js";
+import {drawCorner} from "./canvas.js";
+import {px, rms} from "./words.js";
+
+const remembered = 4000, corners = 700, nearby = 1000; // pictures for thumbnails; how long corners stay in sight; how far a thumbnail may be off [ms]
 
 export class Camera {
   constructor(label) {
     this.canvas = make("canvas", {width: 640, height: 480, role: "img", "aria-label": label});
     this.caption = make("figcaption", {}, "waiting for the first picture");
     this.times = [];
+    this.files = []; // the last seconds: {timestamp, file}
+    this.found = null;
+    this.decoding = false;
   }
 
-  async show(file, {width, height}) {
+  async show(file, {width, height, timestamp}) {
+    this.files.push({timestamp, file});
+    while (this.files[0].timestamp < timestamp - remembered || this.files[0].timestamp > timestamp) this.files.shift();
+    if (this.decoding) return; // the next one comes
+    this.decoding = true;
     let image;
     try {
       image = await createImageBitmap(file);
     } catch {
       this.caption.textContent = "the robot sent a picture that this browser cannot read";
       return;
+    } finally {
+      this.decoding = false;
     }
     const {canvas, times} = this;
     if (canvas.width !== image.width || canvas.height !== image.height) Object.assign(canvas, {width: image.width, height: image.height});
-    canvas.getContext("2d").drawImage(image, 0, 0);
+    const context = canvas.getContext("2d");
+    context.drawImage(image, 0, 0);
     image.close();
+    const words = this.drawFound(context, timestamp);
     times.push(performance.now());
     while (times.length > 30) times.shift();
     const rate = times.length > 1 ? 1000 * (times.length - 1) / (times[times.length - 1] - times[0]) : 0;
-    this.caption.textContent = width + " × " + height + " px, " + rate.toFixed(0) + " pictures a second";
+    this.caption.textContent = width + " × " + height + " px, " + rate.toFixed(0) + " pictures a second" + words;
+  }
+
+  drawFound(context, now) {
+    if (!this.found || Math.abs(now - this.found.timestamp) > corners) return "";
+    const all = this.found.boards.flatMap(({measured, predicted}) => measured.filter((_, i) => i % 2 === 0).map((x, i) => {
+      const told = predicted.length > 0;
+      return {x, y: measured[2 * i + 1], endX: told ? predicted[2 * i] : x, endY: told ? predicted[2 * i + 1] : measured[2 * i + 1]};
+    }));
+    const scale = context.canvas.width / 640;
+    const scaled = all.map(one => Object.fromEntries(Object.entries(one).map(([name, value]) => [name, (value + 0.5) / scale])));
+    context.save();
+    context.scale(scale, scale);
+    for (const halo of [true, false]) scaled.forEach(corner => drawCorner(context, corner, halo));
+    context.restore();
+    if (!all.length) return "; no board";
+    return "; " + this.found.boards.map(({board}) => "board " + board).join(", ") + ": " + all.length + " corners, predicted " +
+      px(rms(all.map(({x, y, endX, endY}) => Math.hypot(endX - x, endY - y)))) + " off";
+  }
+
+  // The picture nearest to that moment, while it is remembered.
+  at(timestamp) {
+    const nearest = this.files.reduce((a, b) => !a || Math.abs(b.timestamp - timestamp) < Math.abs(a.timestamp - timestamp) ? b : a, null);
+    return nearest && Math.abs(nearest.timestamp - timestamp) < nearby ? nearest.file : null;
   }
 }
 

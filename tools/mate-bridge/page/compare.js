@@ -28,7 +28,6 @@ export function showCompare(parent) {
         value => { shown.camera = value; again(); })),
       named("layer", choice("joints", [{value: "reported", text: "as their encoders report them"}, {value: "fitted", text: "moved as far as their noise allows"}],
         state.layer, value => { state.layer = value; again(); })),
-      button("PNG", () => scatter.save("residuals.png"), {class: "small"}),
       button("CSV", () => saveCorners(fit), {class: "small"})),
     make("div", {class: "split"}, scatter, make("div", {}, pictureFigure(chosen))),
     make("h2", {}, "Captures"),

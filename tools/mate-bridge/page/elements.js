@@ -44,3 +44,8 @@ export const csv = rows => rows.map(row => row.map(cell => {
   const text = cell === null || cell === undefined ? "" : String(cell);
   return /[",\n]/.test(text) ? '"' + text.replaceAll('"', '""') + '"' : text;
 }).join(",")).join("\n") + "\n";
+
+// A table with a button that saves it.
+export const csvTable = (table, name) => make("div", {class: "tabled"}, button("CSV", () => download(name + ".csv", csv(
+  [...table.rows].map(row => [...row.cells].map(cell => cell.querySelector("input")?.value ?? cell.innerText.replaceAll("−", "-")))), "text/csv"),
+  {class: "small", "aria-label": "save as CSV: " + name}), table);

@@ -26,12 +26,14 @@ export class History {
 
   names() { return [...this.series.keys()]; }
 
-  // The last seconds, as uPlot takes them.
+  // The last seconds, as uPlot takes them; of many entries every second, third ... one.
   since(seconds, names) {
-    const begin = this.times[this.times.length - 1] - seconds;
+    const begin = this.times[this.times.length - 1] - seconds, most = 600;
     let first = 0;
     while (this.times[first] < begin) ++first;
-    return [this.times.slice(first), ...names.map(name => this.series.get(name).slice(first))];
+    const every = Math.max(1, Math.ceil((this.times.length - first) / most));
+    const part = list => list.filter((_, i) => i >= first && (i - first) % every === 0);
+    return [part(this.times), ...names.map(name => part(this.series.get(name)))];
   }
 
   // The last value for people, shortened.

@@ -102,14 +102,15 @@ function pictured({robot, key, width, height}, file, isShown) {
   if (isShown && robot === shownRobot && slot && slot.camera) slot.camera.show(file, {width, height});
 }
 
+const betweenDraws = 100; // eyes see no more, and pictures need the time [ms]
 let drawing = false;
 function requestDraw() {
   if (drawing) return;
   drawing = true;
-  requestAnimationFrame(() => {
+  setTimeout(() => requestAnimationFrame(() => {
     drawing = false;
     for (const key of plotted) drawKey(key);
-  });
+  }), betweenDraws);
 }
 
 function drawKey(key) {

@@ -1,27 +1,30 @@
-// Calibrate: beside the field. Start, see what the robot does and waits for, stop at any moment, see what it brought,
-// take it back.
+// Calibrate: beside the field. Choose what to calibrate, see each pose before it is played, what the robot does, waits
+// for and sees, stop at any moment, see what it brought, take it back.
 import {make, button, empty} from "./elements.js";
-import {act, notice} from "./state.js";
+import {send} from "./connection.js";
+import {act} from "./state.js";
 import {robots, robotBar, lookedAt, whyNothing} from "./robots.js";
 import {wish} from "./subscriptions.js";
 import {Camera, cameraKeys} from "./camera.js";
-import {outcome} from "./outcome.js";
+import {of, valueOf} from "./values.js";
+import {standingFigure} from "./standing.js";
+import {floorFigure} from "./floor.js";
+import {capturesKey, gather, thumbnails} from "./taken.js";
+import {outcome, offsets, outcomeKey} from "./outcome.js";
+import {healthKey, refreshVitals} from "./vitals.js";
+import {steer, afterwards, runner, offsetsMount, stop} from "./steer.js";
 
-const runner = "Brain.CalibrationRunner", offsetsMount = "Motion.JointCalibrationProvider", mountsMount = "Brain.Projection";
-const stateKey = "Brain.calibration", playerKey = "Motion.player";
-const running = phase => !["idle", "finished", "failed"].includes(phase);
+export const stateKey = "Brain.calibration";
+const playerKey = "Motion.player", kindsKey = "Brain.calibrationKinds", posesKey = "Brain.calibrationPoses"; // {round, step, poses: [{name, angles}]}
+export const running = phase => !["idle", "finished", "failed"].includes(phase);
 
-let parentShown = null, shownRobot = null, cameras = [], parts = null, confirming = null;
-const known = new Map(); // by robot: {state, player, before: offsets before the calibration}
-
-const of = robot => {
-  if (!known.has(robot)) known.set(robot, {state: null, player: null, before: null});
-  return known.get(robot);
-};
+let parentShown = null, shownRobot = null, cameras = [], parts = null, drawings = [];
 
 export function showMatch(parent) {
+  const before = shownRobot;
   parentShown = parent;
   shownRobot = lookedAt();
+  if (before && before !== shownRobot) send({do: "unwatch", robot: before});
   const why = whyNothing();
   parent.replaceChildren(make("h1", {}, "Calibrate"), robotBar(() => showMatch(parent)), ...(why ? [empty(...why)] : content()));
   if (why) wish("match", null, []);
@@ -31,35 +34,45 @@ export function showMatch(parent) {
 export function leaveMatch() {
   parentShown = null;
   wish("match", null, []);
+  if (shownRobot) send({do: "unwatch", robot: shownRobot});
 }
 
 function content() {
-  const {list, mounts} = robots.get(shownRobot), {chosen} = cameraKeys(list);
+  const {list, mounts, keys} = robots.get(shownRobot), {chosen} = cameraKeys(list);
   const can = list.some(({key}) => key === stateKey) && mounts.some(({key}) => key === runner);
   cameras = chosen.map((key, i) => key && {key, camera: new Camera((i ? "bottom" : "top") + " camera")}).filter(Boolean);
-  wish("match", shownRobot, [stateKey, playerKey, ...cameras.map(({key}) => key)].filter(key => list.some(one => one.key === key)));
-  if (can && !robots.get(shownRobot).keys.has(offsetsMount)) {
-    robots.get(shownRobot).keys.set(offsetsMount, null);
+  wish("match", shownRobot, [stateKey, playerKey, kindsKey, posesKey, capturesKey, outcomeKey, ...cameras.map(({key}) => key)].filter(key => list.some(one => one.key === key)));
+  send({do: "watch", robot: shownRobot});
+  if (can && !keys.has(offsetsMount)) {
+    keys.set(offsetsMount, null);
     act({do: "keys", robot: shownRobot, mount: offsetsMount});
-    act({do: "keys", robot: shownRobot, mount: runner});
   }
-  parts = {steer: make("div"), progress: make("div"), result: make("div")};
-  return [make("div", {class: "split match"}, make("div", {}, can ? parts.steer : empty("This robot does not calibrate itself",
-      "It serves no " + stateKey + ": naocal-robot does. Its cameras and values can be seen all the same."), parts.progress, parts.result),
-    make("div", {class: "cameras stacked"}, ...cameras.map(({camera, key}) => make("figure", {class: "camera"}, make("b", {}, camera.canvas.getAttribute("aria-label")),
-      make("span", {class: "soft"}, " " + key), camera.canvas, camera.caption))))];
+  const stance = standingFigure(() => ({now: of(shownRobot).scene, next: of(shownRobot).next}), "how the robot stands, and its next pose");
+  const floor = floorFigure(() => of(shownRobot).scene);
+  drawings = [stance, floor];
+  parts = Object.fromEntries(["steer", "progress", "after", "outcome", "offsets", "captures", "nextWords"].map(name => [name, make("div")]));
+  const left = can ? [parts.steer, parts.progress] : [empty("This robot does not calibrate itself",
+    "It serves no " + stateKey + ": naocal-robot does. Its cameras and values can be seen all the same.")];
+  return [make("div", {class: "split match"}, make("div", {}, ...left, parts.outcome, parts.after, parts.captures, parts.offsets),
+    make("div", {}, make("div", {class: "cameras beside"}, ...cameras.map(({camera}) => make("figure", {class: "camera"}, make("b", {}, camera.canvas.getAttribute("aria-label")), camera.canvas, camera.caption))),
+      make("p", {class: "keys soft"}, make("span", {class: "key measured"}), " corner, ", make("span", {class: "key predicted"}), " where the joints and cameras as they are believed put it"),
+      make("div", {class: "cameras beside"}, make("div", {}, make("h2", {}, "Its stance"), stance, parts.nextWords),
+        make("div", {}, make("h2", {}, "The floor"), floor, make("p", {class: "keys soft"}, make("span", {class: "key topView"}), " what the top camera sees, ",
+          make("span", {class: "key bottomView"}), " the bottom one; ", make("span", {class: "key weight"}), " centre of mass")))))];
 }
 
 function draw() {
   if (!parentShown || !parts) return;
-  const {state, player} = of(shownRobot), {connected, sentence} = robots.get(shownRobot), phase = state ? state.phase : "idle";
-  const isRunning = running(phase);
-  when("steer", [connected, isRunning, confirming === "start", sentence], () => steer(connected, isRunning, sentence));
+  const entry = robots.get(shownRobot), state = valueOf(shownRobot, stateKey), player = valueOf(shownRobot, playerKey);
+  const told = valueOf(shownRobot, outcomeKey), isRunning = running(state ? state.phase : "idle");
+  const {before, captures} = of(shownRobot), now = entry.keys.get(offsetsMount);
+  steer({robot: shownRobot, entry, state, isRunning, kinds: valueOf(shownRobot, kindsKey), draw, when});
   when("progress", [state, player && player.reason], () => state ? progress(state, player) : [make("p", {class: "soft"}, "Waiting for the robot's first word …")]);
-  const {before} = of(shownRobot), now = robots.get(shownRobot).keys.get(offsetsMount), canUndo = connected && state && state.phase === "finished";
-  when("result", [state && state.errorAfter, isRunning, before, now, canUndo, confirming === "undo"], () => [...outcome(state, isRunning, before, now),
-    canUndo ? make("p", {class: "controls"}, button("Undo …", () => { confirming = "undo"; draw(); })) : "",
-    confirming === "undo" ? confirm("Take back what was saved last, offsets and cameras?", "Undo on " + shownRobot, undo) : ""]);
+  when("outcome", [state && state.errorAfter, isRunning, told], () => outcome(state, isRunning, told));
+  when("offsets", [told, before, now], () => offsets(told, before, now));
+  when("captures", captures, () => thumbnails(shownRobot));
+  afterwards({robot: shownRobot, entry, state, isRunning, draw, when});
+  next();
 }
 
 // Draws a part anew only when what it shows has changed: nothing is taken from under a finger.
@@ -70,15 +83,19 @@ function when(name, shown, made) {
   parts[name].replaceChildren(...made());
 }
 
-function steer(connected, isRunning, sentence) {
-  return [
-    make("p", {class: "soft"}, "The robot stands on both feet and sees boards on the floor. It looks around, solves neck and cameras, looks around once " +
-      "more elsewhere and keeps what it found only if the error falls by half. Its legs stay where they are."),
-    make("p", {class: "controls big"},
-      button("Calibrate neck and cameras", () => { confirming = "start"; draw(); }, {class: "main", disabled: !connected || isRunning || confirming === "start"}),
-      button("Stop", stop, {class: "stop", disabled: !connected, title: "key s: the robot goes back to its stand"})),
-    ...(confirming === "start" ? [confirm("The robot's head will move. Is everybody's hand off it?", "Start", start)] : []),
-    ...(connected ? [] : [make("p", {class: "bad"}, shownRobot + " " + sentence + ". It is tried again every second.")])];
+// The pose that comes next, worked out by the bridge once it is known.
+let asked = 0;
+function next() {
+  const told = valueOf(shownRobot, posesKey), known = of(shownRobot), pose = told && told.poses[told.step];
+  const words = JSON.stringify(pose || null);
+  if (known.nextShown !== words) {
+    known.nextShown = words;
+    known.next = null;
+    if (pose) send({do: "stand", number: known.nextNumber = ++asked, angles: pose.angles});
+  }
+  when("nextWords", [pose && pose.name, told && told.step, told && told.poses.length], () => [make("p", {class: "soft"},
+    pose ? make("span", {}, make("span", {class: "key after"}), " " + pose.name + ", " + (told.step + 1) + " of " + told.poses.length + " of this round; grey: as it stands now")
+      : "Grey: as it stands now. Each pose of a calibration is shown here before it is played.")]);
 }
 
 function progress(state, player) {
@@ -91,52 +108,37 @@ function progress(state, player) {
     player && player.reason ? make("p", {class: "bad"}, player.reason) : ""];
 }
 
-function confirm(question, yes, action) {
-  return make("div", {class: "confirm", role: "group", "aria-label": "confirm"}, make("p", {}, question), make("p", {class: "controls"},
-    button(yes, () => { confirming = null; action(); draw(); }, {class: "main"}), button("Not now", () => { confirming = null; draw(); })));
-}
-
-const set = (mp, key, value) => act({do: "set", robot: shownRobot, settings: [{mp, key, value}]});
-
-function start() {
-  const entry = robots.get(shownRobot);
-  of(shownRobot).before = entry.keys.get(offsetsMount);
-  set(runner, "run", ""); // only a change counts
-  set(runner, "run", "head");
-}
-
-// Whatever runs ends: a value that differs from the one before, then none.
-function stop() {
-  confirming = null;
-  set(runner, "run", "");
-}
-
-function undo() {
-  for (const mount of [offsetsMount, mountsMount]) set("naocal.configuration", "undo", mount);
-  act({do: "keys", robot: shownRobot, mount: offsetsMount});
-  notice("Asked " + shownRobot + " to take back what was saved last.");
-}
-
 export function matchTold(message, file, isShown) {
-  const {kind, robot} = message;
+  const {kind, robot} = message, here = isShown && parentShown && robot === shownRobot;
   if (kind === "picture") {
-    const seen = isShown && robot === shownRobot && cameras.find(({key}) => key === message.key);
+    const seen = here && cameras.find(({key}) => key === message.key);
     if (seen) seen.camera.show(file, message);
-    return;
-  }
-  if (kind === "update") {
-    for (const {key, value} of message.values) {
-      if (key === playerKey) of(robot).player = value;
-      if (key === stateKey) {
-        const old = of(robot).state;
-        of(robot).state = value;
-        if (old && running(old.phase) && !running(value.phase)) act({do: "keys", robot, mount: offsetsMount}); // what it has now
-      }
+  } else if (kind === "seen") {
+    const seen = here && cameras.find(({key}) => key === message.key);
+    if (seen) seen.camera.found = message;
+  } else if (kind === "scene") {
+    of(robot).scene = message;
+    if (here) drawings.forEach(drawing => drawing.redraw());
+  } else if (kind === "stand") {
+    const known = shownRobot && of(shownRobot);
+    if (known && message.number === known.nextNumber) {
+      known.next = message.hull ? message : null;
+      if (parentShown) drawings[0].redraw();
     }
-    if (isShown && robot === shownRobot) drawSoon();
-    return;
+  } else if (kind === "update") {
+    updated(robot, message.values);
+    if (here) drawSoon();
+  } else if (isShown && parentShown) kind === "keys" ? draw() : showMatch(parentShown);
+}
+
+function updated(robot, values) {
+  for (const {key, value, timestamp} of values) {
+    const old = valueOf(robot, key);
+    of(robot).values.set(key, value);
+    if (key === healthKey) refreshVitals(robot);
+    if (key === capturesKey && robot === shownRobot) gather(robot, cameras, timestamp);
+    if (key === stateKey && old && old.sentence !== value.sentence && !running(value.phase)) act({do: "keys", robot, mount: offsetsMount}); // what it has now
   }
-  if (isShown && parentShown) kind === "keys" ? draw() : showMatch(parentShown);
 }
 
 let due = false;
@@ -150,5 +152,16 @@ function drawSoon() {
 }
 
 document.addEventListener("keydown", event => {
-  if (event.key === "s" && parentShown && !/^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName)) stop();
+  if (event.key === "s" && parentShown && !/^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName)) stop(shownRobot, draw);
 });
+
+// Of every robot that calibrated: for the session's page.
+const calibrated = () => [...robots.keys()].filter(robot => valueOf(robot, stateKey) && valueOf(robot, stateKey).phase !== "idle");
+export const hasMatch = () => calibrated().length > 0;
+export function matchSummary(parent) {
+  for (const robot of calibrated()) {
+    const state = valueOf(robot, stateKey), told = valueOf(robot, outcomeKey), {before, scene} = of(robot);
+    parent.append(make("h1", {}, "Calibration of " + robot), ...progress(state, null), ...outcome(state, running(state.phase), told),
+      ...offsets(told, before, robots.get(robot).keys.get(offsetsMount)), standingFigure(() => ({now: scene, next: null}), "how the robot stands"), floorFigure(() => scene), ...thumbnails(robot));
+  }
+}

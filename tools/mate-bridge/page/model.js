@@ -69,8 +69,9 @@ let openBase = false;
 
 // Everything that is missing, found by the bridge; added only when the person says so.
 function search() {
+  const searching = Boolean(state.work && state.work.startsWith("searching"));
   const part = make("div", {class: "search"}, make("h2", {}, "Let it search"), make("p", {class: "controls"},
-    button("Find what is missing", () => send({do: "search"}), {disabled: Boolean(state.work && state.work.startsWith("searching"))})));
+    button("Find what is missing", () => send({do: "search"}), {disabled: searching})));
   if (state.found) {
     part.append(make("p", {}, state.found.sentence));
     for (const label of state.found.suggested) {

@@ -1,11 +1,12 @@
-// What a calibration brought.
-import {make} from "./elements.js";
-import {px, number} from "./words.js";
+// What a calibration brought: the error before and after, each offset with its sigma, and what to beware of.
+import {make, csvTable} from "./elements.js";
+import {figure, ticks, colours} from "./canvas.js";
+import {px, number, withError} from "./words.js";
 
-const degrees = value => value === undefined ? "–" : number(value.toFixed(2)) + "°";
+export const outcomeKey = "Brain.calibrationOutcome"; // {joints: [{joint, before, after, sigma, learned}] [°], warnings: [sentence]}
+const degrees = value => value === undefined || value === null ? "–" : number(value.toFixed(2)) + "°";
 
-// Errors before and after on pictures that were not used, and the offsets as they were and are.
-export function outcome(state, isRunning, before, now) {
+export function outcome(state, isRunning, told) {
   const shown = [];
   if (state && state.errorBefore !== null && !isRunning) {
     const most = Math.max(state.errorBefore, state.errorAfter);
@@ -16,13 +17,65 @@ export function outcome(state, isRunning, before, now) {
     };
     shown.push(make("h2", {}, "Error on pictures that were not used"), row("before", state.errorBefore), row("after", state.errorAfter));
   }
-  if (now && now.length) {
-    const value = (list, key) => list.find(one => one.key === key)?.value;
-    const changed = now.filter(one => typeof one.value === "number" && (one.value !== 0 || (before && value(before, one.key) !== one.value)));
-    shown.push(make("h2", {}, "Joint offsets on the robot"), changed.length ? make("table", {}, make("thead", {}, make("tr", {}, make("th", {scope: "col"}, "joint"),
-      before ? make("th", {scope: "col", class: "number"}, "before") : null, make("th", {scope: "col", class: "number"}, "now"))),
-      make("tbody", {}, ...changed.map(one => make("tr", {}, make("th", {scope: "row"}, one.key), before ? make("td", {class: "number"}, degrees(value(before, one.key))) : null,
-        make("td", {class: "number"}, degrees(one.value)))))) : make("p", {class: "soft"}, "None: every joint counts as it reads."));
-  }
+  if (told && told.warnings.length) shown.push(make("h2", {}, "Beware"), make("ul", {class: "warnings"}, ...told.warnings.map(warning => make("li", {}, warning))));
   return shown;
+}
+
+// Offsets on the robot: as they were and are, with two sigmas where a calibration told them.
+export function offsets(told, before, now) {
+  if (!now || !now.length) return [];
+  const value = (list, joint) => list ? list.find(({key}) => key.toLowerCase() === joint.toLowerCase())?.value : undefined;
+  const rows = now.filter(({value}) => typeof value === "number").map(({key, value: after}) => {
+    const found = told && told.joints.find(({joint}) => joint.toLowerCase() === key.toLowerCase());
+    return {joint: key, before: found ? found.before : value(before, key), after, sigma: found ? found.sigma : null};
+  }).filter(row => row.after !== 0 || row.sigma !== null || (row.before !== undefined && row.before !== row.after));
+  if (!rows.length) return [make("h2", {}, "Joint offsets on the robot"), make("p", {class: "soft"}, "None: every joint counts as it reads.")];
+  const table = make("table", {}, make("thead", {}, make("tr", {}, make("th", {scope: "col"}, "joint"), make("th", {scope: "col", class: "number"}, "before"),
+    make("th", {scope: "col", class: "number"}, "now"))), make("tbody", {}, ...rows.map(row => make("tr", {}, make("th", {scope: "row"}, row.joint),
+    make("td", {class: "number"}, degrees(row.before)), make("td", {class: "number"}, row.sigma === null ? degrees(row.after) : withError(row.after, row.sigma, "°"))))));
+  return [make("h2", {}, "Joint offsets on the robot"),
+    figure({height: 34 + 22 * rows.length, label: "joint offsets before and after", draw: (context, width, height) => draw(context, width, height, rows)}),
+    make("p", {class: "soft keys"}, make("span", {class: "key hollow"}), " before ", make("span", {class: "key full"}), " now, with two standard errors"),
+    csvTable(table, "offsets")];
+}
+
+function draw(context, width, height, rows) {
+  const reach = 1.1 * Math.max(0.1, ...rows.flatMap(({before, after, sigma}) => [Math.abs(before || 0), Math.abs(after) + 2 * (sigma || 0)]));
+  const box = {left: Math.min(120, 0.3 * width), right: width - 10, top: 6, bottom: height - 26};
+  const place = value => box.left + (value + reach) / (2 * reach) * (box.right - box.left);
+  context.textBaseline = "top";
+  context.textAlign = "center";
+  for (const mark of ticks(-reach, reach, (box.right - box.left) / 80)) {
+    context.fillStyle = colours.line;
+    context.fillRect(place(mark), box.top, 1, box.bottom - box.top);
+    context.fillStyle = colours.soft;
+    context.fillText(number(mark) + "°", place(mark), box.bottom + 6);
+  }
+  context.textBaseline = "middle";
+  return rows.map((row, i) => {
+    const y = box.top + 22 * i + 11;
+    context.fillStyle = colours.ink;
+    context.textAlign = "right";
+    context.fillText(row.joint, box.left - 8, y);
+    context.strokeStyle = colours.soft;
+    context.lineWidth = 1;
+    if (row.before !== undefined && row.before !== null) context.strokeRect(Math.min(place(0), place(row.before)), y - 8, Math.abs(place(row.before) - place(0)) || 1, 7);
+    context.fillStyle = colours.blue;
+    context.fillRect(Math.min(place(0), place(row.after)), y + 1, Math.abs(place(row.after) - place(0)) || 1, 7);
+    if (row.sigma !== null) {
+      context.strokeStyle = colours.orange;
+      context.lineWidth = 2;
+      context.beginPath();
+      context.moveTo(place(row.after - 2 * row.sigma), y + 4.5);
+      context.lineTo(place(row.after + 2 * row.sigma), y + 4.5);
+      context.stroke();
+    }
+    context.strokeStyle = colours.soft;
+    context.lineWidth = 1;
+    context.beginPath();
+    context.moveTo(place(0), y - 10);
+    context.lineTo(place(0), y + 11);
+    context.stroke();
+    return {x: place(row.after), y: y + 4, tip: () => row.joint + "\nbefore " + degrees(row.before) + "\nnow " + (row.sigma === null ? degrees(row.after) : withError(row.after, row.sigma, "°"))};
+  });
 }

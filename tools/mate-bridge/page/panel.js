@@ -6,11 +6,14 @@ import {state, act, notice, onNotice} from "./state.js";
 import {showModel} from "./model.js";
 import {showCompare} from "./compare.js";
 import {showLearn} from "./learn.js";
-import {showMap} from "./jointMap.js";
+import {showMap} from "./map.js";
 import {showOwn} from "./own.js";
 import {showResult} from "./result.js";
 import {showLive, leaveLive, liveTold} from "./live.js";
-import {showMatch, leaveMatch, matchTold} from "./match.js";
+import {showMatch, leaveMatch, matchTold, matchSummary, hasMatch} from "./match.js";
+import {showNext} from "./next.js";
+import {showFiles} from "./files.js";
+import {offerViews} from "./session.js";
 import {told} from "./robots.js";
 import {showKeys, keysTold} from "./keys.js";
 
@@ -23,6 +26,8 @@ const views = [
   {id: "map", name: "Map", show: parent => showMap(parent, go), kinds: ["fit", "questions"], laboratory: true},
   {id: "own", name: "Own effect", show: showOwn, kinds: ["set"], laboratory: true},
   {id: "result", name: "Result", show: showResult, kinds: ["fit"], laboratory: true},
+  {id: "next", name: "Next poses", show: showNext, kinds: ["fit", "next", "work"], laboratory: true},
+  {id: "files", name: "Files", show: showFiles, kinds: ["set", "compared", "work"]},
   {id: "match", name: "Calibrate", show: showMatch, leave: leaveMatch, kinds: []},
   {id: "live", name: "Live", show: showLive, leave: leaveLive, kinds: []},
   {id: "keys", name: "Configuration", show: showKeys, kinds: []},
@@ -55,33 +60,43 @@ function draw() {
   complete = Boolean(state.fit && state.set && state.ladder);
   if (!current.laboratory) current.show(view);
   else if (!state.laboratory) {
-    view.replaceChildren(empty("No captures are open", "Start ", make("code", {}, "mate-bridge captures/"), " with the folder of a capture set, or with a result of ",
-      make("code", {}, "naocal solve"), ", to look at it here."));
+    view.replaceChildren(empty("No captures are open", "Start ", make("code", {}, "mate-bridge captures/"), " with the folder of a capture set, a result or a diagnosis, or open them in ",
+      button("Files", () => go("files"), {class: "small"}), "."));
   } else if (!complete) view.replaceChildren(empty("Fitting", "The first fit takes less than a second for thirty poses."));
   else current.show(view);
   if (!at("model").hidden) showModel(at("model"));
 }
 
 // What the laboratory tells; questions belong to the fit before them.
-for (const kind of ["set", "ladder", "fit", "questions", "found"]) {
+const laboratoryKinds = ["set", "ladder", "fit", "questions", "found", "next", "compared"];
+const forget = kinds => kinds.forEach(kind => { state[kind] = null; });
+for (const kind of laboratoryKinds) {
   on(kind, message => {
     state[kind] = message;
-    if (kind === "fit") state.questions = null;
-    if (current && current.laboratory) {
-      if (current.kinds.includes(kind) || !complete) draw();
-      else if (!at("model").hidden) showModel(at("model"));
-    }
+    if (kind === "fit") forget(["questions", "next", "compared"]);
+    redraw(kind);
   });
 }
+function redraw(kind) {
+  if (!current) return;
+  if (current.kinds.includes(kind) || (current.laboratory && !complete)) draw();
+  else if (!at("model").hidden) showModel(at("model"));
+}
 on("hello", ({laboratory}) => { state.laboratory = laboratory; open(); });
+on("opened", () => { // other captures lie on the desk
+  forget(laboratoryKinds);
+  state.laboratory = true;
+  state.chosen = null;
+  go("compare");
+});
 on("refused", ({sentence}) => notice(sentence));
 on("work", ({what}) => {
   state.work = what;
   at("work").textContent = what ? what + " …" : "";
   at("work").classList.toggle("busy", Boolean(what));
-  if (!at("model").hidden && state.fit) showModel(at("model"));
+  redraw("work");
 });
-for (const kind of ["robot", "robotGone", "list", "mounts", "keys", "update", "picture"]) {
+for (const kind of ["robot", "robotGone", "list", "mounts", "keys", "update", "picture", "scene", "seen", "stand"]) {
   on(kind, (message, more) => {
     if (!told(message)) return;
     liveTold(message, more, current && current.id === "live");
@@ -98,8 +113,21 @@ onNotice(sentence => {
 function showLink(connected) {
   at("link").textContent = connected ? "bridge" : "bridge away";
   at("link").className = connected ? "" : "gone";
+  if (connected) lostAt = null;
+  else lostAt ??= Date.now();
+  if (lostAt && Date.now() - lostAt > 5000) otherBridge();
   at("link").title = connected ? "The panel is connected to mate-bridge." : "mate-bridge does not answer; it is tried again by itself. What is shown is the last that it told.";
   if (!connected) { state.work = null; at("work").textContent = ""; at("work").classList.remove("busy"); }
+}
+
+// A bridge that was started anew has another token, and mostly another port: this page cannot reach it any more.
+let lostAt = null, saidSo = false;
+async function otherBridge() {
+  const answer = await fetch(location.pathname).catch(() => null);
+  if (saidSo || (answer && answer.ok)) return;
+  saidSo = true;
+  notice(answer ? "mate-bridge was started anew and has another address: open the one that it prints. What stands here is the last that was told."
+    : "mate-bridge has been away for some seconds. If it was started anew, open the address that it prints; what stands here is the last that was told.");
 }
 
 function setTheme(theme) {
@@ -116,7 +144,7 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", readColour
 
 document.addEventListener("keydown", event => {
   if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName)) return;
-  const place = Number(event.key);
+  const place = event.key === "0" ? 10 : Number(event.key);
   if (place >= 1 && place <= views.length) go(views[place - 1].id);
   else if (event.key === "u" && state.ladder && state.ladder.at > 0) act({do: "goTo", rung: state.ladder.at - 1});
   else if (event.key === "r" && state.ladder && state.ladder.at + 1 < state.ladder.rungs.length) act({do: "goTo", rung: state.ladder.at + 1});
@@ -124,10 +152,12 @@ document.addEventListener("keydown", event => {
 
 views.forEach((view, i) => {
   if (view.id === "match") at("tabs").append(make("span", {class: "gap"}));
-  const tab = button(view.name, () => go(view.id), {title: "key " + (i + 1)});
+  const tab = button(view.name, () => go(view.id), {title: "key " + (i + 1) % 10});
   tab.dataset.view = view.id;
   at("tabs").append(tab);
 });
+offerViews([...views.filter(({laboratory}) => laboratory).map(({name, show}) => ({name, show, shows: () => Boolean(state.laboratory && state.fit && state.set && state.ladder)})),
+  {name: "Model", show: showModel, shows: () => Boolean(state.fit && state.ladder)}, {name: "Calibrate", show: matchSummary, shows: hasMatch}]);
 addEventListener("hashchange", open);
 readColours();
 showLink(false);

@@ -1,4 +1,5 @@
 // The result: what the fit found, each estimate with its error bar.
+import {applying} from "./apply.js";
 import {make, button, csv, download} from "./elements.js";
 import {ticks} from "./canvas.js";
 import {withError, number} from "./words.js";
@@ -10,6 +11,7 @@ export function showResult(parent) {
     make("div", {class: "verdict " + (fit.usable ? "adequate" : "bad-captures")}, make("h1", {}, fit.headline),
       make("dl", {class: "figures"}, ...fit.facts.map(({figure, sentence}) => make("div", {}, make("dt", {}, figure), make("dd", {}, sentence)))),
       fit.warnings.length ? make("ul", {class: "warnings"}, ...fit.warnings.map(warning => make("li", {}, warning))) : null),
+    ...applying(fit, () => showResult(parent)),
     make("div", {class: "controls"}, button("CSV", () => save(fit), {class: "small"}),
       make("span", {class: "soft"}, "bars: 95 % intervals; at the right how much these captures taught, from what was plausible before")),
     ...fit.groups.flatMap(group));

@@ -2,6 +2,7 @@
 import {make, button} from "./elements.js";
 import {on} from "./connection.js";
 import {state, act} from "./state.js";
+import {followVitals, vitals} from "./vitals.js";
 
 export const robots = state.robots; // by address: {connected, sentence, list, mounts, keys: Map by mount}
 let looked = null, typed = "";
@@ -13,7 +14,7 @@ export const lookedAt = () => robots.get(looked) ? looked : (robots.keys().next(
 // False: nothing that views show has changed; a list that only repeats itself says that the robot is alive.
 export function told(message) {
   const {kind, robot} = message;
-  if (kind === "update" || kind === "picture") return true;
+  if (["update", "picture", "scene", "seen", "stand"].includes(kind)) return true;
   if (kind === "robotGone") return robots.delete(robot);
   if (!robots.has(robot)) robots.set(robot, {connected: false, sentence: "connecting", list: [], mounts: [], keys: new Map()});
   const entry = robots.get(robot);
@@ -31,6 +32,7 @@ const keysOf = body => body && Array.isArray(body.keys) ? body.keys.filter(({key
 
 // The row on top of every robot view.
 export function robotBar(changed) {
+  followVitals();
   const address = make("input", {type: "text", placeholder: "nao21, HOST:PORT or /sockets", "aria-label": "robot to connect to", spellcheck: "false", autocomplete: "off"});
   address.value = typed;
   address.addEventListener("input", () => { typed = address.value; });
@@ -43,7 +45,7 @@ export function robotBar(changed) {
   }}, address, make("button", {type: "submit"}, "Connect"));
   const chips = [...robots].map(([name, {connected, sentence}]) => make("span", {class: "robot" + (connected ? " connected" : "") + (name === lookedAt() ? " is-looked" : "")},
     button(name, () => { looked = name; changed(); }, {class: "plain", "aria-pressed": String(name === lookedAt())}),
-    make("span", {class: "soft"}, sentence), button("×", () => act({do: "disconnect", robot: name}), {class: "small", "aria-label": "disconnect from " + name})));
+    make("span", {class: "soft"}, sentence), vitals(name), button("×", () => act({do: "disconnect", robot: name}), {class: "small", "aria-label": "disconnect from " + name})));
   const name = lookedAt();
   return make("div", {class: "robots"}, ...chips, form, name && robots.get(name).connected && !robots.get(name).list.length ? secretForm(name) : null);
 }

@@ -9,7 +9,7 @@ function showCurves(parent) {
     : "Their evidence is below 0: nothing is left that a curve would explain. They are drawn so that you can see that.";
   for (const curve of data.curves) {
     const figure = parent.appendChild(element("figure"));
-    canvasFigure(figure, () => 250, (context, width, height) => drawCurve(context, width, height, curve),
+    canvasFigure(figure, 250, (context, width, height) => drawCurve(context, width, height, curve),
       curve.joint + " over " + curve.what);
     const caption = figure.appendChild(element("figcaption"));
     caption.append(element("b", "", curve.joint + " over " + curve.what),
@@ -23,29 +23,3 @@ function showCurves(parent) {
 // The model file, each unknown on one line.
 const modelText = model =>
   JSON.stringify(model, null, 1).replace(/\{\s+("sigma": [^,]+),\s+("unit": "[^"]+")\s+\}/g, "{$1, $2}");
-
-function drawCurve(context, width, height, {joint, driver, unit, points, title}) {
-  const box = {left: 52, right: width - 8, top: 30, bottom: height - 42};
-  const reach = 1.05 * Math.max(1e-3, ...points.map(([, y, error]) => Math.abs(y) + 2 * error));
-  const xs = points.map(([x]) => x), ends = [Math.min(...xs), Math.max(...xs)];
-  const name = driver === "q" ? joint : driver === "tau" ? "tau_" + joint : driver;
-  const {x, y} = axes(context, box, ends, [-reach, reach],
-    {title: title + " [°]", xLabel: name + (unit ? " [" + unit + "]" : "")});
-  const path = list => {
-    context.beginPath();
-    list.forEach(([a, b], i) => i ? context.lineTo(x(a), y(b)) : context.moveTo(x(a), y(b)));
-  };
-  context.fillStyle = context.strokeStyle = colours.blue;
-  context.globalAlpha = 0.2;
-  path([...points.map(([a, b, error]) => [a, b + 2 * error]),
-    ...points.map(([a, b, error]) => [a, b - 2 * error]).reverse()]);
-  context.fill();
-  context.globalAlpha = 1;
-  context.lineWidth = 2.5;
-  path(points);
-  context.stroke();
-  return points.map(([a, b, error]) => ({
-    x: x(a), y: y(b), tip: () => name + " = " + withUnit(short(a), unit) + "\n" + title + ": " +
-      withError(b, error, "").trim() + "°",
-  }));
-}

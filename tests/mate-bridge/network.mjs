@@ -1,0 +1,82 @@
+// A robot behind a slow network (100 ms there and back, 2 % of packets lost, 1 Mbit/s), reached over TCP with a secret:
+// the secret is asked for, pictures and values come as fast as there is room, a parameter is set, the network fails and
+// comes back. Proves that the panel says what happens, recovers, and needs no second secret. Not run where this
+// machine's namespaces cannot be used (root and /dev/net/tun).
+// Usage: node network.mjs NAOCAL-ROBOT MATE-BRIDGE NODE_MODULES CONFIGURATION PICTURES SLOW_LINK
+import {cpSync, existsSync, writeFileSync} from "node:fs";
+import {execFileSync, spawn} from "node:child_process";
+import {join} from "node:path";
+import {tools, skip, check, panelOf, folder, quietPage, portrait, started, end} from "./browser.mjs";
+
+const [, , robotProgram, bridge, modules, configuration, pictures, slowLink] = process.argv;
+const {launch, axe} = tools(modules), here = folder(), space = "naocal-" + process.pid;
+const ip = (...words) => execFileSync("ip", words, {stdio: "ignore"});
+
+if (process.getuid() !== 0 || !existsSync("/dev/net/tun")) skip("no namespaces can be made here");
+try { ip("netns", "add", space); } catch { skip("no namespaces can be made here"); }
+process.on("exit", () => { try { ip("netns", "del", space); } catch { /* it has gone already */ } });
+
+// 50 ms each way.
+async function connectNetwork() {
+  const link = await started(slowLink, space, "50", "2", "1000");
+  ip("addr", "add", "10.231.77.1/30", "dev", "slow0");
+  ip("link", "set", "slow0", "up");
+  for (const words of [["addr", "add", "10.231.77.2/30", "dev", "slow1"], ["link", "set", "slow1", "up"], ["link", "set", "lo", "up"]]) ip("-n", space, ...words);
+  return link;
+}
+
+cpSync(configuration, join(here, "configuration"), {recursive: true});
+writeFileSync(join(here, "configuration/location/default/access.json"), JSON.stringify({address: "0.0.0.0", secret: "open sesame", trustedNetwork: false}));
+let link = await connectNetwork();
+const robot = spawn("ip", ["netns", "exec", space, robotProgram, "--configuration", join(here, "configuration"), "--recordings", join(here, "recordings")], {stdio: "ignore"});
+process.on("exit", () => robot.kill("SIGKILL"));
+
+const panel = await panelOf(bridge, "--robot", "10.231.77.2"), browser = await launch();
+const page = await quietPage(browser, panel.address);
+const tab = name => page.getByRole("button", {name, exact: true}).click();
+
+// The secret.
+const secret = page.getByLabel("secret of 10.231.77.2");
+await secret.waitFor({timeout: 30000});
+await portrait(page, axe, pictures, "secret");
+await secret.fill("open barley");
+await page.getByRole("button", {name: "Tell it"}).click();
+await page.getByText("closed the connection").first().waitFor();
+check(true, "a wrong secret is refused, and said to be");
+await page.locator(".robot.connected").waitFor();
+await secret.waitFor();
+await secret.fill("open sesame");
+const told = Date.now();
+await page.getByRole("button", {name: "Tell it"}).click();
+await page.getByText("pictures a second").first().waitFor({timeout: 30000});
+console.log("measured: over the slow network, from the secret to the first live picture: " + (Date.now() - told) + " ms");
+await page.waitForTimeout(6000);
+console.log("measured: over the slow network: " + (await page.locator(".camera figcaption").allInnerTexts()).join("; "));
+await page.screenshot({path: join(pictures, "slow-network.png")});
+
+// A parameter is set, whatever waits in the queue.
+await tab("Configuration");
+await page.getByLabel("filter modules").fill("CalibrationRunner");
+await page.getByRole("button", {name: "Brain.CalibrationRunner", exact: true}).click();
+await page.getByLabel("repeats", {exact: true}).fill("3");
+const set = Date.now();
+await page.getByRole("button", {name: "set repeats"}).click();
+await page.waitForFunction(() => document.getElementById("parameter-repeats")?.value === "3" && !document.querySelector(".edited"));
+console.log("measured: over the slow network, from setting a parameter to the robot's answer: " + (Date.now() - set) + " ms");
+check(true, "a parameter is set over a slow network");
+
+// The network fails, and comes back.
+await link.stop("SIGKILL");
+await page.getByText(/Nothing can be set until it is back/).waitFor({timeout: 30000});
+check(true, "the panel says that the robot is gone");
+link = await connectNetwork();
+const back = Date.now();
+await page.locator(".robot.connected").waitFor({timeout: 60000});
+await tab("Calibrate");
+await page.getByText("pictures a second").first().waitFor({timeout: 60000});
+console.log("measured: from the network's return to the first picture: " + (Date.now() - back) + " ms");
+check(await secret.count() === 0, "the secret is not asked for again");
+await browser.close();
+await panel.stop("SIGTERM");
+await link.stop("SIGTERM");
+end();

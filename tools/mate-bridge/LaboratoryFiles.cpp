@@ -1,0 +1,103 @@
+#include "Laboratory.hpp"
+
+#include "calibrate/Comparison.hpp"
+#include "captures/Files.hpp"
+#include "captures/InputError.hpp"
+#include "diagnose/DiagnosisFile.hpp"
+#include "poses/PoseFile.hpp"
+#include "report/Report.hpp"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <stdlib.h>
+
+/// What the laboratory shares with the terminal's commands: their files, proposed poses, other captures.
+namespace naocal {
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// A folder of its own that goes away with it: readers of files read files.
+class PassingFolder {
+public:
+  PassingFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "naocal-panel-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) {
+      throw InputError{"no temporary folder could be made; is the disk full?"};
+    }
+    path_ = name;
+  }
+  ~PassingFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  PassingFolder(const PassingFolder&) = delete;
+  PassingFolder& operator=(const PassingFolder&) = delete;
+
+  std::filesystem::path file(const Json& content) const {
+    std::filesystem::path file = path_ / "content.json";
+    writeAtomically(file, content.dump());
+    return file;
+  }
+
+private:
+  std::filesystem::path path_;
+};
+
+} // namespace
+
+void Laboratory::propose(std::size_t count) {
+  NextOptions wanted;
+  wanted.count = count;
+  next_ = nextPoses(opened_.sets, measurements_, diagnosis(), options(rungs_[at_]), wanted);
+  Json told = nextJson(*next_, opened_.robot);
+  told["whyNone"] = next_->whyNone;
+  tell_("next", told);
+}
+
+void Laboratory::compareWith(const OpenedSets& others) {
+  const PassingFolder passing;
+  const StoredResult stored = readResult(passing.file(result_));
+  Json told = comparisonJson(compare(stored, others.sets, opened_.robot, false));
+  told["names"] = others.inputs.sets;
+  tell_("compared", told);
+}
+
+std::string Laboratory::file(const std::string& name) {
+  const PassingFolder passing;
+  if (name == "result.json") {
+    return result_.dump(2) + "\n";
+  }
+  if (name == "report.html") {
+    return reportPage(passing.file(result_));
+  }
+  if (name == "model.json") {
+    const Rung& rung = rungs_[at_];
+    return Json{{"format", "naocal-model"},
+                {"version", 1},
+                {"with", rung.with},
+                {"without", rung.without},
+                {"define", Json::parse(opened_.definitions)}}
+               .dump(2) +
+           "\n";
+  }
+  if (name == "poses.json") {
+    if (!next_ || next_->poses.empty()) {
+      throw InputError{"no poses were proposed for this model yet; ask for them first"};
+    }
+    return posesJson(*next_, opened_.robot).dump(2) + "\n";
+  }
+  if (name != "diagnosis.json" && name != "diagnosis.html") {
+    throw InputError{fmt::format("there is no file {} to be made", name)};
+  }
+  Json document = diagnosisJson(diagnosis());
+  if (next_) {
+    document["next"] = nextJson(*next_, opened_.robot);
+  }
+  document["inputs"] = {{"sets", opened_.inputs.sets}, {"sha256", opened_.inputs.sha256}};
+  return name == "diagnosis.json" ? document.dump(2) + "\n" : reportPage(passing.file(document));
+}
+
+} // namespace naocal

@@ -1,0 +1,185 @@
+#include "SeenRobot.hpp"
+
+#include "RobotFrames.hpp"
+#include "Wire.hpp"
+
+#include "captures/InputError.hpp"
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t theWatch = std::numeric_limits<std::size_t>::max(); // among the viewers
+
+/// What a robot sent as JSON; null where it is none.
+Json parsed(const std::string& body) {
+  Json json = Json::parse(body, nullptr, false);
+  return json.is_discarded() ? Json() : json;
+}
+
+/// Does what may fail because a robot sent something else under a key than naocal-robot does.
+template <typename Action> void whereItFits(const Action& action) {
+  try {
+    action();
+  } catch (const Json::exception&) {
+  }
+}
+
+} // namespace
+
+SeenRobot::SeenRobot(boost::asio::io_context& context, std::string address, const RobotsCalls& calls)
+    : address_{std::move(address)}, calls_{calls},
+      link_{std::make_unique<RobotLink>(context, address_,
+                                        RobotCalls{[this] { calls_.all(state()); },
+                                                   [this](const std::string& body) { listed("list", body); },
+                                                   [this](const std::string& body) { updated(body); },
+                                                   [this](const std::string& body) { listed("mounts", body); },
+                                                   [this](const std::string& body) { listed("keys", body); },
+                                                   [this](const std::string& body) { pictured(body); }})} {
+  calls_.all(state());
+}
+
+std::string SeenRobot::state() const {
+  return wireText({{"kind", "robot"},
+                   {"robot", address_},
+                   {"connected", link_ && link_->connected()},
+                   {"sentence", link_ ? link_->sentence() : "connecting"}});
+}
+
+void SeenRobot::listed(const std::string& kind, const std::string& body) {
+  const Json told = parsed(body);
+  if (kind == "keys" && watch_ && told.is_object() && told.value("mountPoint", "") == RobotWatch::boardsMount) {
+    whereItFits([&] { watch_->configured(told.at("keys")); });
+  }
+  const std::string message = wireText({{"kind", kind}, {"robot", address_}, {"body", told}});
+  if (kind != "keys" && latest_[kind] == message) {
+    return; // the robot only said that it is there
+  }
+  latest_[kind] = message;
+  calls_.all(message);
+}
+
+void SeenRobot::updated(const std::string& body) {
+  const Json values = parsed(body);
+  std::map<std::size_t, Json> wanted; // by panel
+  for (const Json& value : values.is_array() ? values : Json::array()) {
+    if (!value.is_object() || !value.contains("key") || !value["key"].is_string()) {
+      continue;
+    }
+    for (const std::size_t viewer : viewers_.of(value["key"].get<std::string>())) {
+      if (viewer == theWatch) {
+        whereItFits([&] { watch_->updated(value); });
+      } else {
+        wanted[viewer].push_back(value);
+      }
+    }
+  }
+  for (const auto& [panel, list] : wanted) {
+    calls_.update(panel, wireText({{"kind", "update"}, {"robot", address_}, {"values", list}}));
+  }
+}
+
+void SeenRobot::pictured(const std::string& body) {
+  const auto picture = robotPicture(body);
+  if (!picture) {
+    return;
+  }
+  const std::string head = wireText({{"kind", "picture"},
+                                     {"robot", address_},
+                                     {"key", std::string{picture->key}},
+                                     {"timestamp", picture->timestamp},
+                                     {"width", picture->width},
+                                     {"height", picture->height}});
+  for (const std::size_t viewer : viewers_.of(picture->key)) {
+    if (viewer == theWatch) {
+      watch_->pictured(std::string{picture->key}, picture->timestamp, static_cast<int>(picture->width),
+                       static_cast<int>(picture->height), picture->file);
+    } else {
+      calls_.picture(viewer, head + "\n" + std::string{picture->file});
+    }
+  }
+}
+
+void SeenRobot::asked(std::size_t panel, const std::string& verb, const Json& request) {
+  bool done = true;
+  if (verb == "subscribe") {
+    look(request.at("key"), panel);
+  } else if (verb == "unsubscribe") {
+    lookAway(request.at("key"), panel);
+  } else if (verb == "watch") {
+    watch(panel);
+  } else if (verb == "unwatch") {
+    unwatch(panel);
+  } else if (verb == "keys") {
+    link_->askForKeys(request.at("mount"));
+  } else if (verb == "set") {
+    const Json& settings = request.at("settings");
+    const bool isSecret = settings.is_array() && settings.size() == 1 && settings[0].value("mp", "") == "naocal.access";
+    done = isSecret ? link_->introduce(wireText(settings)) : link_->set(wireText(settings));
+  } else {
+    done = link_->save();
+  }
+  if (!done) {
+    throw InputError{"the robot is not connected: nothing was changed; try again when it is back"};
+  }
+}
+
+void SeenRobot::look(const std::string& key, std::size_t viewer) {
+  viewers_.add(key, viewer);
+  link_->subscribe(key);
+}
+
+void SeenRobot::lookAway(const std::string& key, std::size_t viewer) {
+  if (viewers_.remove(key, viewer)) {
+    link_->unsubscribe(key);
+  }
+}
+
+void SeenRobot::watch(std::size_t panel) {
+  watchers_.insert(panel);
+  if (!watch_) {
+    watch_ = std::make_unique<RobotWatch>(address_, [weak = weak_from_this(), later = calls_.later](std::string json) {
+      later([weak, json = std::move(json)] {
+        if (const auto self = weak.lock()) {
+          for (const std::size_t watcher : self->watchers_) {
+            self->calls_.update(watcher, json);
+          }
+        }
+      });
+    });
+  }
+  for (const std::string_view key : RobotWatch::keys) {
+    look(std::string{key}, theWatch);
+  }
+  link_->askForKeys(std::string{RobotWatch::boardsMount});
+}
+
+void SeenRobot::unwatch(std::size_t panel) {
+  watchers_.erase(panel);
+  if (watch_ && watchers_.empty()) {
+    for (const std::string_view key : RobotWatch::keys) {
+      lookAway(std::string{key}, theWatch);
+    }
+  }
+}
+
+void SeenRobot::greet(std::size_t panel) const {
+  calls_.one(panel, state());
+  for (const auto& [kind, message] : latest_) {
+    calls_.one(panel, message);
+  }
+}
+
+void SeenRobot::forget(std::size_t panel) {
+  unwatch(panel);
+  for (const std::string& key : viewers_.forget(panel)) {
+    link_->unsubscribe(key);
+  }
+}
+
+} // namespace naocal

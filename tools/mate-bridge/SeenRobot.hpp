@@ -1,0 +1,57 @@
+#pragma once
+
+#include "RobotLink.hpp"
+#include "RobotWatch.hpp"
+#include "Viewers.hpp"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <set>
+#include <string>
+
+namespace naocal {
+
+/// Where robots' messages go; all on the thread that runs the context.
+struct RobotsCalls {
+  std::function<void(const std::string& json)> all;                        // for every panel
+  std::function<void(std::size_t panel, const std::string& json)> one;     // for one
+  std::function<void(std::size_t panel, std::string json)> update;         // live values, skippable
+  std::function<void(std::size_t panel, std::string headAndFile)> picture; // "{json}\n" and the file, skippable
+  std::function<void(std::function<void()>)> later;                        // to that thread, from any other
+};
+
+/// A robot that panels look at: its link, who looks at which of its keys, and what its watch works out.
+class SeenRobot : public std::enable_shared_from_this<SeenRobot> {
+public:
+  /// Throws InputError for an address that cannot be one.
+  SeenRobot(boost::asio::io_context& context, std::string address, const RobotsCalls& calls);
+
+  /// Does what a panel asks for (Robots::asked, but for connecting). Throws InputError when the robot is away.
+  void asked(std::size_t panel, const std::string& verb, const nlohmann::json& request);
+  /// What a panel that has just come must know.
+  void greet(std::size_t panel) const;
+  /// A panel has gone.
+  void forget(std::size_t panel);
+
+private:
+  std::string state() const;
+  void listed(const std::string& kind, const std::string& body);
+  void updated(const std::string& body);
+  void pictured(const std::string& body);
+  void look(const std::string& key, std::size_t viewer);
+  void lookAway(const std::string& key, std::size_t viewer);
+  void watch(std::size_t panel);
+  void unwatch(std::size_t panel);
+
+  std::string address_;
+  const RobotsCalls& calls_;
+  Viewers viewers_;
+  std::map<std::string, std::string> latest_; // messages for panels to come, by kind
+  std::set<std::size_t> watchers_;            // panels
+  std::unique_ptr<RobotWatch> watch_;         // once somebody asked for it
+  std::unique_ptr<RobotLink> link_;
+};
+
+} // namespace naocal

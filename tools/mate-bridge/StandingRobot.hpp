@@ -1,0 +1,55 @@
+#pragma once
+
+#include "captures/Capture.hpp"
+#include "geometry/RigidTransform.hpp"
+#include "model/Robot.hpp"
+
+#include <Eigen/Core>
+#include <array>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// What is believed of a camera beyond the drawing.
+struct LiveCamera {
+  CameraIntrinsics intrinsics;
+  Eigen::Vector3d rotation = Eigen::Vector3d::Zero(); // of its mount: rx, ry, rz in the camera's axes [rad]
+};
+using LiveCameras = std::map<std::string, LiveCamera>; // "top", "bottom"
+
+/// A robot on the floor at given angles. The floor's frame is the sole of the foot that carries it, the lower one; the
+/// left one where both do (they differ by less than a centimetre): x forward, y left, z up [m].
+class StandingRobot {
+public:
+  /// `angles`: one per joint of the drawing [rad].
+  StandingRobot(const Robot& drawing, const Eigen::VectorXd& angles);
+
+  /// floorFromOptical (x right, y down, z forward); absent: the robot has no such camera.
+  std::optional<RigidTransform> eye(const std::string& camera, const LiveCamera& belief) const;
+
+  /// For a drawing: `hull` [[from, to, radius]] of its parts, `feet` {left, right} their outlines, `centre` of mass,
+  /// `carries` "left" | "right" | "both", `views` by camera: what it sees of the floor up to 3 m, as a polygon [m].
+  nlohmann::json drawn(const LiveCameras& cameras) const;
+
+private:
+  const Robot& drawing_;
+  Eigen::VectorXd angles_;
+  std::vector<RigidTransform> floorFromLink_;
+  std::string carries_ = "both";
+};
+
+/// Angles by the joints' names, those that are not named at rest (0). Absent: some value is no number.
+std::optional<Eigen::VectorXd> anglesByName(const nlohmann::json& byName, const Robot& drawing);
+
+/// Angles in HULKs' order of joints, as robots send them. Absent: there are not as many, or they are no numbers.
+std::optional<Eigen::VectorXd> anglesInOrder(const nlohmann::json& list, const Robot& drawing);
+
+/// Where a ray through a pixel meets the floor; absent where it does not [m].
+std::optional<Eigen::Vector2d> onFloor(const RigidTransform& floorFromOptical, const CameraIntrinsics& lens,
+                                       const Eigen::Vector2d& pixel);
+
+} // namespace naocal

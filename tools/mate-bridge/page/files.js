@@ -1,0 +1,54 @@
+// Files: open other captures, compare with some that were not used, and save what the terminal's commands write.
+import {make as element, button, csvTable, download} from "./elements.js";
+import {on} from "./connection.js";
+import {state, act, notice} from "./state.js";
+import {px} from "./words.js";
+import {saveSession} from "./session.js";
+
+let typed = "", typedOthers = "";
+const kinds = {
+  "result.json": ["the fit, as naocal solve writes it", "result.json"],
+  "report.html": ["the report of that result, one page", "report.html"],
+  "diagnosis.json": ["candidates, map and curves, as naocal diagnose writes them", "diagnosis.json"],
+  "diagnosis.html": ["the report of that diagnosis", "diagnosis.html"],
+  "model.json": ["what is in the model, for --model", "model.json"],
+  "poses.json": ["the poses suggested in Next poses", "poses.json"],
+};
+
+export const make = file => act({do: "make", file});
+
+on("made", async ({file}) => {
+  const answer = await fetch("made/" + file).catch(() => null);
+  if (answer && answer.ok) download(file, await answer.blob());
+  else notice(file + " was made but could not be fetched from the bridge; try again.");
+});
+
+export function showFiles(parent) {
+  const {set, compared} = state, open = state.laboratory;
+  parent.replaceChildren(element("h1", {}, "Files"),
+    element("h2", {}, "Open"), element("p", {class: "soft"}, open && set ? "Open now: " + set.names.join(", ") + "." : "Nothing is open.", " A capture set, a recording of the robot, a result or a diagnosis; nothing in them is changed. Several sets stand one a line."),
+    paths("open", "path of what to open", typed, value => { typed = value; }, list => act({do: "open", paths: list}), "Open"),
+    ...(open ? [element("h2", {}, "Compare with captures that were not used"), paths("compare", "path of other captures", typedOthers, value => { typedOthers = value; }, list => act({do: "compare", paths: list}), "Compare"),
+      ...(compared ? comparison(compared) : []),
+      element("h2", {}, "Save"), element("table", {}, element("tbody", {}, element("tr", {}, element("td", {}, button("session.html", saveSession)), element("td", {}, "all that this panel shows, as one page")),
+        ...Object.entries(kinds).map(([file, [words]]) => element("tr", {}, element("td", {}, button(file, () => make(file))), element("td", {}, words)))))]
+      : [element("h2", {}, "Save"), element("p", {}, button("session.html", saveSession), " all that this panel shows, as one page")]));
+}
+
+function paths(id, label, value, changed, go, words) {
+  const field = element("textarea", {rows: "2", spellcheck: "false", class: "code", id, "aria-label": label, placeholder: "/path/to/captures"});
+  field.value = value;
+  field.addEventListener("input", () => changed(field.value));
+  return element("form", {class: "paths", onsubmit: event => {
+    event.preventDefault();
+    const list = field.value.split("\n").map(line => line.trim()).filter(Boolean);
+    if (list.length) go(list);
+  }}, field, element("button", {type: "submit", disabled: Boolean(state.work)}, words));
+}
+
+function comparison({names, rmsPx, medianPx, corners, nominal, byBoard, byCamera, byPose}) {
+  const rows = [["board", byBoard], ["camera", byCamera], ["pose", byPose]].flatMap(([kind, group]) => Object.entries(group).map(([name, one]) => [kind + " " + name, one]));
+  const row = ([name, one]) => element("tr", {}, element("th", {scope: "row"}, name), element("td", {class: "number"}, px(one.rmsPx)));
+  return [element("p", {}, element("b", {}, px(rmsPx) + " rms"), " (median " + px(medianPx) + ") from their predictions over " + corners + " corners of " + names.join(", ") + "; with the drawing alone " + px(nominal.rmsPx) + "."),
+    csvTable(element("table", {class: "narrow"}, element("thead", {}, element("tr", {}, element("th", {scope: "col"}, "of"), element("th", {scope: "col", class: "number"}, "rms error"))), element("tbody", {}, ...rows.map(row))), "comparison")];
+}

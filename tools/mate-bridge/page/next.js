@@ -1,0 +1,61 @@
+// Next: poses that would best tell what these captures leave open, seen, and played on a robot.
+import {make, button, empty, choice} from "./elements.js";
+import {send, on} from "./connection.js";
+import {state, act, notice} from "./state.js";
+import {standingFigure} from "./standing.js";
+import {robots, lookedAt} from "./robots.js";
+import {runner} from "./steer.js";
+import {make as ask} from "./files.js";
+
+let count = 4, shown = null, confirming = false, asked = 1e6;
+const stands = new Map(); // by number asked for
+
+on("stand", message => {
+  const waiting = stands.get(message.number);
+  if (!waiting) return;
+  waiting.hull = message.hull;
+  waiting.drawn?.redraw();
+});
+
+export function showNext(parent) {
+  const {next} = state, again = () => showNext(parent);
+  const wanted = choice("How many", [1, 2, 4, 6, 8].map(value => ({value: String(value), text: String(value)})), String(count), value => { count = Number(value); });
+  const head = [make("h1", {}, "What to measure next"), make("p", {class: "soft"}, "Stable poses in sight of the boards, chosen so that what this model leaves open would differ most in them."),
+    make("p", {class: "controls"}, wanted, button("Suggest poses", () => act({do: "propose", count}), {class: "main", disabled: Boolean(state.work)}))];
+  if (!next) parent.replaceChildren(...head, empty("No poses were asked for yet", "This takes some seconds."));
+  else if (!next.poses.length) parent.replaceChildren(...head, empty("There are none to suggest", next.whyNone || "Nothing is open: these captures answer what can be asked."));
+  else parent.replaceChildren(...head, make("p", {}, "Taking them ", make("b", {}, next.why), "."), ...playing(next, again),
+    make("div", {class: "grid"}, ...next.poses.map(pose => poseFigure(pose, next))));
+}
+
+function poseFigure(pose, next) {
+  if (shown !== next) { stands.clear(); shown = next; }
+  let known = [...stands.values()].find(one => one.pose === pose);
+  if (!known) {
+    known = {pose, number: ++asked, hull: null};
+    stands.set(known.number, known);
+    send({do: "stand", number: known.number, angles: pose.joints});
+  }
+  known.drawn = standingFigure(() => ({now: null, next: known.hull ? known : null}), "pose " + pose.id);
+  return make("figure", {}, known.drawn, make("figcaption", {}, make("b", {}, pose.id), " on the " + pose.supportFoot + " foot, sees " + (pose.observes.length ? "board " + pose.observes.join(", ") : "no board") +
+    (pose.secondsToReach ? ", " + pose.secondsToReach.toFixed(1) + " s away" : "")));
+}
+
+// A robot that takes poses by its socket plays them and records what it sees.
+function playing(next, again) {
+  const robot = lookedAt(), entry = robot && robots.get(robot), can = entry && entry.connected && (entry.keys.get(runner) || []).some(({key}) => key === "poses"); // not every robot takes them
+  const save = button("Save poses.json", () => ask("poses.json"));
+  if (!can) return [make("p", {class: "controls"}, save, make("span", {class: "soft"}, "A robot that takes poses by its socket plays them once it was looked at in Calibrate; or play the file."))];
+  if (!confirming) return [make("p", {class: "controls"}, button("Play on " + robot + " …", () => { confirming = true; again(); }, {class: "main"}), save)];
+  return [make("div", {class: "confirm", role: "group", "aria-label": "confirm"},
+    make("p", {}, robot + " will take these " + next.poses.length + " poses on one foot before its boards, and record what it sees. Is everybody's hand ready to catch it?"),
+    make("p", {class: "controls"}, button("Play", () => {
+      confirming = false;
+      const settings = (key, value) => act({do: "set", robot, settings: [{mp: runner, key, value}]});
+      settings("poses", {format: "naocal-poses", version: 1, robot: state.set.robot, poses: next.poses});
+      settings("run", "");
+      settings("run", "poses");
+      notice("Asked " + robot + " to take these poses: Calibrate shows how it fares.");
+      location.hash = "match";
+    }, {class: "main"}), button("Not now", () => { confirming = false; again(); })))];
+}
