@@ -14,7 +14,8 @@ TEST_CASE("the panel's matrices are those of a robot that stands upright") {
   moment.angles[*jointNumber("HeadYaw")] = radians(90);
   const nlohmann::json shown = panelMatrices(robot, moment, CameraName::top, {});
   const auto position = [](const nlohmann::json& matrix) {
-    return Eigen::Vector3d{matrix[1][0], matrix[1][1], matrix[1][2]};
+    const auto numbers = matrix[1].get<std::vector<double>>();
+    return Eigen::Vector3d{numbers.data()};
   };
   CHECK(shown["imageInfos"]["identification"] == "top");
   CHECK((position(shown["ground2Torso"]) - Eigen::Vector3d{0, 0, -333.09}).norm() < 0.01); // mm
