@@ -1,6 +1,7 @@
 #include "brain/CalibrationRunner.hpp"
 #include "brain/LegPoses.hpp"
 #include "brain/SavedCalibration.hpp"
+#include "captures/Files.hpp"
 #include "geometry/Angles.hpp"
 
 #include <algorithm>
@@ -47,7 +48,13 @@ void CalibrationRunner::prepare() {
     return startRound();
   }
   give([options, checkPoses = *checkPoses_, kind = kind_, home = player_.home, &drawing = surroundings_.drawing,
-        file = surroundings_.files / "poses" / (surroundings_.drawing.model + ".json")](Finding& finding) mutable {
+        file = kind_ == &askedKind_ ? folder_ / "poses.json"
+                                    : surroundings_.files / "poses" / (surroundings_.drawing.model + ".json"),
+        asked = kind_ == &askedKind_ ? askedPoses_->content : ""](Finding& finding) mutable {
+    if (!asked.empty()) { // what was asked for stays with what was recorded
+      std::filesystem::create_directories(file.parent_path());
+      writeAtomically(file, asked);
+    }
     const PoseFile poses = readPoseFile(file, drawing);
     std::deque<LegPoses> legs;
     for (const SupportFoot foot : kind->feet) {
@@ -76,7 +83,35 @@ void CalibrationRunner::startRound() {
   nextStep();
 }
 
+void CalibrationRunner::take(const Capture& capture) {
+  ShownCapture shown{++state_.edit().captures, static_cast<int>(round_), capture.pose, capture.camera, {}, {}};
+  shownCaptures_.edit().push_back(shown);
+  give([this, round = sessions_[round_], folder = folder_, capture, shown, frame = picture_->frame](Finding&) mutable {
+    if (lookedAt_.folder != folder) {
+      lookedAt_ = {folder, {}};
+    }
+    shown.corners = 0;
+    for (const BoardCorners& board : round->session.value().add(capture, frame)) {
+      shown.boards.push_back(board.board);
+      *shown.corners += static_cast<int>(board.ids.size());
+    }
+    lookedAt_.captures.push_back(std::move(shown));
+    looked_.write(lookedAt_);
+  });
+}
+
+void CalibrationRunner::takeLooked() {
+  const Looked* looked = looked_.take();
+  if (looked != nullptr && looked->folder == folder_) {
+    std::copy(looked->captures.begin(), looked->captures.end(), shownCaptures_.edit().begin());
+  }
+}
+
 void CalibrationRunner::endRound() {
+  if (kind_ == &askedKind_) {
+    return enter(Phase::finished, fmt::format("All poses were taken; what was seen lies in {} on the robot.",
+                                              (folder_ / "first").string()));
+  }
   round_ == 0 ? solve() : check();
 }
 
@@ -96,10 +131,12 @@ void CalibrationRunner::give(std::function<void(Finding&)> task) {
 
 void CalibrationRunner::solve() {
   enter(Phase::solving, "The captures are being solved.");
-  give([round = sessions_[0], &configuration = surroundings_.configuration,
+  give([this, round = sessions_[0], folder = folder_, before = before_,
         onlyHead = kind_->feet.front() == SupportFoot::both](Finding& finding) {
     const StoredResult result = round->session.value().solved();
-    apply(onlyHead ? ofHead(result) : result, configuration);
+    const StoredResult applied = onlyHead ? ofHead(result) : result;
+    finding.outcome = shownOutcome(folder / "first" / "result.json", before, applied, lookedAt_.captures);
+    apply(applied, surroundings_.configuration);
     finding.isApplied = true;
   });
 }
@@ -125,6 +162,7 @@ void CalibrationRunner::takeFinding() {
     rounds_ = std::move(*finding->rounds);
     startRound();
   } else if (finding->isApplied) {
+    shownOutcome_ = *finding->outcome;
     round_ = 1;
     startRound();
   } else if (finding->error) {

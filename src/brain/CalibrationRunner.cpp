@@ -17,7 +17,7 @@ std::string kindNames() {
   for (const CalibrationKind& kind : calibrationKinds()) {
     names += fmt::format("\"{}\", ", kind.run);
   }
-  return names + "\"undo\" or \"\"";
+  return names + "\"poses\", \"undo\" or \"\"";
 }
 
 } // namespace
@@ -40,6 +40,8 @@ void CalibrationRunner::parametersChanged() {
     start(*kind);
   } else if (*run_ == "undo") {
     undo();
+  } else if (*run_ == "poses") {
+    startAskedPoses();
   } else if (!run_->empty()) {
     enter(Phase::failed, fmt::format("There is no calibration \"{}\"; expected {}.", *run_, kindNames()));
   }
@@ -54,8 +56,20 @@ void CalibrationRunner::start(const CalibrationKind& kind) {
   round_ = 0;
   sessions_ = {};
   before_ = configured(surroundings_.configuration);
+  shownPoses_ = ShownPoses{};
+  shownCaptures_ = std::vector<ShownCapture>{};
+  shownOutcome_ = ShownOutcome{};
   ask(PoseRequest::Kind::home, "The stand", {});
   enter(Phase::goingHome, "The robot goes to its stand.");
+}
+
+void CalibrationRunner::startAskedPoses() {
+  if (askedPoses_->feet.empty()) {
+    return enter(Phase::failed, "No poses were asked for: expected a pose file's content in the parameter \"poses\", "
+                                "with poses on one foot.");
+  }
+  askedKind_ = {"poses", "Poses", "The poses that were asked for.", askedPoses_->feet};
+  start(askedKind_);
 }
 
 void CalibrationRunner::undo() {
@@ -89,11 +103,15 @@ void CalibrationRunner::ask(PoseRequest::Kind kind, const std::string& name, std
 
 void CalibrationRunner::cycle() {
   state_.edit();
-  if (++cycles_ % 30 == 0) { // what does not change: who comes to look later is told within a second
+  if (++cycles_ % 30 == 0) { // what hardly changes: who comes to look later is told within a second
     kinds_.edit();
+    shownPoses_.edit();
+    shownCaptures_.edit();
+    shownOutcome_.edit();
   }
   watchPlayer();
   takeFinding();
+  takeLooked();
   follow(*look_);
   const bool arrived = player_.request == requests_ && player_.done;
   switch (state_->phase) {
@@ -157,6 +175,7 @@ void CalibrationRunner::nextStep() {
   const CalibrationStep& step = rounds_[round_][step_];
   taken_ = {};
   previous_ = {};
+  shownPoses_ = shownPoses(static_cast<int>(round_), rounds_[round_], step_);
   if (step.question.empty()) {
     return go();
   }
@@ -194,10 +213,7 @@ void CalibrationRunner::collect() {
       capture.joints.approach = std::move(approach);
       capture.imu = still.imu;
       capture.fsr = still.fsr;
-      ++state_.edit().captures;
-      give([round = sessions_[round_], capture, frame = picture_->frame](Finding&) {
-        round->session.value().add(capture, frame);
-      });
+      take(capture);
     }
     if (taken_["top"] < step.pictures || taken_["bottom"] < step.pictures) {
       return;

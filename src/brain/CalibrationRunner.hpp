@@ -1,9 +1,11 @@
 #pragma once
 
+#include "brain/AskedPoses.hpp"
 #include "brain/BehaviorModule.hpp"
 #include "brain/CalibrationBoards.hpp"
 #include "brain/CalibrationKind.hpp"
 #include "brain/CalibrationSession.hpp"
+#include "brain/CalibrationShown.hpp"
 #include "brain/CalibrationState.hpp"
 #include "brain/CalibrationStep.hpp"
 #include "brain/Projection.hpp"
@@ -38,6 +40,7 @@ struct CalibrationSurroundings {
 ///
 /// Started by its parameter `run` becoming the name of a kind of calibration (a value from the file starts nothing),
 /// and ended by any other value; also by the chest button, which answers questions as well.
+/// "poses" instead plays the poses of the parameter `poses` and records what is seen, and calibrates nothing.
 class CalibrationRunner final : public Module {
 public:
   explicit CalibrationRunner(CalibrationSurroundings surroundings);
@@ -55,12 +58,19 @@ private:
     std::filesystem::path folder; // of the calibration that it is about
     std::optional<Rounds> rounds;
     bool isApplied = false;
+    std::optional<ShownOutcome> outcome;
     std::optional<CalibrationSession::Error> error;
     std::string problem; // one sentence; empty: none
+  };
+  /// What was found in the captures of a calibration so far, in their order.
+  struct Looked {
+    std::filesystem::path folder; // of that calibration
+    std::vector<ShownCapture> captures;
   };
   void start(const CalibrationKind& kind);
   void prepare();
   void undo();
+  void startAskedPoses();
   void enter(CalibrationState::Phase phase, const std::string& sentence);
   void fail(const std::string& sentence);
   void startRound();
@@ -77,6 +87,8 @@ private:
   void solve();
   void check();
   void takeFinding();
+  void take(const Capture& capture);
+  void takeLooked();
   void tellError(const CalibrationSession::Error& error);
   CaptureSet header() const;
   /// Has the worker do it; what it finds or throws comes back as a finding.
@@ -84,6 +96,7 @@ private:
 
   Parameter<std::string> run_{*this, "run"};
   Parameter<int> confirmed_{*this, "confirmed"};
+  Parameter<AskedPoses> askedPoses_{*this, "poses"};
   Parameter<std::string> chestStarts_{*this, "chestStarts"};                               // the kind; empty: none
   Parameter<std::vector<double>> yaws_{*this, "headYaws"}, pitches_{*this, "headPitches"}; // [deg]
   Parameter<int> repeats_{*this, "repeats"};              // pictures per camera and pose
@@ -100,6 +113,9 @@ private:
   Production<Latest<PoseRequest>> request_{*this, "poseRequest"};
   Production<CalibrationState> state_{*this, "calibration"};
   Production<std::vector<CalibrationKind>> kinds_{*this, "calibrationKinds"};
+  Production<ShownPoses> shownPoses_{*this, "calibrationPoses"};
+  Production<std::vector<ShownCapture>> shownCaptures_{*this, "calibrationCaptures"};
+  Production<ShownOutcome> shownOutcome_{*this, "calibrationOutcome"};
 
   CalibrationSurroundings surroundings_;
   PlayerState player_;
@@ -109,6 +125,7 @@ private:
   std::string asked_; // the last value of `run`
   bool configured_ = false;
   const CalibrationKind* kind_ = nullptr;
+  CalibrationKind askedKind_; // that plays `poses`
   std::filesystem::path folder_;
   Rounds rounds_;
   std::size_t round_ = 0, step_ = 0;
@@ -118,7 +135,9 @@ private:
   std::array<std::shared_ptr<Round>, 2> sessions_; // belong to the worker
   StoredResult before_;                            // as configured before
   Latest<Finding> findings_;
-  Worker worker_; // last: it uses the others
+  Latest<Looked> looked_;
+  Looked lookedAt_; // the worker's
+  Worker worker_;   // last: it uses the others
 };
 
 } // namespace naocal

@@ -32,10 +32,10 @@ CalibrationSession::CalibrationSession(const Robot& drawing, CaptureSet header, 
   std::filesystem::create_directories(folder_ / "images");
 }
 
-void CalibrationSession::add(Capture capture, const CameraFrame& frame) {
+std::vector<BoardCorners> CalibrationSession::add(Capture capture, const CameraFrame& frame) {
   const auto picture = greyPicture(frame);
   if (!picture) {
-    return; // its bytes were lost: there is nothing to see
+    return {}; // its bytes were lost: there is nothing to see
   }
   capture.id = static_cast<int>(set_.captures.size());
   capture.image = fmt::format("images/{:04}.png", capture.id);
@@ -46,6 +46,7 @@ void CalibrationSession::add(Capture capture, const CameraFrame& frame) {
   writePicture(*picture, folder_ / capture.image);
   set_.captures.push_back(std::move(capture));
   writeCaptureSet(set_, folder_);
+  return *set_.captures.back().corners;
 }
 
 StoredResult CalibrationSession::solved() const {

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace naocal {
 
@@ -17,8 +18,9 @@ public:
   /// `header`: robot, cameras, boards and stances of the set. Its folder must not hold a set yet.
   CalibrationSession(const Robot& drawing, CaptureSet header, std::filesystem::path folder);
 
-  /// Finds the boards in a picture, and writes it with its capture. Throws InputError where it cannot be written.
-  void add(Capture capture, const CameraFrame& frame);
+  /// Finds the boards in a picture, writes it with its capture, and says what was found. Throws InputError where it
+  /// cannot be written.
+  std::vector<BoardCorners> add(Capture capture, const CameraFrame& frame);
 
   std::size_t captures() const { return set_.captures.size(); }
   std::size_t corners() const { return corners_; }

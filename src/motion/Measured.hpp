@@ -12,6 +12,16 @@ struct Measured {
   RobotState state;
 };
 void to_json(nlohmann::json& out, const Measured& measured);
+
+/// How a robot fares, for people.
+struct Health {
+  double battery = 0; // 0 empty .. 1 full
+  bool charging = false;
+  std::string_view joint; // the hottest
+  double temperature = 0; // its [degC]
+};
+Health healthOf(const RobotState& state);
+void to_json(nlohmann::json& out, const Health& health);
 void to_json(nlohmann::json& out, const RobotLink& link);
 
 } // namespace naocal

@@ -1,5 +1,6 @@
 #include "motion/SensorProvider.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace naocal {
@@ -18,6 +19,7 @@ void SensorProvider::cycle() {
   if (state) {
     measured.state = *std::move(state);
     setCycleTime(measured.state.time);
+    health_ = healthOf(measured.state);
   }
   link_ = robot_.link();
 }
@@ -44,6 +46,19 @@ void to_json(nlohmann::json& out, const Measured& measured) {
            {"rightFoot", touch.rightFootLeft || touch.rightFootRight},
            {"leftHand", touch.leftHandBack || touch.leftHandLeft || touch.leftHandRight},
            {"rightHand", touch.rightHandBack || touch.rightHandLeft || touch.rightHandRight}}}};
+}
+
+Health healthOf(const RobotState& state) {
+  const auto hottest = std::max_element(state.temperature.begin(), state.temperature.end());
+  return {state.battery.charge, state.battery.current > 0,
+          jointNames[static_cast<std::size_t>(hottest - state.temperature.begin())], *hottest};
+}
+
+void to_json(nlohmann::json& out, const Health& health) {
+  out = {{"battery", health.battery},
+         {"charging", health.charging},
+         {"joint", health.joint},
+         {"temperature", health.temperature}};
 }
 
 void to_json(nlohmann::json& out, const RobotLink& link) {

@@ -17,6 +17,7 @@ private:
   RobotInterface& robot_;
   Production<Measured> measured_{*this, "measured"};
   Production<RobotLink> link_{*this, "robotLink"};
+  Production<Health> health_{*this, "health"};
 };
 
 } // namespace naocal

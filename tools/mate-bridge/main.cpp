@@ -30,11 +30,11 @@ std::uint16_t portOf(const std::string& address) {
 
 int main(int argc, char** argv) {
   CLI::App app{"The panel: look at a calibration and at robots in a browser of this computer."};
-  app.footer("Examples: mate-bridge captures/\n          mate-bridge result.json\n          mate-bridge --robot nao21");
+  app.footer("Examples: mate-bridge captures/\n          mate-bridge result.json\n          mate-bridge diagnosis.json\n          mate-bridge --robot nao21");
   std::vector<std::string> sets, robots;
   std::string listen = "127.0.0.1:0";
   bool noOpen = false;
-  app.add_option("SET", sets, "folders with captures.json, or a result together with its captures");
+  app.add_option("SET", sets, "capture sets, a recording of the robot, or a result or diagnosis together with its captures");
   app.add_option("--robot", robots, "a robot: HOST, HOST:PORT (its base port), or the folder of its UNIX sockets")
       ->allow_extra_args(false);
   app.add_option("--listen", listen, "127.0.0.1:PORT where the panel is served; 0 takes any port")

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "brain/CalibrationStep.hpp"
+#include "calibrate/ResultFile.hpp"
+#include "captures/Capture.hpp"
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What a calibration lets people see while it runs and when it has ended.
+namespace naocal {
+
+/// The poses of the present round in which pictures are taken, before they are played.
+struct ShownPoses {
+  int round = 0, step = 0; // the pose that comes next, or is being taken
+  struct Pose {
+    std::string name;
+    CompensatedAngles angles; // [rad]
+  };
+  std::vector<Pose> poses;
+};
+void to_json(nlohmann::json& out, const ShownPoses& poses);
+
+/// Those of a round, the first at `step` or behind it next.
+ShownPoses shownPoses(int round, const CalibrationRound& steps, std::size_t step);
+
+/// A picture that was taken, and what was found in it.
+struct ShownCapture {
+  int number = 0, round = 0;
+  std::string pose, camera;
+  std::optional<int> corners; // absent: not looked at yet
+  std::vector<std::string> boards;
+};
+void to_json(nlohmann::json& out, const ShownCapture& capture);
+
+/// What the first round's captures said.
+struct ShownOutcome {
+  struct Offset {
+    std::string joint;
+    double before = 0, after = 0, sigma = 0; // [deg]
+    double learned = 0;                      // as in a result
+  };
+  std::vector<Offset> joints;
+  std::vector<std::string> warnings; // sentences, with what to do
+};
+void to_json(nlohmann::json& out, const ShownOutcome& outcome);
+
+/// Of a result file of a calibration; `applied`: the part of it that was. A joint that the captures hardly observed is
+/// told with the poses in which no board was seen.
+ShownOutcome shownOutcome(const std::filesystem::path& result, const StoredResult& before, const StoredResult& applied,
+                          const std::vector<ShownCapture>& captures);
+
+} // namespace naocal
