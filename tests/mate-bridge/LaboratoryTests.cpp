@@ -122,6 +122,20 @@ TEST_CASE("what cannot be done is refused with a sentence and changes nothing") 
   CHECK(bench.told["fit"]["without"].empty());
 }
 
+TEST_CASE("a search that is cancelled says what it has found so far") {
+  // Proves that a search that may not go on adds nothing, says that it was stopped, and leaves the model as it is; one
+  // that may go on finds the flaw.
+  Bench bench;
+  bench.laboratory.fit();
+  bench.laboratory.search([] { return false; });
+  CHECK(bench.told["found"]["stopped"] == true);
+  CHECK(bench.told["found"]["suggested"].empty());
+  bench.laboratory.search([] { return true; });
+  CHECK(bench.told["found"]["stopped"] == false);
+  CHECK(bench.told["found"]["suggested"] == Json::array({bench.set.flaw}));
+  CHECK(bench.told["ladder"]["rungs"].size() == 1);
+}
+
 TEST_CASE("what the panel saves is what the terminal reads") {
   // Proves that a result is opened again with its model, a diagnosis with what it suggests, a model file has the
   // person's own effect, and that reports are pages; what is in them is tested with them.

@@ -100,6 +100,14 @@ await alone.goto("file://" + join(pictures, "session.html"));
 await alone.screenshot({path: join(pictures, "session.png"), fullPage: true});
 await alone.close();
 
+// A search is stopped, and keeps what it has.
+await tab("Learn");
+await page.getByRole("button", {name: "Find what is missing"}).click();
+await page.getByRole("button", {name: "Stop searching"}).click();
+await page.getByText(/Stopped before its end/).waitFor({timeout: 60000});
+check(true, "a search can be stopped");
+await idle();
+
 // An own effect: a broken one shows where, a good one can be added.
 await tab("Own effect");
 await page.getByLabel("Correction [rad]").fill("a*sin(3*q) + b*abs(tua)");

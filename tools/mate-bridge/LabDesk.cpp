@@ -45,7 +45,9 @@ LabDesk::LabDesk(OpenedSets opened, Tell tell)
   question();
 }
 
-LabDesk::~LabDesk() = default;
+LabDesk::~LabDesk() {
+  cancelled_ = true; // its thread ends sooner
+}
 
 void LabDesk::work(const char* what, std::function<void(Laboratory&)> change) {
   worker_.add([this, what, change = std::move(change)] {
@@ -89,7 +91,11 @@ bool LabDesk::asked(const Json& request) {
 /// What leaves the model as it is.
 bool LabDesk::askedForMore(const std::string& verb, const Json& request) {
   if (verb == "search") {
-    work("searching for all that is missing", [](Laboratory& laboratory) { laboratory.search(); });
+    cancelled_ = false;
+    work("searching for all that is missing",
+         [this](Laboratory& laboratory) { laboratory.search([this] { return !cancelled_; }); });
+  } else if (verb == "cancel") {
+    cancelled_ = true;
   } else if (verb == "propose") {
     const std::size_t count = std::clamp(request.at("count").get<int>(), 1, 20);
     work("choosing poses", [count](Laboratory& laboratory) { laboratory.propose(count); });

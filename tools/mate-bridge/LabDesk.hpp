@@ -3,6 +3,7 @@
 #include "OpenedSets.hpp"
 #include "Worker.hpp"
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -27,8 +28,8 @@ public:
   ~LabDesk();
 
   /// Does what a panel asks for: {"do": "add" | "drop", "label"}, {"do": "goTo", "rung"}, {"do": "search"}, {"do":
-  /// "define", "effect"}, {"do": "propose", "count"}, {"do": "compare", "paths"}, {"do": "make", "file"}. False: that
-  /// is nothing for the laboratory.
+  /// "cancel"} of that search, {"do": "define", "effect"}, {"do": "propose", "count"}, {"do": "compare", "paths"},
+  /// {"do": "make", "file"}. False: that is nothing for the laboratory.
   bool asked(const nlohmann::json& request);
 
   /// Whether a person's own effect can be used; at once, whatever the desk works at.
@@ -49,6 +50,7 @@ private:
   Robot robot_;
   std::map<std::string, std::filesystem::path> images_; // "SET/CAPTURE"
   std::shared_ptr<Laboratory> laboratory_;              // of the worker's thread
+  std::atomic<bool> cancelled_ = false;
   mutable std::mutex mutex_;
   std::map<std::string, std::string> made_; // files by name
   Worker worker_;

@@ -133,8 +133,12 @@ void Laboratory::question() {
   tell_("questions", questionsJson(here));
 }
 
-void Laboratory::search() {
-  tell_("found", questionsJson(diagnose(opened_.sets, measurements_, options(rungs_[at_]))));
+void Laboratory::search(const std::function<bool()>& goesOn) {
+  DiagnosisOptions asked = options(rungs_[at_]);
+  asked.goesOn = goesOn;
+  Json found = questionsJson(diagnose(opened_.sets, measurements_, asked));
+  found["stopped"] = !goesOn();
+  tell_("found", found);
 }
 
 void Laboratory::define(const Json& effect) {

@@ -31,8 +31,9 @@ public:
 
   /// Questions the model that one stands on: seconds.
   void question();
-  /// Adds what is missing as long as the captures bear it, without changing the model: many seconds.
-  void search();
+  /// Adds what is missing as long as the captures bear it and `goesOn` agrees, without changing the model: many
+  /// seconds.
+  void search(const std::function<bool()>& goesOn);
   /// Proposes poses that would best tell what the model leaves open: some seconds.
   void propose(std::size_t count);
   /// How well the fit predicts captures that it has not seen.

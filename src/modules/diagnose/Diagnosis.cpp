@@ -111,7 +111,8 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
     if (alarm && inquiry.curveCount() > 0) {
       unknown = isUnknown(inquiry, candidate);
     }
-    if (!options.grow || !alarm || unknown || !candidate || !ladder.add(inquiry, *candidate, result)) {
+    const bool grows = options.grow && (!options.goesOn || options.goesOn());
+    if (!grows || !alarm || unknown || !candidate || !ladder.add(inquiry, *candidate, result)) {
       addMap(inquiry, measurements, result);
       result.scatter = inquiry.evidence().level;
       if (!unknown && result.suggested.empty()) {

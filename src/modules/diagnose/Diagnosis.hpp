@@ -8,6 +8,7 @@
 #include "diagnose/LackOfFit.hpp"
 #include "effects/AllEffects.hpp"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -105,6 +106,7 @@ struct DiagnosisOptions {
   std::vector<Effect> effects = allEffects();
   double alarm = 0.05; // family-wise rate of false alarms
   bool grow = true;    // add what is missing; else only question the model as it is
+  std::function<bool()> goesOn; // asked before each addition; false: the diagnosis says what it has found so far
 };
 
 /// Compares the model with the measurements, sees where it fails, learns which effects are missing, adds them as long

@@ -71,9 +71,10 @@ let openBase = false;
 function search() {
   const searching = Boolean(state.work && state.work.startsWith("searching"));
   const part = make("div", {class: "search"}, make("h2", {}, "Let it search"), make("p", {class: "controls"},
-    button("Find what is missing", () => send({do: "search"}), {disabled: searching})));
+    button("Find what is missing", () => send({do: "search"}), {disabled: searching}),
+    searching ? button("Stop searching", () => send({do: "cancel"}), {title: "after the addition that it is at; what it has found so far is kept"}) : null));
   if (state.found) {
-    part.append(make("p", {}, state.found.sentence));
+    part.append(make("p", {}, (state.found.stopped ? "Stopped before its end. " : "") + state.found.sentence));
     for (const label of state.found.suggested) {
       const has = state.fit.with.includes(label);
       part.append(make("p", {class: "controls"}, button(has ? label + " is in" : "Add " + label, () => act({do: "add", label}), {disabled: has})));
