@@ -75,6 +75,7 @@ void CalibrationRunner::startAskedPoses() {
 void CalibrationRunner::undo() {
   try {
     takeBack(surroundings_.configuration);
+    shownOutcome_ = ShownOutcome{};
     state_ = CalibrationState{.questionNumber = state_->questionNumber};
     enter(Phase::finished, "What the last calibration saved was taken back.");
   } catch (const std::exception& error) {
