@@ -52,7 +52,7 @@ std::vector<Eigen::VectorXd> ontoOneFoot(const Robot& robot, SupportFoot support
     double lift;        // of the other sole from the floor [m]
     double roll, pitch; // of the torso, outwards and forwards [rad]
   };
-  // of 60 simulated robots with joints off by 5 degrees that stand on both feet, one or five (left, right) fall on it
+  // of 58 simulated robots with joints off by 5 degrees that nobody holds, one or seven (left, right foot) fall on it
   constexpr std::array points{Point{0.5, 0.30, 0, 0.15, 0.15}, Point{1, 0.30, 0, 0.25, 0.2},
                               Point{1.1, 0.31, 0.02, 0.3, 0.2}, Point{1, 0.31, 0.04, 0.3, 0.3}};
   constexpr double forwards = 0.025; // the centre of mass, from the sole's origin [m]
