@@ -51,6 +51,23 @@ std::pair<double, double> span(const CaptureSet& set) {
 
 } // namespace
 
+TEST_CASE("asked not to add anything, a diagnosis still says what is missing") {
+  // Proves that the verdict follows the alarm and the candidate that explains it, not only what was added.
+  const auto folder = sharedData("conformance/elasticity-knee");
+  if (!folder) {
+    WARN("skipped: no shared data");
+    return;
+  }
+  const CaptureSet set = readCaptureSet(*folder).set;
+  DiagnosisOptions options;
+  options.grow = false;
+  const Measurements measurements = measurementsOf({set}, loadRobot(configurationDirectory(), set.model));
+  const Diagnosis diagnosis = diagnose({set}, measurements, options);
+  CHECK(diagnosis.verdict == Verdict::effectMissing);
+  CHECK(diagnosis.suggested.empty());
+  CHECK(diagnosis.sentence.starts_with("elasticity@LKneePitch is missing"));
+}
+
 TEST_CASE("the hidden effect of independent captures heads the ranking with its size") {
   // Proves the whole chain on captures that another program made, one hidden effect each; and that sets without one are
   // called adequate.

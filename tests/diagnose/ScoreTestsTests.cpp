@@ -1,5 +1,6 @@
 #include "Questioned.hpp"
 #include "diagnose/Power.hpp"
+#include "diagnose/ScoreTests.hpp"
 
 #include <Eigen/LU>
 #include <catch2/catch.hpp>
@@ -23,9 +24,11 @@ TEST_CASE("a score test's fall of chi2 is what adding the candidate gains") {
   const Questioned asked{simulatedSet(8, 3), false};
   const ScoreProblem& problem = asked.inquiry.problem();
   const Noise noise{asked.fit.noise.pixel, asked.fit.noise.encoder, 4e-4};
-  const ScoreTests tests{problem, noise};
-  const Eigen::VectorXd priorScore = problem.unknowns.cwiseQuotient(problem.sigmas.cwiseAbs2());
-  const ScoreTests::Outcome outcome = tests(measuredScores(*problem.linear, noise), priorScore);
+  const ModelAlone alone{problem, noise};
+  const ScoreTests tests{alone};
+  const Eigen::VectorXd priorScore = problem.priorScore();
+  const PoseScores scores = measuredScores(*problem.linear, noise);
+  const Eigen::VectorXd falls = tests.falls(scores, alone(scores, priorScore));
 
   const Eigen::Index count = problem.own() + problem.candidates;
   Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(count, count);
@@ -51,7 +54,7 @@ TEST_CASE("a score test's fall of chi2 is what adding the candidate gains") {
     }
     const double gain = least(hessian, gradient, own) - least(hessian, gradient, with);
     CAPTURE(asked.inquiry.candidates()[i].label());
-    CHECK(outcome.falls(static_cast<Eigen::Index>(i), 0) == Approx(gain).epsilon(1e-5).margin(1e-5));
+    CHECK(falls[static_cast<Eigen::Index>(i)] == Approx(gain).epsilon(1e-5).margin(1e-5));
     ++compared;
   }
   CHECK(compared > 50);
@@ -65,9 +68,10 @@ TEST_CASE("pure noise lowers chi2 by as much as a candidate has unknowns") {
   const ScoreProblem& problem = asked.inquiry.problem();
   const Noise noise{asked.fit.noise.pixel, asked.fit.noise.encoder, 6e-4};
   constexpr Eigen::Index draws = 3000;
-  const ScoreTests tests{problem, noise};
-  const Eigen::MatrixXd falls =
-      tests(drawnScores(*problem.linear, noise, draws, 1), Eigen::VectorXd::Zero(problem.own())).falls;
+  const ModelAlone alone{problem, noise};
+  const ScoreTests tests{alone};
+  const PoseScores drawn = drawnScores(*problem.linear, noise, draws, 1);
+  const Eigen::MatrixXd falls = tests.falls(drawn, alone(drawn, Eigen::VectorXd::Zero(problem.own())));
   double worst = 0;
   for (std::size_t i = 0; i < problem.groups.size(); ++i) {
     const auto freedom = static_cast<double>(tests.freedom(i));

@@ -31,7 +31,7 @@ TEST_CASE("a robot whose effect is plain leaves nothing to tell apart") {
   // Proves that such a robot counts for neither way: its hidden effect is as large as a worn NAO's.
   NextTrialOptions options;
   options.flawScale = 1;
-  const NextTrial trial = nextTrial(v6(), 2, options);
+  const NextTrial trial = nextTrial(v6(), 3, options);
   CHECK(trial.suspects.empty());
   CHECK_FALSE(trial.proposed.poses);
   CHECK_FALSE(trial.random.poses);

@@ -57,7 +57,9 @@ public:
         {"exitCode", said.exitCode}, {"seconds", seconds.count()}, {"locked", nlohmann::json::object()}};
     answer["diagnosis"] = jsonOf(between_ / "diagnosis.json");
     const auto suggested = answer["diagnosis"].value("suggested", std::vector<std::string>{});
-    answer["locked"] = locked(suggested);
+    if (!suggested.empty()) {
+      answer["locked"] = locked(suggested);
+    }
     return answer;
   }
 

@@ -11,6 +11,8 @@ namespace naocal {
 
 namespace {
 
+constexpr double usualScatter = radians(0.02);
+
 /// All poses and the prior at one noise level.
 struct Total {
   Eigen::MatrixXd hessian;
@@ -73,18 +75,16 @@ struct Search {
 
 /// The pose level's posterior on a grid, the encoder's level held at its peak.
 std::vector<JointNoise::Level> posterior(const Search& search, const Noise& peak) {
-  constexpr double plausible = radians(0.02);
   constexpr int count = 16;
-  const double reach = 4 * std::max(peak.pose, plausible);
+  const double reach = 4 * std::max(peak.pose, usualScatter);
   std::vector<JointNoise::Level> levels;
   double least = std::numeric_limits<double>::infinity();
   std::vector<double> deviances;
   for (int i = 0; i < count; ++i) {
     Noise noise = peak;
     noise.pose = reach * std::pow(static_cast<double>(i) / (count - 1), 2); // dense near zero
-    const double ratio = noise.pose / plausible;
     deviances.push_back(restrictedDeviance(total(search.linear, search.unknowns, search.sigmas, noise)) +
-                        2 * std::log1p(ratio * ratio));
+                        scatterPenalty(noise.pose));
     least = std::min(least, deviances.back());
     levels.push_back({noise, std::max(1, 2 * i) / static_cast<double>(count)}); // width of the grid's cell
   }
@@ -101,6 +101,11 @@ std::vector<JointNoise::Level> posterior(const Search& search, const Noise& peak
 }
 
 } // namespace
+
+double scatterPenalty(double level) {
+  const double ratio = level / usualScatter;
+  return 2 * std::log1p(ratio * ratio);
+}
 
 JointNoise jointNoise(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& sigmas,
                       const Noise& start, bool encoderToo) {

@@ -7,6 +7,10 @@
 
 namespace naocal {
 
+/// -2 ln of the half-Cauchy prior of pose noise [rad], up to a constant, of 0.02 degrees: few poses hardly tell its
+/// level (Gelman, Bayesian Analysis 1 (2006) 515).
+double scatterPenalty(double level);
+
 /// Levels of joint noise, and how sure they are.
 struct JointNoise {
   Noise noise; // the levels to fit with

@@ -6,21 +6,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace naocal {
 
 namespace {
 
-/// The curve's points from `least` to `most` of its driver with their errors, from its coefficients; and half of its
-/// range.
-template <typename Basis>
-void draw(const Eigen::VectorXd& estimate, const Eigen::MatrixXd& covariance, std::pair<double, double> range,
-          const Basis& basisAt, DriverFinding& finding) {
+/// The curve's points over its driver with their errors, from its coefficients; and half of its range.
+void draw(const DriverCell& cell, const Eigen::VectorXd& estimate, const Eigen::MatrixXd& covariance,
+          DriverFinding& finding) {
   constexpr int points = 41;
   double least = 0, most = 0;
   for (int i = 0; i < points; ++i) {
-    const double x = std::lerp(range.first, range.second, static_cast<double>(i) / (points - 1));
-    const Eigen::RowVectorXd basis = basisAt(x);
+    const double x = std::lerp(cell.least, cell.most, static_cast<double>(i) / (points - 1));
+    const Eigen::RowVectorXd basis = cell.basis(x);
     const double value = basis.dot(estimate);
     finding.curve.push_back({x, value, std::sqrt((basis * covariance * basis.transpose())(0, 0))});
     least = i == 0 ? value : std::min(least, value);
@@ -29,35 +29,37 @@ void draw(const Eigen::VectorXd& estimate, const Eigen::MatrixXd& covariance, st
   finding.amplitude = (most - least) / 2;
 }
 
-void drawMount(const MountCurve& mount, const GroupEvidence& group, DriverFinding& finding) {
+void drawMount(const DriverCell& cell, const GroupEvidence& group, DriverFinding& finding) {
   const std::array<const char*, 3> axes{"x", "y", "z"};
   finding.amplitude = -1;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    const auto own = Eigen::seqN(axis, mount.count, 3);
+    const auto own = Eigen::seqN(axis, cell.count, 3);
     DriverFinding about = finding;
     about.about = axes[static_cast<std::size_t>(axis)];
     about.curve.clear();
-    draw(
-        group.estimate(own), group.covariance(own, own), {mount.middle - mount.half, mount.middle + mount.half},
-        [&](double x) { return curveBasis((x - mount.middle) / mount.half, mount.count); }, about);
+    draw(cell, group.estimate(own), group.covariance(own, own), about);
     if (about.amplitude > finding.amplitude) {
       finding = about;
     }
   }
 }
 
-} // namespace
+/// A curve's name, as in a user's effect: a joint or camera, and what it varies with.
+struct CurveName {
+  std::string place, driver;
+};
 
 CurveName curveName(const Inquiry& inquiry, const Measurements& measurements, std::size_t curve) {
   const std::vector<DriverValues>& drivers = inquiry.map().drivers;
   if (curve < inquiry.mounts().size()) {
     const MountCurve& mount = inquiry.mounts()[curve];
-    return {measurements.robot.cameras[mount.camera()].name, drivers[mount.driver].name};
+    return {measurements.robot.cameras[mount.camera()].name, drivers[mount.cell.driver].name};
   }
   const DriverCell& cell = inquiry.map().cells[curve - inquiry.mounts().size()];
   return {measurements.robot.joints[cell.motor].name, nameAt(drivers[cell.driver], cell.motor)};
 }
 
+/// A curve as a finding; of a mount, about the axis that turns furthest.
 DriverFinding driverFinding(const Inquiry& inquiry, const Measurements& measurements, std::size_t curve) {
   const CurveName name = curveName(inquiry, measurements, curve);
   const GroupEvidence& group = inquiry.ofCurve(curve);
@@ -66,18 +68,44 @@ DriverFinding driverFinding(const Inquiry& inquiry, const Measurements& measurem
   result.bayes = group.bayes;
   const double level = inquiry.evidence().level;
   result.share = level > 0 ? 1 - std::pow(group.level / level, 2) : 0;
-  if (curve < inquiry.mounts().size()) {
-    const MountCurve& mount = inquiry.mounts()[curve];
-    result.what = inquiry.map().drivers[mount.driver].what;
-    drawMount(mount, group, result);
+  const bool ofMount = curve < inquiry.mounts().size();
+  const DriverCell& cell =
+      ofMount ? inquiry.mounts()[curve].cell : inquiry.map().cells[curve - inquiry.mounts().size()];
+  result.what = inquiry.map().drivers[cell.driver].what;
+  if (ofMount) {
+    drawMount(cell, group, result);
   } else {
-    const DriverCell& cell = inquiry.map().cells[curve - inquiry.mounts().size()];
-    result.what = inquiry.map().drivers[cell.driver].what;
-    draw(
-        group.estimate, group.covariance, {cell.least, cell.most}, [&](double x) { return cell.basis(x); }, result);
+    draw(cell, group.estimate, group.covariance, result);
     express(inquiry, measurements, cell, result);
   }
   return result;
+}
+
+/// Of each place and driver the curve that explains most, best first.
+std::vector<std::size_t> bestCurves(const Inquiry& inquiry, const Measurements& measurements) {
+  std::vector<std::size_t> result;
+  std::set<std::pair<std::string, std::string>> seen;
+  for (std::size_t curve : inquiry.curvesByEvidence()) {
+    const CurveName name = curveName(inquiry, measurements, curve);
+    if (seen.insert({name.place, name.driver}).second) {
+      result.push_back(curve);
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+void addMap(const Inquiry& inquiry, const Measurements& measurements, Diagnosis& diagnosis) {
+  std::vector<std::size_t> best = bestCurves(inquiry, measurements);
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, best.size()); ++i) {
+    diagnosis.drivers.push_back(driverFinding(inquiry, measurements, best[i]));
+  }
+  std::sort(best.begin(), best.end());
+  for (std::size_t curve : best) {
+    const CurveName name = curveName(inquiry, measurements, curve);
+    diagnosis.map.push_back({name.place, name.driver, inquiry.ofCurve(curve).bayes, inquiry.ofCurve(curve).pValue});
+  }
 }
 
 } // namespace naocal

@@ -4,13 +4,7 @@
 
 namespace naocal {
 
-/// A curve's name, as in a user's effect: a joint or camera, and what it varies with.
-struct CurveName {
-  std::string place, driver;
-};
-CurveName curveName(const Inquiry& inquiry, const Measurements& measurements, std::size_t curve);
-
-/// A curve of an inquiry as a finding; of a mount, about the axis that turns furthest.
-DriverFinding driverFinding(const Inquiry& inquiry, const Measurements& measurements, std::size_t curve);
+/// The map of a question, and those of its curves that explain most as findings.
+void addMap(const Inquiry& inquiry, const Measurements& measurements, Diagnosis& diagnosis);
 
 } // namespace naocal

@@ -13,36 +13,10 @@
 #include <chrono>
 #include <limits>
 #include <list>
-#include <set>
 
 namespace naocal {
 
 namespace {
-
-/// Of each place and driver the curve that explains most, best first.
-std::vector<std::size_t> bestCurves(const Inquiry& inquiry, const Measurements& measurements) {
-  std::vector<std::size_t> result;
-  std::set<std::pair<std::string, std::string>> seen;
-  for (std::size_t curve : inquiry.curvesByEvidence()) {
-    const CurveName name = curveName(inquiry, measurements, curve);
-    if (seen.insert({name.place, name.driver}).second) {
-      result.push_back(curve);
-    }
-  }
-  return result;
-}
-
-void addMap(const Inquiry& inquiry, const Measurements& measurements, Diagnosis& diagnosis) {
-  std::vector<std::size_t> best = bestCurves(inquiry, measurements);
-  for (std::size_t i = 0; i < std::min<std::size_t>(3, best.size()); ++i) {
-    diagnosis.drivers.push_back(driverFinding(inquiry, measurements, best[i]));
-  }
-  std::sort(best.begin(), best.end());
-  for (std::size_t curve : best) {
-    const CurveName name = curveName(inquiry, measurements, curve);
-    diagnosis.map.push_back({name.place, name.driver, inquiry.ofCurve(curve).bayes, inquiry.ofCurve(curve).pValue});
-  }
-}
 
 /// A curve of the map explains the misfit better than any effect that has a name. The larger the evidence, the further
 /// a curve must be ahead: being free it follows several effects at once, each of which is then named in turn.
@@ -53,7 +27,8 @@ bool isUnknown(const Inquiry& inquiry, std::optional<std::size_t> candidate) {
   return curve > 0 && curve - named > std::max(better, named * named / large);
 }
 
-Verdict verdictOf(const Diagnosis& diagnosis, const Inquiry& last, bool unknown) {
+/// `missing`: an effect that has a name explains the misfit. `unknown`: nothing that has a name does, but a curve.
+Verdict verdictOf(const Diagnosis& diagnosis, const Inquiry& last, bool missing, bool unknown) {
   constexpr double surely = 9;          // of a likelihood ratio at its boundary: p = 0.0013
   constexpr double beyondDoubt = 0.001; // of the lack of fit
   if (!diagnosis.suspicious.empty()) {
@@ -62,7 +37,7 @@ Verdict verdictOf(const Diagnosis& diagnosis, const Inquiry& last, bool unknown)
   if (unknown) {
     return Verdict::unknownEffect;
   }
-  if (!diagnosis.suggested.empty()) {
+  if (missing) {
     return Verdict::effectMissing;
   }
   const bool significant = diagnosis.lackOfFit.pValue < beyondDoubt;
@@ -119,7 +94,8 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
         const std::vector<Suspicion> moved = movedBoards(sets, measurements, ladder.withoutMovedBoards());
         result.suspicious.insert(result.suspicious.end(), moved.begin(), moved.end());
       }
-      result.verdict = verdictOf(result, inquiry, unknown);
+      const bool missing = !result.suggested.empty() || (!grows && candidate);
+      result.verdict = verdictOf(result, inquiry, missing, unknown);
       result.with = ladder.added();
       result.ranking = judged(ladder.findings(), inquiry, ladder.model(), ladder.fit(), result.suggested);
       break;

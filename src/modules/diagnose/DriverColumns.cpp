@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 namespace naocal {
 
@@ -50,62 +49,20 @@ std::vector<double> valuesAt(const std::vector<Bent>& bent, const DriverValues& 
   return result;
 }
 
-/// Of the distinct values of a driver: the smooth cell over their range.
-DriverCell smooth(const std::set<double>& distinct, Eigen::Index degree) {
-  DriverCell cell;
-  cell.middle = (*distinct.begin() + *distinct.rbegin()) / 2;
-  cell.half = *distinct.rbegin() - cell.middle;
-  cell.count = std::min(degree, at(distinct.size()) - 1);
-  return cell;
-}
-
-std::vector<DriverCell> ripples() {
-  constexpr int fewest = 2, most = 8; // once per turn is an effect with a name
-  std::vector<DriverCell> result;
-  for (int waves = fewest; waves <= most; ++waves) {
-    DriverCell& cell = result.emplace_back();
-    cell.shape = DriverCell::Shape::wave;
-    cell.waves = waves;
-    cell.count = 2;
-    cell.choices = most - fewest + 1;
-  }
-  return result;
-}
-
-/// Steps halfway between moments, evenly chosen where there are many.
-std::vector<DriverCell> steps(const std::set<double>& moments) {
-  constexpr std::size_t most = 24;
-  const std::vector<double> sorted(moments.begin(), moments.end());
-  const std::size_t between = sorted.size() - 1, count = std::min(most, between);
-  std::vector<DriverCell> result;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t before = count == 1 ? 0 : i * (between - 1) / (count - 1);
-    DriverCell& cell = result.emplace_back();
-    cell.shape = DriverCell::Shape::step;
-    cell.middle = (sorted[before] + sorted[before + 1]) / 2;
-    cell.count = 1;
-    cell.choices = count;
-  }
-  return result;
-}
-
 /// All that a motor's deflection may follow over one driver.
 std::vector<DriverCell> allShapes(const DriverValues& driver, std::size_t motor, const std::set<double>& distinct) {
   constexpr Eigen::Index degree = 4;
-  std::vector<DriverCell> result{smooth(distinct, degree)};
+  std::vector<DriverCell> result{smoothCell(distinct, degree)};
   if (driver.kind == Driver::angle && driver.joint == motor) {
-    const std::vector<DriverCell> waves = ripples();
+    const std::vector<DriverCell> waves = rippleCells();
     result.insert(result.end(), waves.begin(), waves.end());
   }
   if (driver.kind == Driver::time) {
-    const std::vector<DriverCell> slips = steps(distinct);
+    const std::vector<DriverCell> slips = stepCells(distinct);
     result.insert(result.end(), slips.begin(), slips.end());
   }
   if (driver.kind == Driver::torque && driver.joint == motor) {
-    DriverCell& cell = result.emplace_back();
-    cell.shape = DriverCell::Shape::root;
-    cell.half = std::max(std::abs(*distinct.begin()), std::abs(*distinct.rbegin()));
-    cell.count = 1;
+    result.push_back(rootCell(distinct));
   }
   return result;
 }
@@ -166,33 +123,6 @@ DriverColumns columnsOf(const Measurements& measurements, std::vector<DriverValu
 
 } // namespace
 
-Eigen::RowVectorXd curveBasis(double x, Eigen::Index count) {
-  Eigen::RowVectorXd result(count);
-  double before = 1, here = x; // P_0, P_1
-  for (Eigen::Index n = 1; n <= count; ++n) {
-    result[n - 1] = here;
-    const auto degree = static_cast<double>(n);
-    const double next = ((2 * degree + 1) * x * here - degree * before) / (degree + 1);
-    before = here;
-    here = next;
-  }
-  return result;
-}
-
-Eigen::RowVectorXd DriverCell::basis(double x) const {
-  switch (shape) {
-  case Shape::smooth:
-    return curveBasis((x - middle) / half, count);
-  case Shape::wave:
-    return Eigen::RowVector2d{std::sin(waves * x), std::cos(waves * x)};
-  case Shape::step:
-    return Eigen::RowVectorXd::Constant(1, x > middle ? 1 : -1);
-  case Shape::root:
-    return Eigen::RowVectorXd::Constant(1, std::copysign(std::sqrt(std::abs(x) / half), x));
-  }
-  return {};
-}
-
 DriverColumns driverColumns(const Measurements& measurements, std::vector<DriverValues> drivers,
                             const std::vector<PoseSystem>& poses) {
   return columnsOf(measurements, std::move(drivers), poses, allShapes);
@@ -201,7 +131,7 @@ DriverColumns driverColumns(const Measurements& measurements, std::vector<Driver
 DriverColumns proportionalColumns(const Measurements& measurements, std::vector<DriverValues> drivers,
                                   const std::vector<PoseSystem>& poses) {
   return columnsOf(measurements, std::move(drivers), poses,
-                   [](const auto&, std::size_t, const auto& values) { return std::vector{smooth(values, 1)}; });
+                   [](const auto&, std::size_t, const auto& values) { return std::vector{smoothCell(values, 1)}; });
 }
 
 } // namespace naocal

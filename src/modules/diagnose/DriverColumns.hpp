@@ -1,5 +1,6 @@
 #pragma once
 
+#include "diagnose/DriverCell.hpp"
 #include "residuals/Residuals.hpp"
 
 #include <Eigen/Core>
@@ -9,30 +10,6 @@
 #include <vector>
 
 namespace naocal {
-
-/// How large a curve's coefficients plausibly are [rad]: some tenths of a degree.
-constexpr double plausibleCurve = 0.005;
-
-/// A joint's deflection as a function of one driver x: `count` columns.
-struct DriverCell {
-  enum class Shape {
-    smooth, // Legendre polynomials of degrees 1 to `count` at (x - middle) / half
-    wave,   // sin(waves x), cos(waves x): a gear's or an encoder's ripple
-    step,   // sign(x - middle): something slipped
-    root    // sign(x) sqrt(|x| / half): a spring that stiffens
-  };
-  std::size_t motor = 0;
-  std::size_t driver = 0; // into `DriverColumns::drivers`
-  Shape shape = Shape::smooth;
-  Eigen::Index first = 0, count = 0;
-  double least = 0, most = 0; // of the driver, where the joint bends a picture
-  double middle = 0, half = 1;
-  int waves = 0;           // per turn of the driver
-  std::size_t choices = 1; // cells of this shape, of which at most one is true
-
-  /// Its columns at a value of the driver.
-  Eigen::RowVectorXd basis(double x) const;
-};
 
 /// Something that was known at every capture and that a joint's deflection may vary with.
 struct DriverValues {
@@ -70,8 +47,5 @@ DriverColumns driverColumns(const Measurements& measurements, std::vector<Driver
 /// Only deflections in proportion to each of `drivers`.
 DriverColumns proportionalColumns(const Measurements& measurements, std::vector<DriverValues> drivers,
                                   const std::vector<PoseSystem>& poses);
-
-/// Legendre polynomials P_1 .. P_count at x in [-1, 1].
-Eigen::RowVectorXd curveBasis(double x, Eigen::Index count);
 
 } // namespace naocal

@@ -55,22 +55,6 @@ Effect knocked(double after) {
   return turned("cameraKnocked", [after](double t) { return t > after; });
 }
 
-/// Moments between captures, at most `mostMoments`, so that something was seen before and after each.
-std::vector<double> momentsBetween(const std::set<double>& times) {
-  std::vector<double> all;
-  for (auto time = times.begin(); std::next(time) != times.end(); ++time) {
-    all.push_back((*time + *std::next(time)) / 2);
-  }
-  if (all.size() <= mostMoments) {
-    return all;
-  }
-  std::vector<double> some;
-  for (std::size_t i = 0; i < mostMoments; ++i) {
-    some.push_back(all[i * (all.size() - 1) / (mostMoments - 1)]);
-  }
-  return some;
-}
-
 } // namespace
 
 std::vector<Event> possibleEvents(const std::vector<CaptureSet>& sets, const Measurements& measurements) {
@@ -99,7 +83,7 @@ std::vector<Event> possibleEvents(const std::vector<CaptureSet>& sets, const Mea
   const auto addMoves = [&](const std::map<std::size_t, std::set<double>>& times, const auto& effect,
                             const auto& name) {
     for (const auto& [at, seen] : times) {
-      for (double moment : momentsBetween(seen)) {
+      for (double moment : momentsBetween(seen, mostMoments)) {
         const std::string who = name(at);
         result.push_back({{effect(moment), at, fmt::format("{} {:.3f}", who, moment)},
                           {},

@@ -1,12 +1,15 @@
 #include "diagnose/Evidence.hpp"
-#include "geometry/Angles.hpp"
+
+#include "calibrate/JointNoise.hpp"
+#include "diagnose/LevelTests.hpp"
 #include "geometry/Index.hpp"
 
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <map>
+#include <utility>
 
 namespace naocal {
 
@@ -18,71 +21,19 @@ double tail(double fall, Eigen::Index freedom) {
              : boost::math::cdf(complement(boost::math::chi_squared{static_cast<double>(freedom)}, fall));
 }
 
-/// Of each column, the likeliest level and -2 ln likelihood there.
-struct Null {
-  std::vector<std::size_t> level;
-  Eigen::RowVectorXd deviance;
-};
-
-Null nullOf(const std::vector<ScoreTests>& tests, const PoseScores& scores, const Eigen::VectorXd& priorScore) {
-  Null result{std::vector<std::size_t>(static_cast<std::size_t>(scores.front().unknowns.cols()), 0), {}};
-  for (std::size_t level = 0; level < tests.size(); ++level) {
-    const Eigen::RowVectorXd here = tests[level].modelAlone(scores, priorScore).deviance;
-    if (level == 0) {
-      result.deviance = here;
-    }
-    for (Eigen::Index i = 0; i < here.size(); ++i) {
-      if (here[i] < result.deviance[i]) {
-        result.deviance[i] = here[i];
-        result.level[static_cast<std::size_t>(i)] = level;
-      }
-    }
-  }
-  return result;
-}
-
-PoseScores columns(const PoseScores& scores, const std::vector<Eigen::Index>& which) {
-  PoseScores result;
-  for (const PoseScore& pose : scores) {
-    result.push_back({pose.unknowns(Eigen::all, which), pose.deflections(Eigen::all, which)});
-  }
-  return result;
-}
-
-/// Likelihood ratio of every group (row) for every set of scores (column). A group can only lower the pose noise, so
-/// that levels above the null's need not be tried.
-Eigen::MatrixXd ratios(const std::vector<ScoreTests>& tests, const PoseScores& scores,
-                       const Eigen::VectorXd& priorScore, const Null& null, std::size_t groups) {
-  const Eigen::Index draws = null.deviance.size();
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(at(groups), draws);
-  for (std::size_t level = 0; level < tests.size(); ++level) {
-    std::vector<Eigen::Index> which;
-    for (Eigen::Index i = 0; i < draws; ++i) {
-      if (null.level[static_cast<std::size_t>(i)] >= level) {
-        which.push_back(i);
-      }
-    }
-    if (which.empty()) {
-      break;
-    }
-    const ScoreTests::Outcome outcome = tests[level](columns(scores, which), priorScore);
-    for (std::size_t i = 0; i < which.size(); ++i) {
-      const double worse = outcome.deviance[at(i)] - null.deviance[which[i]];
-      result.col(which[i]) = result.col(which[i]).cwiseMax((outcome.falls.col(at(i)).array() - worse).matrix());
-    }
-  }
-  return result;
-}
-
 /// Most of the alarm's false alarms are left to the effects that have a name: there are many more curves, and for one
 /// of them to raise it, it must be rarer by this factor (a weighted test: Genovese, Roeder and Wasserman 2006).
 constexpr double rarer = 16;
 
 double smallestP(const ScoreProblem& problem, const ScoreTests& tests, const Eigen::VectorXd& ratio) {
-  double result = 1;
+  std::map<std::pair<bool, Eigen::Index>, double> largest; // of groups that are named or not, by their freedom
   for (std::size_t i = 0; i < problem.groups.size(); ++i) {
-    const double p = tail(ratio[at(i)], tests.freedom(i));
-    result = std::min(result, i < problem.named ? p : rarer * p);
+    double& most = largest[{i < problem.named, tests.freedom(i)}];
+    most = std::max(most, ratio[at(i)]);
+  }
+  double result = 1;
+  for (const auto& [kind, most] : largest) {
+    result = std::min(result, (kind.first ? 1 : rarer) * tail(most, kind.second));
   }
   return result;
 }
@@ -111,12 +62,12 @@ double bayesOf(const ColumnGroup& group, const Eigen::MatrixXd& information, con
 }
 
 /// Estimates and Bayes factors of the measurements' groups.
-void describe(const ScoreProblem& problem, const std::vector<ScoreTests>& tests, const PoseScores& measured,
-              const Eigen::VectorXd& priorScore, const Null& null, Evidence& evidence) {
+void describe(const ScoreProblem& problem, LevelTests& tests, const PoseScores& measured, const NullFit& null,
+              Evidence& evidence) {
   std::vector<double> bestDeviance(problem.groups.size(), std::numeric_limits<double>::infinity());
   for (std::size_t level = 0; level <= null.level.front(); ++level) {
-    const double worse = tests[level].modelAlone(measured, priorScore).deviance[0] - null.deviance[0];
-    const std::vector<ScoreTests::GroupScore> scores = tests[level].groups(measured, priorScore);
+    const double worse = null.outcomes[level].deviance[0] - null.deviance[0];
+    const std::vector<ScoreTests::GroupScore> scores = tests[level].groups(measured, null.outcomes[level]);
     for (std::size_t i = 0; i < scores.size(); ++i) {
       GroupEvidence& group = evidence.groups[i];
       const ColumnGroup& columns = problem.groups[i];
@@ -146,7 +97,7 @@ void describe(const ScoreProblem& problem, const std::vector<ScoreTests>& tests,
 }
 
 /// The level that the best candidate effect leaves.
-std::size_t bestLevel(const ScoreProblem& problem, const std::vector<ScoreTests>& tests, const Evidence& evidence) {
+double bestLevel(const ScoreProblem& problem, const Evidence& evidence) {
   double level = evidence.level, most = 0;
   for (std::size_t i = 0; i < problem.named; ++i) {
     if (evidence.groups[i].bayes > most) {
@@ -154,57 +105,36 @@ std::size_t bestLevel(const ScoreProblem& problem, const std::vector<ScoreTests>
       level = evidence.groups[i].level;
     }
   }
-  const auto found =
-      std::find_if(tests.begin(), tests.end(), [&](const ScoreTests& tried) { return tried.noise().pose >= level; });
-  return static_cast<std::size_t>(found - tests.begin());
+  return level;
 }
 
 } // namespace
 
-const std::vector<double>& poseLevels() {
-  static const std::vector<double> levels = [] {
-    std::vector<double> result{0};
-    for (double level = radians(0.004); level < radians(1.5); level *= 1.7) {
-      result.push_back(level);
-    }
-    return result;
-  }();
-  return levels;
-}
-
 Evidence evidenceOf(const ScoreProblem& problem, const Noise& noise, const std::vector<double>& levels,
                     Eigen::Index draws, std::uint64_t seed) {
-  std::vector<ScoreTests> tests;
-  tests.reserve(levels.size());
-  for (double level : levels) {
-    Noise there = noise;
-    there.pose = level;
-    tests.emplace_back(problem, there);
-  }
+  LevelTests tests{problem, noise, levels};
   const PoseScores measured = measuredScores(*problem.linear, noise);
-  const Eigen::VectorXd priorScore = problem.unknowns.cwiseQuotient(problem.sigmas.cwiseAbs2());
-  const Null null = nullOf(tests, measured, priorScore);
+  const NullFit null = tests.nullOf(measured, problem.priorScore());
   const ScoreTests& there = tests[null.level.front()];
   Evidence result;
   result.level = there.noise().pose;
-  result.withoutScatter =
-      tests.front().modelAlone(measured, priorScore).deviance[0] - null.deviance[0] + scatterPenalty(result.level);
+  result.withoutScatter = null.outcomes.front().deviance[0] - null.deviance[0] + scatterPenalty(result.level);
   result.groups.resize(problem.groups.size());
-  describe(problem, tests, measured, priorScore, null, result);
-  const Eigen::VectorXd ratio = ratios(tests, measured, priorScore, null, problem.groups.size());
+  describe(problem, tests, measured, null, result);
+  const Eigen::VectorXd ratio = tests.ratios(measured, null);
   for (std::size_t i = 0; i < problem.groups.size(); ++i) {
     result.groups[i].likelihoodRatio = ratio[at(i)];
     result.groups[i].pValue = tail(ratio[at(i)], there.freedom(i));
   }
-  result.information = tests[bestLevel(problem, tests, result)].information();
+  result.information = tests[tests.placeOf(bestLevel(problem, result))].information();
   if (draws == 0) {
     return result;
   }
   const double observed = smallestP(problem, there, ratio);
 
   const PoseScores noiseOnly = drawnScores(*problem.linear, there.noise(), draws, seed);
-  const Eigen::VectorXd none = Eigen::VectorXd::Zero(problem.own());
-  const Eigen::MatrixXd drawn = ratios(tests, noiseOnly, none, nullOf(tests, noiseOnly, none), problem.groups.size());
+  const NullFit nulls = tests.nullOf(noiseOnly, Eigen::VectorXd::Zero(problem.own()));
+  const Eigen::MatrixXd drawn = tests.ratios(noiseOnly, nulls);
   std::vector<double> smallest;
   for (Eigen::Index i = 0; i < draws; ++i) {
     smallest.push_back(smallestP(problem, there, drawn.col(i)));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagnose/ScoreTests.hpp"
+#include "diagnose/ScoreProblem.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -36,8 +36,5 @@ struct Evidence {
 /// candidates. `levels` of pose noise are tried, ascending [rad].
 Evidence evidenceOf(const ScoreProblem& problem, const Noise& noise, const std::vector<double>& levels,
                     Eigen::Index draws = 0, std::uint64_t seed = 1);
-
-/// None, then in steps from what no one can see to more than any robot has [rad].
-const std::vector<double>& poseLevels();
 
 } // namespace naocal

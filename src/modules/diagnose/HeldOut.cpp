@@ -76,8 +76,7 @@ std::optional<std::size_t> chosenWithout(const Sums& all, const Sums& held, cons
   ownPart.diagonal() += problem.sigmas.cwiseAbs2().cwiseInverse();
   const Eigen::LLT<Eigen::MatrixXd> factor{ownPart};
   const Eigen::MatrixXd half = factor.matrixL().solve(hessian.topRightCorner(own, problem.candidates));
-  const Eigen::VectorXd ownGradient =
-      factor.matrixL().solve(gradient.head(own) + problem.unknowns.cwiseQuotient(problem.sigmas.cwiseAbs2()));
+  const Eigen::VectorXd ownGradient = factor.matrixL().solve(gradient.head(own) + problem.priorScore());
   std::optional<std::size_t> best;
   double bestBayes = 0;
   for (std::size_t i = 0; i < candidates; ++i) {

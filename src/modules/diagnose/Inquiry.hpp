@@ -2,6 +2,7 @@
 
 #include "calibrate/Calibration.hpp"
 #include "diagnose/Evidence.hpp"
+#include "diagnose/LevelTests.hpp"
 #include "diagnose/MountCurves.hpp"
 #include "residuals/Model.hpp"
 

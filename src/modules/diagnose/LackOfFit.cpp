@@ -1,5 +1,7 @@
 #include "diagnose/LackOfFit.hpp"
 
+#include "diagnose/ModelAlone.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
@@ -42,10 +44,9 @@ LackOfFit lackOfFit(const Inquiry& inquiry) {
   const Noise& floor = inquiry.evidence().pValue <= alarm ? readings : noise;
   free.pose = everything;
   const PoseScores scores = measuredScores(inquiry.linear(), noise);
-  const Eigen::VectorXd priorScore = problem.unknowns.cwiseQuotient(problem.sigmas.cwiseAbs2());
   const double own = problem.unknowns.cwiseQuotient(problem.sigmas).squaredNorm();
   const auto chi2 = [&](const Noise& level) {
-    return ScoreTests{problem, level}.modelAlone(scores, priorScore).chi2[0] + own;
+    return ModelAlone{problem, level}(scores, problem.priorScore()).chi2[0] + own;
   };
   LackOfFit result;
   double squares = 0, numbers = 0, directions = 0, expected = 0;

@@ -26,19 +26,19 @@ double valueAt(const Instant& instant, Driver kind, std::size_t joint) {
   return kind == Driver::time ? instant.time.count() : instant.q[static_cast<Eigen::Index>(joint)];
 }
 
-Effect turning(const DriverValues& driver, Eigen::Index count, double middle, double half) {
+Effect turning(const DriverValues& driver, const DriverCell& cell) {
   Effect effect{.name = "mountTurns",
                 .what = {},
                 .formula = {},
                 .place = Place::camera,
                 .unknowns = {},
-                .correct = [kind = driver.kind, joint = driver.joint, count, middle,
-                            half](Belief& belief, const Instant& instant, std::size_t, std::span<const double> values) {
-                  const Eigen::RowVectorXd basis = curveBasis((valueAt(instant, kind, joint) - middle) / half, count);
-                  const Eigen::Map<const Eigen::Matrix3Xd> coefficients{values.data(), 3, count};
+                .correct = [kind = driver.kind, joint = driver.joint,
+                            cell](Belief& belief, const Instant& instant, std::size_t, std::span<const double> values) {
+                  const Eigen::RowVectorXd basis = cell.basis(valueAt(instant, kind, joint));
+                  const Eigen::Map<const Eigen::Matrix3Xd> coefficients{values.data(), 3, cell.count};
                   belief.mountRotation() += coefficients * basis.transpose();
                 }};
-  for (Eigen::Index n = 1; n <= count; ++n) {
+  for (Eigen::Index n = 1; n <= cell.count; ++n) {
     for (const char* axis : {"x", "y", "z"}) {
       effect.unknowns.push_back({axis + std::to_string(n), "rad", plausibleCurve});
     }
@@ -64,14 +64,11 @@ std::vector<MountCurve> mountCurves(const Measurements& measurements, const std:
       if (distinct.size() < 2) {
         continue;
       }
-      const double middle = (*distinct.begin() + *distinct.rbegin()) / 2, half = *distinct.rbegin() - middle;
-      const Eigen::Index count = std::min<Eigen::Index>(mostPolynomials, std::ssize(distinct) - 1);
-      result.push_back({{turning(drivers[i], count, middle, half), camera,
-                         measurements.robot.cameras[camera].name + " over " + drivers[i].name},
-                        i,
-                        count,
-                        middle,
-                        half});
+      DriverCell cell = smoothCell(distinct, mostPolynomials);
+      cell.driver = i;
+      result.push_back(
+          {{turning(drivers[i], cell), camera, measurements.robot.cameras[camera].name + " over " + drivers[i].name},
+           cell});
     }
   }
   return result;

@@ -1,14 +1,15 @@
 #include "diagnose/PoseScores.hpp"
 
 #include <Eigen/Cholesky>
-#include <random>
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/normal_distribution.hpp>
 
 namespace naocal {
 
 namespace {
 
-Eigen::MatrixXd normals(Eigen::Index rows, Eigen::Index columns, std::mt19937_64& random) {
-  std::normal_distribution<double> normal;
+Eigen::MatrixXd normals(Eigen::Index rows, Eigen::Index columns, boost::random::mt19937_64& random) {
+  boost::random::normal_distribution<double> normal;
   return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return normal(random); });
 }
 
@@ -39,7 +40,7 @@ PoseScores measuredScores(const Residuals::Linear& linear, const Noise& noise) {
 }
 
 PoseScores drawnScores(const Residuals::Linear& linear, const Noise& noise, Eigen::Index draws, std::uint64_t seed) {
-  std::mt19937_64 random{seed};
+  boost::random::mt19937_64 random{seed};
   const double information = 1 / (noise.pixel * noise.pixel);
   PoseScores result;
   for (const PoseSystem& pose : linear.poses) {

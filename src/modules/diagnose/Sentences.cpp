@@ -31,9 +31,10 @@ std::string missing(const Diagnosis& diagnosis) {
     text += fmt::format(" Further: {}.", fmt::join(diagnosis.suggested.begin() + 1, diagnosis.suggested.end(), ", "));
   }
   const Step &before = diagnosis.steps.front(), &after = diagnosis.steps.back();
+  const double heldOut = diagnosis.suggested.empty() ? first.heldOutAfter.value_or(before.heldOutPx) : after.heldOutPx;
   text += fmt::format(" On poses that the fit has not seen the error falls from {:.2f} to {:.2f} px (noise alone: "
                       "{:.2f} px).",
-                      before.heldOutPx, after.heldOutPx, after.noiseFloorPx);
+                      before.heldOutPx, heldOut, after.noiseFloorPx);
   return text;
 }
 

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "diagnose/ScoreTests.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace naocal {
+
+/// None, then in steps from what no one can see to more than any robot has [rad].
+const std::vector<double>& poseLevels();
+
+/// Scores under the model alone, the level of pose noise estimated for each set of them (column).
+struct NullFit {
+  std::vector<std::size_t> level;            // the likeliest
+  Eigen::RowVectorXd deviance;               // -2 ln likelihood there
+  std::vector<ModelAlone::Outcome> outcomes; // at each level
+};
+
+/// Score tests at several levels of pose noise. Those of a level that no scores need are never made.
+class LevelTests {
+public:
+  LevelTests(const LevelTests&) = delete; // its tests point into it
+  LevelTests& operator=(const LevelTests&) = delete;
+  /// `levels`: of pose noise, ascending [rad]; all other noise as in `noise`.
+  LevelTests(const ScoreProblem& problem, const Noise& noise, const std::vector<double>& levels);
+
+  NullFit nullOf(const PoseScores& scores, const Eigen::VectorXd& priorScore) const;
+
+  /// Likelihood ratio of every group (row) for every set of scores (column), pose noise estimated with and without it.
+  /// A group can only lower the pose noise, so that levels above the null's are not tried.
+  Eigen::MatrixXd ratios(const PoseScores& scores, const NullFit& null);
+
+  const ScoreTests& operator[](std::size_t level);
+  /// The place of the first level that is not below this one [rad].
+  std::size_t placeOf(double level) const;
+
+private:
+  std::vector<ModelAlone> alone_;
+  std::vector<std::optional<ScoreTests>> tests_;
+};
+
+} // namespace naocal

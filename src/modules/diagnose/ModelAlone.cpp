@@ -1,0 +1,57 @@
+#include "diagnose/ModelAlone.hpp"
+
+#include "calibrate/JointNoise.hpp"
+#include "geometry/Index.hpp"
+
+namespace naocal {
+
+ModelAlone::ModelAlone(const ScoreProblem& problem, const Noise& noise) : problem_{problem}, noise_{noise} {
+  const double information = 1 / (noise.pixel * noise.pixel);
+  Eigen::MatrixXd hessian = problem.sigmas.cwiseAbs2().cwiseInverse().asDiagonal();
+  for (const PoseSystem& system : problem.linear->poses) {
+    const DeflectionRoot root = deflectionRoot(system, noise);
+    Eigen::MatrixXd inner = information * (root.transpose() * Eigen::MatrixXd{system.deflectionGram * root});
+    inner.diagonal().array() += 1;
+    const Eigen::LLT<Eigen::MatrixXd> factor{inner};
+    logDeterminant_ += 2 * factor.matrixLLT().diagonal().array().log().sum();
+    const Eigen::MatrixXd half = factor.matrixL().solve(Eigen::MatrixXd{root.transpose()});
+    Whitener& whitener = whiteners_.emplace_back();
+    whitener.inner.noalias() = half.transpose() * half;
+    whitener.unknowns.noalias() = information * system.cross * whitener.inner;
+    const Eigen::Index own = problem.ownOf(system);
+    const Eigen::MatrixXd whitened =
+        information * (system.unknownGram.topLeftCorner(own, own) -
+                       whitener.unknowns.topRows(own) * system.cross.topRows(own).transpose());
+    for (Eigen::Index i = 0; i < own; ++i) {
+      for (Eigen::Index j = 0; j < own; ++j) {
+        hessian(at(system.unknowns[static_cast<std::size_t>(i)]), at(system.unknowns[static_cast<std::size_t>(j)])) +=
+            whitened(i, j);
+      }
+    }
+  }
+  factor_.compute(hessian);
+}
+
+ModelAlone::Outcome ModelAlone::operator()(const PoseScores& scores, const Eigen::VectorXd& priorScore) const {
+  const Eigen::Index draws = scores.front().unknowns.cols();
+  Outcome result;
+  result.own = priorScore.replicate(1, draws);
+  result.chi2.setZero(draws);
+  for (std::size_t pose = 0; pose < scores.size(); ++pose) {
+    const PoseSystem& system = problem_.linear->poses[pose];
+    const Eigen::Index own = problem_.ownOf(system);
+    const Eigen::MatrixXd& bent = scores[pose].deflections;
+    result.chi2 -= bent.cwiseProduct(whiteners_[pose].inner * bent).colwise().sum();
+    const Eigen::MatrixXd part = scores[pose].unknowns.topRows(own) - whiteners_[pose].unknowns.topRows(own) * bent;
+    for (Eigen::Index i = 0; i < own; ++i) {
+      result.own.row(at(system.unknowns[static_cast<std::size_t>(i)])) += part.row(i);
+    }
+  }
+  factor_.matrixL().solveInPlace(result.own);
+  result.chi2 -= result.own.colwise().squaredNorm();
+  result.deviance = result.chi2.array() + logDeterminant_ + 2 * factor_.matrixLLT().diagonal().array().log().sum() +
+                    scatterPenalty(noise_.pose);
+  return result;
+}
+
+} // namespace naocal

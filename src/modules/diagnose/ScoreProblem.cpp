@@ -1,0 +1,12 @@
+#include "diagnose/ScoreProblem.hpp"
+
+#include <algorithm>
+
+namespace naocal {
+
+Eigen::Index ScoreProblem::ownOf(const PoseSystem& pose) const {
+  return std::lower_bound(pose.unknowns.begin(), pose.unknowns.end(), static_cast<std::size_t>(own())) -
+         pose.unknowns.begin();
+}
+
+} // namespace naocal
