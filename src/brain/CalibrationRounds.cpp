@@ -133,10 +133,10 @@ void CalibrationRunner::solve() {
   enter(Phase::solving, "The captures are being solved.");
   give([this, round = sessions_[0], folder = folder_, before = before_,
         onlyHead = kind_->feet.front() == SupportFoot::both](Finding& finding) {
-    const StoredResult result = round->session.value().solved();
-    const StoredResult applied = onlyHead ? ofHead(result) : result;
-    finding.outcome = shownOutcome(folder / "first" / "result.json", before, applied, lookedAt_.captures);
-    apply(applied, surroundings_.configuration);
+    const CalibrationSession::Solved solved = round->session.value().solved();
+    const std::vector<ShownOffset> offsets = onlyHead ? ofHead(solved.offsets) : solved.offsets;
+    finding.outcome = shownOutcome(folder / "first" / "result.json", before, offsets, lookedAt_.captures);
+    apply(offsets, solved.result, surroundings_.configuration);
     finding.isApplied = true;
   });
 }

@@ -49,14 +49,20 @@ std::vector<BoardCorners> CalibrationSession::add(Capture capture, const CameraF
   return *set_.captures.back().corners;
 }
 
-StoredResult CalibrationSession::solved() const {
+CalibrationSession::Solved CalibrationSession::solved() const {
   const std::vector<CaptureSet> sets{set_};
   const Measurements measurements = measurementsOf(sets, drawing_);
-  const Model model = makeModel(measurements);
+  const Model model = makeModel(measurements, gearGaps(measurements));
   const CalibrationResult result = calibrate(measurements, model);
   const ResultInputs inputs{{folder_.string()}, {sha256(fileContent(folder_ / "captures.json"))}};
   writeAtomically(folder_ / "result.json", resultJson(sets, measurements, model, result, inputs).dump(2) + "\n");
-  return readResult(folder_ / "result.json");
+  Solved solved{readResult(folder_ / "result.json"), shownOffsets(measurements, model, result)};
+  nlohmann::json offsets; // [rad]
+  for (const ShownOffset& offset : solved.offsets) {
+    offsets[offset.joint] = {{"offset", offset.value}, {"sigma", offset.sigma}};
+  }
+  writeAtomically(folder_ / "offsets.json", offsets.dump(2) + "\n");
+  return solved;
 }
 
 CalibrationSession::Error CalibrationSession::error(const StoredResult& before, const StoredResult& after) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "brain/GearPlay.hpp"
 #include "calibrate/ResultFile.hpp"
 #include "captures/Capture.hpp"
 #include "hardware/CameraFrame.hpp"
@@ -25,9 +26,14 @@ public:
   std::size_t captures() const { return set_.captures.size(); }
   std::size_t corners() const { return corners_; }
 
-  /// Estimates all joints' offsets and cameras' mounts from the captures, and writes result.json beside them. Throws
-  /// InputError when there is nothing to fit.
-  StoredResult solved() const;
+  /// Joints' offsets and cameras' mounts, on one foot the gears' gaps too.
+  struct Solved {
+    StoredResult result; // as in its file
+    std::vector<ShownOffset> offsets;
+  };
+  /// Estimates them from the captures, and writes result.json and offsets.json beside them. Throws InputError when there
+  /// is nothing to fit.
+  Solved solved() const;
 
   /// How far this session's corners are from where each of two calibrations has them [px].
   struct Error {

@@ -67,25 +67,24 @@ ShownPoses shownPoses(int round, const CalibrationRound& steps, std::size_t step
   return shown;
 }
 
-ShownOutcome shownOutcome(const std::filesystem::path& result, const StoredResult& before, const StoredResult& applied,
-                          const std::vector<ShownCapture>& captures) {
+ShownOutcome shownOutcome(const std::filesystem::path& result, const StoredResult& before,
+                          const std::vector<ShownOffset>& offsets, const std::vector<ShownCapture>& captures) {
   const nlohmann::json document = parseJson(fileContent(result), result.string());
   ShownOutcome outcome;
   for (const nlohmann::json& warning : document.at("warnings")) {
     outcome.warnings.push_back(warning.get<std::string>());
   }
-  const std::vector<std::string> unseen = posesWithoutBoard(captures);
+  std::map<std::string, double> learned; // by joint
   for (const nlohmann::json& effect : document.at("effects")) {
-    const std::string joint = effect.at("at"), term = fmt::format("jointOffset@{}", joint);
-    if (effect.at("effect") != "jointOffset" ||
-        std::find(applied.terms.begin(), applied.terms.end(), term) == applied.terms.end()) {
-      continue;
+    if (effect.at("effect") == "jointOffset") {
+      learned[effect.at("at")] = effect.at("unknowns").at("o").at("learned");
     }
-    const nlohmann::json& o = effect.at("unknowns").at("o");
-    const auto was = before.values.find(term + ".o");
-    outcome.joints.push_back({joint, was == before.values.end() ? 0 : degrees(was->second),
-                              degrees(o.at("value").get<double>()), degrees(o.at("sigma").get<double>()),
-                              o.at("learned")});
+  }
+  const std::vector<std::string> unseen = posesWithoutBoard(captures);
+  for (const ShownOffset& offset : offsets) {
+    const auto was = before.values.find(fmt::format("jointOffset@{}.o", offset.joint));
+    outcome.joints.push_back({offset.joint, was == before.values.end() ? 0 : degrees(was->second),
+                              degrees(offset.value), degrees(offset.sigma), learned.at(offset.joint)});
     if (outcome.joints.back().learned < hardly) {
       outcome.warnings.push_back(hardlyObserved(outcome.joints.back(), unseen));
     }

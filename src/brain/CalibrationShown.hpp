@@ -1,6 +1,7 @@
 #pragma once
 
 #include "brain/CalibrationStep.hpp"
+#include "brain/GearPlay.hpp"
 #include "calibrate/ResultFile.hpp"
 #include "captures/Capture.hpp"
 
@@ -48,9 +49,9 @@ struct ShownOutcome {
 };
 void to_json(nlohmann::json& out, const ShownOutcome& outcome);
 
-/// Of a result file of a calibration; `applied`: the part of it that was. A joint that the captures hardly observed is
+/// Of a result file of a calibration; `offsets`: those that were applied. A joint that the captures hardly observed is
 /// told with the poses in which no board was seen.
-ShownOutcome shownOutcome(const std::filesystem::path& result, const StoredResult& before, const StoredResult& applied,
-                          const std::vector<ShownCapture>& captures);
+ShownOutcome shownOutcome(const std::filesystem::path& result, const StoredResult& before,
+                          const std::vector<ShownOffset>& offsets, const std::vector<ShownCapture>& captures);
 
 } // namespace naocal

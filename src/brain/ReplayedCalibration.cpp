@@ -41,7 +41,7 @@ std::string ReplayedCalibration::compared(const std::filesystem::path& recordedR
   if (failure_) {
     std::rethrow_exception(failure_);
   }
-  const StoredResult anew = session_->solved();
+  const StoredResult anew = session_->solved().result;
   const std::string replayed = fmt::format("{} captures were replayed and solved", session_->captures());
   if (!std::filesystem::exists(recordedResult)) {
     return replayed + "; the recording has no result to compare with.";

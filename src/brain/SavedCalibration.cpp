@@ -26,11 +26,9 @@ std::string mountKey(const std::string& camera) {
 
 } // namespace
 
-StoredResult ofHead(StoredResult result) {
-  std::erase_if(result.terms, [](const std::string& term) {
-    return !term.starts_with("jointOffset@Head") && !term.starts_with("cameraRotation@");
-  });
-  return result;
+std::vector<ShownOffset> ofHead(std::vector<ShownOffset> offsets) {
+  std::erase_if(offsets, [](const ShownOffset& offset) { return !offset.joint.starts_with("Head"); });
+  return offsets;
 }
 
 StoredResult configured(const Configuration& configuration) {
@@ -54,20 +52,19 @@ StoredResult configured(const Configuration& configuration) {
   return result;
 }
 
-void apply(const StoredResult& result, Configuration& configuration) {
-  for (const std::string& term : result.terms) {
-    const std::string effect = term.substr(0, term.find('@')), place = term.substr(term.find('@') + 1);
-    if (effect == "jointOffset") {
-      const double offset = degrees(result.values.at(term + ".o"));
-      configuration.set(offsetsMount, offsetKey(place), offset);
-      if (place == "LHipYawPitch") {
-        configuration.set(offsetsMount, offsetKey("RHipYawPitch"), offset);
-      }
+void apply(const std::vector<ShownOffset>& offsets, const StoredResult& mounts, Configuration& configuration) {
+  for (const ShownOffset& offset : offsets) {
+    configuration.set(offsetsMount, offsetKey(offset.joint), degrees(offset.value));
+    if (offset.joint == "LHipYawPitch") {
+      configuration.set(offsetsMount, offsetKey("RHipYawPitch"), degrees(offset.value));
     }
+  }
+  for (const std::string& term : mounts.terms) {
+    const std::string effect = term.substr(0, term.find('@')), place = term.substr(term.find('@') + 1);
     if (effect == "cameraRotation") {
       nlohmann::json rotation;
       for (const char* angle : mountAngles) {
-        rotation.push_back(result.values.at(term + "." + angle));
+        rotation.push_back(mounts.values.at(term + "." + angle));
       }
       configuration.set(camerasMount, mountKey(place), rotation);
     }

@@ -34,9 +34,9 @@ TEST_CASE("a joint that was hardly observed is told in words, with the poses in 
       {"warnings", {"A board was moved."}},
       {"effects", {offset("LKneePitch", 0.02, 0.12), offset("LHipPitch", 0.01, 0.99), offset("HeadYaw", 0.03, 0.99)}}};
   writeAtomically(folder.path() / "result.json", document.dump());
-  StoredResult before, applied;
+  StoredResult before;
   before.values["jointOffset@LHipPitch.o"] = 0.005;
-  applied.terms = {"jointOffset@LKneePitch", "jointOffset@LHipPitch"};
+  const std::vector<ShownOffset> applied{{"LKneePitch", 0.02, 0.001}, {"LHipPitch", 0.01, 0.001}};
   const std::vector<ShownCapture> captures{{1, 0, "P4", "top", 0, {}},  {2, 0, "P4", "bottom", 3, {"A"}},
                                            {3, 0, "P5", "top", 0, {}},  {4, 0, "P5", "bottom", 24, {"A"}},
                                            {5, 0, "P7", "top", {}, {}}, {6, 1, "P8", "top", 0, {}}};

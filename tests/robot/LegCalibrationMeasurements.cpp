@@ -19,7 +19,8 @@ const char* orElse(const char* variable, const char* otherwise) {
 
 } // namespace
 
-// Measures; proves nothing. KIND, FIRST and LAST seed, PLAY in degrees are taken from the environment.
+// Measures; proves nothing. KIND, FIRST and LAST seed, PLAY in degrees and a folder to KEEP recordings in are
+// taken from the environment.
 TEST_CASE("how well simulated robots calibrate their legs", "[.measure]") {
   const std::string kind = orElse("KIND", "left leg");
   std::vector<double> before, after, seconds;
@@ -34,33 +35,41 @@ TEST_CASE("how well simulated robots calibrate their legs", "[.measure]") {
     fmt::print("{:3} {} after {:.0f} s: {}\n", seed, state["phase"].get<std::string>(),
                state.value("robotSeconds", 0.0), state.value("sentence", ""));
     if (!std::filesystem::exists(simulated.folder.path() / "recordings") ||
-        !std::filesystem::exists(simulated.recording() / "result.json")) {
+        !std::filesystem::exists(simulated.recording() / "offsets.json")) {
       continue;
     }
-    const StoredResult result = readResult(simulated.recording() / "result.json");
-    const auto json = SimulatedProcess::Json::parse(fileContent(simulated.recording() / "result.json"));
+    const auto offsets = SimulatedProcess::Json::parse(fileContent(simulated.recording() / "offsets.json"));
     const CaptureSet set = readCaptureSet(simulated.recording()).set;
+    const std::string file = "default/body/synthetic-" + std::to_string(seed) + "/JointCalibrationProvider.json";
+    const bool applied = std::filesystem::exists(simulated.folder.path() / "configuration/location" / file);
+    if (const char* keep = std::getenv("KEEP")) {
+      const auto kept = std::filesystem::path{keep} / std::to_string(seed);
+      std::filesystem::copy(simulated.recording(), kept, std::filesystem::copy_options::recursive);
+      SimulatedProcess::Json errors;
+      for (std::size_t joint = 0; joint < simulated.drawing.joints.size(); ++joint) {
+        errors[simulated.drawing.joints[joint].name] = {
+            {"offset", simulated.world.errors().robot.jointOffsets[static_cast<Eigen::Index>(joint)]},
+            {"play", simulated.world.errors().play[joint]}};
+      }
+      writeAtomically(kept / "errors.json", errors.dump(1));
+    }
     const LegCalibrationTruth truth{simulated.drawing, simulated.world.errors(), plan.servos};
     for (const SupportFoot foot : {SupportFoot::left, SupportFoot::right}) {
       if (kind != (foot == SupportFoot::left ? "right leg" : "left leg")) {
         before.push_back(truth.floorError(foot, {}));
-        after.push_back(truth.floorError(foot, result));
+        after.push_back(truth.floorError(foot, applied ? simulated.applied() : StoredResult{}));
         fmt::print("    floor point at 2 m: from {:.1f} to {:.1f} cm\n", 100 * before.back(), 100 * after.back());
       }
     }
-    for (const auto& effect : json["effects"]) {
-      if (effect["effect"] == "jointOffset") {
-        const std::size_t joint = *simulated.drawing.jointIndex(effect["at"].get<std::string>());
-        const double shown = truth.shownTooMuch(joint, set);
-        const auto& unknown = effect["unknowns"]["o"];
-        const double low = unknown["interval95"][0], high = unknown["interval95"][1];
-        auto& [inside, all] = within[effect["at"]];
-        inside += low <= shown && shown <= high;
-        ++all;
-        fmt::print("    {:14} {:7.2f} found {:7.2f} +- {:.2f} degrees{}\n", effect["at"].get<std::string>(),
-                   degrees(shown), degrees(unknown["value"].get<double>()), degrees((high - low) / 2),
-                   low <= shown && shown <= high ? "" : " <<<");
-      }
+    for (const auto& [name, found] : offsets.items()) {
+      const double shown = truth.shownTooMuch(*simulated.drawing.jointIndex(name), set);
+      const double value = found["offset"], reach = 1.96 * found["sigma"].get<double>();
+      auto& [inside, all] = within[name];
+      const bool holds = std::abs(shown - value) <= reach;
+      inside += holds;
+      ++all;
+      fmt::print("    {:14} {:7.2f} found {:7.2f} +- {:.2f} degrees{}\n", name, degrees(shown), degrees(value),
+                 degrees(reach), holds ? "" : " <<<");
     }
     ended += state["phase"] == "finished";
     seconds.push_back(state["robotSeconds"]);

@@ -92,10 +92,9 @@ TEST_CASE("a simulated robot calibrates a leg on one foot, and what was saved ca
                            "it, and confirm."));
   CHECK(state["errorAfter"] < 0.3 * state["errorBefore"].get<double>());
   CHECK(state["robotSeconds"] < 240);
-  const StoredResult result = readResult(simulated.recording() / "result.json");
   const LegCalibrationTruth truth{simulated.drawing, simulated.world.errors(), ServoMechanics{}};
   CHECK(truth.floorError(SupportFoot::left, {}) > 0.05);
-  CHECK(truth.floorError(SupportFoot::left, result) < 0.02);
+  CHECK(truth.floorError(SupportFoot::left, simulated.applied()) < 0.02);
   std::map<std::string, std::set<double>> sides; // of the knee, by pose
   for (const Capture& capture : readCaptureSet(simulated.recording()).set.captures) {
     sides[capture.pose].insert(capture.joints.approach.at(*jointNumber("LKneePitch")));

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "calibrate/Calibration.hpp"
+
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// The gap of each measured joint's gear, as effects to add to a model: load holds it at one end, and where friction
+/// carries the load the joint lags behind its last motion. Empty where the robot stood on both feet: there the loads of
+/// the joints are not known.
+std::vector<std::string> gearGaps(const Measurements& measurements);
+
+/// What a joint's encoder shows too much with its gear where load and motion leave it: o with the corrections of
+/// backlash and hysteresis, the mean over the pictures in which it lies between board and camera. That much a constant
+/// angle can compensate.
+struct ShownOffset {
+  std::string joint;
+  double value = 0, sigma = 0; // [rad]
+};
+
+/// Of every measured joint.
+std::vector<ShownOffset> shownOffsets(const Measurements& measurements, const Model& model,
+                                      const CalibrationResult& result);
+
+} // namespace naocal
