@@ -131,12 +131,17 @@ void CalibrationRunner::give(std::function<void(Finding&)> task) {
 
 void CalibrationRunner::solve() {
   enter(Phase::solving, "The captures are being solved.");
-  give([this, round = sessions_[0], folder = folder_, before = before_,
+  give([this, round = sessions_[0], before = before_,
         onlyHead = kind_->feet.front() == SupportFoot::both](Finding& finding) {
     const CalibrationSession::Solved solved = round->session.value().solved();
     const std::vector<ShownOffset> offsets = onlyHead ? ofHead(solved.offsets) : solved.offsets;
-    finding.outcome = shownOutcome(folder / "first" / "result.json", before, offsets, lookedAt_.captures);
-    apply(offsets, solved.result, surroundings_.configuration);
+    finding.outcome = shownOutcome(before, offsets, lookedAt_.captures);
+    for (const Warning& warning : solved.warnings) { // only with the legs it is known where the floor is
+      if (warning.about == Warning::About::fit || (warning.about == Warning::About::floor && !onlyHead)) {
+        finding.outcome->warnings.push_back(warning.sentence);
+      }
+    }
+    apply(learned(offsets), solved.result, surroundings_.configuration);
     finding.isApplied = true;
   });
 }

@@ -30,6 +30,7 @@ public:
   struct Solved {
     StoredResult result; // as in its file
     std::vector<ShownOffset> offsets;
+    std::vector<Warning> warnings;
   };
   /// Estimates them from the captures, and writes result.json and offsets.json beside them. Throws InputError when there
   /// is nothing to fit.

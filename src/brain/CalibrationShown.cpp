@@ -1,8 +1,5 @@
 #include "brain/CalibrationShown.hpp"
 
-#include "captures/Files.hpp"
-#include "captures/JsonPlace.hpp"
-#include "captures/JsonText.hpp"
 #include "geometry/Angles.hpp"
 
 #include <algorithm>
@@ -47,11 +44,13 @@ std::vector<std::string> posesWithoutBoard(const std::vector<ShownCapture>& capt
   return poses;
 }
 
-std::string hardlyObserved(const ShownOutcome::Offset& offset, const std::vector<std::string>& unseen) {
+std::string hardlyObserved(const ShownOffset& offset, const std::vector<std::string>& unseen) {
   return fmt::format(
-      "The {} was hardly observed (learned {:.0f} %): {}.", inWords(offset.joint), 100 * std::max(0.0, offset.learned),
-      unseen.empty() ? "take poses that move it before the boards"
-                     : fmt::format("take poses {} again, in which no board was seen", fmt::join(unseen, ", ")));
+      "The {} was hardly observed (learned {:.0f} %) and stays as it was: {}.", inWords(offset.joint),
+      100 * std::max(0.0, offset.learned),
+      !unseen.empty() ? fmt::format("take poses {} again, in which no board was seen", fmt::join(unseen, ", "))
+      : offset.joint == "HeadYaw" ? "how the robot is turned on the floor hides it; calibrate a leg to learn it"
+                                  : "take poses that move it before the boards");
 }
 
 } // namespace
@@ -67,27 +66,23 @@ ShownPoses shownPoses(int round, const CalibrationRound& steps, std::size_t step
   return shown;
 }
 
-ShownOutcome shownOutcome(const std::filesystem::path& result, const StoredResult& before,
-                          const std::vector<ShownOffset>& offsets, const std::vector<ShownCapture>& captures) {
-  const nlohmann::json document = parseJson(fileContent(result), result.string());
+std::vector<ShownOffset> learned(std::vector<ShownOffset> offsets) {
+  std::erase_if(offsets, [](const ShownOffset& offset) { return offset.learned < hardly; });
+  return offsets;
+}
+
+ShownOutcome shownOutcome(const StoredResult& before, const std::vector<ShownOffset>& offsets,
+                          const std::vector<ShownCapture>& captures) {
   ShownOutcome outcome;
-  for (const nlohmann::json& warning : document.at("warnings")) {
-    outcome.warnings.push_back(warning.get<std::string>());
-  }
-  std::map<std::string, double> learned; // by joint
-  for (const nlohmann::json& effect : document.at("effects")) {
-    if (effect.at("effect") == "jointOffset") {
-      learned[effect.at("at")] = effect.at("unknowns").at("o").at("learned");
-    }
-  }
   const std::vector<std::string> unseen = posesWithoutBoard(captures);
   for (const ShownOffset& offset : offsets) {
+    if (offset.learned < hardly) {
+      outcome.warnings.push_back(hardlyObserved(offset, unseen));
+      continue;
+    }
     const auto was = before.values.find(fmt::format("jointOffset@{}.o", offset.joint));
     outcome.joints.push_back({offset.joint, was == before.values.end() ? 0 : degrees(was->second),
-                              degrees(offset.value), degrees(offset.sigma), learned.at(offset.joint)});
-    if (outcome.joints.back().learned < hardly) {
-      outcome.warnings.push_back(hardlyObserved(outcome.joints.back(), unseen));
-    }
+                              degrees(offset.value), degrees(offset.sigma), offset.learned});
   }
   return outcome;
 }

@@ -49,9 +49,12 @@ struct ShownOutcome {
 };
 void to_json(nlohmann::json& out, const ShownOutcome& outcome);
 
-/// Of a result file of a calibration; `offsets`: those that were applied. A joint that the captures hardly observed is
-/// told with the poses in which no board was seen.
-ShownOutcome shownOutcome(const std::filesystem::path& result, const StoredResult& before,
-                          const std::vector<ShownOffset>& offsets, const std::vector<ShownCapture>& captures);
+/// Those offsets that the captures tell.
+std::vector<ShownOffset> learned(std::vector<ShownOffset> offsets);
+
+/// The offsets that were learned beside those before; of each that was not a warning, with the poses in which no board
+/// was seen.
+ShownOutcome shownOutcome(const StoredResult& before, const std::vector<ShownOffset>& offsets,
+                          const std::vector<ShownCapture>& captures);
 
 } // namespace naocal

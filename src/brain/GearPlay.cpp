@@ -54,9 +54,13 @@ std::vector<ShownOffset> shownOffsets(const Measurements& measurements, const Mo
     }
   }
   std::vector<ShownOffset> offsets;
-  for (const auto& [motor, sum] : sums) {
-    offsets.push_back({robot.joints[motor].name, sum.value / sum.count,
-                       std::sqrt(sum.gradient.dot(result.covariance * sum.gradient)) / sum.count});
+  for (const Term& term : model.terms()) {
+    if (const auto found = sums.find(term.at); term.effect.name == "jointOffset" && found != sums.end()) {
+      const Sum& sum = found->second;
+      offsets.push_back({term.place, sum.value / sum.count,
+                         std::sqrt(sum.gradient.dot(result.covariance * sum.gradient)) / sum.count,
+                         result.estimates[term.first].learned});
+    }
   }
   return offsets;
 }

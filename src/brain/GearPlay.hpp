@@ -18,6 +18,7 @@ std::vector<std::string> gearGaps(const Measurements& measurements);
 struct ShownOffset {
   std::string joint;
   double value = 0, sigma = 0; // [rad]
+  double learned = 0;          // about o: 1 - posterior sigma / prior sigma
 };
 
 /// Of every measured joint.

@@ -61,7 +61,9 @@ TEST_CASE("a simulated robot calibrates neck and cameras, driven only through th
   INFO(state.dump());
   REQUIRE(state["phase"] == "finished");
   CHECK(state["errorAfter"] < 0.3 * state["errorBefore"].get<double>());
-  CHECK(simulated.saved("default/body/synthetic-1/JointCalibrationProvider.json").size() == 2);
+  const json offsets = simulated.saved("default/body/synthetic-1/JointCalibrationProvider.json");
+  CHECK(offsets.size() == 1); // where the head is turned to, no one can tell on two feet
+  CHECK(offsets.contains("headPitch"));
   CHECK(simulated.saved("simulated/head/synthetic-1/Projection.json").size() == 2);
 }
 

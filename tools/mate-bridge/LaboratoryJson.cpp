@@ -1,4 +1,5 @@
 #include "LaboratoryJson.hpp"
+#include "calibrate/Verdict.hpp"
 
 #include "diagnose/DiagnosisFile.hpp"
 #include "diagnose/Drivers.hpp"
@@ -53,7 +54,7 @@ Json fitJson(const Json& document, const OpenedSets& opened, const Measurements&
   const JsonPlace place{document, "the fit"};
   Json fit{{"usable", result.usable},
            {"headline", headline(place)},
-           {"warnings", result.warnings},
+           {"warnings", sentences(result.warnings)},
            {"rms", result.rmsPx},
            {"median", result.medianPx},
            {"pValue", result.pValue},

@@ -97,6 +97,7 @@ int main(int argc, char** argv) {
   naocal::Options options;
   CLI::App app{"The process on the robot: motion and brain threads, HULKs' debug and configuration sockets.",
                "naocal-robot"};
+  app.set_version_flag("--version", NAOCAL_VERSION);
   app.footer("Example: naocal-robot --hardware simulated --recordings /tmp/recordings");
   app.add_option("--hardware", options.hardware, "the robot behind it")
       ->check(CLI::IsMember{{"simulated", "nao", "replay"}})

@@ -1,4 +1,5 @@
 #include "Story.hpp"
+#include "calibrate/Verdict.hpp"
 
 #include "geometry/Angles.hpp"
 
@@ -72,7 +73,7 @@ void printStory(const std::vector<CaptureSet>& sets, const Measurements& measure
                            : fmt::format("{} corner{}", doubt.corners.size(), doubt.corners.size() == 1 ? "" : "s"),
                doubt.distance, doubt.whole ? ": was the board moved or the robot touched?" : "");
   }
-  for (const std::string& warning : result.warnings) {
+  for (const std::string& warning : sentences(result.warnings)) {
     fmt::print("\nwarning: {}", warning);
   }
   if (result.restartsTried > 0) {

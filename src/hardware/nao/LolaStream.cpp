@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <fmt/format.h>
 #include <poll.h>
@@ -19,7 +20,7 @@ constexpr std::chrono::milliseconds betweenAttempts{10}; // to connect
 
 int millisecondsUntil(TimePoint deadline) { // at least one more moment than is left, so that nobody spins
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
-  return int(std::clamp<long>(left.count(), 0, 60'000));
+  return int(std::clamp<std::int64_t>(left.count(), 0, 60'000));
 }
 
 } // namespace

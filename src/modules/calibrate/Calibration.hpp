@@ -56,10 +56,17 @@ struct Doubt {
   double distance = 0;      // rms of what does not fit [px]
 };
 
+/// Why a result should be used with care, and what to do.
+struct Warning {
+  enum class About { fit, offset, floor };
+  About about;
+  std::string sentence;
+};
+
 struct CalibrationResult {
   bool converged = false;
   bool usable = false;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   Eigen::VectorXd unknowns;
   std::vector<Estimate> estimates; // per unknown
   Eigen::MatrixXd covariance;      // of the unknowns

@@ -1,4 +1,5 @@
 #include "calibrate/ResultFile.hpp"
+#include "calibrate/Verdict.hpp"
 
 #include "calibrate/ResultEvidence.hpp"
 
@@ -115,7 +116,7 @@ json resultJson(const std::vector<CaptureSet>& sets, const Measurements& measure
           {"version", 1},
           {"converged", result.converged},
           {"usable", result.usable},
-          {"warnings", result.warnings},
+          {"warnings", sentences(result.warnings)},
           {"rmsPx", result.rmsPx},
           {"medianPx", result.medianPx},
           {"chi2", result.chi2},

@@ -8,4 +8,7 @@ namespace naocal {
 /// `floorErrorAt2m`, `warnings` and `usable`.
 void judge(const Measurements& measurements, const Model& model, CalibrationResult& result);
 
+/// Of all warnings.
+std::vector<std::string> sentences(const std::vector<Warning>& warnings);
+
 } // namespace naocal

@@ -75,7 +75,7 @@ function plots() {
   for (const key of plotted) {
     const drawn = make("div", {class: "plot"}), words = make("pre", {class: "value"}, "waiting for its first value");
     part.append(make("figure", {}, make("figcaption", {}, make("b", {}, key), button("×", () => { plotted.delete(key); showLive(parentShown); }, {class: "small", "aria-label": "stop plotting " + key})), drawn, words));
-    figures.set(key, {drawn, words, plot: null, names: ""});
+    figures.set(key, {drawn, words, plot: null, names: "", colours: null});
   }
   return part;
 }
@@ -120,10 +120,9 @@ function drawKey(key) {
   const all = history.names(), names = all.slice(0, 8);
   if (all.length > names.length) figure.words.textContent = "drawn: the first 8 of " + all.length + " numbers\n" + figure.words.textContent;
   if (!names.length) return;
-  if (!figure.plot || figure.names !== names.join()) {
+  if (!figure.plot || figure.names !== names.join() || figure.colours !== colours) { // these are others after a change of theme
     if (figure.plot) figure.plot.destroy();
-    figure.plot = plotIn(figure.drawn, names);
-    figure.names = names.join();
+    Object.assign(figure, {plot: plotIn(figure.drawn, names), names: names.join(), colours});
   }
   figure.plot.setData(history.since(shownSeconds, names));
 }

@@ -53,7 +53,7 @@ function content() {
   parts = Object.fromEntries(["steer", "progress", "after", "outcome", "offsets", "captures", "nextWords"].map(name => [name, make("div")]));
   const left = can ? [parts.steer, parts.progress] : [empty("This robot does not calibrate itself",
     "It serves no " + stateKey + ": naocal-robot does. Its cameras and values can be seen all the same.")];
-  return [make("div", {class: "split match"}, make("div", {}, ...left, parts.outcome, parts.after, parts.captures, parts.offsets),
+  return [make("div", {class: "split match"}, make("div", {}, ...left, parts.outcome, parts.after, parts.offsets, parts.captures),
     make("div", {}, make("div", {class: "cameras beside"}, ...cameras.map(({camera}) => make("figure", {class: "camera"}, make("b", {}, camera.canvas.getAttribute("aria-label")), camera.canvas, camera.caption))),
       make("p", {class: "keys soft"}, make("span", {class: "key measured"}), " corner, ", make("span", {class: "key predicted"}), " where the joints and cameras as they are believed put it"),
       make("div", {class: "cameras beside"}, make("div", {}, make("h2", {}, "Its stance"), stance, parts.nextWords),

@@ -25,7 +25,7 @@ export const worth = ({corners, boards}) => corners === null ? "being looked at"
 export function thumbnails(robot) {
   const {captures} = of(robot);
   if (!captures.length) return [];
-  return [make("h2", {}, "Captures"), make("ol", {class: "thumbnails"}, ...[...captures].reverse().map(capture => make("li", {class: capture.corners !== null && capture.corners < fewCorners ? "poor" : ""},
+  return [make("h2", {}, "Captures"), make("ol", {class: "thumbnails", tabindex: "0", "aria-label": "captures, the latest first"}, ...[...captures].reverse().map(capture => make("li", {class: capture.corners !== null && capture.corners < fewCorners ? "poor" : ""},
     capture.url ? make("img", {src: capture.url, alt: "", width: "160", height: "120"}) : make("span", {class: "blank soft"}, "no picture here"),
     make("b", {}, "pose " + capture.pose + ", " + capture.camera), make("span", {class: "soft"}, worth(capture)))))];
 }
