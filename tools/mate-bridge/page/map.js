@@ -24,7 +24,7 @@ export function showMap(parent, go) {
   parent.replaceChildren(
     make("h1", {}, "Joint by driver"),
     make("p", {class: "soft"}, "How well a smooth curve of each joint (rows) over each thing that it may vary with (columns) " +
-      "would explain what the model leaves over: the darker, the better. This looks beyond the known effects. ",
+      "would explain what the model leaves over: the fuller its colour, the better. This looks beyond the known effects. ",
       make("b", {}, best.evidence > 0 ? "Best: " + best.joint + " over " + driverWords(best.driver) + " (evidence " + tenths(best.evidence) + ")."
         : "Here it is empty: nothing is left.")),
     map, make("h2", {}, "Curves"),

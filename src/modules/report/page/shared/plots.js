@@ -38,7 +38,7 @@ const mapTop = 112; // room for the drivers' names [px]
 
 export const mapHeight = cells => width => mapTop + 2 + jointsOf(cells).length * Math.max(14, Math.min(26, width / 36));
 
-// Joints by drivers: the darker a cell, the better a curve explains what is left over.
+// Joints by drivers: the fuller a cell's colour, the better a curve explains what is left over.
 export function drawMap(context, width, height, cells) {
   const joints = jointsOf(cells), best = bestOf(cells);
   const rank = name => joints.includes(name) ? 0 : name.startsWith("tau_") ? 1 : 2;
@@ -112,7 +112,7 @@ export function drawAdded(context, width, height, {of, unit, slope, sigma, point
   };
   const [left, right] = spread(points.map(([, x]) => x), 1e-9), [bottom, top] = spread(points.map(([, , y]) => y), 1);
   const {x, y, line} = axes(context, box, [left, right], [bottom, top], {title: "measured that way [sigma]",
-    xLabel: "what " + (of === "size" ? "the size found" : withUnit(of + " = 1", unit)) + " would do to the pose [sigma]"});
+    xLabel: "what " + (of === "size" ? "the size found" : withUnit(of + " = 1", unit)) + " would do [sigma]"});
   context.save();
   context.beginPath();
   context.rect(box.left, box.top, box.right - box.left, box.bottom - box.top);
