@@ -56,8 +56,7 @@ CalibrationSession::Solved CalibrationSession::solved() const {
   const CalibrationResult result = calibrate(measurements, model);
   const ResultInputs inputs{{folder_.string()}, {sha256(fileContent(folder_ / "captures.json"))}};
   writeAtomically(folder_ / "result.json", resultJson(sets, measurements, model, result, inputs).dump(2) + "\n");
-  Solved solved{readResult(folder_ / "result.json"), shownOffsets(measurements, model, result),
-                result.warnings};
+  Solved solved{readResult(folder_ / "result.json"), shownOffsets(measurements, model, result), result.warnings};
   nlohmann::json offsets; // [rad]
   for (const ShownOffset& offset : solved.offsets) {
     offsets[offset.joint] = {{"offset", offset.value}, {"sigma", offset.sigma}};

@@ -28,7 +28,7 @@ TEST_CASE("a score test's fall of chi2 is what adding the candidate gains") {
   const ScoreTests tests{alone};
   const Eigen::VectorXd priorScore = problem.priorScore();
   const PoseScores scores = measuredScores(*problem.linear, noise);
-  const Eigen::VectorXd falls = tests.falls(scores, alone(scores, priorScore));
+  const Eigen::VectorXd falls = tests.falls(scores, alone(scores, priorScore).own);
 
   const Eigen::Index count = problem.own() + problem.candidates;
   Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(count, count);
@@ -71,7 +71,7 @@ TEST_CASE("pure noise lowers chi2 by as much as a candidate has unknowns") {
   const ModelAlone alone{problem, noise};
   const ScoreTests tests{alone};
   const PoseScores drawn = drawnScores(*problem.linear, noise, draws, 1);
-  const Eigen::MatrixXd falls = tests.falls(drawn, alone(drawn, Eigen::VectorXd::Zero(problem.own())));
+  const Eigen::MatrixXd falls = tests.falls(drawn, alone(drawn, Eigen::VectorXd::Zero(problem.own())).own);
   double worst = 0;
   for (std::size_t i = 0; i < problem.groups.size(); ++i) {
     const auto freedom = static_cast<double>(tests.freedom(i));

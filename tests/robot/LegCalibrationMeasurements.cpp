@@ -1,5 +1,7 @@
 #include "LegCalibrationTruth.hpp"
 
+#include "brain/SavedCalibration.hpp"
+
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -40,8 +42,6 @@ TEST_CASE("how well simulated robots calibrate their legs", "[.measure]") {
     }
     const auto offsets = SimulatedProcess::Json::parse(fileContent(simulated.recording() / "offsets.json"));
     const CaptureSet set = readCaptureSet(simulated.recording()).set;
-    const std::string file = "default/body/synthetic-" + std::to_string(seed) + "/JointCalibrationProvider.json";
-    const bool applied = std::filesystem::exists(simulated.folder.path() / "configuration/location" / file);
     if (const char* keep = std::getenv("KEEP")) {
       const auto kept = std::filesystem::path{keep} / std::to_string(seed);
       std::filesystem::copy(simulated.recording(), kept, std::filesystem::copy_options::recursive);
@@ -57,7 +57,7 @@ TEST_CASE("how well simulated robots calibrate their legs", "[.measure]") {
     for (const SupportFoot foot : {SupportFoot::left, SupportFoot::right}) {
       if (kind != (foot == SupportFoot::left ? "right leg" : "left leg")) {
         before.push_back(truth.floorError(foot, {}));
-        after.push_back(truth.floorError(foot, applied ? simulated.applied() : StoredResult{}));
+        after.push_back(truth.floorError(foot, configured(simulated.process->configuration())));
         fmt::print("    floor point at 2 m: from {:.1f} to {:.1f} cm\n", 100 * before.back(), 100 * after.back());
       }
     }

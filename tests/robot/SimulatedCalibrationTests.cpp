@@ -1,5 +1,6 @@
 #include "LegCalibrationTruth.hpp"
 
+#include "brain/SavedCalibration.hpp"
 #include "geometry/Angles.hpp"
 
 #include <catch2/catch.hpp>
@@ -96,7 +97,7 @@ TEST_CASE("a simulated robot calibrates a leg on one foot, and what was saved ca
   CHECK(state["robotSeconds"] < 240);
   const LegCalibrationTruth truth{simulated.drawing, simulated.world.errors(), ServoMechanics{}};
   CHECK(truth.floorError(SupportFoot::left, {}) > 0.05);
-  CHECK(truth.floorError(SupportFoot::left, simulated.applied()) < 0.02);
+  CHECK(truth.floorError(SupportFoot::left, configured(simulated.process->configuration())) < 0.02);
   std::map<std::string, std::set<double>> sides; // of the knee, by pose
   for (const Capture& capture : readCaptureSet(simulated.recording()).set.captures) {
     sides[capture.pose].insert(capture.joints.approach.at(*jointNumber("LKneePitch")));

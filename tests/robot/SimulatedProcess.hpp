@@ -2,9 +2,7 @@
 
 #include "MateClient.hpp"
 #include "TemporaryFolder.hpp"
-#include "calibrate/ResultFile.hpp"
 #include "captures/Files.hpp"
-#include "geometry/Angles.hpp"
 #include "hardware/simulated/SimulatedWorld.hpp"
 #include "model/Robot.hpp"
 
@@ -83,23 +81,6 @@ struct SimulatedProcess {
   }
   Json saved(const std::string& file) const {
     return Json::parse(fileContent(folder.path() / "configuration/location" / file));
-  }
-  /// The offsets and mounts that the robot has been configured with.
-  StoredResult applied() const {
-    const RobotIdentity identity = robot->waitForIdentity(std::chrono::seconds{1}).value();
-    StoredResult result;
-    const Json offsets = saved("default/body/" + identity.bodyId + "/JointCalibrationProvider.json");
-    for (const auto& [key, offset] : offsets.items()) {
-      const char first = static_cast<char>(std::toupper(key.front()));
-      result.values["jointOffset@" + (first + key.substr(1)) + ".o"] = radians(offset.get<double>());
-    }
-    const Json mounts = saved("simulated/head/" + identity.headId + "/Projection.json");
-    for (const std::string camera : {"top", "bottom"}) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        result.values["cameraRotation@" + camera + ".r" + "xyz"[axis]] = mounts.at(camera + "_ext").at(axis);
-      }
-    }
-    return result;
   }
   /// Of the last calibration's first round.
   std::filesystem::path recording() const {

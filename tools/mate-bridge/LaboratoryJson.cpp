@@ -1,6 +1,6 @@
 #include "LaboratoryJson.hpp"
-#include "calibrate/Verdict.hpp"
 
+#include "calibrate/Verdict.hpp"
 #include "diagnose/DiagnosisFile.hpp"
 #include "diagnose/Drivers.hpp"
 #include "report/DiagnosisData.hpp"

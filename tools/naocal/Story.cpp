@@ -1,6 +1,6 @@
 #include "Story.hpp"
-#include "calibrate/Verdict.hpp"
 
+#include "calibrate/Verdict.hpp"
 #include "geometry/Angles.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "calibrate/ResultFile.hpp"
-#include "calibrate/Verdict.hpp"
 
 #include "calibrate/ResultEvidence.hpp"
+#include "calibrate/Verdict.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

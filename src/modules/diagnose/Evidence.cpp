@@ -67,7 +67,7 @@ void describe(const ScoreProblem& problem, LevelTests& tests, const PoseScores& 
   std::vector<double> bestDeviance(problem.groups.size(), std::numeric_limits<double>::infinity());
   for (std::size_t level = 0; level <= null.level.front(); ++level) {
     const double worse = null.outcomes[level].deviance[0] - null.deviance[0];
-    const std::vector<ScoreTests::GroupScore> scores = tests[level].groups(measured, null.outcomes[level]);
+    const std::vector<ScoreTests::GroupScore> scores = tests[level].groups(measured, null.outcomes[level].own);
     for (std::size_t i = 0; i < scores.size(); ++i) {
       GroupEvidence& group = evidence.groups[i];
       const ColumnGroup& columns = problem.groups[i];

@@ -17,10 +17,6 @@ PoseScores columns(const PoseScores& scores, const std::vector<Eigen::Index>& wh
   return result;
 }
 
-ModelAlone::Outcome columns(const ModelAlone::Outcome& outcome, const std::vector<Eigen::Index>& which) {
-  return {outcome.deviance(which), outcome.chi2(which), outcome.own(Eigen::all, which)};
-}
-
 } // namespace
 
 const std::vector<double>& poseLevels() {
@@ -87,7 +83,7 @@ Eigen::MatrixXd LevelTests::ratios(const PoseScores& scores, const NullFit& null
       }
     }
     const ModelAlone::Outcome& outcome = null.outcomes[level];
-    const Eigen::MatrixXd falls = (*this)[level].falls(columns(scores, which), columns(outcome, which));
+    const Eigen::MatrixXd falls = (*this)[level].falls(columns(scores, which), outcome.own(Eigen::all, which));
     for (std::size_t i = 0; i < which.size(); ++i) {
       const double worse = outcome.deviance[which[i]] - null.deviance[which[i]];
       result.col(which[i]) = result.col(which[i]).cwiseMax((falls.col(at(i)).array() - worse).matrix());

@@ -101,9 +101,9 @@ void ScoreTests::project(const Columns& columns) {
 }
 
 /// Scores of all columns, downhill.
-Eigen::MatrixXd ScoreTests::projectedScores(const PoseScores& scores, const ModelAlone::Outcome& own) const {
+Eigen::MatrixXd ScoreTests::projectedScores(const PoseScores& scores, const Eigen::MatrixXd& own) const {
   const ScoreProblem& problem = alone_.problem();
-  Eigen::MatrixXd result = explained_.transpose() * own.own;
+  Eigen::MatrixXd result = explained_.transpose() * own;
   for (std::size_t pose = 0; pose < scores.size(); ++pose) {
     const PoseSystem& system = problem.linear->poses[pose];
     const Eigen::Index first = problem.ownOf(system), rest = at(system.unknowns.size()) - first;
@@ -125,7 +125,7 @@ Eigen::MatrixXd ScoreTests::projectedScores(const PoseScores& scores, const Mode
   return result;
 }
 
-Eigen::MatrixXd ScoreTests::falls(const PoseScores& scores, const ModelAlone::Outcome& own) const {
+Eigen::MatrixXd ScoreTests::falls(const PoseScores& scores, const Eigen::MatrixXd& own) const {
   const std::vector<ColumnGroup>& groups = alone_.problem().groups;
   const Eigen::MatrixXd all = projectedScores(scores, own);
   Eigen::MatrixXd result(at(groups.size()), all.cols());
@@ -135,7 +135,7 @@ Eigen::MatrixXd ScoreTests::falls(const PoseScores& scores, const ModelAlone::Ou
   return result;
 }
 
-std::vector<ScoreTests::GroupScore> ScoreTests::groups(const PoseScores& scores, const ModelAlone::Outcome& own) const {
+std::vector<ScoreTests::GroupScore> ScoreTests::groups(const PoseScores& scores, const Eigen::MatrixXd& own) const {
   const Eigen::VectorXd all = projectedScores(scores, own).col(0);
   std::vector<GroupScore> result;
   for (std::size_t i = 0; i < blocks_.size(); ++i) {

@@ -15,15 +15,16 @@ public:
   /// `alone` must outlive the tests.
   explicit ScoreTests(const ModelAlone& alone);
 
-  /// How far each group (row) lowers chi2 of each set of scores (column); `own`: what the model alone made of those.
-  Eigen::MatrixXd falls(const PoseScores& scores, const ModelAlone::Outcome& own) const;
+  /// How far each group (row) lowers chi2 of each set of scores (column); `own`: the model's own part of those scores,
+  /// as in `ModelAlone::Outcome`.
+  Eigen::MatrixXd falls(const PoseScores& scores, const Eigen::MatrixXd& own) const;
 
   /// A group's projected score and information, in the candidates' own units.
   struct GroupScore {
     Eigen::VectorXd score; // of a better fit: the estimate is information^-1 * score
     Eigen::MatrixXd information;
   };
-  std::vector<GroupScore> groups(const PoseScores& scores, const ModelAlone::Outcome& own) const;
+  std::vector<GroupScore> groups(const PoseScores& scores, const Eigen::MatrixXd& own) const;
 
   /// Projected information of the candidates' columns (not of the map's).
   const Eigen::MatrixXd& information() const { return information_; }
@@ -41,7 +42,7 @@ private:
   };
   void addPose(std::size_t pose, Columns& columns);
   void project(const Columns& columns);
-  Eigen::MatrixXd projectedScores(const PoseScores& scores, const ModelAlone::Outcome& own) const;
+  Eigen::MatrixXd projectedScores(const PoseScores& scores, const Eigen::MatrixXd& own) const;
 
   const ModelAlone& alone_;
   std::vector<Eigen::MatrixXd> deflections_; // per pose: J_t^T J_t P
