@@ -31,4 +31,51 @@ TEST_CASE("repeats tell what scatters from pose to pose and what at every approa
   CHECK(pose == Approx(plan.mechanics.poseScatter).epsilon(0.2));
 }
 
+namespace {
+
+/// A robot that takes its poses three times, is put down anew and takes them three times again: gears settle anew with
+/// every stance.
+CaptureSet restood(const Robot& robot, SimulationPlan plan, std::uint64_t seed) {
+  plan.robotSeed = plan.boardSeed = seed;
+  CaptureSet set = simulate(robot, plan, 2 * seed).set;
+  plan.firstStance = 1;
+  CaptureSet again = simulate(robot, plan, 2 * seed + 1).set;
+  const Seconds later = set.captures.back().time + Seconds{30};
+  set.stances.insert(set.stances.end(), again.stances.begin(), again.stances.end());
+  for (Capture& capture : again.captures) {
+    capture.id += 100'000;
+    capture.repeat += plan.samples;
+    capture.time += later;
+    capture.repeatKind = capture.repeat == plan.samples ? RepeatKind::restand : RepeatKind::reapproach;
+    set.captures.push_back(std::move(capture));
+  }
+  return set;
+}
+
+} // namespace
+
+TEST_CASE("a robot that was put down anew tells what standing anew changes") {
+  // Proves that the stance's level is told from the pose's and the approach's: what settles anew with the stance (0.06
+  // degrees) is not called the encoder's noise, nor a scatter of poses; without a second stance it is the poses'.
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  SimulationPlan plan;
+  plan.poses = standingPoses(robot, plan, SupportFoot::left, 24, 1);
+  plan.repeatKind = RepeatKind::reapproach;
+  plan.mechanics.poseScatter = radians(0.06);
+  constexpr int robots = 4;
+  Noise mean{0, 0, 0, 0};
+  for (std::uint64_t seed = 1; seed <= robots; ++seed) {
+    const Measurements measurements = measurementsOf({restood(robot, plan, seed)}, robot);
+    const Noise noise = calibrate(measurements, makeModel(measurements)).noise;
+    mean.encoder += noise.encoder / robots;
+    mean.pose += noise.pose / robots;
+    mean.stance += noise.stance / robots;
+  }
+  CHECK(mean.encoder == Approx(std::hypot(encoderStep / std::sqrt(12.0), plan.mechanics.encoderDither)).epsilon(0.1));
+  CHECK(mean.stance == Approx(plan.mechanics.poseScatter).epsilon(0.2));
+  CHECK(mean.pose < 0.4 * plan.mechanics.poseScatter);
+  const Measurements once = measurementsOf({simulate(robot, plan, 2).set}, robot);
+  CHECK(calibrate(once, makeModel(once)).noise.stance == 0);
+}
+
 } // namespace naocal

@@ -90,11 +90,13 @@ TEST_CASE("integrating out deflections equals the full covariance of all corners
   }
 }
 
-TEST_CASE("a deflection root squares to encoder and pose noise") {
-  // Proves the covariance that a pose's readings are believed to have: own errors, and one shared by the joint.
+TEST_CASE("a deflection root squares to encoder, pose and stance noise") {
+  // Proves the covariance that a pose's readings are believed to have: own errors, one shared by the joint, and one
+  // shared while the robot stands where it stands.
   PoseSystem system;
   system.joints = {3, 3, 3, 7, 7};
   system.errorScales = {1, 1, 0.5, 1, 1};
+  system.stances = {0, 0, 4, 0, 4};
   const Eigen::MatrixXd root = deflectionRoot(system, {0.3, 2e-3, 1e-3});
   const Eigen::MatrixXd covariance = root * root.transpose();
   CHECK(covariance(0, 0) == Approx(5e-6));
@@ -102,6 +104,12 @@ TEST_CASE("a deflection root squares to encoder and pose noise") {
   CHECK(covariance(2, 2) == Approx(2e-6));
   CHECK(covariance(2, 3) == Approx(0).margin(1e-18));
   CHECK(covariance(3, 4) == Approx(1e-6));
+  const Eigen::MatrixXd restoodRoot = deflectionRoot(system, {0.3, 2e-3, 1e-3, 3e-3});
+  const Eigen::MatrixXd restood = restoodRoot * restoodRoot.transpose();
+  CHECK(restood(0, 0) == Approx(14e-6));
+  CHECK(restood(0, 1) == Approx(10e-6));
+  CHECK(restood(0, 2) == Approx(1e-6));
+  CHECK(restood(3, 4) == Approx(1e-6));
 }
 
 TEST_CASE("a resting joint keeps its rounding error, an approach gives it a new one") {
@@ -120,7 +128,7 @@ TEST_CASE("a resting joint keeps its rounding error, an approach gives it a new 
           CHECK((a.encoderError[0] == b.encoderError[0]) == rested);
           CHECK((!rested || pictureA.instant.q[0] == pictureB.instant.q[0]));
         }
-        flips += pose.encoderErrors[a.encoderError[0]] < 1;
+        flips += pose.encoderErrors[a.encoderError[0]].scale < 1;
       }
     }
     CHECK(flips < 12);

@@ -79,6 +79,8 @@ void addSolve(CLI::App& app, int& exitCode) {
   auto* pixel = solver->add_option("--pixel-noise", command->options.noise.pixel, "of a corner, per axis [px]");
   solver->add_option("--encoder-noise", command->options.noise.encoder, "of a reading [rad]");
   solver->add_option("--pose-noise", command->options.noise.pose, "deflection shared by a pose's captures [rad]");
+  solver->add_option("--stance-noise", command->options.noise.stance,
+                     "deflection shared by a pose's captures in one stance [rad]");
   solver->callback([command, pixel, &exitCode] {
     command->options.pixelGiven = pixel->count() > 0;
     exitCode = solve(*command);

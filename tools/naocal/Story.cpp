@@ -54,8 +54,9 @@ void printStory(const std::vector<CaptureSet>& sets, const Measurements& measure
              result.iterations, 1e3 * result.seconds);
   fmt::print(
       "corners lie {:.2f} px rms from their predictions (median {:.2f}); noise: {:.3f} px, encoder {:.4f}°, pose "
-      "{:.4f}° ({}); chi2/dof {:.3f}, p {:.2g}\n",
+      "{:.4f}°{} ({}); chi2/dof {:.3f}, p {:.2g}\n",
       result.rmsPx, result.medianPx, result.noise.pixel, degrees(result.noise.encoder), degrees(result.noise.pose),
+      result.noise.stance > 0 ? fmt::format(", stance {:.4f}°", degrees(result.noise.stance)) : "",
       result.noiseSource, result.chi2 / std::max(1.0, result.dof), result.pValue);
   if (result.floorErrorAt2m > 0) {
     fmt::print("a floor point 2 m ahead will be seen {:.1f} mm off (1 sigma)\n", 1e3 * result.floorErrorAt2m);

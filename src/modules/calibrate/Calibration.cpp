@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 
 namespace naocal {
 
@@ -35,9 +36,11 @@ Levels levels(const Measurements& measurements, const Model& model, const Fit& f
     const double beyondRepeats = std::sqrt(std::max(0.0, within * within - *repeats * *repeats));
     const double alike = std::clamp(beyondRepeats, options.repeatedCornerError, options.largestCornerError);
     noise.pixel = std::max(std::hypot(*repeats, alike), options.largestCornerError);
-    const bool encoderToo = std::any_of(measurements.poses.begin(), measurements.poses.end(),
-                                        [](const PoseGroup& pose) { return pose.repeated; });
-    result.joint = jointNoise(fit.minimum.linear, fit.minimum.state.unknowns, model.sigmas(), noise, encoderToo);
+    const auto some = [&](bool PoseGroup::*kind) {
+      return std::any_of(measurements.poses.begin(), measurements.poses.end(), std::mem_fn(kind));
+    };
+    result.joint = jointNoise(fit.minimum.linear, fit.minimum.state.unknowns, model.sigmas(), noise,
+                              {.reapproached = some(&PoseGroup::repeated), .restood = some(&PoseGroup::restood)});
   } else if (!options.pixelGiven) {
     noise.pixel = pixelNoiseWithinPictures(sightings).value_or(noise.pixel);
   }

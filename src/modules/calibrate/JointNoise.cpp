@@ -50,24 +50,33 @@ double restrictedDeviance(const Total& all) {
 
 constexpr double nothing = 1e-6, everything = 0.005; // [rad]: no stiction at all, and more than any NAO has
 
-/// The search of the two levels: x = (ln encoder^2, ln pose^2).
+/// The search of the levels: x = (ln pose^2, ln encoder^2, ln stance^2), as many as the repeats tell.
 struct Search {
   const Residuals::Linear& linear;
   const Eigen::VectorXd& unknowns;
   const Eigen::VectorXd& sigmas;
   Noise noise;
-  bool encoderToo;
+  Repeated repeated;
 
   Noise at(const double* x) const {
     Noise result = noise;
-    if (encoderToo) {
+    const auto level = [](double squareLogarithm) {
+      const double sigma = std::exp(squareLogarithm / 2);
+      return sigma > 2 * nothing ? sigma : 0;
+    };
+    result.pose = level(x[0]);
+    if (repeated.reapproached) {
       result.encoder = std::exp(x[1] / 2);
     }
-    const double pose = std::exp(x[0] / 2);
-    result.pose = pose > 2 * nothing ? pose : 0;
+    if (repeated.restood) {
+      result.stance = level(x[2]);
+    }
     return result;
   }
-  double deviance(const double* x) const { return restrictedDeviance(total(linear, unknowns, sigmas, at(x))); }
+  double deviance(const double* x) const {
+    const Noise levels = at(x);
+    return restrictedDeviance(total(linear, unknowns, sigmas, levels)) + scatterPenalty(levels.stance);
+  }
   static double call(unsigned, const double* x, double*, void* self) {
     return static_cast<const Search*>(self)->deviance(x);
   }
@@ -108,14 +117,19 @@ double scatterPenalty(double level) {
 }
 
 JointNoise jointNoise(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& sigmas,
-                      const Noise& start, bool encoderToo) {
-  Search search{linear, unknowns, sigmas, start, encoderToo};
+                      const Noise& start, const Repeated& repeated) {
+  Search search{linear, unknowns, sigmas, start, repeated};
   const double rounding = encoderStep / std::sqrt(12.0);
   std::vector<double> x{2 * std::log(3e-4)}, lower{2 * std::log(nothing)}, upper{2 * std::log(everything)};
-  if (encoderToo) {
+  if (repeated.reapproached) {
     lower.push_back(2 * std::log(rounding));
     upper.push_back(2 * std::log(everything));
     x.push_back(std::max(2 * std::log(start.encoder), lower.back() + 0.5));
+  }
+  if (repeated.restood) {
+    lower.push_back(2 * std::log(nothing));
+    upper.push_back(2 * std::log(everything));
+    x.push_back(2 * std::log(3e-4));
   }
   nlopt_opt optimiser = nlopt_create(NLOPT_LN_NELDERMEAD, static_cast<unsigned>(x.size()));
   nlopt_set_lower_bounds(optimiser, lower.data());
@@ -123,7 +137,7 @@ JointNoise jointNoise(const Residuals::Linear& linear, const Eigen::VectorXd& un
   nlopt_set_min_objective(optimiser, &Search::call, &search);
   nlopt_set_initial_step1(optimiser, 1); // a factor of 1.6 of a level
   nlopt_set_xtol_abs1(optimiser, 2e-2);
-  nlopt_set_maxeval(optimiser, 80);
+  nlopt_set_maxeval(optimiser, repeated.restood ? 160 : 80);
   double best = 0;
   nlopt_optimize(optimiser, x.data(), &best);
   nlopt_destroy(optimiser);

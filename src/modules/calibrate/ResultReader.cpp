@@ -21,8 +21,9 @@ Noise noiseFrom(const json& entry, const std::filesystem::path& file) {
   const Noise usual;
   const Noise noise{.pixel = entry.value("pixel", usual.pixel),
                     .encoder = entry.value("encoder", usual.encoder),
-                    .pose = entry.value("pose", usual.pose)};
-  if (!(noise.pixel > 0 && noise.encoder >= 0 && noise.pose >= 0)) {
+                    .pose = entry.value("pose", usual.pose),
+                    .stance = entry.value("stance", usual.stance)};
+  if (!(noise.pixel > 0 && noise.encoder >= 0 && noise.pose >= 0 && noise.stance >= 0)) {
     throw InputError{fmt::format("{}: noise: expected a positive pixel and no negative numbers, found {}",
                                  file.string(), entry.dump())};
   }

@@ -129,7 +129,7 @@ json resultJson(const std::vector<CaptureSet>& sets, const Measurements& measure
            {{"pixel", result.noise.pixel},
             {"encoder", result.noise.encoder},
             {"pose", result.noise.pose},
-            {"stance", 0.0},
+            {"stance", result.noise.stance},
             {"source", result.noiseSource}}},
           {"effects", effectsJson(model, result)},
           {"placements", placementsJson(measurements, model, result)},

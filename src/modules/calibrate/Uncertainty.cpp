@@ -87,7 +87,7 @@ Misfit misfitOf(const Fit& fit, const Eigen::VectorXd& sigmas) {
 }
 
 Noise scaled(const Noise& noise, double factor) {
-  return {noise.pixel * factor, noise.encoder * factor, noise.pose * factor};
+  return {noise.pixel * factor, noise.encoder * factor, noise.pose * factor, noise.stance * factor};
 }
 
 CalibrationResult uncertain(const Measurements& measurements, const Model& model, const Fit& fit,

@@ -27,10 +27,12 @@ Fact cornerFact(const JsonPlace& result, std::size_t pictures, std::optional<dou
 
 Fact noiseFact(const JsonPlace& noise) {
   const bool told = noise.at("source").text() == "repeats";
+  const double stance = numberAt(noise, "stance");
   return {fmt::format("{:.2g} px", numberAt(noise, "pixel")),
           fmt::format("noise of a corner per axis; {:.3f}° of an encoder's reading; {:.3f}° of a joint from pose to "
-                      "pose: {}.",
+                      "pose{}: {}.",
                       degrees(numberAt(noise, "encoder")), degrees(numberAt(noise, "pose")),
+                      stance > 0 ? fmt::format("; {:.3f}° more wherever the robot stands anew", degrees(stance)) : "",
                       told ? "measured from poses that were taken more than once"
                            : "partly assumed, because no pose was taken more than once")};
 }

@@ -18,6 +18,8 @@ void groupPose(const std::vector<CaptureSet>& sets, const std::vector<std::size_
   constexpr double atEdge = 0.3; // of the rounding error's size: what the encoder's dither leaves
   std::map<std::tuple<std::size_t, int, int>, std::size_t> known; // motor, stance, approach -> error
   std::map<std::size_t, std::set<double>> angles;                 // per error, the readings seen
+  std::set<int> stances;
+  std::size_t approaches = 0;
   const Picture* previous = nullptr;
   for (std::size_t index : members) {
     const Picture& picture = pictures[index];
@@ -31,26 +33,29 @@ void groupPose(const std::vector<CaptureSet>& sets, const std::vector<std::size_
       continue;
     }
     pose.repeated |= last && last->repeat != capture.repeat && capture.repeatKind != RepeatKind::rest;
+    stances.insert(capture.stance);
+    approaches += !last || (last->repeat != capture.repeat && capture.repeatKind != RepeatKind::rest) ? 1 : 0;
     Reading reading{.pictures = {index}, .encoderError = std::vector<std::size_t>(robot.joints.size())};
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
       const int approach = capture.repeatKind == RepeatKind::rest ? -1 : capture.repeat;
       const auto [entry, isNew] =
           known.try_emplace({robot.joints[joint].motor, capture.stance, approach}, pose.encoderErrors.size());
       if (isNew) {
-        pose.encoderErrors.push_back(1);
+        pose.encoderErrors.push_back({1, picture.stance});
       }
       reading.encoderError[joint] = entry->second;
       angles[entry->second].insert(picture.instant.q[static_cast<Eigen::Index>(joint)]);
     }
     pose.readings.push_back(std::move(reading));
   }
+  pose.restood = stances.size() > 1 && approaches > stances.size();
   for (const Reading& reading : pose.readings) {
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
       const std::set<double>& seen = angles.at(reading.encoderError[joint]);
       if (seen.size() == 1) {
         continue;
       }
-      pose.encoderErrors[reading.encoderError[joint]] = atEdge;
+      pose.encoderErrors[reading.encoderError[joint]].scale = atEdge;
       const double edge = std::accumulate(seen.begin(), seen.end(), 0.0) / static_cast<double>(seen.size());
       for (std::size_t index : reading.pictures) {
         pictures[index].instant.q[static_cast<Eigen::Index>(joint)] = edge;

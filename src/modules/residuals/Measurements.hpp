@@ -49,12 +49,19 @@ struct Reading {
   std::vector<std::size_t> encoderError; // per joint of the robot: which of its pose's encoder errors it has
 };
 
+/// An error that readings of one joint share.
+struct EncoderError {
+  double scale = 1;       // its size against the encoder's noise
+  std::size_t stance = 0; // where the robot stood: readings there share what standing up anew changes, too
+};
+
 /// Captures that were commanded to one attitude; they share one random deflection per joint.
 struct PoseGroup {
   std::string name;
   std::vector<Reading> readings;
-  std::vector<double> encoderErrors; // the distinct ones: how large each is against the encoder's noise
-  bool repeated = false;             // was left and taken again: pose-level and reading-level noise can be told apart
+  std::vector<EncoderError> encoderErrors; // the distinct ones
+  bool repeated = false; // was left and taken again: pose-level and reading-level noise can be told apart
+  bool restood = false;  // so it was, and with the robot put down anew besides: the stance's noise, too
 };
 
 /// All that was measured, sorted so that no order of captures and no number of threads changes a digit.

@@ -12,7 +12,8 @@ constexpr double encoderStep = 2 * std::numbers::pi / 4096;
 struct Noise {
   double pixel = 0.3;                             // of a corner, per axis [px]
   double encoder = encoderStep / std::sqrt(12.0); // of a reading, rounding included, per joint [rad]
-  double pose = 0; // of a deflection that all captures of a pose share (stiction), per joint [rad]
+  double pose = 0;   // of a deflection that all captures of a pose share (stiction), per joint [rad]
+  double stance = 0; // of one that they share as long as the robot stands where it stands, per joint [rad]
 };
 
 /// How far an inertial unit's angles are off at rest, beside its tilt in the torso. No data sheet tells; readings of a

@@ -22,6 +22,7 @@ struct PoseSystem {
   std::vector<std::size_t> joints;    // per deflection: its joint; deflections of one joint stand together
   std::vector<std::size_t> errors;    // per deflection: which of its pose's encoder errors it has
   std::vector<double> errorScales;    // per deflection: its encoder error's size against the noise level
+  std::vector<std::size_t> stances;   // per deflection: where the robot stood
   Eigen::MatrixXd unknownGram;        // sum of w J_x^T J_x      [px^2 / unknown^2]
   Eigen::MatrixXd cross;              // sum of w J_x^T J_t
   Eigen::MatrixXd deflectionGram;     // sum of w J_t^T J_t      [px^2 / rad^2]
@@ -31,7 +32,8 @@ struct PoseSystem {
   double numbers = 0; // that count: two per corner with a weight above zero, three per sole on the floor
 };
 
-/// t = root * z with z of unit covariance: root root^T = encoder^2 diag(scales^2) + pose^2 1 1^T within a joint.
+/// t = root * z with z of unit covariance: root root^T = encoder^2 diag(scales^2) + pose^2 1 1^T within a joint, and
+/// + stance^2 1 1^T within a joint and stance.
 using DeflectionRoot = Eigen::SparseMatrix<double>;
 DeflectionRoot deflectionRoot(const PoseSystem& pose, const Noise& noise);
 
