@@ -2,6 +2,7 @@
 
 #include "hardware/nao/VideoSystem.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -10,6 +11,7 @@
 #include <linux/videodev2.h>
 #include <map>
 #include <poll.h>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
@@ -46,6 +48,11 @@ public:
 
   /// A camera exposes a picture whose bytes are all `grey`; without a free buffer it is lost.
   void expose(Camera& camera, std::uint8_t grey, std::chrono::nanoseconds time, std::uint32_t flags = 0) {
+    expose(camera, std::vector<std::uint8_t>(2 * camera.width * camera.height, grey), time, flags);
+  }
+  /// One of these bytes.
+  void expose(Camera& camera, std::span<const std::uint8_t> picture, std::chrono::nanoseconds time,
+              std::uint32_t flags = 0) {
     const std::uint32_t sequence = camera.sequence++;
     if (!camera.streaming || camera.free.empty()) {
       return;
@@ -54,7 +61,7 @@ public:
     buffer.index = camera.free.front();
     camera.free.pop_front();
     auto& bytes = camera.memory[buffer.index];
-    std::memset(bytes.data(), grey, bytes.size());
+    std::copy_n(picture.begin(), std::min(bytes.size(), picture.size()), bytes.begin());
     buffer.bytesused = std::uint32_t(bytes.size());
     buffer.sequence = sequence;
     buffer.flags = flags | (camera.wallClock ? 0 : V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC);

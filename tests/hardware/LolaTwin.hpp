@@ -57,7 +57,8 @@ inline float reported(std::string_view list, std::size_t i, std::uint32_t sequen
   return list == "Touch" ? float((sequence >> i) & 1) : place + 1e-4f * float(sequence % 9973);
 }
 
-inline std::string state(std::uint32_t sequence) {
+/// A state whose entry `i` of a list is `number(list, i)`; that of "Status" is a small whole number.
+template <typename Number> std::string stateOf(const Number& number) {
   Writer out;
   out.byte(0x8d);
   out.text("RobotConfig");
@@ -75,15 +76,37 @@ inline std::string state(std::uint32_t sequence) {
     out.text(list.name);
     out.list(list.count);
     for (std::size_t i = 0; i < list.count; ++i) {
-      out.number(reported(list.name, i, sequence));
+      out.number(float(number(list.name, i)));
     }
   }
   out.text("Status");
   out.list(25);
   for (std::size_t i = 0; i < 25; ++i) {
-    out.byte(int((sequence + i) % 8));
+    out.byte(int(number("Status", i)));
   }
   return out.bytes;
+}
+
+inline std::string state(std::uint32_t sequence) {
+  return stateOf([&](std::string_view list, std::size_t i) {
+    return list == "Status" ? float((sequence + i) % 8) : reported(list, i, sequence);
+  });
+}
+
+/// Entry `i` of a list of numbers in a command.
+inline float commanded(std::string_view command, std::string_view list, std::size_t i) {
+  const std::string key = std::string{char(0xa0 | list.size())} + std::string{list} + "\xdc"; // a list of 16 or more
+  const std::size_t at = command.find(key);
+  if (at == std::string_view::npos || at + key.size() + 2 + 5 * (i + 1) > command.size()) {
+    throw std::runtime_error{"the command has no such list"};
+  }
+  std::uint32_t bits = 0;
+  for (std::size_t byte = 0; byte < 4; ++byte) {
+    bits = bits << 8 | std::uint8_t(command[at + key.size() + 2 + 5 * i + 1 + byte]);
+  }
+  float value;
+  std::memcpy(&value, &bits, 4);
+  return value;
 }
 
 /// The listening side of LoLA's socket, for one connection at a time.

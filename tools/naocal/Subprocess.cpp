@@ -3,6 +3,7 @@
 #include "captures/InputError.hpp"
 
 #include <array>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <fmt/format.h>
@@ -66,10 +67,14 @@ Finished run(const std::vector<std::string>& command) {
   while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }
   Finished result;
-  result.stopped = WIFSIGNALED(status);
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  result.stopped = signal == SIGINT || signal == SIGTERM || signal == SIGKILL;
   result.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   result.printed = printed.text();
   result.said = said.text();
+  if (signal != 0 && !result.stopped) {
+    result.said += fmt::format("{} crashed: {}\n", command.front(), strsignal(signal));
+  }
   return result;
 }
 

@@ -8,7 +8,7 @@ namespace naocal {
 /// A program that has ended.
 struct Finished {
   int exitCode = -1;
-  bool stopped = false; // by a signal, such as Ctrl-C
+  bool stopped = false; // from outside, such as by Ctrl-C; a crash is an exit code of -1 and a sentence in `said`
   std::string printed;  // on standard output
   std::string said;     // on standard error
 };

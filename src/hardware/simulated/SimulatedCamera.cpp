@@ -18,11 +18,9 @@ nanoseconds whole(Seconds seconds) {
 SimulatedCamera::SimulatedCamera(CameraName name, const SimulatedPlan& plan, TimePoint first)
     : name_{name}, plan_{plan.cameras}, seed_{plan.seed * 2 + (name == CameraName::bottom)},
       chance_{plan.seed, fmt::format("camera {}", toString(name))}, first_{first} {
-  Appearance appearance = plan_.appearance;
-  appearance.floorSeed = seed_;
   const double share = plan_.exposure / (plan_.exposure + plan_.readOut);
-  lens_ = std::make_shared<const SimulatedLens>(
-      SimulatedLens{Renderer{plan_.intrinsics.at(std::string{toString(name)})}, appearance, plan.boards, share});
+  lens_ = std::make_shared<const SimulatedLens>(SimulatedLens{
+      Renderer{plan_.intrinsics.at(std::string{toString(name)}), seed_}, plan_.appearance, plan.boards, share});
   schedule();
 }
 

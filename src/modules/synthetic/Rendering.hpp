@@ -43,7 +43,6 @@ struct Appearance {
   double noise = 3;                                   // sigma [grey level]
   double vignetting = 0;                              // share of light lost in the picture's corner
   std::optional<int> jpegQuality;                     // 1 .. 100: lossy compression
-  std::optional<std::uint64_t> floorSeed;             // of the floor's texture, where several pictures show the same
 };
 
 /// The picture that a camera takes of a scene; the same seed gives the same picture.
@@ -52,7 +51,8 @@ struct Appearance {
 /// Projection is written here for a second time, on purpose: pictures shall check the calibration's own.
 class Renderer {
 public:
-  explicit Renderer(const CameraIntrinsics& intrinsics);
+  /// `floorSeed`: of the floor's texture, where all pictures show the same.
+  explicit Renderer(const CameraIntrinsics& intrinsics, std::optional<std::uint64_t> floorSeed = {});
 
   GreyPicture picture(const RenderedScene& scene, const Appearance& appearance, std::uint64_t seed) const;
 
@@ -67,6 +67,7 @@ public:
 private:
   CameraIntrinsics intrinsics_;
   std::vector<Eigen::Vector2f> rays_; // (x, y) at z = 1 through the (width+1) x (height+1) pixel corners
+  std::vector<float> blotches_;       // of the floor in each pixel; empty: each picture has its own
 };
 
 /// Where a point is seen [px]; absent behind the camera or outside of the picture.

@@ -1,65 +1,81 @@
 #include "synthetic/RenderingFlats.hpp"
 
 #include "synthetic/RenderingLens.hpp"
-#include "synthetic/RenderingSheet.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <utility>
 
 namespace naocal {
 namespace {
 
-/// `lower` and `upper` are opposite corners of its outline in its own frame.
-Flat flat(const RigidTransform& opticalFromFlat, const Eigen::Vector2d& lower, const Eigen::Vector2d& upper,
-          const CameraIntrinsics& camera, std::function<float(float, float)> brightness) {
+/// A flat thing's opposite corners in its own frame.
+struct Outline {
+  Eigen::Vector2d lower, upper;
+};
+
+/// Adds where a flat thing is at one more instant.
+void addInstant(Flat& flat, const RigidTransform& opticalFromFlat, const Outline& outline,
+                const CameraIntrinsics& camera) {
   Eigen::Matrix3d rayFromPlane;
   rayFromPlane << opticalFromFlat.rotation.leftCols<2>(), opticalFromFlat.translation;
-  Flat result{rayFromPlane.inverse().cast<float>(), std::move(brightness), camera.width, -1, camera.height, -1};
-  const bool back = opticalFromFlat.rotation.col(2).dot(opticalFromFlat.translation) > 0;
-  if (back) {
-    result.brightness = [front = result.brightness](float x, float y) { return front(x, y) < 0 ? -1.f : 1.f; };
-  }
+  flat.planeFromRay.push_back(rayFromPlane.inverse().cast<float>());
   constexpr int steps = 16; // along a side: distortion bends it
   for (int i = 0; i < 4 * steps; ++i) {
     const double share = double(i % steps) / steps;
     const Eigen::Vector2d along[4] = {{share, 0}, {1, share}, {1 - share, 1}, {0, 1 - share}};
-    const Eigen::Vector2d p = lower + along[i / steps].cwiseProduct(upper - lower);
+    const Eigen::Vector2d p = outline.lower + along[i / steps].cwiseProduct(outline.upper - outline.lower);
     const Eigen::Vector3d seen = opticalFromFlat * Eigen::Vector3d{p.x(), p.y(), 0};
     if (seen.z() < 0.01 || seen.head<2>().norm() > 2 * seen.z()) { // too far aside to tell: look everywhere
-      result.left = result.top = 0;
-      result.right = camera.width - 1;
-      result.bottom = camera.height - 1;
+      flat.left = flat.top = 0;
+      flat.right = camera.width - 1;
+      flat.bottom = camera.height - 1;
       break;
     }
     const Eigen::Vector2d uv = renderedPixel(seen, camera);
-    result.left = std::max(0, std::min(result.left, int(uv.x()) - 3));
-    result.right = std::min(camera.width - 1, std::max(result.right, int(uv.x()) + 3));
-    result.top = std::max(0, std::min(result.top, int(uv.y()) - 3));
-    result.bottom = std::min(camera.height - 1, std::max(result.bottom, int(uv.y()) + 3));
+    flat.left = std::max(0, std::min(flat.left, int(uv.x()) - 3));
+    flat.right = std::min(camera.width - 1, std::max(flat.right, int(uv.x()) + 3));
+    flat.top = std::max(0, std::min(flat.top, int(uv.y()) - 3));
+    flat.bottom = std::min(camera.height - 1, std::max(flat.bottom, int(uv.y()) + 3));
   }
-  return result;
+}
+
+bool seenFromBehind(const RigidTransform& opticalFromFlat) {
+  return opticalFromFlat.rotation.col(2).dot(opticalFromFlat.translation) > 0;
 }
 
 } // namespace
 
-std::vector<Flat> flats(const RenderedScene& scene, const CameraIntrinsics& camera) {
+Eigen::Matrix3f Flat::at(float share) const {
+  const float place = share * float(planeFromRay.size() - 1);
+  const std::size_t before = std::min(std::size_t(place), planeFromRay.size() - 2);
+  return planeFromRay[before] + (place - float(before)) * (planeFromRay[before + 1] - planeFromRay[before]);
+}
+
+std::vector<Flat> flats(const std::vector<RenderedScene>& scenes, const CameraIntrinsics& camera) {
+  const Flat nowhere{nullptr, false, camera.width, -1, camera.height, -1, {}};
   std::vector<Flat> result;
-  for (const RenderedBoard& board : scene.boards) {
+  for (std::size_t i = 0; i < scenes.front().boards.size(); ++i) {
+    const RenderedBoard& board = scenes.front().boards[i];
     const Eigen::Vector2d outside{board.margin, board.margin};
     const Eigen::Vector2d size{board.pattern.squaresX * board.pattern.squareLength,
                                board.pattern.squaresY * board.pattern.squareLength};
-    const RenderingSheet sheet{board.pattern, board.margin};
-    result.push_back(flat(board.cameraOpticalFromBoard, Eigen::Vector2d{0, -size.y()} - outside,
-                          Eigen::Vector2d{size.x(), 0} + outside, camera,
-                          [sheet](float x, float y) { return sheet.brightness(x, -y); }));
+    const Outline outline{Eigen::Vector2d{0, -size.y()} - outside, Eigen::Vector2d{size.x(), 0} + outside};
+    Flat& flat = result.emplace_back(nowhere);
+    flat.painting = paintedSheet(board.pattern, board.margin);
+    flat.fromBehind = seenFromBehind(board.cameraOpticalFromBoard);
+    for (const RenderedScene& scene : scenes) {
+      addInstant(flat, scene.boards[i].cameraOpticalFromBoard, outline, camera);
+    }
   }
-  for (const Patch& patch : scene.patches) {
+  for (std::size_t i = 0; i < scenes.front().patches.size(); ++i) {
+    const Patch& patch = scenes.front().patches[i];
     const Eigen::Vector2d half = patch.size / 2;
-    result.push_back(flat(patch.cameraOpticalFromPatch, -half, half, camera,
-                          [half = half.cast<float>().eval(), grey = float(patch.brightness)](float x, float y) {
-                            return std::abs(x) <= half.x() && std::abs(y) <= half.y() ? grey : -1.f;
-                          }));
+    Flat& flat = result.emplace_back(nowhere);
+    flat.painting = paintedPatch(half.x(), half.y(), patch.brightness);
+    flat.fromBehind = seenFromBehind(patch.cameraOpticalFromPatch);
+    for (const RenderedScene& scene : scenes) {
+      addInstant(flat, scene.patches[i].cameraOpticalFromPatch, {-half, half}, camera);
+    }
   }
   std::reverse(result.begin(), result.end());
   return result;

@@ -1,21 +1,26 @@
 #pragma once
 
+#include "synthetic/Painting.hpp"
 #include "synthetic/Rendering.hpp"
 
 #include <Eigen/Core>
-#include <functional>
+#include <memory>
 #include <vector>
 
 namespace naocal {
 
-/// A flat thing made ready: where a ray meets its plane, what is painted there, and which pixels it may touch.
+/// A flat thing made ready: what is painted on it, which pixels it may touch, and where a ray meets its plane.
 struct Flat {
-  Eigen::Matrix3f planeFromRay;                  // (x, y, 1) / distance = planeFromRay * ray
-  std::function<float(float, float)> brightness; // at x, y of its frame [m]; negative: beyond its edge
-  int left, right, top, bottom;                  // [px], inclusive
+  std::shared_ptr<const Painting> painting;
+  bool fromBehind = false;                   // as seen at the first instant
+  int left, right, top, bottom;              // [px], inclusive, at all instants
+  std::vector<Eigen::Matrix3f> planeFromRay; // by instant: (x, y, 1) / distance = planeFromRay * ray
+
+  /// At a share of the span between the first and the last instant.
+  Eigen::Matrix3f at(float share) const;
 };
 
-/// All flat things of a scene, those in front first.
-std::vector<Flat> flats(const RenderedScene& scene, const CameraIntrinsics& camera);
+/// All flat things of a scene at several instants, those in front first.
+std::vector<Flat> flats(const std::vector<RenderedScene>& scenes, const CameraIntrinsics& camera);
 
 } // namespace naocal

@@ -97,6 +97,10 @@ std::string sameMotor(const std::string& effectAtPlace) {
 std::vector<Case> readCases(const std::filesystem::path& folder) {
   const std::string key = readFile(folder / "truth" / "key");
   std::vector<std::filesystem::path> files;
+  if (!std::filesystem::exists(folder / "answers")) {
+    throw std::runtime_error{fmt::format(
+        "{}: expected answers/NAME.json beside the sealed truths, found no answer yet", folder.string())};
+  }
   for (const auto& entry : std::filesystem::directory_iterator{folder / "answers"}) {
     if (entry.path().extension() == ".json") {
       files.push_back(entry.path());

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "MateClient.hpp"
+#include "TemporaryFolder.hpp"
+#include "captures/Files.hpp"
+#include "model/Robot.hpp"
+
+#include "RobotProcess.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+/// The process as it is shipped, with a configuration and recordings of its own, driven through its sockets.
+struct DrivenProcess {
+  using Json = nlohmann::json;
+
+  /// `now`: of the robot's own time.
+  void begin(RobotInterface& robot, CameraInterface& cameras, const Robot& drawing, std::function<TimePoint()> now,
+             bool realTime = false) {
+    std::filesystem::copy(std::filesystem::path{NAOCAL_SOURCE_DIR} / "home/configuration",
+                          folder.path() / "configuration", std::filesystem::copy_options::recursive);
+    SocketSettings sockets;
+    sockets.debugPort = sockets.configPort = 0;
+    robotNow = std::move(now);
+    process.emplace(robot, cameras, drawing, robot.waitForIdentity(std::chrono::seconds{5}).value(),
+                    RobotProcessOptions{folder.path() / "configuration", folder.path() / "recordings", "simulated",
+                                        sockets, realTime},
+                    [](std::string_view) {});
+  }
+
+  /// Starts a calibration over the sockets, answers its questions, and waits for its end; the last state that it told,
+  /// and `robotSeconds`: how long the robot moved, settled and took pictures in its own time. How long it computed
+  /// meanwhile says nothing where time runs as fast as the program.
+  /// `see`: every state on the way.
+  Json calibrated(const std::string& kind, const std::function<void(const Json&)>& see = {}) {
+    auto debug = MateClient::debug(process->sockets().debugPort());
+    auto config = MateClient::config(process->sockets().configPort());
+    const auto set = [&](const char* key, const Json& value) {
+      config.send(0, Json::array({{{"mp", "Brain.CalibrationRunner"}, {"key", key}, {"value", value}}}).dump());
+    };
+    debug.send(0, "Brain.calibration");
+    debug.send(3);
+    debug.receive(4);
+    process->start([](std::string_view) {});
+    set("run", kind);
+    Json state = {{"phase", "idle"}};
+    int answered = 0;
+    TimePoint last = robotNow();
+    double moving = 0; // [s]
+    while (state["phase"] != "finished" && state["phase"] != "failed") {
+      const auto update = debug.receive(2);
+      if (!update) {
+        return {{"phase", "the robot fell silent"}};
+      }
+      state = Json::parse(update->body).at(0)["value"];
+      const TimePoint now = robotNow();
+      if (state["phase"] == "moving" || state["phase"] == "collecting" || state["phase"] == "going home") {
+        moving += seconds(now - last);
+      }
+      last = now;
+      state["robotSeconds"] = moving;
+      if (state["phase"] == "waiting" && state["questionNumber"] != answered) {
+        answered = state["questionNumber"];
+        set("confirmed", answered);
+      }
+      if (see) {
+        see(state);
+      }
+    }
+    process->stop();
+    return state;
+  }
+  Json saved(const std::string& file) const {
+    return Json::parse(fileContent(folder.path() / "configuration/location" / file));
+  }
+  /// Of the last calibration's first round.
+  std::filesystem::path recording() const {
+    std::filesystem::path newest;
+    for (const auto& entry : std::filesystem::directory_iterator{folder.path() / "recordings"}) {
+      newest = std::max(newest, entry.path());
+    }
+    return newest / "first";
+  }
+
+  TemporaryFolder folder;
+  std::function<TimePoint()> robotNow;
+  std::optional<RobotProcess> process;
+};
+
+} // namespace naocal

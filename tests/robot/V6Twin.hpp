@@ -1,0 +1,149 @@
+#pragma once
+
+#include "../hardware/FakeVideo.hpp"
+#include "../hardware/LolaTwin.hpp"
+#include "DrivenProcess.hpp"
+#include "Hardware.hpp"
+
+#include "hardware/nao/LolaRobot.hpp"
+#include "hardware/nao/TouchOrder.hpp"
+#include "hardware/nao/VideoCameras.hpp"
+#include "hardware/simulated/SimulatedWorld.hpp"
+
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+namespace naocal {
+
+/// A kernel that two threads use: one takes pictures, the other one has the cameras.
+class SharedVideo : public VideoSystem {
+public:
+  void expose(const CameraFrame& frame) {
+    const std::lock_guard lock{mutex_};
+    const char* path = frame.camera == CameraName::top ? "/dev/video-top" : "/dev/video-bottom";
+    video_.expose(video_.cameras[path], frame.picture->bytes(), frame.time.time_since_epoch());
+  }
+  int open(const std::string& path) override {
+    return guarded([&] { return video_.open(path); });
+  }
+  void close(int file) override {
+    guarded([&] {
+      video_.close(file);
+      return 0;
+    });
+  }
+  int ioctl(int file, unsigned long request, void* argument) override {
+    return guarded([&] { return video_.ioctl(file, request, argument); });
+  }
+  void* map(std::size_t length, int file, long offset) override {
+    return guarded([&] { return video_.map(length, file, offset); });
+  }
+  void unmap(void* memory, std::size_t length) override {
+    guarded([&] {
+      video_.unmap(memory, length);
+      return 0;
+    });
+  }
+  int poll(std::span<pollfd> files, int milliseconds) override {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds{milliseconds};
+    int ready = 0;
+    while ((ready = guarded([&] { return video_.poll(files, 0); })) == 0 &&
+           std::chrono::steady_clock::now() < deadline) {
+      std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    }
+    return ready;
+  }
+
+private:
+  template <typename Call> auto guarded(const Call& call) {
+    const std::lock_guard lock{mutex_};
+    return call();
+  }
+  std::mutex mutex_;
+  FakeVideo video_;
+};
+
+/// A V6 as its head's programs meet it: LoLA's socket and two V4L2 cameras, behind which a simulated robot stands and
+/// time is the wall's.
+class V6Twin {
+public:
+  V6Twin(const Robot& drawing, SimulatedPlan plan, const std::filesystem::path& socket)
+      : world{drawing, plan}, lola_{socket}, body_{world.robot()}, eyes_{world.cameras()} {
+    motion_ = std::jthread{[this](const std::stop_token& stop) { live(stop); }};
+    sight_ = std::jthread{[this](const std::stop_token& stop) {
+      while (!stop.stop_requested()) {
+        if (const auto frame = eyes_->waitForFrame(std::chrono::milliseconds{50})) {
+          video.expose(*frame);
+        }
+      }
+    }};
+  }
+
+  SimulatedWorld world;
+  SharedVideo video;
+  std::atomic<int> commands = 0;
+
+private:
+  void live(const std::stop_token& stop) {
+    lola_.accept();
+    RobotCommand command;
+    command.angles = SimulatedPlan::standing();
+    command.stiffness.fill(0.8);
+    while (!stop.stop_requested()) {
+      const auto state = body_->waitForState(std::chrono::seconds{1});
+      if (!state ||
+          !lola_.send(twin::stateOf([&](std::string_view list, std::size_t i) { return number(*state, list, i); }))) {
+        continue;
+      }
+      const std::string message = lola_.receive(lolaCommandSize);
+      if (message.size() == lolaCommandSize) {
+        for (std::size_t i = 0; i < twin::names.size(); ++i) {
+          const std::size_t joint = *jointNumber(twin::names[i]);
+          command.angles[joint] = twin::commanded(message, "Position", i);
+          command.stiffness[joint] = std::max(0.f, twin::commanded(message, "Stiffness", i));
+        }
+        body_->send(command);
+        ++commands;
+      }
+    }
+  }
+
+  static double number(const RobotState& state, std::string_view list, std::size_t i) {
+    const auto joint = [&](const auto& values) { return double(values[*jointNumber(twin::names[i])]); };
+    const auto place = Eigen::Index(i);
+    return list == "Position"        ? joint(state.angles.values)
+           : list == "Stiffness"     ? joint(state.stiffness)
+           : list == "Current"       ? joint(state.current)
+           : list == "Temperature"   ? joint(state.temperature)
+           : list == "Accelerometer" ? state.accelerometer[place]
+           : list == "Gyroscope"     ? state.gyroscope[place]
+           : list == "Angles"        ? state.torsoAngles[place]
+           : list == "FSR"           ? state.forces[i]
+           : list == "Touch"         ? double(state.touch.*touchOrder[i])
+           : list == "Battery"       ? std::array{0.9, 0., -1.5, 30.}[i]
+                                     : 0;
+  }
+
+  twin::Server lola_;
+  std::unique_ptr<RobotInterface> body_;
+  std::unique_ptr<CameraInterface> eyes_;
+  std::jthread motion_, sight_;
+};
+
+/// The process as it runs on a V6's head.
+struct V6Process : DrivenProcess {
+  explicit V6Process(const SimulatedPlan& plan)
+      : twin{drawing, plan, folder.path() / "robocup"}, robot{folder.path() / "robocup"}, cameras{videoOptions("V6"),
+                                                                                                  twin.video} {
+    begin(robot, cameras, drawing, [] { return Clock::now(); });
+  }
+  ~V6Process() { process.reset(); }
+
+  Robot drawing = loadRobot(configurationDirectory(), "V6");
+  V6Twin twin;
+  LolaRobot robot;
+  VideoCameras cameras;
+};
+
+} // namespace naocal
