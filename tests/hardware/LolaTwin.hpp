@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <poll.h>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -157,6 +158,11 @@ public:
     const ssize_t got = recv(connection_, bytes.data(), count, MSG_WAITALL);
     bytes.resize(got > 0 ? std::size_t(got) : 0);
     return bytes;
+  }
+  /// Whether the other side says something within this time.
+  bool hears(int milliseconds) {
+    pollfd file{connection_, POLLIN, 0};
+    return poll(&file, 1, milliseconds) > 0;
   }
   /// Throws away what the other side sent.
   void forget() {

@@ -5,8 +5,11 @@
 #include "captures/Files.hpp"
 #include "model/Robot.hpp"
 
+#include "Hardware.hpp"
 #include "RobotProcess.hpp"
 
+#include <future>
+#include <mutex>
 #include <nlohmann/json.hpp>
 
 namespace naocal {
@@ -81,6 +84,27 @@ struct DrivenProcess {
       newest = std::max(newest, entry.path());
     }
     return newest / "first";
+  }
+
+  /// Replays a calibration's first round with its own configuration; what is said at the end.
+  static std::string replayed(const std::filesystem::path& recording, const std::filesystem::path& folder) {
+    const Hardware hardware = replayedHardware(recording / "first", recording / "configuration");
+    SocketSettings sockets;
+    sockets.debugPort = sockets.configPort = 0;
+    RobotProcess process{
+        *hardware.robot,
+        *hardware.cameras,
+        hardware.drawing,
+        hardware.robot->waitForIdentity(std::chrono::seconds{1}).value(),
+        RobotProcessOptions{recording / "configuration", folder, "simulated", sockets, false, hardware.replay.get()},
+        [](std::string_view) {}};
+    std::promise<std::string> over;
+    std::once_flag once;
+    process.start(
+        [&](std::string_view sentence) { std::call_once(once, [&] { over.set_value(std::string{sentence}); }); });
+    const std::string failure = over.get_future().get();
+    process.stop();
+    return failure.empty() ? process.replayed()->compared(recording / "first" / "result.json") : failure;
   }
 
   TemporaryFolder folder;

@@ -12,31 +12,6 @@ namespace naocal {
 
 using nlohmann::json;
 
-namespace {
-
-/// Replays a calibration's first round with its own configuration; what is said at the end.
-std::string replayed(const std::filesystem::path& recording, const std::filesystem::path& folder) {
-  const Hardware hardware = replayedHardware(recording / "first", recording / "configuration");
-  SocketSettings sockets;
-  sockets.debugPort = sockets.configPort = 0;
-  RobotProcess process{
-      *hardware.robot,
-      *hardware.cameras,
-      hardware.drawing,
-      hardware.robot->waitForIdentity(std::chrono::seconds{1}).value(),
-      RobotProcessOptions{recording / "configuration", folder, "simulated", sockets, false, hardware.replay.get()},
-      [](std::string_view) {}};
-  std::promise<std::string> over;
-  std::once_flag once;
-  process.start(
-      [&](std::string_view sentence) { std::call_once(once, [&] { over.set_value(std::string{sentence}); }); });
-  const std::string failure = over.get_future().get();
-  process.stop();
-  return failure.empty() ? process.replayed()->compared(recording / "first" / "result.json") : failure;
-}
-
-} // namespace
-
 TEST_CASE("both threads are wired with the shipped configuration") {
   // Proves that every dependency has its producer and every parameter its value, and that all keys are served.
   SimulatedProcess simulated{SimulatedProcess::plan(1, 0)};
@@ -113,8 +88,8 @@ TEST_CASE("a simulated robot calibrates a leg on one foot, and what was saved ca
 
   const std::filesystem::path recording = simulated.recording().parent_path();
   CHECK(std::filesystem::exists(recording / "configuration/location/default/sdk.json"));
-  CHECK(replayed(recording, simulated.folder.path() / "again").find("estimates are the recorded ones, bit for bit.") !=
-        std::string::npos);
+  CHECK(DrivenProcess::replayed(recording, simulated.folder.path() / "again")
+            .find("estimates are the recorded ones, bit for bit.") != std::string::npos);
 }
 
 TEST_CASE("a question that is not answered keeps the robot on both feet, and any other run ends it") {

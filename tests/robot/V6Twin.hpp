@@ -18,6 +18,11 @@ namespace naocal {
 
 /// A kernel that two threads use: one takes pictures, the other one has the cameras.
 class SharedVideo : public VideoSystem {
+  template <typename Call> auto guarded(const Call& call) {
+    const std::lock_guard lock{mutex_};
+    return call();
+  }
+
 public:
   void expose(const CameraFrame& frame) {
     const std::lock_guard lock{mutex_};
@@ -56,10 +61,6 @@ public:
   }
 
 private:
-  template <typename Call> auto guarded(const Call& call) {
-    const std::lock_guard lock{mutex_};
-    return call();
-  }
   std::mutex mutex_;
   FakeVideo video_;
 };
@@ -82,7 +83,7 @@ public:
 
   SimulatedWorld world;
   SharedVideo video;
-  std::atomic<int> commands = 0;
+  std::atomic<int> states = 0, commands = 0; // sent; heard
 
 private:
   void live(const std::stop_token& stop) {
@@ -96,7 +97,9 @@ private:
           !lola_.send(twin::stateOf([&](std::string_view list, std::size_t i) { return number(*state, list, i); }))) {
         continue;
       }
-      const std::string message = lola_.receive(lolaCommandSize);
+      ++states;
+      constexpr int patience = 8; // ms of a cycle's 12; the robot goes on without an answer
+      const std::string message = lola_.hears(patience) ? lola_.receive(lolaCommandSize) : "";
       if (message.size() == lolaCommandSize) {
         for (std::size_t i = 0; i < twin::names.size(); ++i) {
           const std::size_t joint = *jointNumber(twin::names[i]);

@@ -1,5 +1,6 @@
 #include "detect/Detection.hpp"
 #include "synthetic/Pictures.hpp"
+#include "synthetic/StandingPoses.hpp"
 
 #include "TemporaryFolder.hpp"
 #include "synthetic/HandMadePoses.hpp"
@@ -28,14 +29,15 @@ TEST_CASE("corners found in the rendered pictures are those that the simulation 
   // and that a simulated detector finds about what the real one does (each finds 80 % of the other's corners).
   // The detector's accuracy has tests of its own.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
-  SimulationPlan plan = handMadePlan(robot, 4);
+  SimulationPlan plan;
+  plan.poses = standingPoses(robot, plan, SupportFoot::left, 12, 1);
   plan.samples = 1;
   plan.corners.pixel = 0;
   const Simulation corners = simulate(robot, plan, 1);
   plan.images = true;
   const Simulation pictures = simulate(robot, plan, 1);
   const TemporaryFolder folder;
-  REQUIRE(takePictures(pictures, {}, 1, folder.path(), 2, [](std::size_t) { return true; }) == 8);
+  REQUIRE(takePictures(pictures, {}, 1, folder.path(), 2, [](std::size_t) { return true; }) == 24);
   std::size_t found = 0, given = 0, common = 0;
   for (std::size_t i = 0; i < pictures.set.captures.size(); ++i) {
     const Capture& capture = pictures.set.captures[i];
