@@ -13,6 +13,7 @@ namespace {
 
 constexpr const char* offsetsMount = "Motion.JointCalibrationProvider";
 constexpr const char* camerasMount = "Brain.Projection";
+const std::vector<std::string> calibrationMounts{offsetsMount, camerasMount};
 constexpr std::array mountAngles{"rx", "ry", "rz"};
 
 std::string offsetKey(std::string joint) {
@@ -69,12 +70,11 @@ void apply(const std::vector<ShownOffset>& offsets, const StoredResult& mounts, 
       configuration.set(camerasMount, mountKey(place), rotation);
     }
   }
-  configuration.save();
+  configuration.save(calibrationMounts);
 }
 
 void takeBack(Configuration& configuration) {
-  configuration.undo(offsetsMount);
-  configuration.undo(camerasMount);
+  configuration.undo(calibrationMounts);
 }
 
 } // namespace naocal

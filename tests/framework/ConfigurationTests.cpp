@@ -118,16 +118,63 @@ TEST_CASE("a save is undone and done again, comments included") {
   const std::string before = "// by hand\n{\"headYaw\": 1.0}";
   robot.file("default/body/Bob/Offsets.json", before);
   robot.configuration.mount("Motion.Offsets", "Offsets.json", Part::body);
-  CHECK(refusal([&] { robot.configuration.undo("Motion.Offsets"); }) ==
+  CHECK(refusal([&] { robot.configuration.undo({"Motion.Offsets"}); }) ==
         "Motion.Offsets: nothing was saved that could be undone");
   robot.configuration.set("Motion.Offsets", "headYaw", 2.0);
   robot.configuration.save();
-  robot.configuration.undo("Motion.Offsets");
+  robot.configuration.undo({"Motion.Offsets"});
   CHECK(fileContent(robot.path("default/body/Bob/Offsets.json")) == before);
   CHECK(robot.keys("Motion.Offsets")["headYaw"] == 1.0);
-  robot.configuration.undo("Motion.Offsets");
+  robot.configuration.undo({"Motion.Offsets"});
   CHECK(robot.content("default/body/Bob/Offsets.json")["headYaw"] == 2.0);
   CHECK(robot.keys("Motion.Offsets")["headYaw"] == 2.0);
+}
+
+TEST_CASE("what is saved together is old or new together, wherever the program ends") {
+  // Proves it for every write of a save and of an undo: the program ends there, and the next one finishes what was
+  // noted or finds nothing changed. A mount without changes is left as it is by both.
+  for (const bool undone : {false, true}) {
+    for (int writes = 0; writes <= 6; ++writes) {
+      ConfiguredRobot robot;
+      int left = 1000;
+      const auto writer = [&](const std::filesystem::path& file, std::string_view content) {
+        if (left-- <= 0) {
+          throw std::runtime_error{"the power is off"};
+        }
+        writeAtomically(file, content);
+      };
+      robot.file("default/body/default/Offsets.json", R"({"knee": 0})");
+      robot.file("default/head/default/Cameras.json", R"({"pitch": 0})");
+      robot.file("default/head/default/Other.json", R"({"kept": 0})");
+      const auto open = [&] {
+        auto configuration = std::make_unique<Configuration>(robot.folder.path(), robot.names, writer);
+        configuration->mount("Offsets", "Offsets.json", Part::body);
+        configuration->mount("Cameras", "Cameras.json", Part::head);
+        configuration->mount("Other", "Other.json", Part::head);
+        return configuration;
+      };
+      auto configuration = open();
+      const std::vector<std::string> together{"Offsets", "Cameras", "Other"};
+      const auto change = [&](int value) {
+        configuration->set("Offsets", "knee", value);
+        configuration->set("Cameras", "pitch", value);
+        configuration->save(together);
+      };
+      change(1);
+      left = writes;
+      CHECK_THROWS_AS(undone ? configuration->undo(together) : change(2), std::runtime_error);
+      left = 1000;
+      configuration = open();
+      json offsets, cameras, other;
+      configuration->keys("Offsets", offsets);
+      configuration->keys("Cameras", cameras);
+      configuration->keys("Other", other);
+      CHECK(offsets["knee"] == cameras["pitch"]);
+      CHECK(offsets["knee"] == (writes == 0 ? 1 : undone ? 0 : 2));
+      CHECK(other["kept"] == 0);
+      CHECK_FALSE(std::filesystem::exists(robot.path("unfinished-save.json")));
+    }
+  }
 }
 
 TEST_CASE("keys may hold dots, and places that do not exist cannot be set") {

@@ -29,7 +29,7 @@ struct DrivenProcess {
     process.emplace(robot, cameras, drawing, robot.waitForIdentity(std::chrono::seconds{5}).value(),
                     RobotProcessOptions{folder.path() / "configuration", folder.path() / "recordings", "simulated",
                                         sockets, realTime},
-                    [](std::string_view) {});
+                    [this](std::string_view line) { log += std::string{line} + "\n"; });
   }
 
   /// Starts a calibration over the sockets, answers its questions, and waits for its end; the last state that it told,
@@ -47,16 +47,19 @@ struct DrivenProcess {
     debug.receive(4);
     process->start([](std::string_view) {});
     set("run", kind);
-    Json state = {{"phase", "idle"}};
+    Json state = {{"phase", "idle"}}, before; // of an earlier calibration it tells how that ended
     int answered = 0;
     TimePoint last = robotNow();
     double moving = 0; // [s]
-    while (state["phase"] != "finished" && state["phase"] != "failed") {
+    bool begun = false;
+    while (!begun || (state["phase"] != "finished" && state["phase"] != "failed")) {
       const auto update = debug.receive(2);
       if (!update) {
         return {{"phase", "the robot fell silent"}};
       }
       state = Json::parse(update->body).at(0)["value"];
+      before = before.is_null() ? state : before;
+      begun = begun || state != before || (state["phase"] != "finished" && state["phase"] != "failed");
       const TimePoint now = robotNow();
       if (state["phase"] == "moving" || state["phase"] == "collecting" || state["phase"] == "going home") {
         moving += seconds(now - last);
@@ -109,6 +112,7 @@ struct DrivenProcess {
 
   TemporaryFolder folder;
   std::function<TimePoint()> robotNow;
+  std::string log; // to be read when the process has ended
   std::optional<RobotProcess> process;
 };
 

@@ -5,6 +5,7 @@
 #include "DrivenProcess.hpp"
 #include "Hardware.hpp"
 
+#include "framework/Thread.hpp"
 #include "hardware/nao/LolaRobot.hpp"
 #include "hardware/nao/TouchOrder.hpp"
 #include "hardware/nao/VideoCameras.hpp"
@@ -84,15 +85,18 @@ public:
   SimulatedWorld world;
   SharedVideo video;
   std::atomic<int> states = 0, commands = 0; // sent; heard
+  std::atomic<TimePoint> due{};              // when the last state was sent
 
 private:
   void live(const std::stop_token& stop) {
+    requestRealTimePriority(40); // as the firmware has, where the system grants it
     lola_.accept();
     RobotCommand command;
     command.angles = SimulatedPlan::standing();
     command.stiffness.fill(0.8);
     while (!stop.stop_requested()) {
       const auto state = body_->waitForState(std::chrono::seconds{1});
+      due = Clock::now();
       if (!state ||
           !lola_.send(twin::stateOf([&](std::string_view list, std::size_t i) { return number(*state, list, i); }))) {
         continue;
@@ -136,10 +140,15 @@ private:
 
 /// The process as it runs on a V6's head.
 struct V6Process : DrivenProcess {
-  explicit V6Process(const SimulatedPlan& plan)
+  using Watch = std::function<std::unique_ptr<RobotInterface>(RobotInterface&, V6Twin&)>;
+
+  /// `watch`: stands between the process and its robot.
+  explicit V6Process(const SimulatedPlan& plan, const Watch& watch = {})
       : twin{drawing, plan, folder.path() / "robocup"}, robot{folder.path() / "robocup"}, cameras{videoOptions("V6"),
                                                                                                   twin.video} {
-    begin(robot, cameras, drawing, [] { return Clock::now(); });
+    watched = watch ? watch(robot, twin) : nullptr;
+    begin(
+        watched ? *watched : robot, cameras, drawing, [] { return Clock::now(); }, watched != nullptr);
   }
   ~V6Process() { process.reset(); }
 
@@ -147,6 +156,7 @@ struct V6Process : DrivenProcess {
   V6Twin twin;
   LolaRobot robot;
   VideoCameras cameras;
+  std::unique_ptr<RobotInterface> watched; // real-time priority is asked for, too
 };
 
 } // namespace naocal

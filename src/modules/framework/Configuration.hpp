@@ -1,6 +1,7 @@
 #pragma once
 
 #include "framework/ConfigurationLayers.hpp"
+#include "framework/WrittenTogether.hpp"
 
 #include <functional>
 #include <map>
@@ -16,13 +17,11 @@ namespace naocal {
 /// layer of the robot that they belong to. All functions may be called from any thread.
 class Configuration {
 public:
-  /// Writes a file whole or not at all (`writeAtomically` does); throws what says why not.
-  using Writer = std::function<void(const std::filesystem::path& file, std::string_view content)>;
-
   /// Is given a top-level key's new value before it counts, and throws ConfigurationError to refuse it.
   using Listener = std::function<void(const std::string& key, const nlohmann::json& value)>;
 
-  Configuration(std::filesystem::path root, RobotNames names, Writer writer);
+  /// Finishes a save that was cut off.
+  Configuration(std::filesystem::path root, RobotNames names, FileWriter writer);
   ~Configuration();
 
   /// Serves a file's keys as `mount`. Throws ConfigurationError for a broken file or a mount name that is taken.
@@ -45,12 +44,15 @@ public:
   void set(std::string_view mount, std::string_view path, const nlohmann::json& value);
 
   /// Writes what was set since the last save into the robot's own files (savedFile), the file's other keys as they are;
-  /// the file as it was is kept beside it as `<file>.previous`. Each file is the old or the new one at any moment.
+  /// the file as it was is kept beside it as `<file>.previous`. Whatever ends the program, all files are old or all
+  /// new.
   void save();
+  /// Only these mounts, which `undo` is to undo together: changed or not, each has a previous file afterwards.
+  void save(const std::vector<std::string>& mounts);
 
-  /// Puts a mount's saved file back to what it was before its last save, and its keys with it; again: forward. Changes
-  /// that are not saved are lost. Throws ConfigurationError when nothing was ever saved.
-  void undo(std::string_view mount);
+  /// Puts mounts' saved files back to what they were before their last save, and their keys with them; again: forward.
+  /// Changes that are not saved are lost. Throws ConfigurationError when nothing was ever saved of one of them.
+  void undo(const std::vector<std::string>& mounts);
 
   /// Where a mount's changes are saved: the robot's own file of the default location, so that a robot keeps them
   /// wherever it plays; its file of the present location when that location sets keys of this mount already.
@@ -61,11 +63,12 @@ private:
   Mounted& mounted(std::string_view mount);
   const Mounted& mounted(std::string_view mount) const;
   std::filesystem::path target(const Mounted& mounted) const;
-  void save(Mounted& mounted);
+  std::filesystem::path journal() const;
+  void save(const std::vector<Mounted*>& mounts);
 
   std::filesystem::path root_;
   RobotNames names_;
-  Writer writer_;
+  FileWriter writer_;
   mutable std::mutex mutex_;
   std::map<std::string, std::unique_ptr<Mounted>, std::less<>> mounts_;
 };

@@ -1,0 +1,123 @@
+// How the configuration goes into files and back.
+#include "framework/Errors.hpp"
+#include "framework/Mounted.hpp"
+
+#include <fmt/format.h>
+#include <fstream>
+#include <sstream>
+
+namespace naocal {
+
+using nlohmann::json;
+
+namespace {
+
+std::filesystem::path previousOf(const std::filesystem::path& file) {
+  return file.string() + ".previous";
+}
+
+std::string written(const json& object) {
+  return object.dump(2) + "\n";
+}
+
+/// A file's bytes with all comments; an empty object's for one that does not exist.
+std::string textOf(const std::filesystem::path& file) {
+  std::ifstream stream{file, std::ios::binary};
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return stream ? text.str() : "{}\n";
+}
+
+} // namespace
+
+std::filesystem::path Configuration::target(const Mounted& entry) const {
+  const auto layers = layersOf(root_, entry.file, entry.part, names_);
+  const std::size_t perLocation = entry.part == Part::none ? 1 : 3;
+  for (std::size_t i = perLocation; i < layers.size(); ++i) {
+    for (const auto& [key, origin] : entry.overlay.origins) {
+      if (origin == layers[i]) {
+        return layers.back();
+      }
+    }
+  }
+  return layers[perLocation - 1];
+}
+
+std::filesystem::path Configuration::savedFile(std::string_view mount) const {
+  const std::lock_guard lock{mutex_};
+  return target(mounted(mount));
+}
+
+std::filesystem::path Configuration::journal() const {
+  return root_ / "location" / "unfinished-save.json";
+}
+
+void Configuration::save(const std::vector<Mounted*>& mounts) {
+  std::vector<FileContent> files;
+  for (const Mounted* entry : mounts) {
+    const auto file = target(*entry);
+    json content = readConfiguration(file).value_or(json::object());
+    for (const std::string& key : entry->changed) {
+      content[key] = (*entry->overlay.merged)[key];
+    }
+    const std::string present = textOf(file);
+    files.push_back({previousOf(file), present});
+    files.push_back({file, entry->changed.empty() ? present : written(content)});
+  }
+  writeTogether(journal(), files, writer_);
+  for (Mounted* entry : mounts) {
+    const auto file = target(*entry);
+    for (const std::string& key : entry->changed) {
+      entry->overlay.origins[key] = file;
+    }
+    entry->overlay.last = file;
+    entry->changed.clear();
+  }
+}
+
+void Configuration::save() {
+  const std::lock_guard lock{mutex_};
+  std::vector<Mounted*> changed;
+  for (const auto& [name, entry] : mounts_) {
+    if (!entry->changed.empty()) {
+      changed.push_back(entry.get());
+    }
+  }
+  save(changed);
+}
+
+void Configuration::save(const std::vector<std::string>& mounts) {
+  const std::lock_guard lock{mutex_};
+  std::vector<Mounted*> entries;
+  for (const std::string& mount : mounts) {
+    entries.push_back(&mounted(mount));
+  }
+  save(entries);
+}
+
+void Configuration::undo(const std::vector<std::string>& mounts) {
+  const std::lock_guard lock{mutex_};
+  std::vector<FileContent> files;
+  for (const std::string& mount : mounts) {
+    const auto file = target(mounted(mount));
+    if (!readConfiguration(previousOf(file))) {
+      throw ConfigurationError{fmt::format("{}: nothing was saved that could be undone", mount)};
+    }
+    files.push_back({file, textOf(previousOf(file))});
+    files.push_back({previousOf(file), textOf(file)});
+  }
+  writeTogether(journal(), files, writer_);
+  for (const std::string& mount : mounts) {
+    Mounted& entry = mounted(mount);
+    Overlay overlay{layersOf(root_, entry.file, entry.part, names_)};
+    if (entry.listener) {
+      for (const auto& [key, value] : overlay.merged->items()) {
+        entry.listener(key, value);
+      }
+    }
+    entry.overlay = std::move(overlay);
+    entry.changed.clear();
+  }
+}
+
+} // namespace naocal

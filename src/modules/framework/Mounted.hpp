@@ -1,0 +1,20 @@
+#pragma once
+
+#include "framework/Configuration.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+/// A file of the configuration as its mount serves it.
+struct Configuration::Mounted {
+  std::string name;
+  std::string file;
+  Part part = Part::none;
+  Listener listener;
+  Overlay overlay;
+  nlohmann::json published = nlohmann::json::object();
+  std::set<std::string> changed; // top-level keys since the last save
+};
+
+} // namespace naocal
