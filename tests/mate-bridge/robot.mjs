@@ -61,6 +61,13 @@ await page.locator(".plot canvas").first().waitFor();
 await page.waitForTimeout(2500);
 check((await page.locator("pre.value").first().innerText()).length > 20, "values are shown as they come");
 await portrait(page, axe, pictures, "live");
+const downloaded = async name => {
+  const [file] = await Promise.all([page.waitForEvent("download"), page.getByLabel(name, {exact: true}).click()]);
+  return readFileSync(await file.path());
+};
+check((await downloaded("save as PNG: Motion.angles")).subarray(1, 4).toString() === "PNG", "a plot over time is saved as a picture");
+const rows = (await downloaded("save as CSV: Motion.angles")).toString().trim().split("\n");
+check(rows[0].startsWith("time [s],") && rows.length > 50 && rows.every(row => row.split(",").length === rows[0].split(",").length), "and as a table");
 
 // Parameters: nothing is written before the person says so.
 await tab("Configuration");

@@ -36,6 +36,11 @@ export class History {
     return [part(this.times), ...names.map(name => part(this.series.get(name)))];
   }
 
+  // All of it as a table, names first.
+  rows() {
+    return [["time [s]", ...this.names().map(name => name || "value")], ...this.times.map((time, i) => [time, ...[...this.series.values()].map(values => values[i])])];
+  }
+
   // The last value for people, shortened.
   text() {
     const text = JSON.stringify(this.last, (key, value) => typeof value === "number" && !Number.isInteger(value) ? Number(value.toPrecision(6)) : value);

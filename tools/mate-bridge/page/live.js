@@ -1,6 +1,6 @@
 // Live: both cameras, and any number of values over time.
 import uPlot from "uplot";
-import {make, button, empty, choice} from "./elements.js";
+import {make, button, csv, download, empty, choice} from "./elements.js";
 import {wish} from "./subscriptions.js";
 import {Camera, cameraKeys} from "./camera.js";
 import {colours} from "./canvas.js";
@@ -17,7 +17,7 @@ export function showLive(parent) {
   const robot = lookedAt(), why = whyNothing();
   if (robot !== shownRobot) forget();
   shownRobot = robot;
-  figures.clear();
+  forgetFigures();
   parent.replaceChildren(make("h1", {}, "Live"), robotBar(() => showLive(parent)), ...(why ? [empty(...why)] : content(robot)));
   if (!why) follow();
 }
@@ -25,6 +25,12 @@ export function showLive(parent) {
 export function leaveLive() {
   parentShown = null;
   follow();
+  forgetFigures();
+}
+
+// A plot that is only dropped would be kept by what it listens to.
+function forgetFigures() {
+  for (const {plot} of figures.values()) if (plot) plot.destroy();
   figures.clear();
 }
 
@@ -71,14 +77,20 @@ function keyList(values) {
 
 function plots() {
   const part = make("div", {class: "plots"});
+  forgetFigures();
   if (!plotted.size) part.append(empty("Nothing is plotted", "Choose values on the left; any number can be shown at a time."));
   for (const key of plotted) {
     const drawn = make("div", {class: "plot"}), words = make("pre", {class: "value"}, "waiting for its first value");
-    part.append(make("figure", {}, make("figcaption", {}, make("b", {}, key), button("×", () => { plotted.delete(key); showLive(parentShown); }, {class: "small", "aria-label": "stop plotting " + key})), drawn, words));
+    part.append(make("figure", {}, make("figcaption", {}, make("b", {}, key), ...savers(key), button("×", () => { plotted.delete(key); showLive(parentShown); }, {class: "small", "aria-label": "stop plotting " + key})), drawn, words));
     figures.set(key, {drawn, words, plot: null, names: "", colours: null});
   }
   return part;
 }
+
+// What is drawn as a picture, and all that is remembered of it as a table.
+const savers = key => [
+  button("PNG", () => { const {plot} = figures.get(key); if (plot) plot.ctx.canvas.toBlob(blob => download(key + ".png", blob)); }, {class: "small", "aria-label": "save as PNG: " + key}),
+  button("CSV", () => { const history = histories.get(key); if (history) download(key + ".csv", csv(history.rows()), "text/csv"); }, {class: "small", "aria-label": "save as CSV: " + key})];
 
 const follow = () => wish("live", parentShown && shownRobot, [...plotted, ...slots.map(({key}) => key).filter(Boolean)]);
 

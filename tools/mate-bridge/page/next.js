@@ -38,7 +38,7 @@ function poseFigure(pose, next) {
   }
   known.drawn = standingFigure(() => ({now: null, next: known.hull ? known : null}), "pose " + pose.id);
   return make("figure", {}, known.drawn, make("figcaption", {}, make("b", {}, pose.id), " on the " + pose.supportFoot + " foot, sees " + (pose.observes.length ? "board " + pose.observes.join(", ") : "no board") +
-    (pose.secondsToReach ? ", " + pose.secondsToReach.toFixed(1) + " s away" : "")));
+    (pose.secondsToReach ? ", reached in " + pose.secondsToReach.toFixed(1) + " s" : "")));
 }
 
 // A robot that takes poses by its socket plays them and records what it sees.

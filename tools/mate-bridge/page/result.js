@@ -34,7 +34,7 @@ function estimate({name, value, low, high, learned}, unit, place, marks) {
   bar.style.left = place(low);
   bar.style.right = "calc(100% - " + place(high) + ")";
   axis.appendChild(make("span", {class: "dot"})).style.left = place(value);
-  const told = make("span", {class: "learned number" + (learned < 0.5 ? " little" : "")}, share + " %");
+  const told = make("span", {class: "learned number" + (learned < 0.5 ? " little" : "")}, make("span", {}, share + " %"));
   told.style.setProperty("--share", share + "%");
   return make("div", {class: "estimate"}, make("span", {}, name), axis, make("span", {class: "number"}, withError(value, (high - low) / 2, unit)), told);
 }
