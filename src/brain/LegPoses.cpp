@@ -14,27 +14,19 @@ const char* nameOf(SupportFoot foot) {
   return foot == SupportFoot::left ? "left" : "right";
 }
 
-PoseOptions onFoot(SupportFoot foot) {
-  PoseOptions options;
-  options.supportFoot = foot;
-  return options;
-}
-
-/// Legs and head: what is between a sole and a camera.
-bool isCalibrated(const std::string& joint) {
-  return joint.starts_with("Head") || joint.find("Hip") != std::string::npos ||
-         joint.find("Knee") != std::string::npos || joint.find("Ankle") != std::string::npos;
+Eigen::VectorXd drawn(const Robot& drawing, const CompensatedAngles& stand) {
+  Eigen::VectorXd angles{at(drawing.joints.size())};
+  for (std::size_t joint = 0; joint < drawing.joints.size(); ++joint) {
+    angles[at(joint)] = stand[jointNumber(drawing.joints[joint].name).value()];
+  }
+  return angles;
 }
 
 } // namespace
 
 LegPoses::LegPoses(const Robot& drawing, const PoseFile& file, SupportFoot foot, const CompensatedAngles& stand)
-    : drawing_{drawing}, foot_{foot}, options_{onFoot(foot)}, ways_{drawing, options_} {
-  Eigen::VectorXd angles{at(drawing.joints.size())};
-  for (std::size_t joint = 0; joint < drawing.joints.size(); ++joint) {
-    angles[at(joint)] = stand[jointNumber(drawing.joints[joint].name).value()];
-  }
-  ontoFoot_ = ontoOneFoot(drawing, foot, angles);
+    : drawing_{drawing}, foot_{foot}, ways_{drawing, foot, drawn(drawing, stand),
+                                            std::min(file.jointError, PoseOptions{}.stability.jointError)} {
   std::copy_if(file.poses.begin(), file.poses.end(), std::back_inserter(poses_),
                [&](const PlayablePose& pose) { return pose.supportFoot == foot; });
   if (poses_.empty()) {
@@ -42,49 +34,14 @@ LegPoses::LegPoses(const Robot& drawing, const PoseFile& file, SupportFoot foot,
   }
 }
 
-std::optional<LegPoses::Way> LegPoses::safeWay(const Eigen::VectorXd& to) const {
-  for (const int parts : {1, 2, 4, 8}) {
-    auto way = betweenOnOneFoot(drawing_, foot_, ontoFoot_.back(), to, parts);
-    if (!way) {
-      continue;
-    }
-    way->push_back(to);
-    const Eigen::VectorXd* last = &ontoFoot_.back();
-    const bool safe = std::all_of(way->begin(), way->end(), [&](const Eigen::VectorXd& point) {
-      return ways_.seconds(*std::exchange(last, &point), point).has_value();
-    });
-    if (safe) {
-      return way;
-    }
+OneFootWays::Approach LegPoses::approach(const PlayablePose& pose, double distance, std::mt19937_64& random) const {
+  auto found = ways_.approach(pose.angles, pose.approach, distance, random);
+  if (!found) {
+    throw InputError{fmt::format("pose {}: there is no safe way to it from standing upright on the {} foot; plan other "
+                                 "poses with 'naocal poses'",
+                                 pose.id, nameOf(foot_))};
   }
-  return std::nullopt;
-}
-
-LegPoses::Approach LegPoses::approach(const PlayablePose& pose, double distance, std::mt19937_64& random) const {
-  constexpr int tries = 16;
-  Approach result{Eigen::VectorXd::Zero(pose.angles.size()), {}};
-  for (int attempt = 0; attempt < tries; ++attempt) {
-    for (std::size_t joint = 0; joint < drawing_.joints.size(); ++joint) {
-      const double side = random() % 2 == 0 ? 1 : -1;
-      result.side[at(joint)] = !isCalibrated(drawing_.joints[joint].name) ? 0
-                               : pose.approach[at(joint)] != 0            ? pose.approach[at(joint)]
-                                                                          : side;
-      if (const std::size_t motor = drawing_.joints[joint].motor; motor != joint) {
-        result.side[at(joint)] = result.side[at(motor)];
-      }
-    }
-    const Eigen::VectorXd below = pose.angles - distance * result.side, above = pose.angles + distance * result.side;
-    if (!ways_.seconds(below, pose.angles) || !ways_.seconds(pose.angles, above)) {
-      continue;
-    }
-    if (auto way = safeWay(below)) {
-      result.way = std::move(*way);
-      return result;
-    }
-  }
-  throw InputError{fmt::format("pose {}: there is no safe way to it from standing upright on the {} foot; plan other "
-                               "poses with 'naocal poses'",
-                               pose.id, nameOf(foot_))};
+  return *std::move(found);
 }
 
 CompensatedAngles LegPoses::robotAngles(const Eigen::VectorXd& angles) const {
@@ -108,13 +65,13 @@ CalibrationRound LegPoses::round(const RoundOptions& options, int stance) const 
                        {},
                        0,
                        {}};
-  for (const Eigen::VectorXd& angles : ontoFoot_) {
+  for (const Eigen::VectorXd& angles : ways_.onto()) {
     onto.points.push_back(robotAngles(angles));
   }
   std::vector<CompensatedAngles> back = {onto.points.back()}; // upright again, from the pose before
   round.push_back(std::move(onto));
   for (const PlayablePose& pose : poses) {
-    const Approach first = approach(pose, options.approach, random);
+    const OneFootWays::Approach first = approach(pose, options.approach, random);
     for (int repeat = 0; repeat < options.pictures; ++repeat) {
       const Eigen::VectorXd side = repeat % 2 == 0 ? first.side : -first.side;
       CalibrationStep step{fmt::format("Pose {}", pose.id), "", {}, 1, {}};
@@ -123,7 +80,7 @@ CalibrationRound LegPoses::round(const RoundOptions& options, int stance) const 
         back.clear();
         std::transform(first.way.rbegin(), first.way.rend(), std::back_inserter(back),
                        [this](const Eigen::VectorXd& angles) { return robotAngles(angles); });
-        back.push_back(robotAngles(ontoFoot_.back()));
+        back.push_back(robotAngles(ways_.onto().back()));
         std::transform(first.way.begin(), first.way.end(), std::back_inserter(step.points),
                        [this](const Eigen::VectorXd& angles) { return robotAngles(angles); });
       } else {

@@ -3,7 +3,7 @@ import {cpSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync}
 import {spawn} from "node:child_process";
 import {join} from "node:path";
 
-export function robotIn(here, program, configuration) {
+export function robotIn(here, program, configuration, options = []) {
   cpSync(configuration, join(here, "configuration"), {recursive: true});
   const settings = join(here, "configuration/location/default/sdk.json");
   writeFileSync(settings, readFileSync(settings, "utf8").replace('"network.enableDebugTCPTransport": true', '"network.enableDebugTCPTransport": false')
@@ -13,7 +13,7 @@ export function robotIn(here, program, configuration) {
   return {
     // Its address, once it listens.
     async start() {
-      process_ = spawn(program, ["--configuration", join(here, "configuration"), "--recordings", join(here, "recordings")], {stdio: "ignore"});
+      process_ = spawn(program, ["--configuration", join(here, "configuration"), "--recordings", join(here, "recordings"), ...options], {stdio: "ignore"});
       process.on("exit", () => process_.kill("SIGKILL"));
       for (let i = 0; i < 300; ++i) {
         const name = readdirSync(join(here, "sockets")).find(one => existsSync(join(here, "sockets", one, "config")));

@@ -2,9 +2,11 @@
 
 #include "poses/Approach.hpp"
 #include "poses/Discrimination.hpp"
+#include "poses/OneFootWays.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 namespace naocal {
@@ -22,7 +24,7 @@ std::vector<ProposedPose> candidates(const Robot& robot, const CaptureSet& set, 
     wanted.supportFoot = here.supportFoot;
     wanted.seed = options.seed;
     wanted.tries = 400 * options.candidates;
-    wanted.stability.draws = 0; // the offsets are known by now: the fitted robot is tried, not any that might be
+    wanted.stability.jointError = options.jointError;
     const Scene scene{robot, here.supportFoot, here.boards, set.cameras, wanted.sight};
     for (const Belief& belief : stableAttitudes(robot, scene, wanted, options.candidates / around.size())) {
       ProposedPose pose{{here.supportFoot, belief.values.head(static_cast<Eigen::Index>(robot.joints.size())), {}},
@@ -37,18 +39,39 @@ std::vector<ProposedPose> candidates(const Robot& robot, const CaptureSet& set, 
   return result;
 }
 
-/// The poses of the largest gain, each beside those before it; `known` gets what they tell.
+/// Whether poses on one foot can be reached from standing upright on it, each joint from the side that is wanted.
+class Reach {
+public:
+  Reach(const Robot& robot, double jointError) : robot_{robot}, jointError_{jointError} {}
+
+  bool operator()(const ProposedPose& pose) {
+    const SupportFoot foot = pose.pose.supportFoot;
+    if (foot != SupportFoot::left && foot != SupportFoot::right) {
+      return true;
+    }
+    constexpr double aside = radians(1); // where an approach begins, as robots have it
+    const auto ways = ways_.try_emplace(foot, robot_, foot, bentKnees(robot_), jointError_).first;
+    std::mt19937_64 random{1};
+    return ways->second.approach(pose.pose.angles, pose.approach, aside, random).has_value();
+  }
+
+private:
+  const Robot& robot_;
+  double jointError_;
+  std::map<SupportFoot, OneFootWays> ways_;
+};
+
+/// The poses of the largest gain that can be reached, each beside those before it; `known` gets what they tell.
 std::vector<std::size_t> greedily(const Discrimination& discrimination, const PlannedInformation& information,
-                                  std::size_t count, Eigen::MatrixXd& known) {
+                                  const std::vector<ProposedPose>& poses, Reach reachable, std::size_t count,
+                                  Eigen::MatrixXd& known) {
   const Eigen::VectorXd before = discrimination.misfits(known);
-  std::vector<std::size_t> chosen;
-  while (chosen.size() < std::min(count, information.promised.size())) {
+  std::vector<std::size_t> chosen, left(poses.size());
+  std::iota(left.begin(), left.end(), 0);
+  while (chosen.size() < count && !left.empty()) {
     double best = -1;
     std::size_t next = 0;
-    for (std::size_t i = 0; i < information.promised.size(); ++i) {
-      if (std::find(chosen.begin(), chosen.end(), i) != chosen.end()) {
-        continue;
-      }
+    for (const std::size_t i : left) {
       Eigen::MatrixXd with = known;
       information.promised[i].addTo(with);
       if (const double gain = discrimination.gain(before, discrimination.misfits(with)); gain > best) {
@@ -56,8 +79,11 @@ std::vector<std::size_t> greedily(const Discrimination& discrimination, const Pl
         next = i;
       }
     }
-    information.promised[next].addTo(known);
-    chosen.push_back(next);
+    std::erase(left, next);
+    if (reachable(poses[next])) { // looked at last, because ways take long to look at
+      information.promised[next].addTo(known);
+      chosen.push_back(next);
+    }
   }
   return chosen;
 }
@@ -105,6 +131,7 @@ NextPoses nextPoses(const std::vector<CaptureSet>& sets, const Measurements& mea
   }
   result.stable = drawn.size() / (bothWays ? 2 : 1);
   result.seeing = poses.size() / (bothWays ? 2 : 1);
+  result.jointError = options.jointError;
   result.noise = fit.noise;
   result.firstStance = plannedStance(sets, SupportFoot::left);
   result.samples = samplesOf(measurements);
@@ -113,7 +140,8 @@ NextPoses nextPoses(const std::vector<CaptureSet>& sets, const Measurements& mea
       plannedInformation(sets, measurements, fit, question, result.around, poses, options.samePlace);
   const Discrimination discrimination{question, static_cast<Eigen::Index>(information.own.unknownCount())};
   Eigen::MatrixXd known = information.known;
-  for (const std::size_t chosen : greedily(discrimination, information, options.count, known)) {
+  for (const std::size_t chosen :
+       greedily(discrimination, information, poses, Reach{robot, options.jointError}, options.count, known)) {
     result.poses.push_back(poses[chosen]);
   }
   result.growth = discrimination.growth(discrimination.misfits(information.known), discrimination.misfits(known));

@@ -13,7 +13,8 @@ struct NextOptions {
   std::size_t count = 4;        // poses to propose
   std::size_t candidates = 300; // stable attitudes to choose from
   std::uint64_t seed = 1;
-  bool samePlace = false; // as the measurements were made
+  bool samePlace = false;           // as the measurements were made
+  double jointError = radians(1.5); // of robots that will take them, whose offsets are known by then (Stability) [rad]
 };
 
 /// Poses that would best answer what captures leave open.
@@ -31,6 +32,7 @@ struct NextPoses {
   Noise noise;            // of the fit
   double samples = 1;     // per pose and camera, as in the captures
   int firstStance = 0;    // that they are taken in
+  double jointError = 0;  // of robots that stand in them and reach them [rad]
 };
 
 /// Chooses among stable poses in sight of the boards (PoseGenerator), on the captures' feet, each approached from above

@@ -15,7 +15,8 @@ namespace naocal {
 
 OneFoot::OneFoot(const Robot& robot, SupportFoot supportFoot)
     : robot_{robot}, supportLeg_{robot, supportSole(robot, supportFoot).name},
-      otherLeg_{robot, otherSole(robot, supportFoot).name}, middle_{naocal::middle(supportSole(robot, supportFoot).outline)} {}
+      otherLeg_{robot, otherSole(robot, supportFoot).name}, middle_{naocal::middle(
+                                                                supportSole(robot, supportFoot).outline)} {}
 
 bool OneFoot::stand(Belief& belief, RigidTransform soleFromTorso, const RigidTransform& soleFromOther,
                     const Eigen::Vector2d& centre) const {
@@ -43,6 +44,17 @@ bool OneFoot::bend(Belief& belief, const RigidTransform& soleFromTorso, const Ri
     belief.angle(otherLeg_.joints()[i]) = (*other)[i];
   }
   return true;
+}
+
+Eigen::VectorXd bentKnees(const Robot& robot) {
+  Eigen::VectorXd angles = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.joints.size()));
+  for (const auto& [joint, degrees] : {std::pair{"ShoulderPitch", 90}, std::pair{"HipPitch", -25},
+                                       std::pair{"KneePitch", 50}, std::pair{"AnklePitch", -25}}) {
+    for (const char* side : {"L", "R"}) {
+      angles[static_cast<Eigen::Index>(robot.jointIndex(side + std::string{joint}).value())] = radians(degrees);
+    }
+  }
+  return angles;
 }
 
 std::vector<Eigen::VectorXd> ontoOneFoot(const Robot& robot, SupportFoot supportFoot, const Eigen::VectorXd& stand) {

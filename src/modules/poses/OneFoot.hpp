@@ -33,6 +33,9 @@ private:
   Eigen::Vector2d middle_;
 };
 
+/// Standing on both feet, feet flat and knees bent by 50 degrees, arms hanging [rad].
+Eigen::VectorXd bentKnees(const Robot& robot);
+
 /// How a robot that stands on both feet comes onto one: the torso moves over the foot while the other one stays on the
 /// floor, then that one is lifted. The angles to pass through (per joint, legs as they must be, the rest as in
 /// `stand`) [rad]; the last ones are a pose on one foot, upright, from which others are reached.

@@ -1,6 +1,7 @@
 #include "poses/PoseFile.hpp"
 
 #include "captures/CaptureWords.hpp"
+#include "poses/OneFoot.hpp"
 #include "poses/PoseJson.hpp"
 #include "poses/PoseOrder.hpp"
 
@@ -22,33 +23,36 @@ Json boardsOf(const NextPoses& next) {
   return Json::array();
 }
 
-/// As fast as the joints can.
-std::vector<std::optional<double>> secondsAtFullSpeed(const NextPoses& next, const Robot& robot) {
+/// Straight on from one to the next, as slowly as a robot on one foot moves.
+std::vector<std::optional<double>> secondsBetweenThem(const NextPoses& next, const Robot& robot) {
   std::vector<std::optional<double>> result;
-  Eigen::VectorXd before = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.joints.size()));
+  Eigen::VectorXd before = bentKnees(robot);
   for (const ProposedPose& pose : next.poses) {
-    result.push_back(secondsBetween(robot, before, pose.pose.angles, 1));
+    result.push_back(secondsBetween(robot, before, pose.pose.angles, Motion{}.speed));
     before = pose.pose.angles;
   }
   return result;
 }
 
 Json assumptions(const NextPoses& next) {
-  return {{"noise", noiseJson(next.noise)},
-          {"samples", next.samples},
-          {"angles", "sent to the motors as they stand, without compensation"},
-          {"boards", "lie where they lay when the last captures were taken; here seen from the first pose's sole"},
-          {"collisions", "no part of the drawn robot touches another"},
-          {"stance", "the robot stands anew, about where it stood"},
-          {"predictedSigma", "from the captures and these poses together"}};
+  return {
+      {"jointError", next.jointError},
+      {"noise", noiseJson(next.noise)},
+      {"samples", next.samples},
+      {"angles", "what the joints shall have: a robot adds its offsets; sent as they are, the fitted robot stands too"},
+      {"boards", "lie where they lay when the last captures were taken; here seen from the first pose's sole"},
+      {"collisions", "no part of the drawn robot touches another"},
+      {"stance", "the robot stands anew, about where it stood"},
+      {"predictedSigma", "from the captures and these poses together"}};
 }
 
 } // namespace
 
 Json nextJson(const NextPoses& next, const Robot& robot) {
-  return {{"poses", posesOf(next.poses, secondsAtFullSpeed(next, robot), robot)},
+  return {{"poses", posesOf(next.poses, secondsBetweenThem(next, robot), robot)},
           {"why", next.why},
-          {"growth", next.growth}};
+          {"growth", next.growth},
+          {"assumptions", {{"jointError", next.jointError}}}};
 }
 
 Json posesJson(const NextPoses& next, const Robot& robot) {

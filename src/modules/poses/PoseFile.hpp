@@ -29,6 +29,7 @@ struct PoseFile {
   std::vector<PlayablePose> poses;         // in the order to take them
   std::map<std::string, Placement> boards; // where they lie, seen from the sole, by id; empty: the file does not say
   int firstStance = 0;                     // the number of the first stance that they are taken in
+  double jointError = radians(6.5);        // of robots that stand in them and on the way (Stability) [rad]
 };
 
 /// Throws InputError for a file that is none, is of another robot, or holds angles that its joints cannot take.

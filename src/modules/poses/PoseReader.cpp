@@ -87,6 +87,11 @@ PoseFile readPoseFile(const std::filesystem::path& file, const Robot& robot) {
   if (const auto stance = all.find("firstStance")) {
     result.firstStance = stance->integer(0, 1'000'000);
   }
+  if (const auto assumptions = all.find("assumptions")) {
+    if (const auto jointError = assumptions->find("jointError")) {
+      result.jointError = jointError->number({0, radians(20), "rad"});
+    }
+  }
   if (const auto boards = all.find("boards")) {
     for (const JsonPlace& board : boards->elements()) {
       result.boards[board.at("id").text()] = readFloorPlacement(board.at("placement"));

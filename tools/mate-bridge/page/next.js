@@ -48,11 +48,11 @@ function playing(next, again) {
   if (!can) return [make("p", {class: "controls"}, save, make("span", {class: "soft"}, "A robot that takes poses by its socket plays them once it was looked at in Calibrate; or play the file."))];
   if (!confirming) return [make("p", {class: "controls"}, button("Play on " + robot + " …", () => { confirming = true; again(); }, {class: "main"}), save)];
   return [make("div", {class: "confirm", role: "group", "aria-label": "confirm"},
-    make("p", {}, robot + " will take these " + next.poses.length + " poses on one foot before its boards, and record what it sees. Is everybody's hand ready to catch it?"),
+    make("p", {}, robot + " will take these " + next.poses.length + " poses on one foot before its boards, and record what it sees. They are safe for joint offsets that are known to " + Math.round(180 / Math.PI * 10 * next.assumptions.jointError) / 10 + "°: calibrate its legs first. Is everybody's hand ready to catch it?"),
     make("p", {class: "controls"}, button("Play", () => {
       confirming = false;
       const settings = (key, value) => act({do: "set", robot, settings: [{mp: runner, key, value}]});
-      settings("poses", {format: "naocal-poses", version: 1, robot: state.set.robot, poses: next.poses});
+      settings("poses", {format: "naocal-poses", version: 1, robot: state.set.robot, poses: next.poses, assumptions: next.assumptions});
       settings("run", "");
       settings("run", "poses");
       notice("Asked " + robot + " to take these poses: Calibrate shows how it fares.");

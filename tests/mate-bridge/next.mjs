@@ -1,0 +1,53 @@
+// Captures leave something open; the panel suggests poses, plays them on the connected robot after a person agreed, and
+// the robot's recording is opened in the panel.
+// Proves the way from a question to the captures that answer it, between panel, bridge, science and robot process.
+// Usage: node next.mjs NAOCAL NAOCAL-ROBOT MATE-BRIDGE NODE_MODULES CONFIGURATION PICTURES
+import {existsSync, readdirSync, readFileSync, writeFileSync} from "node:fs";
+import {join} from "node:path";
+import {tools, check, panelOf, run, folder, quietPage, portrait, end} from "./browser.mjs";
+import {robotIn} from "./robotHere.mjs";
+
+const [, , naocal, robotProgram, bridge, modules, configuration, pictures] = process.argv;
+const {launch, axe} = tools(modules), here = folder();
+run(naocal, "simulate", join(here, "few"), "--hidden-flaw", "--flaw-scale", "0.3", "--poses", "6", "--samples", "2", "--repeat-kind", "reapproach", "--offset-degrees", "0.5", "--seed", "1");
+const simulation = join(here, "simulation.json");
+writeFileSync(simulation, JSON.stringify({offsetRangeDegrees: 0.5}));
+const robot = robotIn(here, robotProgram, configuration, ["--simulation", simulation]);
+const panel = await panelOf(bridge, join(here, "few"), "--robot", await robot.start()), browser = await launch();
+const page = await quietPage(browser, panel.address), tab = name => page.getByRole("button", {name, exact: true}).click();
+const idle = () => page.waitForFunction(() => document.getElementById("work").textContent === "");
+
+await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor();
+await idle();
+await tab("Calibrate"); // looks at the robot
+await page.getByText("pictures a second").first().waitFor({timeout: 60000});
+await tab("Next poses");
+await page.getByLabel("How many").selectOption("2");
+await page.getByRole("button", {name: "Suggest poses"}).click();
+await page.locator("figure figcaption", {hasText: "foot, sees"}).nth(1).waitFor({timeout: 60000});
+check(true, "poses are suggested: " + (await page.locator("figure figcaption").allInnerTexts()).join("; "));
+await portrait(page, axe, pictures, "next");
+await page.getByRole("button", {name: /^Play on/}).click();
+await portrait(page, axe, pictures, "next-confirm");
+await page.getByRole("button", {name: "Play", exact: true}).click();
+
+// The robot asks before it steps onto its foot.
+await page.getByRole("button", {name: "Confirm"}).click({timeout: 120000});
+await page.getByRole("heading", {name: /^(Finished|Failed)$/}).waitFor({timeout: 300000});
+check(await page.getByRole("heading", {name: "Finished"}).count() === 1, "the robot took them: " + await page.getByRole("heading", {name: /^(Finished|Failed)$/}).locator("xpath=following-sibling::p[1]").innerText());
+const sessions = readdirSync(join(here, "recordings")).map(name => join(here, "recordings", name, "first")).filter(path => existsSync(join(path, "captures.json")));
+const taken = sessions.length ? JSON.parse(readFileSync(join(sessions.at(-1), "captures.json"))).captures : [];
+check(new Set(taken.map(({pose}) => pose)).size === 2 && taken.length >= 8, "both poses are recorded: " + taken.length + " captures");
+
+// What it saw is opened beside what was there.
+await tab("Files");
+await page.getByLabel("path of what to open").fill(sessions.at(-1) ?? "");
+await page.getByRole("button", {name: "Open", exact: true}).click();
+await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor({timeout: 60000});
+await tab("Files");
+await page.getByText("Open now: " + sessions.at(-1)).waitFor({timeout: 60000});
+check(true, "and the recording is opened");
+await browser.close();
+await panel.stop("SIGTERM");
+robot.kill();
+end();
