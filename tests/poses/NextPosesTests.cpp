@@ -1,6 +1,7 @@
 #include "RobotV6.hpp"
 #include "poses/Discrimination.hpp"
 #include "poses/NextPoses.hpp"
+#include "poses/OneFootWays.hpp"
 #include "residuals/Carried.hpp"
 #include "synthetic/Simulation.hpp"
 
@@ -119,7 +120,8 @@ TEST_CASE("four proposed poses tell twins apart better than four random ones, by
 
 TEST_CASE("poses are proposed for captures that tell little or much of the joints, and only where boards lie") {
   // Proves that fingers, which no drawing has, and readings that are missing do no harm; that every proposed pose sees
-  // a board of the captures; that the same seed proposes the same; and that a hanging robot is proposed nothing.
+  // a board of the captures and is reached safely from standing on its foot; that the
+  // same seed proposes the same; and that a hanging robot is proposed nothing.
   CaptureSet set = captures(randomPoses(8, 3), 0);
   set.jointNames.push_back("LHand");
   for (Capture& capture : set.captures) {
@@ -135,8 +137,14 @@ TEST_CASE("poses are proposed for captures that tell little or much of the joint
   REQUIRE(next.poses.size() == 4);
   CHECK(next.growth > 1);
   CHECK(next.whyNone.empty());
+  const OneFootWays ways{v6(), SupportFoot::left, bentKnees(v6()), next.jointError};
+  const auto reached = [&](const Eigen::VectorXd& angles, const Eigen::VectorXd& approach) {
+    std::mt19937_64 chance{1};
+    return ways.approach(angles, approach, radians(1), chance).has_value();
+  };
   for (std::size_t i = 0; i < next.poses.size(); ++i) {
     const PlannedPose& pose = next.poses[i].pose;
+    CHECK(reached(pose.angles, next.poses[i].approach));
     CHECK(pose.angles == again.poses[i].pose.angles);
     REQUIRE_FALSE(pose.sights.empty());
     for (const Sight& sight : pose.sights) {

@@ -25,6 +25,7 @@ NextPoses proposed() {
   next.poses = {pose};
   next.why = "tells one thing from another";
   next.firstStance = 3;
+  next.jointError = 0.03;
   return next;
 }
 
@@ -39,6 +40,7 @@ TEST_CASE("a pose file is read as it was written, and holds every key that other
   const PoseFile read = readPoseFile(folder.path() / "poses.json", v6());
   REQUIRE(read.poses.size() == 1);
   CHECK(read.firstStance == 3);
+  CHECK(read.jointError == 0.03);
   CHECK(read.poses[0].supportFoot == SupportFoot::left);
   CHECK(read.poses[0].angles == next.poses[0].pose.angles);
   CHECK(read.poses[0].approach == next.poses[0].approach);
