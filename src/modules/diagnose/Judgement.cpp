@@ -4,6 +4,7 @@
 #include "diagnose/Power.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace naocal {
 
@@ -72,6 +73,15 @@ void nameEquivalents(const Inquiry& last, std::vector<CandidateFinding>& finding
   }
 }
 
+/// What candidates are ranked by: 2 ln of the Bayes factor with that of two priors which is kinder to the candidate,
+/// the sizes that are plausible or the information of one number of the captures, six to a pose (BIC). The plausible
+/// sizes alone put an effect that is small but beyond doubt behind others that are nothing (Lindley, Biometrika 44
+/// (1957) 187): where 0.3 +- 0.1 px are measured of a lens that may be off by 10, that costs 20.
+double standing(const GroupEvidence& evidence, double poses) {
+  return std::max(evidence.bayes,
+                  evidence.likelihoodRatio - static_cast<double>(evidence.freedom) * std::log(6 * poses));
+}
+
 } // namespace
 
 std::vector<CandidateFinding> judged(std::vector<CandidateFinding> findings, const Inquiry& last, const Model& model,
@@ -95,8 +105,9 @@ std::vector<CandidateFinding> judged(std::vector<CandidateFinding> findings, con
         finding.state != State::noData && (finding.state != State::absorbed || finding.evidence.bayes > 2);
     return leads ? 0 : shown ? 1 : 2;
   };
+  const double poses = static_cast<double>(last.linear().poses.size());
   std::stable_sort(findings.begin(), findings.end(), [&](const CandidateFinding& a, const CandidateFinding& b) {
-    return tier(a) != tier(b) ? tier(a) < tier(b) : a.evidence.bayes > b.evidence.bayes;
+    return tier(a) != tier(b) ? tier(a) < tier(b) : standing(a.evidence, poses) > standing(b.evidence, poses);
   });
   return findings;
 }
