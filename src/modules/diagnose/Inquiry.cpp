@@ -4,6 +4,7 @@
 #include "diagnose/Drivers.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <span>
 
@@ -82,6 +83,19 @@ Inquiry::Inquiry(const Measurements& measurements, const Model& model, const Cal
 
 std::vector<std::size_t> Inquiry::candidatesByEvidence() const {
   return byBayes({evidence_.groups.data(), candidates_.size()});
+}
+
+double Inquiry::standing(const GroupEvidence& evidence) const {
+  const double numbers = 6 * static_cast<double>(linear_.poses.size());
+  return std::max(evidence.bayes, evidence.likelihoodRatio - static_cast<double>(evidence.freedom) * std::log(numbers));
+}
+
+std::vector<std::size_t> Inquiry::candidatesByStanding() const {
+  std::vector<std::size_t> order = candidatesByEvidence();
+  std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
+    return standing(ofCandidate(a)) > standing(ofCandidate(b));
+  });
+  return order;
 }
 
 std::vector<std::size_t> Inquiry::curvesByEvidence() const {

@@ -40,6 +40,13 @@ public:
 
   /// Places among the candidates, the likeliest first.
   std::vector<std::size_t> candidatesByEvidence() const;
+
+  /// What candidates are shown in the order of: 2 ln of the Bayes factor with that of two priors which is kinder to the
+  /// candidate, the sizes that are plausible or the information of one number of the captures, six to a pose (BIC). The
+  /// plausible sizes alone put an effect that is small but beyond doubt behind others that are nothing (Lindley,
+  /// Biometrika 44 (1957) 187): where 0.3 +- 0.1 px are measured of a lens that may be off by 10, that costs 20.
+  double standing(const GroupEvidence& evidence) const;
+  std::vector<std::size_t> candidatesByStanding() const;
   /// Places among the curves (the mounts', then the map's cells), the one that explains most first.
   std::vector<std::size_t> curvesByEvidence() const;
 

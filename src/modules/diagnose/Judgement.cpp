@@ -4,7 +4,6 @@
 #include "diagnose/Power.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace naocal {
 
@@ -62,8 +61,8 @@ void judgeAdded(const Term& term, const CalibrationResult& fit, double criticalP
 /// The first few of those left out that explain something: what they cannot be told from.
 void nameEquivalents(const Inquiry& last, std::vector<CandidateFinding>& findings) {
   constexpr std::size_t few = 10;
-  const std::vector<std::size_t> order = last.candidatesByEvidence();
-  for (std::size_t i = 0; i < std::min(few, order.size()) && last.ofCandidate(order[i]).bayes > 0; ++i) {
+  const std::vector<std::size_t> order = last.candidatesByStanding();
+  for (std::size_t i = 0; i < std::min(few, order.size()) && last.standing(last.ofCandidate(order[i])) > 0; ++i) {
     CandidateFinding& finding = findingOf(findings, last.candidates()[order[i]]);
     if (finding.equivalent.empty()) {
       for (std::size_t other : equivalents(last, order[i])) {
@@ -71,15 +70,6 @@ void nameEquivalents(const Inquiry& last, std::vector<CandidateFinding>& finding
       }
     }
   }
-}
-
-/// What candidates are ranked by: 2 ln of the Bayes factor with that of two priors which is kinder to the candidate,
-/// the sizes that are plausible or the information of one number of the captures, six to a pose (BIC). The plausible
-/// sizes alone put an effect that is small but beyond doubt behind others that are nothing (Lindley, Biometrika 44
-/// (1957) 187): where 0.3 +- 0.1 px are measured of a lens that may be off by 10, that costs 20.
-double standing(const GroupEvidence& evidence, double poses) {
-  return std::max(evidence.bayes,
-                  evidence.likelihoodRatio - static_cast<double>(evidence.freedom) * std::log(6 * poses));
 }
 
 } // namespace
@@ -105,9 +95,8 @@ std::vector<CandidateFinding> judged(std::vector<CandidateFinding> findings, con
         finding.state != State::noData && (finding.state != State::absorbed || finding.evidence.bayes > 2);
     return leads ? 0 : shown ? 1 : 2;
   };
-  const double poses = static_cast<double>(last.linear().poses.size());
   std::stable_sort(findings.begin(), findings.end(), [&](const CandidateFinding& a, const CandidateFinding& b) {
-    return tier(a) != tier(b) ? tier(a) < tier(b) : standing(a.evidence, poses) > standing(b.evidence, poses);
+    return tier(a) != tier(b) ? tier(a) < tier(b) : last.standing(a.evidence) > last.standing(b.evidence);
   });
   return findings;
 }

@@ -2,7 +2,7 @@
 
 #include "poses/Approach.hpp"
 #include "poses/Discrimination.hpp"
-#include "poses/OneFootWays.hpp"
+#include "poses/ReachOnOneFoot.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,31 +39,9 @@ std::vector<ProposedPose> candidates(const Robot& robot, const CaptureSet& set, 
   return result;
 }
 
-/// Whether poses on one foot can be reached from standing upright on it, each joint from the side that is wanted.
-class Reach {
-public:
-  Reach(const Robot& robot, double jointError) : robot_{robot}, jointError_{jointError} {}
-
-  bool operator()(const ProposedPose& pose) {
-    const SupportFoot foot = pose.pose.supportFoot;
-    if (foot != SupportFoot::left && foot != SupportFoot::right) {
-      return true;
-    }
-    constexpr double aside = radians(1); // where an approach begins, as robots have it
-    const auto ways = ways_.try_emplace(foot, robot_, foot, bentKnees(robot_), jointError_).first;
-    std::mt19937_64 random{1};
-    return ways->second.approach(pose.pose.angles, pose.approach, aside, random).has_value();
-  }
-
-private:
-  const Robot& robot_;
-  double jointError_;
-  std::map<SupportFoot, OneFootWays> ways_;
-};
-
 /// The poses of the largest gain that can be reached, each beside those before it; `known` gets what they tell.
 std::vector<std::size_t> greedily(const Discrimination& discrimination, const PlannedInformation& information,
-                                  const std::vector<ProposedPose>& poses, Reach reachable, std::size_t count,
+                                  const std::vector<ProposedPose>& poses, ReachOnOneFoot reachable, std::size_t count,
                                   Eigen::MatrixXd& known) {
   const Eigen::VectorXd before = discrimination.misfits(known);
   std::vector<std::size_t> chosen, left(poses.size());
@@ -141,7 +119,7 @@ NextPoses nextPoses(const std::vector<CaptureSet>& sets, const Measurements& mea
   const Discrimination discrimination{question, static_cast<Eigen::Index>(information.own.unknownCount())};
   Eigen::MatrixXd known = information.known;
   for (const std::size_t chosen :
-       greedily(discrimination, information, poses, Reach{robot, options.jointError}, options.count, known)) {
+       greedily(discrimination, information, poses, ReachOnOneFoot{robot, options.jointError}, options.count, known)) {
     result.poses.push_back(poses[chosen]);
   }
   result.growth = discrimination.growth(discrimination.misfits(information.known), discrimination.misfits(known));
