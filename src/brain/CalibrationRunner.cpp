@@ -191,7 +191,7 @@ void CalibrationRunner::go() {
   if (home) {
     enter(Phase::goingHome, "The robot goes back to its stand.");
   } else {
-    enter(Phase::moving, fmt::format("{}, {} of {} pictures' places taken.", step.name, state_->pose, state_->poses));
+    enter(Phase::moving, fmt::format("{}; pictures were taken in {} of {}.", step.name, state_->pose, state_->poses));
   }
 }
 

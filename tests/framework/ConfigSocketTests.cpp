@@ -98,6 +98,38 @@ TEST_CASE("a value set over the network reaches the module and is saved") {
   CHECK(debug.receiveJson(2).at(0)["value"][0] == 1.5);
 }
 
+TEST_CASE("a client's last will is done when its connection ends, unless another client has taken over") {
+  // Proves both, that a broken will is a logged sentence, and that nothing of it happens before.
+  ShownRobot robot;
+  auto other = robot.config();
+  const auto leave = [&](double value, const std::function<void(MateClient&)>& meanwhile) {
+    auto client = robot.config();
+    client.send(set, change("Brain.Counter", "factor", 2.0).dump());
+    client.send(set, change("naocal.configuration", "lastWill", change("Brain.Counter", "factor", value)).dump());
+    CHECK(keysOf(client, "Brain.Counter")["factor"] == 2.0);
+    meanwhile(client);
+  };
+  const auto becomes = [&](double value) {
+    for (int i = 0; i < 1000 && keysOf(other, "Brain.Counter")["factor"] != value; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds{2});
+    }
+    return keysOf(other, "Brain.Counter")["factor"] == value;
+  };
+  leave(7.0, [](MateClient&) {});
+  CHECK(becomes(7));
+  leave(8.0, [&](MateClient&) {
+    other.send(set, change("Brain.Counter", "factor", 3.0).dump());
+    CHECK(becomes(3));
+  });
+  std::this_thread::sleep_for(std::chrono::milliseconds{50});
+  CHECK(becomes(3));
+  leave(9.0, [](MateClient& client) {
+    client.send(set, change("naocal.configuration", "lastWill", json::array({1})).dump());
+  });
+  CHECK(becomes(9));
+  CHECK(robot.isLogged("setting lastWill of naocal.configuration failed"));
+}
+
 TEST_CASE("a value that cannot be set is a logged sentence and the others are set") {
   // Pins the sentences; the client stays connected, as MATE also sets keys that no module reads.
   ShownRobot robot;

@@ -135,6 +135,8 @@ public:
     hangUp();
     connection_ = ::accept(listening_, nullptr, nullptr);
   }
+  /// Ends a wait for a connection, and all that would follow.
+  void stopListening() { shutdown(listening_, SHUT_RDWR); }
   void hangUp() {
     if (connection_ >= 0) {
       close(connection_);

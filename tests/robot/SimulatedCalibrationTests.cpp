@@ -123,4 +123,29 @@ TEST_CASE("a question that is not answered keeps the robot on both feet, and any
   simulated.process->stop();
 }
 
+TEST_CASE("a calibration ends when the client that started it is gone") {
+  // Proves it from the will that a client leaves to the robot's way back to its stand.
+  SimulatedProcess simulated{SimulatedProcess::plan(1, 0)};
+  std::optional<MateClient> config{MateClient::config(simulated.process->sockets().configPort())};
+  auto debug = MateClient::debug(simulated.process->sockets().debugPort());
+  const auto setting = [](const char* mount, const char* key, const json& value) {
+    return json::array({{{"mp", mount}, {"key", key}, {"value", value}}});
+  };
+  const auto until = [&](const std::string& phase) {
+    json state = {{"phase", ""}};
+    while (state["phase"] != phase) {
+      state = json::parse(debug.receive(2).value().body).at(0)["value"];
+    }
+    return state;
+  };
+  debug.send(0, "Brain.calibration");
+  simulated.process->start([](std::string_view) {});
+  config->send(0, setting("naocal.configuration", "lastWill", setting("Brain.CalibrationRunner", "run", "")).dump());
+  config->send(0, setting("Brain.CalibrationRunner", "run", "head").dump());
+  until("collecting");
+  config.reset();
+  CHECK(until("failed")["sentence"].get<std::string>().find("The calibration was ended") == 0);
+  simulated.process->stop();
+}
+
 } // namespace naocal

@@ -4,6 +4,7 @@
 #include "brain/SavedCalibration.hpp"
 
 #include <catch2/catch.hpp>
+#include <cstdlib>
 
 namespace naocal {
 
@@ -38,6 +39,15 @@ TEST_CASE("how well a V6 calibrates a leg over LoLA's socket and V4L2", "[.measu
                       << seconds(Clock::now() - began) << " s, " << v6.twin.commands << " commands to "
                       << v6.twin.states << " states; "
                       << DrivenProcess::replayed(v6.recording().parent_path(), v6.folder.path() / "again"));
+}
+
+// Proves nothing: a V6 at /tmp/robocup for SECONDS, for programs that are tried on this computer as on a robot's.
+TEST_CASE("a V6 stands here", "[.twin]") {
+  const char* wanted = std::getenv("SECONDS");
+  const Robot drawing = loadRobot(configurationDirectory(), "V6");
+  const V6Twin twin{drawing, simulatedPlan(1), "/tmp/robocup"};
+  std::this_thread::sleep_for(std::chrono::seconds{wanted ? std::atoi(wanted) : 60});
+  WARN(twin.states << " states, " << twin.commands << " commands");
 }
 
 } // namespace naocal

@@ -82,6 +82,11 @@ public:
     }};
   }
 
+  ~V6Twin() {
+    motion_.request_stop();
+    lola_.stopListening();
+  }
+
   SimulatedWorld world;
   SharedVideo video;
   std::atomic<int> states = 0, commands = 0; // sent; heard
@@ -97,8 +102,11 @@ private:
     while (!stop.stop_requested()) {
       const auto state = body_->waitForState(std::chrono::seconds{1});
       due = Clock::now();
-      if (!state ||
-          !lola_.send(twin::stateOf([&](std::string_view list, std::size_t i) { return number(*state, list, i); }))) {
+      if (!state) {
+        continue;
+      }
+      if (!lola_.send(twin::stateOf([&](std::string_view list, std::size_t i) { return number(*state, list, i); }))) {
+        lola_.accept(); // the program was started anew
         continue;
       }
       ++states;

@@ -11,11 +11,11 @@
 
 namespace naocal {
 
-SimulatedPlan simulatedPlan(std::uint64_t seed) {
+SimulatedPlan simulatedPlan(std::uint64_t seed, const std::filesystem::path& configuration) {
   SimulatedPlan plan;
   plan.seed = seed;
-  const std::filesystem::path file = configurationDirectory() / "poses" / (plan.model + ".json");
-  for (const auto& [id, placement] : readPoseFile(file, loadRobot(configurationDirectory(), plan.model)).boards) {
+  const std::filesystem::path file = configuration / "poses" / (plan.model + ".json");
+  for (const auto& [id, placement] : readPoseFile(file, loadRobot(configuration, plan.model)).boards) {
     for (Board& board : plan.boards) {
       if (board.id == id) {
         board.placement = placement;
@@ -26,8 +26,8 @@ SimulatedPlan simulatedPlan(std::uint64_t seed) {
   return plan;
 }
 
-Hardware simulatedHardware(const SimulatedPlan& plan) {
-  Hardware hardware{loadRobot(configurationDirectory(), plan.model), nullptr, nullptr, "simulated"};
+Hardware simulatedHardware(const SimulatedPlan& plan, const std::filesystem::path& configuration) {
+  Hardware hardware{loadRobot(configuration, plan.model), nullptr, nullptr, "simulated"};
   SimulatedWorld world{hardware.drawing, plan};
   hardware.robot = world.robot();
   hardware.cameras = world.cameras();
@@ -45,8 +45,8 @@ Hardware replayedHardware(const std::filesystem::path& round, const std::filesys
   return {loadRobot(configuration, world->set().model), world->robot(), world->cameras(), "", world};
 }
 
-Hardware naoHardware(const std::string& model) {
-  Hardware hardware{loadRobot(configurationDirectory(), model), nullptr, nullptr, ""};
+Hardware naoHardware(const std::string& model, const std::filesystem::path& configuration) {
+  Hardware hardware{loadRobot(configuration, model), nullptr, nullptr, ""};
   if (model == "V5") {
     hardware.robot = std::make_unique<SharedMemoryRobot>();
   } else {

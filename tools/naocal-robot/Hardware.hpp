@@ -22,9 +22,9 @@ struct Hardware {
 };
 
 /// A simulated robot that stands before four boards, which lie where its model's poses want them, with offsets and
-/// mounts drawn by the seed.
-SimulatedPlan simulatedPlan(std::uint64_t seed);
-Hardware simulatedHardware(const SimulatedPlan& plan);
+/// mounts drawn by the seed. `configuration`: the folder with drawings and poses, here and below.
+SimulatedPlan simulatedPlan(std::uint64_t seed, const std::filesystem::path& configuration = configurationDirectory());
+Hardware simulatedHardware(const SimulatedPlan& plan, const std::filesystem::path& configuration);
 
 /// A recorded round of a calibration, with the latency between picture and joints that the configuration says. Throws
 /// InputError or ConfigurationError.
@@ -32,6 +32,6 @@ Hardware replayedHardware(const std::filesystem::path& round, const std::filesys
 
 /// The NAO that this process runs on: V6 through its hardware service, V5 through the module in NAOqi; both cameras
 /// through V4L2. Neither needs to answer yet. Throws std::invalid_argument for other models.
-Hardware naoHardware(const std::string& model);
+Hardware naoHardware(const std::string& model, const std::filesystem::path& configuration);
 
 } // namespace naocal

@@ -13,7 +13,7 @@ namespace naocal {
 namespace {
 
 struct Options {
-  std::string hardware = "simulated", model = "V6", simulation;
+  std::string hardware = "simulated", model = NAOCAL_MODEL, simulation;
   std::filesystem::path recording;
   std::uint64_t seed = 1;
   RobotProcessOptions process{configurationDirectory(), "recordings", "", std::nullopt, true};
@@ -45,13 +45,14 @@ Hardware replay(Options& options) {
 
 Hardware hardwareOf(Options& options) {
   if (options.hardware == "nao") {
-    return naoHardware(options.model);
+    return naoHardware(options.model, options.process.configuration);
   }
   if (options.hardware == "replay") {
     return replay(options);
   }
-  const SimulatedPlan plan = simulatedPlan(options.seed);
-  return simulatedHardware(options.simulation.empty() ? plan : readSimulatedPlan(options.simulation, plan));
+  const SimulatedPlan plan = simulatedPlan(options.seed, options.process.configuration);
+  return simulatedHardware(options.simulation.empty() ? plan : readSimulatedPlan(options.simulation, plan),
+                           options.process.configuration);
 }
 
 int run(Options options) {
@@ -111,7 +112,7 @@ int main(int argc, char** argv) {
   app.add_option("--simulation", options.simulation,
                  "a file that says more of the simulated robot: ranges of its errors and gears' play, boards, cameras")
       ->check(CLI::ExistingFile);
-  app.add_option("--configuration", options.process.configuration, "folder with location/ and drawings/")
+  app.add_option("--configuration", options.process.configuration, "folder with location/, drawings/ and poses/")
       ->check(CLI::ExistingDirectory);
   app.add_option("--recordings", options.process.recordings, "folder for the captures of calibrations")
       ->capture_default_str();

@@ -23,14 +23,27 @@ std::string nameOf(const Peer& peer) {
 
 } // namespace
 
+struct ConfigServer::Setting {
+  std::string mount, key;
+  json value;
+};
+
 ConfigServer::ConfigServer(Configuration& configuration, Access& access, Log log)
     : configuration_{configuration}, access_{access}, log_{std::move(log)} {}
+
+ConfigServer::~ConfigServer() = default;
 
 const FrameFormat& ConfigServer::format() const {
   return configFormat;
 }
 
 void ConfigServer::closed(Peer& peer) {
+  if (const auto will = wills_.extract(&peer)) {
+    for (const Setting& last : will.mapped()) {
+      change(peer, fmt::format("its last will, {} of {},", last.key, last.mount),
+             [&] { configuration_.set(last.mount, last.key, last.value); });
+    }
+  }
   if (entered_.erase(&peer) > 0) {
     access_.leave(peer.address());
   }
@@ -90,10 +103,25 @@ void ConfigServer::setOne(Peer& peer, const std::string& mount, const std::strin
   change(peer, fmt::format("setting {} of {}", key, mount), [&] {
     if (mount == "naocal.configuration" && key == "undo" && value.is_string()) {
       configuration_.undo({value.get<std::string>()});
+    } else if (mount == "naocal.configuration" && key == "lastWill") {
+      keepWill(peer, value);
     } else {
       configuration_.set(mount, key, value);
+      for (auto& [other, will] : wills_) {
+        if (other != &peer) {
+          std::erase_if(will, [&](const Setting& last) { return last.mount == mount && last.key == key; });
+        }
+      }
     }
   });
+}
+
+void ConfigServer::keepWill(const Peer& peer, const json& settings) {
+  std::vector<Setting> will;
+  for (const json& entry : settings) {
+    will.push_back({entry.at("mp").get<std::string>(), entry.at("key").get<std::string>(), entry.at("value")});
+  }
+  wills_[&peer] = std::move(will);
 }
 
 void ConfigServer::enter(Peer& peer, const json& secret) {

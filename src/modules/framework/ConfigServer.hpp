@@ -2,9 +2,11 @@
 
 #include "framework/Peer.hpp"
 
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace naocal {
 
@@ -14,12 +16,15 @@ class Configuration;
 /// HULKs' configuration protocol: mounts, their keys, setting and saving. A value that cannot be set is a logged
 /// sentence and the others of its message are set; there are no replies to SET and SAVE.
 ///
-/// Two mounts are ours and not listed: SET {"mp": "naocal.access", "key": "secret", "value": ..} shows that a client
-/// may change the robot where it listens beyond this computer; {"mp": "naocal.configuration", "key": "undo", "value":
-/// mount} undoes a mount's last save.
+/// Three settings are ours and not listed: SET {"mp": "naocal.access", "key": "secret", "value": ..} shows that a
+/// client may change the robot where it listens beyond this computer; {"mp": "naocal.configuration", "key": "undo",
+/// "value": mount} undoes a mount's last save; "key": "lastWill", "value": [{"mp": .., "key": .., "value": ..}, ..] is
+/// set when the client's connection ends, however it does, unless another client has set that key since: who starts a
+/// robot thus has it stop when nobody can stop it any more. A new last will replaces the one before.
 class ConfigServer final : public Protocol {
 public:
   ConfigServer(Configuration& configuration, Access& access, Log log);
+  ~ConfigServer() override;
 
   const FrameFormat& format() const override;
   void opened(Peer&) override {}
@@ -30,6 +35,7 @@ private:
   void set(Peer& peer, const std::string& body);
   void setOne(Peer& peer, const std::string& mount, const std::string& key, const nlohmann::json& value);
   void enter(Peer& peer, const nlohmann::json& secret);
+  void keepWill(const Peer& peer, const nlohmann::json& settings);
   void sendMounts(Peer& peer) const;
   void sendKeys(Peer& peer, const std::string& mount) const;
   /// Does it and logs what it throws, and a refusal to who may not.
@@ -39,6 +45,8 @@ private:
   Access& access_;
   Log log_;
   std::set<const Peer*> entered_;
+  struct Setting;
+  std::map<const Peer*, std::vector<Setting>> wills_;
 };
 
 } // namespace naocal

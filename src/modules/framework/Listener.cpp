@@ -6,6 +6,8 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
 #include <fmt/format.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 
 namespace naocal {
@@ -108,6 +110,22 @@ void Listener::accept(Acceptor& acceptor) {
   });
 }
 
+namespace {
+
+/// Has the system notice within some seconds that the other side is out of reach: a client that started the robot may
+/// have left what is to be done then.
+void setKeepAlive(Socket& socket) {
+  const int file = socket.native_handle();
+  const auto set = [&](int level, int option, int value) { ::setsockopt(file, level, option, &value, sizeof value); };
+  set(SOL_SOCKET, SO_KEEPALIVE, 1);
+  set(IPPROTO_TCP, TCP_KEEPIDLE, 2);         // s
+  set(IPPROTO_TCP, TCP_KEEPINTVL, 1);        // s
+  set(IPPROTO_TCP, TCP_KEEPCNT, 4);          // unanswered
+  set(IPPROTO_TCP, TCP_USER_TIMEOUT, 6'000); // of what was sent and not confirmed [ms]
+}
+
+} // namespace
+
 void Listener::welcome(Socket socket) {
   error_code gone;
   const Generic::endpoint endpoint = socket.remote_endpoint(gone);
@@ -122,7 +140,7 @@ void Listener::welcome(Socket socket) {
   }
   if (!address.empty()) {
     socket.set_option(tcp::no_delay{true}, gone);
-    socket.set_option(boost::asio::socket_base::keep_alive{true}, gone);
+    setKeepAlive(socket);
   }
   const auto connection =
       std::make_shared<Connection>(std::move(socket), address, protocol_, limits_, log_,

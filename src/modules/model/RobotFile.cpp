@@ -58,10 +58,14 @@ Robot loadRobot(const std::filesystem::path& configuration, std::string_view mod
   const auto drawings = configuration / "drawings";
   const auto drawing = drawings / fmt::format("Nao{}.json", model);
   if (!std::filesystem::exists(drawing)) {
-    throw InputError{
-        fmt::format("{}: expected a drawing of one of the robots {{{}}}, found none of \"{}\"; name one of "
-                    "them, or set NAOCAL_CONFIGURATION to the configuration's folder",
-                    drawings.string(), fmt::join(models(drawings), ", "), model)};
+    const std::vector<std::string> known = models(drawings);
+    throw InputError{known.empty()
+                         ? fmt::format("{}: expected drawings of robots, found none; set NAOCAL_CONFIGURATION to the "
+                                       "configuration's folder",
+                                       drawings.string())
+                         : fmt::format("{}: expected a drawing of one of the robots {}, found none of \"{}\"; name one "
+                                       "of them, or set NAOCAL_CONFIGURATION to the configuration's folder",
+                                       drawings.string(), fmt::join(known, ", "), model)};
   }
   return loadRobot(drawing);
 }

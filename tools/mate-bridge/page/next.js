@@ -4,7 +4,7 @@ import {send, on} from "./connection.js";
 import {state, act, notice} from "./state.js";
 import {standingFigure} from "./standing.js";
 import {robots, lookedAt} from "./robots.js";
-import {runner} from "./steer.js";
+import {runner, endsAlone} from "./steer.js";
 import {make as ask} from "./files.js";
 
 let count = 4, shown = null, confirming = false, asked = 1e6;
@@ -54,6 +54,7 @@ function playing(next, again) {
       const settings = (key, value) => act({do: "set", robot, settings: [{mp: runner, key, value}]});
       settings("poses", {format: "naocal-poses", version: 1, robot: state.set.robot, poses: next.poses, assumptions: next.assumptions});
       settings("run", "");
+      act({do: "set", robot, settings: [{mp: "naocal.configuration", key: "lastWill", value: endsAlone}]});
       settings("run", "poses");
       notice("Asked " + robot + " to take these poses: Calibrate shows how it fares.");
       location.hash = "match";

@@ -19,7 +19,7 @@ export function steer({robot, entry, state, isRunning, kinds, draw, when}) {
       button("Calibrate …", () => { confirming = "start"; draw(); }, {class: "main", disabled: !connected || isRunning || !chosen || confirming === "start"}),
       button("Stop", () => stop(robot, draw), {class: "stop", disabled: !connected, title: "key s: the robot goes back to its stand"})),
     confirming === "start" ? confirm("The robot will move: " + titleOf(kinds, chosen) + ". Is everybody's hand off it?", "Start", () => start(robot, entry), draw) : "",
-    connected ? "" : make("p", {class: "bad"}, robot + " " + sentence + ". It is tried again every second; a robot that loses its panel goes on by itself, one that loses power holds nothing.")]);
+    connected ? "" : make("p", {class: "bad"}, robot + " " + sentence + ". It is tried again every second; a robot that was started from here ends what it does and goes to its stand, one that loses power holds nothing.")]);
 }
 
 const titleOf = (kinds, run) => (kinds || []).find(one => one.run === run)?.title || run || "";
@@ -42,9 +42,13 @@ function confirm(question, yes, action, draw) {
     button(yes, () => { confirming = null; action(); draw(); }, {class: "main"}), button("Not now", () => { confirming = null; draw(); })));
 }
 
+// What a robot does that loses its panel: what runs ends.
+export const endsAlone = [{mp: runner, key: "run", value: ""}];
+
 function start(robot, entry) {
   of(robot).before = entry.keys.get(offsetsMount);
   set(robot, runner, "run", ""); // only a change counts
+  set(robot, "naocal.configuration", "lastWill", endsAlone); // no stop would reach it
   set(robot, runner, "run", chosen);
 }
 
