@@ -59,13 +59,14 @@ Robot loadRobot(const std::filesystem::path& configuration, std::string_view mod
   const auto drawing = drawings / fmt::format("Nao{}.json", model);
   if (!std::filesystem::exists(drawing)) {
     const std::vector<std::string> known = models(drawings);
-    throw InputError{known.empty()
-                         ? fmt::format("{}: expected drawings of robots, found none; set NAOCAL_CONFIGURATION to the "
-                                       "configuration's folder",
-                                       drawings.string())
-                         : fmt::format("{}: expected a drawing of one of the robots {}, found none of \"{}\"; name one "
-                                       "of them, or set NAOCAL_CONFIGURATION to the configuration's folder",
-                                       drawings.string(), fmt::join(known, ", "), model)};
+    throw InputError{
+        known.empty()
+            ? fmt::format("{}: expected drawings of robots, found none; set NAOCAL_CONFIGURATION to the "
+                          "configuration's folder",
+                          drawings.string())
+            : fmt::format("{}: expected a drawing of one of the robots {{{}}}, found none of \"{}\"; name one "
+                          "of them, or set NAOCAL_CONFIGURATION to the configuration's folder",
+                          drawings.string(), fmt::join(known, ", "), model)};
   }
   return loadRobot(drawing);
 }
