@@ -47,7 +47,7 @@ struct DrivenProcess {
     debug.receive(4);
     process->start([](std::string_view) {});
     set("run", kind);
-    Json state = {{"phase", "idle"}}, before; // of an earlier calibration it tells how that ended
+    Json state = {{"phase", "idle"}};
     int answered = 0;
     TimePoint last = robotNow();
     double moving = 0; // [s]
@@ -58,8 +58,7 @@ struct DrivenProcess {
         return {{"phase", "the robot fell silent"}};
       }
       state = Json::parse(update->body).at(0)["value"];
-      before = before.is_null() ? state : before;
-      begun = begun || state != before || (state["phase"] != "finished" && state["phase"] != "failed");
+      begun = begun || state != told; // else it still tells how the one before has ended
       const TimePoint now = robotNow();
       if (state["phase"] == "moving" || state["phase"] == "collecting" || state["phase"] == "going home") {
         moving += seconds(now - last);
@@ -75,6 +74,8 @@ struct DrivenProcess {
       }
     }
     process->stop();
+    told = state;
+    told.erase("robotSeconds");
     return state;
   }
   Json saved(const std::string& file) const {
@@ -112,6 +113,7 @@ struct DrivenProcess {
 
   TemporaryFolder folder;
   std::function<TimePoint()> robotNow;
+  Json told;       // at the end of the last calibration
   std::string log; // to be read when the process has ended
   std::optional<RobotProcess> process;
 };
