@@ -12,6 +12,19 @@ namespace naocal {
 
 using nlohmann::json;
 
+namespace {
+
+/// The state of a calibration that a client has subscribed to, once it is in this phase.
+json until(MateClient& debug, const std::string& phase) {
+  json state = {{"phase", ""}};
+  while (state["phase"] != phase) {
+    state = json::parse(debug.receive(2).value().body).at(0)["value"];
+  }
+  return state;
+}
+
+} // namespace
+
 TEST_CASE("both threads are wired with the shipped configuration") {
   // Proves that every dependency has its producer and every parameter its value, and that all keys are served.
   SimulatedProcess simulated{SimulatedProcess::plan(1, 0)};
@@ -100,17 +113,10 @@ TEST_CASE("a question that is not answered keeps the robot on both feet, and any
   const auto set = [&](const char* key, const json& value) {
     config.send(0, json::array({{{"mp", "Brain.CalibrationRunner"}, {"key", key}, {"value", value}}}).dump());
   };
-  const auto until = [&](const std::string& phase) {
-    json state = {{"phase", ""}};
-    while (state["phase"] != phase) {
-      state = json::parse(debug.receive(2).value().body).at(0)["value"];
-    }
-    return state;
-  };
   debug.send(0, "Brain.calibration");
   simulated.process->start([](std::string_view) {});
   set("run", "right leg");
-  const json waiting = until("waiting");
+  const json waiting = until(debug, "waiting");
   CHECK(waiting["questionNumber"] == 1);
   set("confirmed", 7);
   const TimePoint asked = simulated.world.truth().time;
@@ -119,7 +125,7 @@ TEST_CASE("a question that is not answered keeps the robot on both feet, and any
   }
   CHECK(simulated.world.truth().supportFoot == SupportFoot::both);
   set("run", "");
-  CHECK(until("failed")["question"] == "");
+  CHECK(until(debug, "failed")["question"] == "");
   simulated.process->stop();
 }
 
@@ -131,20 +137,13 @@ TEST_CASE("a calibration ends when the client that started it is gone") {
   const auto setting = [](const char* mount, const char* key, const json& value) {
     return json::array({{{"mp", mount}, {"key", key}, {"value", value}}});
   };
-  const auto until = [&](const std::string& phase) {
-    json state = {{"phase", ""}};
-    while (state["phase"] != phase) {
-      state = json::parse(debug.receive(2).value().body).at(0)["value"];
-    }
-    return state;
-  };
   debug.send(0, "Brain.calibration");
   simulated.process->start([](std::string_view) {});
   config->send(0, setting("naocal.configuration", "lastWill", setting("Brain.CalibrationRunner", "run", "")).dump());
   config->send(0, setting("Brain.CalibrationRunner", "run", "head").dump());
-  until("collecting");
+  until(debug, "collecting");
   config.reset();
-  CHECK(until("failed")["sentence"].get<std::string>().find("The calibration was ended") == 0);
+  CHECK(until(debug, "failed")["sentence"].get<std::string>().find("The calibration was ended") == 0);
   simulated.process->stop();
 }
 
