@@ -4,7 +4,7 @@ import {send, on} from "./connection.js";
 import {state, act, notice} from "./state.js";
 import {standingFigure} from "./standing.js";
 import {robots, lookedAt} from "./robots.js";
-import {runner, endsAlone} from "./steer.js";
+import {runner, begin} from "./steer.js";
 import {make as ask} from "./files.js";
 
 let count = 4, shown = null, confirming = false, asked = 1e6;
@@ -51,11 +51,9 @@ function playing(next, again) {
     make("p", {}, robot + " will take these " + next.poses.length + " poses on one foot before its boards, and record what it sees. They are safe for joint offsets that are known to " + Math.round(180 / Math.PI * 10 * next.assumptions.jointError) / 10 + "°: calibrate its legs first. Is everybody's hand ready to catch it?"),
     make("p", {class: "controls"}, button("Play", () => {
       confirming = false;
-      const settings = (key, value) => act({do: "set", robot, settings: [{mp: runner, key, value}]});
-      settings("poses", {format: "naocal-poses", version: 1, robot: state.set.robot, poses: next.poses, assumptions: next.assumptions});
-      settings("run", "");
-      act({do: "set", robot, settings: [{mp: "naocal.configuration", key: "lastWill", value: endsAlone}]});
-      settings("run", "poses");
+      const poses = {format: "naocal-poses", version: 1, robot: state.set.robot, poses: next.poses, assumptions: next.assumptions};
+      act({do: "set", robot, settings: [{mp: runner, key: "poses", value: poses}]});
+      begin(robot, "poses");
       notice("Asked " + robot + " to take these poses: Calibrate shows how it fares.");
       location.hash = "match";
     }, {class: "main"}), button("Not now", () => { confirming = false; again(); })))];

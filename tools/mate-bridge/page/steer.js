@@ -42,14 +42,16 @@ function confirm(question, yes, action, draw) {
     button(yes, () => { confirming = null; action(); draw(); }, {class: "main"}), button("Not now", () => { confirming = null; draw(); })));
 }
 
-// What a robot does that loses its panel: what runs ends.
-export const endsAlone = [{mp: runner, key: "run", value: ""}];
+// Has a robot begin, and end what it does when it loses its panel: no stop would reach it.
+export function begin(robot, run) {
+  set(robot, runner, "run", ""); // only a change counts
+  set(robot, "naocal.configuration", "lastWill", [{mp: runner, key: "run", value: ""}]);
+  set(robot, runner, "run", run);
+}
 
 function start(robot, entry) {
   of(robot).before = entry.keys.get(offsetsMount);
-  set(robot, runner, "run", ""); // only a change counts
-  set(robot, "naocal.configuration", "lastWill", endsAlone); // no stop would reach it
-  set(robot, runner, "run", chosen);
+  begin(robot, chosen);
 }
 
 // Whatever runs ends: a value that differs from the one before, then none.
