@@ -239,8 +239,27 @@ TEST_CASE("a browser draws the whole diagnosis without complaint") {
   }
   CHECK_THAT(*output, Catch::Contains("Something that no known effect explains is at work.</h1>"));
   CHECK(occurrences(*output, "<canvas") ==
-        4 + 1 + 2 + 1 + 3 + 1 + 2 + 1);          // added variables, aliases, imprint, map, curves, what if, within
+        4 + 1 + 2 + 1 + 3 + 1 + 2 + 1 + 4); // added variables, aliases, imprint, map, curves, what if, within, boards
   CHECK(occurrences(*output, "<textarea") >= 1); // of the curve that tells something
   CHECK(occurrences(*output, "<tr>") == 1 + 12); // the head and the first candidates
   CHECK(occurrences(*output, "CONSOLE") == 0);
+}
+
+TEST_CASE("a page about a diagnosis draws curves of mounts, of boards and of lenses, which have no expression") {
+  // Proves that such a finding, wherever it stands, is no reason to refuse the file, and that its numbers come in the
+  // unit that people read; nor is it one that no further poses would tell more.
+  json file = diagnosed();
+  file["next"] = {{"poses", json::array()}, {"why", ""}};
+  const auto [unit, shownUnit, scale] = GENERATE(
+      table<std::string, std::string, double>({{"rad", "°", degrees(1.0)}, {"m", "mm", 1000.0}, {"px", "px", 1.0}}));
+  json& curve = file["drivers"][0];
+  curve["expression"] = "";
+  curve["coefficients"] = json::object();
+  curve["about"] = "y";
+  curve["unit"] = unit;
+  const json data = shown(pageOf(file)), &drawn = data["curves"][0];
+  CHECK_FALSE(data.contains("next"));
+  CHECK(drawn["valueUnit"] == shownUnit);
+  CHECK(drawn["model"].is_null());
+  CHECK(drawn["amplitude"].get<double>() == Approx(scale * curve["amplitude"].get<double>()));
 }

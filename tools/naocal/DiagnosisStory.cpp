@@ -51,11 +51,14 @@ void printCurves(const Diagnosis& diagnosis) {
     for (const auto& [name, value] : curve.coefficients) {
       coefficients += fmt::format("{}{} = {:.4g}", coefficients.empty() ? "" : ", ", name, value);
     }
-    const std::string like = curve.about.empty()
-                                 ? fmt::format("{}  ({})", curve.expression, coefficients)
-                                 : fmt::format("the camera's mount turns about its {} axis", curve.about);
-    fmt::print("  {:16} over {:18} ±{:.3f}°  evidence {:7.1f}   {}\n", curve.place, curve.driver,
-               degrees(curve.amplitude), curve.bayes, like);
+    const bool turns = curve.unit == "rad";
+    const std::string like = curve.about.empty() ? fmt::format("{}  ({})", curve.expression, coefficients)
+                             : turns ? fmt::format("the camera's mount turns about its {} axis", curve.about)
+                                     : fmt::format("corners are off along {}", curve.about);
+    const std::string far = turns               ? fmt::format("±{:.3f}°", degrees(curve.amplitude))
+                            : curve.unit == "m" ? fmt::format("±{:.2f} mm", 1000 * curve.amplitude)
+                                                : fmt::format("±{:.2f} {}", curve.amplitude, curve.unit);
+    fmt::print("  {:16} over {:18} {:>9}  evidence {:7.1f}   {}\n", curve.place, curve.driver, far, curve.bayes, like);
   }
 }
 

@@ -3,6 +3,7 @@
 #include "captures/InputError.hpp"
 #include "diagnose/Curves.hpp"
 #include "diagnose/DiagnosisFigures.hpp"
+#include "diagnose/FieldFinding.hpp"
 #include "diagnose/Judgement.hpp"
 #include "diagnose/Ladder.hpp"
 #include "diagnose/Sentences.hpp"
@@ -25,6 +26,18 @@ bool isUnknown(const Inquiry& inquiry, std::optional<std::size_t> candidate) {
   const double curve = inquiry.ofCurve(inquiry.curvesByEvidence().front()).bayes;
   const double named = candidate ? inquiry.ofCandidate(*candidate).bayes : -better;
   return curve > 0 && curve - named > std::max(better, named * named / large);
+}
+
+/// The captures show so much more of a named effect that what they show within pictures may be its consequence, or
+/// stand beside it and be looked at once it is added.
+bool explains(const Inquiry& inquiry, std::optional<std::size_t> candidate, const ImageField& field) {
+  if (!candidate) {
+    return false;
+  }
+  const Term& term = inquiry.candidates()[*candidate];
+  const Place of = field.of == ImageField::Of::camera ? Place::camera : Place::board;
+  const bool samePlace = term.effect.place == of && term.at == field.at;
+  return !samePlace && inquiry.ofCandidate(*candidate).bayes > 2 * field.fit.bayes;
 }
 
 /// `missing`: an effect that has a name explains the misfit. `unknown`: nothing that has a name does, but a curve.
@@ -69,6 +82,7 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
   result.fit = ladder.fit();
   result.rmsPx = result.fit.rmsPx;
   bool unknown = false;
+  double fieldAtFirst = 0;      // the most that was striking within pictures
   std::list<Inquiry> inquiries; // the first of the model as given, and the latest
   while (true) {
     if (inquiries.size() > 1) {
@@ -81,14 +95,24 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
       result.suspicious = suspicions(sets, measurements, ladder.model(), ladder.fit(), inquiry);
       result.alarm = inquiry.evidence().pValue;
     }
-    const bool alarm = inquiry.evidence().pValue <= options.alarm && result.suspicious.empty();
+    std::optional<ImageField> field = strikingField(measurements, ladder.model(), ladder.fit());
+    fieldAtFirst = std::max(fieldAtFirst, field ? field->fit.bayes : 0);
+    if (field && field->fit.bayes < fieldAtFirst / 5) { // what is added now follows its shape but roughly
+      field.reset();
+    }
+    const bool alarm = (inquiry.evidence().pValue <= options.alarm || field) && result.suspicious.empty();
     const std::optional<std::size_t> candidate = alarm ? ladder.best(inquiry) : std::nullopt;
     if (alarm && inquiry.curveCount() > 0) {
       unknown = isUnknown(inquiry, candidate);
     }
+    const bool unknownField = alarm && field && !explains(inquiry, candidate, *field) && ladder.stays(*field, inquiry);
+    unknown = unknown || unknownField;
     const bool grows = options.grow && (!options.goesOn || options.goesOn());
     if (!grows || !alarm || unknown || !candidate || !ladder.add(inquiry, *candidate, result)) {
       addMap(inquiry, measurements, result);
+      if (unknownField) {
+        result.drivers.insert(result.drivers.begin(), fieldFinding(*field, measurements));
+      }
       result.scatter = inquiry.evidence().level;
       if (!unknown && result.suggested.empty()) {
         const std::vector<Suspicion> moved = movedBoards(sets, measurements, ladder.withoutMovedBoards());

@@ -46,14 +46,16 @@ struct CandidateFinding {
   std::optional<Imprint> imprint;                    // of the first few, in the model as given
 };
 
-/// A curve of a joint, or of a camera's mount, over a driver that would explain what is left over.
+/// A curve of a joint, of a camera's mount or within pictures over a driver that would explain what is left over.
 struct DriverFinding {
-  std::string place, driver; // as in a user's effect: "LKneePitch", "q"; of a mount the camera: "top", "t"
+  std::string place, driver; // as in a user's effect: "LKneePitch", "q"; of a mount the camera: "top", "t"; of a lens
+                             // the camera and "u" or "v", of a board's shape the board and "x" or "y"
   std::string what;          // "the angle of LKneePitch"
-  std::string about;         // of a mount: the axis that its curve turns about, "y"
+  std::string about;         // of a mount: the axis that its curve turns about, "y"; within pictures: the direction
+  std::string unit = "rad";  // of the curve; "m" of a board's shape, "px" of a lens
   double share = 0;          // of the scatter from pose to pose (its variance) that it explains
-  double likelihoodRatio = 0, bayes = 0, amplitude = 0;     // amplitude [rad]: half of the curve's range
-  std::vector<std::array<double, 3>> curve;                 // driver, deflection, its standard error [rad]
+  double likelihoodRatio = 0, bayes = 0, amplitude = 0;     // amplitude: half of the curve's range
+  std::vector<std::array<double, 3>> curve;                 // driver, deflection, its standard error
   std::string expression;                                   // of a joint: a small one that follows the curve
   std::vector<std::pair<std::string, double>> coefficients; // of that expression
 };
@@ -104,8 +106,8 @@ struct DiagnosisOptions {
   InquiryOptions inquiry;
   std::vector<std::string> with, without; // the model to question: the base with and without these
   std::vector<Effect> effects = allEffects();
-  double alarm = 0.05; // family-wise rate of false alarms
-  bool grow = true;    // add what is missing; else only question the model as it is
+  double alarm = 0.05;          // family-wise rate of false alarms
+  bool grow = true;             // add what is missing; else only question the model as it is
   std::function<bool()> goesOn; // asked before each addition; false: the diagnosis says what it has found so far
 };
 

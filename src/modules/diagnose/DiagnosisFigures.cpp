@@ -7,7 +7,8 @@ namespace naocal {
 namespace {
 
 Figures::Left left(const std::vector<CaptureSet>& sets, const Measurements& measurements, const AskedModel& asked) {
-  return {whatIfs(measurements, asked.inquiry), leftover(sets, measurements, asked.model, asked.fit)};
+  return {whatIfs(measurements, asked.inquiry), leftover(sets, measurements, asked.model, asked.fit),
+          boardShapes(measurements, asked.model, asked.fit)};
 }
 
 } // namespace

@@ -66,9 +66,10 @@ Json driver(const DriverFinding& finding) {
   for (const auto& [name, value] : finding.coefficients) {
     coefficients[name] = value;
   }
-  Json result{{"at", finding.place},    {"driver", finding.driver},         {"what", finding.what},
-              {"share", finding.share}, {"evidence", finding.bayes},        {"amplitude", finding.amplitude},
-              {"curve", finding.curve}, {"expression", finding.expression}, {"coefficients", coefficients}};
+  Json result{{"at", finding.place},         {"driver", finding.driver},  {"what", finding.what},
+              {"share", finding.share},      {"evidence", finding.bayes}, {"amplitude", finding.amplitude},
+              {"unit", finding.unit},        {"curve", finding.curve},    {"expression", finding.expression},
+              {"coefficients", coefficients}};
   if (!finding.about.empty()) {
     result["about"] = finding.about;
   }

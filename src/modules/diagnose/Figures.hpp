@@ -1,6 +1,7 @@
 #pragma once
 
 #include "diagnose/Aliases.hpp"
+#include "diagnose/BoardShape.hpp"
 #include "diagnose/DriverColumns.hpp"
 #include "diagnose/Leftover.hpp"
 #include "diagnose/Taken.hpp"
@@ -16,6 +17,7 @@ struct Figures {
   struct Left {
     std::vector<WhatIfs> whatIfs; // per joint
     Leftover leftover;
+    std::vector<BoardShape> shapes;
   };
   Taken taken;                        // poses and pictures, as the figures count them
   AliasMatrix aliases;                // of the first of the ranking, in the model as given

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "diagnose/Diagnosis.hpp"
+#include "diagnose/ImageFields.hpp"
 
 #include <map>
 #include <optional>
@@ -25,6 +26,8 @@ public:
   std::optional<std::size_t> best(const Inquiry& inquiry);
   /// Adds it, fits, and drops what it has made superfluous. False: the ladder is as long as these captures bear.
   bool add(const Inquiry& inquiry, std::size_t candidate, Diagnosis& diagnosis);
+  /// Whether a field within pictures is still there, at least half of it, whichever of the likeliest is added.
+  bool stays(const ImageField& field, const Inquiry& inquiry) const;
   /// The model's fit once more, now with boards set aside that moved for a moment: its doubts name them.
   CalibrationResult withoutMovedBoards() const;
   /// What was found about each candidate.

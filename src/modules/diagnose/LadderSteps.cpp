@@ -83,6 +83,21 @@ bool Ladder::add(const Inquiry& inquiry, std::size_t candidate, Diagnosis& diagn
   return true;
 }
 
+bool Ladder::stays(const ImageField& field, const Inquiry& inquiry) const {
+  constexpr std::size_t most = 6;
+  const std::vector<std::size_t> order = inquiry.candidatesByEvidence();
+  for (std::size_t i = 0; i < std::min(most, order.size()) && inquiry.ofCandidate(order[i]).bayes > 0; ++i) {
+    std::vector<std::string> with = added_;
+    with.push_back(inquiry.candidates()[order[i]].label());
+    const Model larger = makeModel(measurements_, with, options_.without, options_.effects);
+    const CalibrationResult fit = calibrated(larger, carried(model_, fit_.unknowns, larger));
+    if (again(field, {measurements_, larger, fit}, measurements_).fit.bayes < field.fit.bayes / 2) {
+      return false;
+    }
+  }
+  return true;
+}
+
 void Ladder::refit() {
   const Model changed = makeModel(measurements_, added_, options_.without, options_.effects);
   fit_ = calibrated(changed, carried(model_, fit_.unknowns, changed));

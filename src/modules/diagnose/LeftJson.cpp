@@ -44,6 +44,32 @@ Json whatIfsJson(const Figures& figures, const Figures::Left& left) {
   return result;
 }
 
+/// Three numbers [m] to the micrometre.
+Json micrometres(const Eigen::Vector3d& metres) {
+  Json result = Json::array();
+  for (const double value : metres) {
+    result.push_back(std::round(value * 1e6) / 1e6);
+  }
+  return result;
+}
+
+Json shapesJson(const Figures& figures, const Figures::Left& left) {
+  Json result = Json::array();
+  for (const BoardShape& shape : left.shapes) {
+    Json corners = Json::array();
+    for (const BoardShape::Corner& corner : shape.corners) {
+      corners.push_back({{"id", corner.id},
+                         {"place", micrometres(corner.place)},
+                         {"off", micrometres(corner.off)},
+                         {"sigma", micrometres(corner.sigma)}});
+    }
+    result.push_back({{"board", figures.taken.boards[shape.board]},
+                      {"p", shortened(shape.pValue, 3)},
+                      {"corners", std::move(corners)}});
+  }
+  return result;
+}
+
 Json leftJson(const Figures& figures, const Figures::Left& left) {
   Json cells = Json::array(), boards = Json::array();
   for (const Leftover::Cell& cell : left.leftover.cells) {
@@ -63,6 +89,7 @@ Json leftJson(const Figures& figures, const Figures::Left& left) {
                       {"rmsPx", shortened(seen.rmsPx, 3)}});
   }
   return {{"whatIf", whatIfsJson(figures, left)},
+          {"boardShapes", shapesJson(figures, left)},
           {"withinPictures", {{"noisePx", left.leftover.noisePx}, {"cells", cells}, {"boards", boards}}}};
 }
 

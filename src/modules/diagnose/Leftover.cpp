@@ -22,8 +22,8 @@ constexpr double trusted = 0.7;                // weight of a corner that counts
 using Sightings = std::vector<const SightingResidual*>;
 using CellPlace = std::array<std::size_t, 3>; // of a cell: camera, column, row
 
-/// Sums over the corners of a cell.
-struct Sums {
+/// CellSums over the corners of a cell.
+struct CellSums {
   Leftover::Cell cell;
   double squares = 0, worst = 0;
 
@@ -88,7 +88,7 @@ std::size_t part(double x, int size, int parts) {
 /// Adds a sighting's trusted corners to their cells; returns how many there are and the sum of their squares [px^2].
 std::pair<double, double> addCorners(const SightingResidual& sighting, const Eigen::Matrix2Xd& errors,
                                      std::size_t camera, const CameraIntrinsics& lens,
-                                     std::map<CellPlace, Sums>& cells) {
+                                     std::map<CellPlace, CellSums>& cells) {
   double count = 0, squares = 0;
   for (Eigen::Index i = 0; i < errors.cols(); ++i) {
     if (sighting.weight[i] >= trusted) {
@@ -114,7 +114,7 @@ Leftover leftover(const std::vector<CaptureSet>& sets, const Measurements& measu
   }
   Leftover result;
   result.noisePx = fit.noise.pixel;
-  std::map<CellPlace, Sums> cells;
+  std::map<CellPlace, CellSums> cells;
   for (const auto& [index, sightings] : byPicture) {
     const double all = trustedCorners(sightings);
     if (all <= 3) {
@@ -130,7 +130,7 @@ Leftover leftover(const std::vector<CaptureSet>& sets, const Measurements& measu
       const auto [count, squares] = addCorners(*sighting, freed(*sighting, motion), picture.camera, lens, cells);
       if (count > 0) { // six of the picture's numbers went into its motion
         result.boards.push_back({index, picture.sightings[sighting->sighting].view.board(),
-                                 boards[sighting->sighting].distance,
+                                 boards[sighting->sighting].distance(),
                                  std::sqrt(squares / (2 * count) / (1 - 3 / all))});
       }
     }

@@ -18,7 +18,7 @@ std::vector<SceneBoard> scene(const Measurements& measurements, const Picture& p
       sighting.view.setDrift(robot, belief, torsoFromLink, picture.instant.velocity, attitude);
     }
     SceneBoard& board = result.emplace_back();
-    board.distance = attitude.opticalFromBoard.translation.norm();
+    board.opticalFromBoard = attitude.opticalFromBoard;
     board.corners.setConstant(2, at(sighting.ids.size()), std::numeric_limits<double>::quiet_NaN());
     if (sighting.view.project(attitude, belief, sighting.corners, projected)) {
       for (Eigen::Index i = 0; i < board.corners.cols(); ++i) {

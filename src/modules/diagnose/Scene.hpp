@@ -10,7 +10,10 @@ namespace naocal {
 /// What one picture should show of one board if everything were as believed.
 struct SceneBoard {
   Eigen::Matrix2Xd corners; // [px]; not finite where one would lie behind the camera
-  double distance = 0;      // of the board's origin from the camera [m]
+  RigidTransform opticalFromBoard;
+
+  /// Of the board's origin from the camera [m].
+  double distance() const { return opticalFromBoard.translation.norm(); }
 };
 
 /// Of all sightings of a picture, in their order.

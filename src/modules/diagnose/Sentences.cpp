@@ -38,18 +38,35 @@ std::string missing(const Diagnosis& diagnosis) {
   return text;
 }
 
+/// "LKneePitch", and how far: "±0.30°".
+std::pair<std::string, std::string> whereAndHowFar(const DriverFinding& curve) {
+  if (curve.unit == "m") {
+    return {
+        fmt::format("board {}, whose corners do not lie where its file has them (bent, badly printed or not on flat "
+                    "ground?),",
+                    curve.place),
+        fmt::format("±{:.2g} mm along its {} axis", 1000 * curve.amplitude, curve.about)};
+  }
+  if (curve.unit == "px") {
+    return {fmt::format("the lens of camera {}", curve.place),
+            fmt::format("±{:.2g} px along {}", curve.amplitude, curve.about)};
+  }
+  const std::string far = fmt::format("±{:.2f}°", degrees(curve.amplitude));
+  return {curve.about.empty()
+              ? curve.place
+              : fmt::format("the mount of camera {}, which turns about its {} axis,", curve.place, curve.about),
+          far};
+}
+
 std::string unknown(const Diagnosis& diagnosis) {
   const DriverFinding& curve = diagnosis.drivers.front();
-  const std::string where = curve.about.empty() ? curve.place
-                                                : fmt::format("the mount of camera {}, which turns about its {} axis,",
-                                                              curve.place, curve.about);
-  return fmt::format("unknown effect: no effect of the catalogue explains the misfit. It sits at {} and varies with {} "
-                     "({}), by about ±{:.2f}°{}. {}",
-                     where, curve.driver, curve.what, degrees(curve.amplitude),
-                     curve.expression.empty() ? "" : "; like " + curve.expression,
-                     diagnosis.suggested.empty()
-                         ? ""
-                         : fmt::format("It is left after adding {}.", fmt::join(diagnosis.suggested, ", ")));
+  const auto [where, howFar] = whereAndHowFar(curve);
+  return fmt::format(
+      "unknown effect: no effect of the catalogue explains the misfit. It sits at {} and varies with {} "
+      "({}), by about {}{}. {}",
+      where, curve.driver, curve.what, howFar, curve.expression.empty() ? "" : "; like " + curve.expression,
+      diagnosis.suggested.empty() ? ""
+                                  : fmt::format("It is left after adding {}.", fmt::join(diagnosis.suggested, ", ")));
 }
 
 } // namespace

@@ -45,11 +45,15 @@ json modelFile(const JsonPlace& curve) {
 json curveJson(const JsonPlace& curve) {
   const std::string joint = curve.at("at").text(), driver = curve.at("driver").text();
   const auto about = curve.find("about");
-  const auto [unit, scale] = shownUnit(driverUnit(driver));
+  const auto valueUnit = curve.find("unit");
+  const auto [shown, size] = shownUnit(valueUnit ? valueUnit->text() : "rad"); // of what varies
+  const bool within = shown != "°"; // pictures: a board's shape or a lens, over places there
+  const auto [unit, scale] = shownUnit(within ? (shown == "px" ? "px" : "m") : driverUnit(driver));
+  const bool written = !curve.at("coefficients").members().empty(); // as an expression: only joints' curves are
   json points = json::array();
   for (const JsonPlace& point : curve.at("curve").elements()) {
     const std::vector<double> values = point.numbers(3, anyNumber, "driver, deflection, standard error");
-    points.push_back({scale * values[0], degrees(values[1]), degrees(values[2])});
+    points.push_back({scale * values[0], size * values[1], size * values[2]});
   }
   if (points.size() < 2) {
     curve.at("curve").refuse("at least two points");
@@ -59,12 +63,15 @@ json curveJson(const JsonPlace& curve) {
           {"what", curve.at("what").text()},
           {"unit", unit},
           {"points", points},
-          {"amplitude", degrees(curve.at("amplitude").number(anyNumber))},
+          {"valueUnit", shown},
+          {"amplitude", size * curve.at("amplitude").number(anyNumber)},
           {"evidence", curve.at("evidence").number(anyNumber)},
-          {"expression", curve.at("expression").text()},
-          {"title", about ? fmt::format("turn of camera {} about its {} axis", joint, about->text())
-                          : fmt::format("deflection of {}", joint)},
-          {"model", about ? json(nullptr) : modelFile(curve)}};
+          {"expression", written ? curve.at("expression").text() : ""},
+          {"title", shown == "mm"   ? fmt::format("corners of board {} off along {}", joint, about->text())
+                    : shown == "px" ? fmt::format("errors of camera {} along {}", joint, about->text())
+                    : about         ? fmt::format("turn of camera {} about its {} axis", joint, about->text())
+                                    : fmt::format("deflection of {}", joint)},
+          {"model", written ? modelFile(curve) : json(nullptr)}};
 }
 
 json mapJson(const JsonPlace& diagnosis) {

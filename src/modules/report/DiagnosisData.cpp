@@ -102,7 +102,8 @@ json diagnosisData(const JsonPlace& diagnosis) {
   list("candidates", "ranking", [&](const JsonPlace& entry) { return candidateJson(entry, data); });
   list("curves", "drivers", curveJson);
   list("suspicious", "suspicious", suspicionJson);
-  if (const auto next = diagnosis.find("next"); next && !next->value().is_null()) {
+  const auto next = diagnosis.find("next");
+  if (next && !next->value().is_null() && next->at("why").value() != "") { // else nothing is open
     data["next"] = {{"poses", next->at("poses").elements().size()}, {"why", next->at("why").text()}};
   }
   data["facts"] = json::array();

@@ -73,6 +73,30 @@ json withinData(const JsonPlace& within, const json& data) {
   return {{"noise", within.at("noisePx").number(shiftPx)}, {"cells", std::move(cells)}, {"boards", std::move(boards)}};
 }
 
+/// Boards (name, p) with corners (place and id, off and sigma in millimetres).
+json shapeData(const JsonPlace& list) {
+  constexpr Range metres{-1e3, 1e3, "m"};
+  constexpr double millimetre = 1e-3;
+  json result = json::array();
+  for (const JsonPlace& shape : list.elements()) {
+    json corners = json::array();
+    for (const JsonPlace& corner : shape.at("corners").elements()) {
+      json shown{{"id", corner.at("id").integer(0, largestNumber)},
+                 {"place", corner.at("place").numbers(3, metres, "x, y and z")}};
+      for (const char* name : {"off", "sigma"}) {
+        for (const double value : corner.at(name).numbers(3, metres, "x, y and z")) {
+          shown[name].push_back(value / millimetre);
+        }
+      }
+      corners.push_back(std::move(shown));
+    }
+    result.push_back({{"board", shape.at("board").text()},
+                      {"p", shape.at("p").number({0, 1, ""})},
+                      {"corners", std::move(corners)}});
+  }
+  return result;
+}
+
 } // namespace
 
 void addLeft(const JsonPlace& diagnosis, json& data) {
@@ -86,7 +110,8 @@ void addLeft(const JsonPlace& diagnosis, json& data) {
   const auto left = diagnosis.find("left");
   for (const auto& [model, over] : left ? left->members() : std::vector<std::pair<std::string, JsonPlace>>{}) {
     data["left"][model] = {{"whatIf", whatIfData(over.at("whatIf"), data)},
-                           {"within", withinData(over.at("withinPictures"), data)}};
+                           {"within", withinData(over.at("withinPictures"), data)},
+                           {"shapes", shapeData(over.at("boardShapes"))}};
   }
 }
 

@@ -13,7 +13,7 @@ function showCurves(parent) {
       curve.joint + " over " + curve.what);
     const caption = figure.appendChild(element("figcaption"));
     caption.append(element("b", "", curve.joint + " over " + curve.what),
-      ": ± " + short(curve.amplitude) + "°, evidence " + tenths(curve.evidence));
+      ": ± " + withUnit(short(curve.amplitude), curve.valueUnit) + ", evidence " + tenths(curve.evidence));
     if (curve.evidence > 0 && curve.model) {
       figure.append(copyBox("like " + curve.expression, modelText(curve.model)));
     }

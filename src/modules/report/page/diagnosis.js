@@ -21,3 +21,4 @@ showCurves(at("curves"));
 offerModels();
 showWhatIf(at("whatIf"));
 showWithin(at("within"), at("ranges"));
+showShapes(at("shapes"));

@@ -80,12 +80,12 @@ export function drawMap(context, width, height, cells) {
 }
 
 // A joint's deflection over what it varies with, with a band of two standard errors.
-export function drawCurve(context, width, height, {joint, driver, unit, points, title = "deflection of " + joint}) {
+export function drawCurve(context, width, height, {joint, driver, unit, valueUnit = "°", points, title = "deflection of " + joint}) {
   const box = {left: 52, right: width - 8, top: 30, bottom: height - 42};
   const reach = 1.05 * Math.max(1e-3, ...points.map(([, y, error]) => Math.abs(y) + 2 * error));
   const xs = points.map(([x]) => x), name = driver === "q" ? joint : driver === "tau" ? "tau_" + joint : driver;
   const {x, y} = axes(context, box, [Math.min(...xs), Math.max(...xs)], [-reach, reach],
-    {title: title + " [°]", xLabel: name + (unit ? " [" + unit + "]" : "")});
+    {title: title + " [" + valueUnit + "]", xLabel: name + (unit ? " [" + unit + "]" : "")});
   const path = list => {
     context.beginPath();
     list.forEach(([a, b], i) => i ? context.lineTo(x(a), y(b)) : context.moveTo(x(a), y(b)));
@@ -99,7 +99,7 @@ export function drawCurve(context, width, height, {joint, driver, unit, points, 
   path(points);
   context.stroke();
   return points.map(([a, b, error]) => ({x: x(a), y: y(b), tip: () => name + " = " + withUnit(short(a), unit) + "\n" + title +
-    ": " + withError(b, error, "°")}));
+    ": " + withError(b, error, valueUnit)}));
 }
 
 // A point for each pose, a line whose slope is the effect's size, and its band of two standard errors.

@@ -1,0 +1,157 @@
+#include "diagnose/FreedErrors.hpp"
+
+#include "diagnose/Scene.hpp"
+#include "geometry/Index.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <array>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <cmath>
+#include <map>
+
+namespace naocal {
+
+namespace {
+
+constexpr Eigen::Index leastCorners = 4; // with three, the board's motion explains everything
+constexpr double counts = 0.5;           // weight of a corner that does
+constexpr double leastNoise = 0.01;      // no corner is found better [px]
+
+/// Sums over a pose's repeats of one board in one camera, per corner.
+struct RepeatSums {
+  struct Corner {
+    Eigen::Vector2d error = Eigen::Vector2d::Zero();
+    double weight = 0, share = 0;
+  };
+  std::map<int, Corner> corners;
+
+  void add(const FreedSighting& sighting, const Eigen::MatrixXd& freed) {
+    for (std::size_t i = 0; i < sighting.ids->size(); ++i) {
+      const double weight = sighting.errors->weight[at(i)];
+      Corner& corner = corners[(*sighting.ids)[i]];
+      corner.error += weight * freed.middleRows<2>(at(2 * i));
+      corner.weight += weight;
+      corner.share += weight * sighting.share;
+    }
+  }
+};
+
+/// Squares of the repeats' means, and how many numbers they are beside the boards' motions.
+struct MeanSquares {
+  double sum = 0, freedom = 0, corners = 0;
+
+  void add(const RepeatSums& repeats) {
+    double own = 0;
+    for (const auto& [id, corner] : repeats.corners) {
+      if (corner.share > counts) {
+        sum += corner.share * (corner.error / corner.weight).squaredNorm();
+        own += 1;
+      }
+    }
+    corners += own;
+    freedom += std::max(0.0, 2 * own - 6);
+  }
+};
+
+FreedSighting freedSighting(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
+                            const SightingResidual& errors) {
+  const Picture& picture = measurements.pictures[errors.picture];
+  const Sighting& sighting = picture.sightings[errors.sighting];
+  FreedSighting result{
+      .errors = &errors, .ids = &sighting.ids, .camera = picture.camera, .board = sighting.view.board()};
+  const Belief belief = believed(measurements, model, picture, fit.unknowns);
+  result.opticalFromBoard = scene(measurements, picture, belief)[errors.sighting].opticalFromBoard.rotation;
+  result.weights = errors.weight.replicate(1, 2).transpose().reshaped();
+  result.weighted = result.weights.asDiagonal() * errors.motionRows;
+  result.motion.compute(errors.motionRows.transpose() * result.weighted);
+  return result;
+}
+
+} // namespace
+
+Eigen::MatrixXd FreedSighting::freed(const Eigen::MatrixXd& columns) const {
+  return columns - errors->motionRows * motion.solve(weighted.transpose() * columns);
+}
+
+FreedErrors::FreedErrors(const Measurements& measurements, const Model& model, const CalibrationResult& fit) {
+  std::vector<std::size_t> poseOf(measurements.pictures.size());
+  for (std::size_t pose = 0; pose < measurements.poses.size(); ++pose) {
+    for (const Reading& reading : measurements.poses[pose].readings) {
+      for (std::size_t picture : reading.pictures) {
+        poseOf[picture] = pose;
+      }
+    }
+  }
+  using Repeats = std::array<std::size_t, 3>; // pose, camera, board
+  std::map<Repeats, std::vector<std::size_t>> repeats;
+  for (const SightingResidual& errors : fit.sightings) {
+    if (errors.residual.allFinite() && (errors.weight.array() > counts).count() >= leastCorners) {
+      const FreedSighting& added = sightings_.emplace_back(freedSighting(measurements, model, fit, errors));
+      repeats[{poseOf[errors.picture], added.camera, added.board}].push_back(sightings_.size() - 1);
+    }
+  }
+  std::size_t number = 0;
+  for (const auto& [key, members] : repeats) {
+    for (std::size_t member : members) {
+      sightings_[member].repeats = number;
+      sightings_[member].share = 1 / static_cast<double>(members.size());
+    }
+    ++number;
+  }
+}
+
+FieldFit FreedErrors::fitted(Eigen::Index count, double plausible,
+                             const std::function<bool(const FreedSighting&)>& chosen,
+                             const std::function<Eigen::MatrixXd(const FreedSighting&)>& columns) const {
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(count, count);
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(count);
+  std::map<std::size_t, RepeatSums> repeats;
+  for (const FreedSighting& sighting : sightings_) {
+    if (chosen(sighting)) {
+      const Eigen::MatrixXd own = columns(sighting), weighted = sighting.weights.asDiagonal() * own;
+      const Eigen::MatrixXd left = sighting.freed(sighting.errors->residual.reshaped());
+      gram += sighting.share * weighted.transpose() * sighting.freed(own);
+      gradient += sighting.share * weighted.transpose() * left;
+      repeats[sighting.repeats].add(sighting, left);
+    }
+  }
+  MeanSquares all;
+  for (const auto& [number, sums] : repeats) {
+    all.add(sums);
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ways{gram};
+  const Eigen::VectorXd along = ways.eigenvectors().transpose() * gradient;
+  // A first guess of the noise decides which ways the captures tell, to about five times what is plausible.
+  const double guessed = std::max(all.sum / std::max(1.0, all.freedom), leastNoise * leastNoise);
+  const double leastTold = guessed / std::pow(5 * plausible, 2);
+  double explained = 0, freedom = 0; // of the ways that are told
+  for (Eigen::Index i = 0; i < count; ++i) {
+    if (ways.eigenvalues()[i] > leastTold) {
+      explained += along[i] * along[i] / ways.eigenvalues()[i];
+      ++freedom;
+    }
+  }
+  FieldFit result{.estimate = Eigen::VectorXd::Zero(count), .covariance = Eigen::MatrixXd::Zero(count, count)};
+  constexpr double fewest = 10;
+  const double remaining = all.freedom - freedom;
+  if (freedom < 1 || remaining < fewest) {
+    return result;
+  }
+  result.freedom = freedom;
+  const double noise = std::max((all.sum - explained) / remaining, leastNoise * leastNoise);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double told = ways.eigenvalues()[i] / noise;
+    if (ways.eigenvalues()[i] > leastTold) {
+      const double prior = told * plausible * plausible, kept = prior / (1 + prior);
+      const double found = along[i] / ways.eigenvalues()[i];
+      result.estimate += kept * found * ways.eigenvectors().col(i);
+      result.covariance += kept / told * ways.eigenvectors().col(i) * ways.eigenvectors().col(i).transpose();
+      result.bayes += kept * told * found * found - std::log1p(prior);
+    }
+  }
+  result.rmsPx = std::sqrt(std::max(0.0, explained - freedom * noise) / (2 * all.corners));
+  result.pValue = cdf(complement(boost::math::fisher_f{freedom, remaining}, explained / freedom / noise));
+  return result;
+}
+
+} // namespace naocal
