@@ -1,5 +1,6 @@
 #include "Panel.hpp"
 
+#include "Errand.hpp"
 #include "Guard.hpp"
 #include "LabDesk.hpp"
 #include "Robots.hpp"
@@ -41,7 +42,8 @@ struct Panel::Implementation {
                newToken(),
                {[this](std::string_view path) { return file(path); }, [this](std::size_t panel) { greet(panel); },
                 [this](std::size_t panel) { robots.forget(panel); },
-                [this](std::size_t panel, const std::string& text) { received(panel, text); }}} {
+                [this](std::size_t panel, const std::string& text) { received(panel, text); }}},
+        errand{context, naocalProgram(), [this](const std::string& json) { server.sendAll(message(json)); }} {
     signals.async_wait([this](boost::system::error_code, int) { context.stop(); });
     for (const std::string& robot : options.robots) {
       robots.connect(robot);
@@ -106,6 +108,7 @@ struct Panel::Implementation {
       server.send(panel, told);
     }
     robots.greet(panel);
+    server.send(panel, message(errand.latest()));
   }
 
   void received(std::size_t panel, const std::string& text) {
@@ -127,7 +130,7 @@ struct Panel::Implementation {
         server.send(panel, message(stood(request).dump()));
         return;
       }
-      if (robots.asked(panel, request) || (desk && desk->asked(request))) {
+      if (robots.asked(panel, request) || (desk && desk->asked(request)) || errand.asked(request)) {
         return;
       }
       problem = fmt::format("the bridge does not know how to do \"{}\"", request.at("do").get<std::string>());
@@ -156,6 +159,7 @@ struct Panel::Implementation {
   std::map<std::string, Message> latest; // what the laboratory told, by kind: for panels to come
   Robots robots;
   Server server;
+  Errand errand;
   std::size_t desks = 0;         // that there were
   std::unique_ptr<LabDesk> desk; // ends first: its thread posts to the context
 };

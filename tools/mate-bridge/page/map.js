@@ -1,7 +1,7 @@
 // The joint by driver map, and the best of its curves.
 import {make, button, empty} from "./elements.js";
 import {figure, bestOf, mapHeight, drawMap, drawCurve} from "./canvas.js";
-import {tenths, driverWords, short} from "./words.js";
+import {tenths, driverWords, short, withUnit} from "./words.js";
 import {state} from "./state.js";
 import {ownFrom} from "./own.js";
 
@@ -38,7 +38,7 @@ function curveFigure(curve, go) {
   const {joint, what} = curve;
   const drawn = figure({height: 250, label: joint + " over " + what,
     draw: (context, width, height) => drawCurve(context, width, height, curve)});
-  return make("figure", {}, drawn, make("figcaption", {}, make("b", {}, joint + " over " + what), ": ± " + short(curve.amplitude) +
-    "°, evidence " + tenths(curve.evidence)),
+  return make("figure", {}, drawn, make("figcaption", {}, make("b", {}, joint + " over " + what), ": ± " +
+    withUnit(short(curve.amplitude), curve.valueUnit) + ", evidence " + tenths(curve.evidence)),
     curve.evidence > 0 && curve.model ? button("Take over as an own effect", () => { ownFrom(curve.model.define[0]); go("own"); }, {class: "small"}) : null);
 }

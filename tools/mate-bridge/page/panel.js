@@ -16,6 +16,7 @@ import {showFiles} from "./files.js";
 import {offerViews} from "./session.js";
 import {told} from "./robots.js";
 import {showKeys, keysTold} from "./keys.js";
+import {showTools} from "./tools.js";
 
 const at = id => document.getElementById(id);
 
@@ -31,7 +32,9 @@ const views = [
   {id: "match", name: "Calibrate", show: showMatch, leave: leaveMatch, kinds: []},
   {id: "live", name: "Live", show: showLive, leave: leaveLive, kinds: []},
   {id: "keys", name: "Configuration", show: showKeys, kinds: []},
+  {id: "tools", name: "Tools", show: showTools, kinds: []},
 ];
+const keyed = ["1", "2", "3", "4", "5", "6", "7", "8", "9", "0", "t"]; // the views' keys
 let current, complete = false; // whether everything that a view of the laboratory shows was told
 
 function go(id) {
@@ -144,15 +147,15 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", readColour
 
 document.addEventListener("keydown", event => {
   if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName)) return;
-  const place = event.key === "0" ? 10 : Number(event.key);
-  if (place >= 1 && place <= views.length) go(views[place - 1].id);
+  const place = keyed.indexOf(event.key) + 1;
+  if (place >= 1) go(views[place - 1].id);
   else if (event.key === "u" && state.ladder && state.ladder.at > 0) act({do: "goTo", rung: state.ladder.at - 1});
   else if (event.key === "r" && state.ladder && state.ladder.at + 1 < state.ladder.rungs.length) act({do: "goTo", rung: state.ladder.at + 1});
 });
 
 views.forEach((view, i) => {
   if (view.id === "match") at("tabs").append(make("span", {class: "gap"}));
-  const tab = button(view.name, () => go(view.id), {title: "key " + (i + 1) % 10});
+  const tab = button(view.name, () => go(view.id), {title: "key " + keyed[i]});
   tab.dataset.view = view.id;
   at("tabs").append(tab);
 });

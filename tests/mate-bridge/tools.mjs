@@ -1,0 +1,66 @@
+// Drives the panel's tools in a real browser: a simulated robot's captures are made and opened, poses planned, a slip
+// is told in the program's own words, a long command is ended; and nothing but naocal's commands can be run.
+// Usage: node tools.mjs MATE-BRIDGE NODE_MODULES PICTURES
+import {existsSync, readFileSync} from "node:fs";
+import {join} from "node:path";
+import {tools, check, panelOf, folder, quietPage, portrait, end} from "./browser.mjs";
+
+const [, , bridge, modules, pictures] = process.argv;
+const {launch, axe} = tools(modules), here = folder();
+const panel = await panelOf(bridge);
+const browser = await launch(), page = await quietPage(browser, panel.address);
+const click = name => page.getByRole("button", {name, exact: true}).click();
+const status = page.locator("#toolStatus"), line = page.locator("#toolLine"), output = page.locator("#toolOutput");
+const ended = () => page.waitForFunction(() => /finished|ended with/.test(document.getElementById("toolStatus").textContent), null, {timeout: 120000});
+
+await click("Tools");
+await click("Simulate");
+await page.getByLabel("write the captures to").fill(join(here, "a robot"));
+await page.getByLabel("poses, or a plan's file").fill("8");
+await page.getByLabel("hide a flaw in it").check();
+check((await line.innerText()).trim() === "naocal simulate '" + join(here, "a robot") + "' --poses 8 --samples 3 --support left --seed 1 --hidden-flaw", "the line is what one would type: " + await line.innerText());
+await portrait(page, axe, pictures, "tools");
+await click("Run");
+await ended();
+check((await status.innerText()).endsWith("has finished."), "captures are simulated: " + await status.innerText());
+check(existsSync(join(here, "a robot", "captures.json")), "they are there");
+await page.getByRole("button", {name: /^Open /}).click();
+await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor({timeout: 60000});
+check(true, "they are opened by a click");
+
+await click("Tools");
+await click("Plan poses");
+await page.getByLabel("write the plan to").fill(join(here, "poses.json"));
+await page.getByLabel("chosen among").fill("20000");
+await page.getByLabel("poses", {exact: true}).fill("5");
+await click("Run");
+await page.waitForFunction(() => /poses .*finished/.test(document.getElementById("toolStatus").textContent), null, {timeout: 120000});
+check(JSON.parse(readFileSync(join(here, "poses.json"))).poses.length === 5, "five poses are planned");
+await portrait(page, axe, pictures, "tools-finished");
+
+await page.getByLabel("stand on").selectOption("both");
+await page.getByLabel("further options").fill("--sellect 3");
+await click("Run");
+await page.waitForFunction(() => /ended with/.test(document.getElementById("toolStatus").textContent), null, {timeout: 60000});
+check((await output.innerText()).includes("--sellect"), "a slip is told in the program's words: " + (await output.innerText()).trim());
+
+await click("Evaluate: next poses");
+await page.getByLabel("robots").fill("5000");
+await click("Run");
+await page.locator("#toolEnd").waitFor();
+check(await page.locator("#toolRun").isDisabled(), "one command at a time");
+await page.waitForTimeout(1000);
+await click("End it");
+await page.getByText("finishes what it has begun").waitFor();
+await click("End it");
+await page.waitForFunction(() => /was ended/.test(document.getElementById("toolStatus").textContent), null, {timeout: 30000});
+check(true, "a long command is ended: " + await status.innerText());
+
+const refused = await page.evaluate(words => new Promise(resolve => {
+  const socket = new WebSocket(location.href.replace(/^http/, "ws").replace(/#.*$/, "") + "live");
+  socket.onopen = () => socket.send(JSON.stringify({do: "run", words}));
+  socket.onmessage = ({data}) => { if (typeof data === "string" && JSON.parse(data).kind === "refused") resolve(JSON.parse(data).sentence); };
+}), ["explore; touch x", "/etc"]);
+check(refused.includes("expected one of naocal's commands"), "nothing else is run: " + refused);
+await browser.close();
+end();
