@@ -40,6 +40,13 @@ bool explains(const Inquiry& inquiry, std::optional<std::size_t> candidate, cons
   return !samePlace && inquiry.ofCandidate(*candidate).bayes > 2 * field.fit.bayes;
 }
 
+/// The field, unless it is what little an effect leaves that follows its shape but roughly. `most`: of all so far.
+std::optional<ImageField> worthANote(const std::optional<ImageField>& field, double& most) {
+  constexpr double little = 0.2;
+  most = std::max(most, field ? field->fit.bayes : 0);
+  return field && field->fit.bayes < little * most ? std::nullopt : field;
+}
+
 /// `missing`: an effect that has a name explains the misfit. `unknown`: nothing that has a name does, but a curve.
 Verdict verdictOf(const Diagnosis& diagnosis, const Inquiry& last, bool missing, bool unknown) {
   constexpr double surely = 9;          // of a likelihood ratio at its boundary: p = 0.0013
@@ -82,7 +89,7 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
   result.fit = ladder.fit();
   result.rmsPx = result.fit.rmsPx;
   bool unknown = false;
-  double fieldAtFirst = 0;      // the most that was striking within pictures
+  double most = 0;              // that was striking within pictures
   std::list<Inquiry> inquiries; // the first of the model as given, and the latest
   while (true) {
     if (inquiries.size() > 1) {
@@ -95,11 +102,7 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
       result.suspicious = suspicions(sets, measurements, ladder.model(), ladder.fit(), inquiry);
       result.alarm = inquiry.evidence().pValue;
     }
-    std::optional<ImageField> field = strikingField(measurements, ladder.model(), ladder.fit());
-    fieldAtFirst = std::max(fieldAtFirst, field ? field->fit.bayes : 0);
-    if (field && field->fit.bayes < fieldAtFirst / 5) { // what is added now follows its shape but roughly
-      field.reset();
-    }
+    const std::optional<ImageField> field = worthANote(strikingField(measurements, ladder.model(), ladder.fit()), most);
     const bool alarm = (inquiry.evidence().pValue <= options.alarm || field) && result.suspicious.empty();
     const std::optional<std::size_t> candidate = alarm ? ladder.best(inquiry) : std::nullopt;
     if (alarm && inquiry.curveCount() > 0) {

@@ -78,14 +78,17 @@ ImageField again(const ImageField& field, const FreedErrors& errors, const Measu
 
 std::optional<ImageField> strikingField(const Measurements& measurements, const Model& model,
                                         const CalibrationResult& fit) {
-  constexpr double surely = 6;       // 2 ln of a Bayes factor
-  constexpr double byChance = 0.001; // in all fields together
-  constexpr double known = 0.1;      // no lens, no detector and no printer is known better [px]
+  constexpr double surely = 6;           // 2 ln of a Bayes factor
+  constexpr double byChance = 0.001;     // in all fields together
+  constexpr std::size_t fewCorners = 60; // of a board, to be looked at one by one: that takes their cube of time
+  constexpr double known = 0.1;          // no lens, no detector and no printer is known better [px]
   const FreedErrors errors{measurements, model, fit};
   std::vector<ImageField> fields;
   for (std::size_t board = 0; board < measurements.targets.size(); ++board) {
-    fields.push_back(cornerField(errors, measurements, board));
     fields.push_back(sheetField(errors, measurements, board));
+    if (measurements.targets[board].board.points.size() <= fewCorners) {
+      fields.push_back(cornerField(errors, measurements, board));
+    }
   }
   for (std::size_t camera = 0; camera < measurements.robot.cameras.size(); ++camera) {
     fields.push_back(cameraField(errors, measurements, camera));
