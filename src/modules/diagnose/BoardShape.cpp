@@ -13,11 +13,11 @@ BoardShape boardShape(const ImageField& field, const Measurements& measurements)
   const Sheet sheet{points};
   BoardShape shape{.board = field.at, .corners = {}, .pValue = field.fit.pValue};
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::RowVectorXd basis = sheet.basis(i);
     Eigen::MatrixXd byCoefficients = Eigen::MatrixXd::Zero(3, field.fit.estimate.size());
     if (field.of == ImageField::Of::corners) {
       byCoefficients.middleCols<3>(at(3 * i)).setIdentity();
     } else {
+      const Eigen::RowVectorXd basis = sheet.basis(i);
       for (Eigen::Index axis = 0; axis < 3; ++axis) {
         byCoefficients.block(axis, axis * basis.size(), 1, basis.size()) = basis;
       }

@@ -53,14 +53,13 @@ struct MeanSquares {
   }
 };
 
-FreedSighting freedSighting(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
-                            const SightingResidual& errors) {
-  const Picture& picture = measurements.pictures[errors.picture];
+/// `boards`: of the sighting's picture.
+FreedSighting freedSighting(const SightingResidual& errors, const Picture& picture,
+                            const std::vector<SceneBoard>& boards) {
   const Sighting& sighting = picture.sightings[errors.sighting];
   FreedSighting result{
       .errors = &errors, .ids = &sighting.ids, .camera = picture.camera, .board = sighting.view.board()};
-  const Belief belief = believed(measurements, model, picture, fit.unknowns);
-  result.opticalFromBoard = scene(measurements, picture, belief)[errors.sighting].opticalFromBoard.rotation;
+  result.opticalFromBoard = boards[errors.sighting].opticalFromBoard.rotation;
   result.weights = errors.weight.replicate(1, 2).transpose().reshaped();
   result.weighted = result.weights.asDiagonal() * errors.motionRows;
   result.motion.compute(errors.motionRows.transpose() * result.weighted);
@@ -84,9 +83,15 @@ FreedErrors::FreedErrors(const Measurements& measurements, const Model& model, c
   }
   using Repeats = std::array<std::size_t, 3>; // pose, camera, board
   std::map<Repeats, std::vector<std::size_t>> repeats;
+  std::map<std::size_t, std::vector<SceneBoard>> scenes; // by picture
   for (const SightingResidual& errors : fit.sightings) {
     if (errors.residual.allFinite() && (errors.weight.array() > counts).count() >= leastCorners) {
-      const FreedSighting& added = sightings_.emplace_back(freedSighting(measurements, model, fit, errors));
+      const Picture& picture = measurements.pictures[errors.picture];
+      const auto [boards, fresh] = scenes.try_emplace(errors.picture);
+      if (fresh) {
+        boards->second = scene(measurements, picture, believed(measurements, model, picture, fit.unknowns));
+      }
+      const FreedSighting& added = sightings_.emplace_back(freedSighting(errors, picture, boards->second));
       repeats[{poseOf[errors.picture], added.camera, added.board}].push_back(sightings_.size() - 1);
     }
   }

@@ -38,6 +38,8 @@ public:
 private:
   CandidateFinding& findingOf(const Term& term);
   void refit();
+  /// The model with one more effect.
+  Model with(const Term& term) const;
   /// Earlier additions that the last one has made superfluous.
   void dropSuperfluous(std::vector<std::string>& suggested);
   double refittedDrop(const Inquiry& inquiry, std::size_t candidate) const;

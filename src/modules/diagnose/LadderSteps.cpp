@@ -21,12 +21,16 @@ bool isNeeded(const Term& term, const CalibrationResult& fit) {
 
 } // namespace
 
+Model Ladder::with(const Term& term) const {
+  std::vector<std::string> labels = added_;
+  labels.push_back(term.label());
+  return makeModel(measurements_, labels, options_.without, options_.effects);
+}
+
 double Ladder::refittedDrop(const Inquiry& inquiry, std::size_t candidate) const {
   Noise noise = inquiry.noise();
   noise.pose = inquiry.ofCandidate(candidate).level;
-  std::vector<std::string> with = added_;
-  with.push_back(inquiry.candidates()[candidate].label());
-  const Model larger = makeModel(measurements_, with, options_.without, options_.effects);
+  const Model larger = with(inquiry.candidates()[candidate]);
   const auto cost = [&](const Model& model, const Eigen::VectorXd& start) {
     Loss loss;
     loss.scale = fit_.loss.scale * fit_.sigmaScale;
@@ -87,9 +91,7 @@ bool Ladder::stays(const ImageField& field, const Inquiry& inquiry) const {
   constexpr std::size_t most = 6;
   const std::vector<std::size_t> order = inquiry.candidatesByEvidence();
   for (std::size_t i = 0; i < std::min(most, order.size()) && inquiry.ofCandidate(order[i]).bayes > 0; ++i) {
-    std::vector<std::string> with = added_;
-    with.push_back(inquiry.candidates()[order[i]].label());
-    const Model larger = makeModel(measurements_, with, options_.without, options_.effects);
+    const Model larger = with(inquiry.candidates()[order[i]]);
     const CalibrationResult fit = calibrated(larger, carried(model_, fit_.unknowns, larger));
     if (again(field, {measurements_, larger, fit}, measurements_).fit.bayes < field.fit.bayes / 2) {
       return false;

@@ -1,7 +1,7 @@
 // Tools: the terminal's commands that need no captures on the desk, with the words that one would type there.
 import {make, button, empty} from "./elements.js";
 import {on} from "./connection.js";
-import {state, act} from "./state.js";
+import {act} from "./state.js";
 
 // A field: `flag` before it (none: it stands alone), `value` to begin with; `options` to choose from, `check`: with or without.
 const commands = [
