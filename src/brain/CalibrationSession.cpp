@@ -4,24 +4,13 @@
 #include "captures/CaptureSetFile.hpp"
 #include "captures/Files.hpp"
 #include "captures/InputError.hpp"
+#include "captures/PictureFile.hpp"
 #include "detect/Detection.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 namespace naocal {
-namespace {
-
-void writePicture(const GreyPicture& picture, const std::filesystem::path& file) {
-  // OpenCV does not write through this pointer
-  const cv::Mat image{picture.height, picture.width, CV_8UC1, const_cast<std::uint8_t*>(picture.pixels.data())};
-  std::vector<std::uint8_t> bytes;
-  cv::imencode(".png", image, bytes);
-  writeAtomically(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-}
-
-} // namespace
 
 CalibrationSession::CalibrationSession(const Robot& drawing, CaptureSet header, std::filesystem::path folder)
     : drawing_{drawing}, set_{std::move(header)}, folder_{std::move(folder)} {

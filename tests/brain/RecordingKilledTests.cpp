@@ -3,7 +3,7 @@
 #include "../RobotV6.hpp"
 #include "../TemporaryFolder.hpp"
 #include "captures/CaptureSetFile.hpp"
-#include "detect/Detection.hpp"
+#include "captures/PictureFile.hpp"
 
 #include <catch2/catch.hpp>
 #include <csignal>

@@ -1,5 +1,6 @@
 #include "Scenes.hpp"
 
+#include "captures/PictureFile.hpp"
 #include "detect/SetDetection.hpp"
 
 #include <catch2/catch.hpp>

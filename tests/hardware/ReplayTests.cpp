@@ -4,6 +4,7 @@
 #include "../TemporaryFolder.hpp"
 #include "captures/CaptureSetFile.hpp"
 #include "captures/InputError.hpp"
+#include "captures/PictureFile.hpp"
 #include "synthetic/Rendering.hpp"
 #include "synthetic/Simulation.hpp"
 #include "synthetic/StandingPoses.hpp"

@@ -1,20 +1,22 @@
 #include "Result.hpp"
 
+#include "captures/PictureFile.hpp"
+
+#include <algorithm>
 #include <catch2/catch.hpp>
-#include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
+#include <random>
 
 using namespace naocal;
 using nlohmann::json;
 
 namespace {
 
-void writePicture(const std::filesystem::path& file, int width, int height) {
-  cv::Mat picture(height, width, CV_8UC1);
-  cv::theRNG().state = 1;
-  cv::randu(picture, 0, 256);
+void writeNoise(const std::filesystem::path& file, int width, int height) {
+  GreyPicture picture{width, height, std::vector<std::uint8_t>(std::size_t(width) * std::size_t(height))};
+  std::mt19937 random{1};
+  std::generate(picture.pixels.begin(), picture.pixels.end(), [&] { return static_cast<std::uint8_t>(random()); });
   std::filesystem::create_directories(file.parent_path());
-  REQUIRE(cv::imwrite(file.string(), picture));
+  writePicture(picture, file);
 }
 
 bool hasPhotograph(const json& picture) {
@@ -52,7 +54,7 @@ TEST_CASE("a report says how far the drawing alone is off where the captures are
 TEST_CASE("a report is made without the captures and says that they are gone") {
   // Proves that everything the result file holds is shown without angles and photographs.
   const CalibratedFolder calibrated{"images/one.png"};
-  writePicture(calibrated.captures() / "images/one.png", 64, 48);
+  writeNoise(calibrated.captures() / "images/one.png", 64, 48);
   const json before = shown(calibrated.page());
   std::filesystem::remove_all(calibrated.captures());
   const json after = shown(calibrated.page());
@@ -68,7 +70,7 @@ TEST_CASE("a report is made without the captures and says that they are gone") {
 TEST_CASE("angles and photographs of captures that have changed are not shown") {
   // Proves that a report never mixes a result with other captures, such as another folder of the same name.
   const CalibratedFolder calibrated{"images/one.png"};
-  writePicture(calibrated.captures() / "images/one.png", 64, 48);
+  writeNoise(calibrated.captures() / "images/one.png", 64, 48);
   CaptureSet set = readCaptureSet(calibrated.captures()).set;
   set.captures.front().joints.measured.front() += 0.1;
   writeCaptureSet(set, calibrated.captures());
@@ -89,7 +91,7 @@ TEST_CASE("photographs are embedded, made smaller, and none where there is no pi
   // Proves the data URI by reading it back as a browser would; its base64 by the picture's own size.
   const CalibratedFolder calibrated{"images/large.png"};
   CHECK_FALSE(hasPhotograph(shown(calibrated.page())["pictures"][0]));
-  writePicture(calibrated.captures() / "images/large.png", 1280, 960);
+  writeNoise(calibrated.captures() / "images/large.png", 1280, 960);
   const std::string photograph = shown(calibrated.page())["pictures"][0]["photograph"];
   const std::string head = "data:image/jpeg;base64,";
   REQUIRE(photograph.starts_with(head));
@@ -102,7 +104,7 @@ TEST_CASE("photographs are embedded, made smaller, and none where there is no pi
 TEST_CASE("a picture outside the set's folder is left where it is") {
   // Proves that somebody else's result file cannot take private pictures into a page that is passed on.
   CalibratedFolder calibrated;
-  writePicture(calibrated.captures() / ".." / "private.png", 64, 48);
+  writeNoise(calibrated.captures() / ".." / "private.png", 64, 48);
   const std::string outside = (calibrated.captures() / ".." / "private.png").string();
   for (const std::string& path : {std::string{"../private.png"}, outside}) {
     for (json& sighting : calibrated.result["sightings"]) {
@@ -115,7 +117,7 @@ TEST_CASE("a picture outside the set's folder is left where it is") {
 TEST_CASE("a report stays small however many photographs there are") {
   // Proves the bound with pictures that cannot be compressed: the worst are kept, the page stays below 4 MB.
   const CalibratedFolder calibrated{"images/noise.png"};
-  writePicture(calibrated.captures() / "images/noise.png", 640, 480);
+  writeNoise(calibrated.captures() / "images/noise.png", 640, 480);
   const std::string page = calibrated.page();
   const json pictures = shown(page)["pictures"];
   CHECK(page.size() < 4'000'000);

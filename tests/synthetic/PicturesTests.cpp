@@ -1,3 +1,4 @@
+#include "captures/PictureFile.hpp"
 #include "detect/Detection.hpp"
 #include "synthetic/Pictures.hpp"
 #include "synthetic/StandingPoses.hpp"

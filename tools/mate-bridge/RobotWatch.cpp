@@ -5,6 +5,7 @@
 #include "captures/BoardReader.hpp"
 #include "captures/InputError.hpp"
 #include "captures/JsonPlace.hpp"
+#include "captures/PictureFile.hpp"
 #include "detect/Detection.hpp"
 
 #include <mutex>
@@ -137,7 +138,7 @@ void RobotWatch::pictured(const std::string& key, std::uint64_t timestamp, int w
       std::unique_lock lock{sight->mutex};
       const std::vector<Board> described = sight->boards;
       lock.unlock();
-      for (const BoardCorners& seen : detect(pictureOf(bytes, "a live picture"), described, eye.lens).boards) {
+      for (const BoardCorners& seen : detect(decodedPicture(bytes, "a live picture"), described, eye.lens).boards) {
         lock.lock();
         const auto predicted = sight->places.predicted(seen, eye);
         lock.unlock();

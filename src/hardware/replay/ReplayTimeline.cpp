@@ -1,7 +1,7 @@
 #include "hardware/replay/ReplayTimeline.hpp"
 
 #include "captures/InputError.hpp"
-#include "detect/Detection.hpp"
+#include "captures/PictureFile.hpp"
 
 #include <algorithm>
 #include <cmath>

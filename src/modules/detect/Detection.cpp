@@ -1,7 +1,5 @@
 #include "detect/Detection.hpp"
 
-#include "captures/Files.hpp"
-#include "captures/InputError.hpp"
 #include "detect/BoardDetection.hpp"
 #include "detect/BoardLayout.hpp"
 #include "detect/Markers.hpp"
@@ -11,7 +9,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <map>
-#include <opencv2/imgcodecs.hpp>
 #include <set>
 
 namespace naocal {
@@ -72,24 +69,6 @@ Detection detect(const GreyPicture& picture, const std::vector<Board>& boards, c
     reportUnknown(dictionary, all, boards, detection);
   }
   return detection;
-}
-
-GreyPicture readPicture(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file)) {
-    throw InputError(fmt::format("{}: a picture was expected, but there is no such file", file.string()));
-  }
-  return pictureOf(fileContent(file), file.string());
-}
-
-GreyPicture pictureOf(std::string_view content, const std::string& name) {
-  // OpenCV does not write through this pointer
-  const cv::Mat bytes{1, static_cast<int>(content.size()), CV_8UC1, const_cast<char*>(content.data())};
-  const cv::Mat1b image = content.empty() ? cv::Mat{} : cv::imdecode(bytes, cv::IMREAD_GRAYSCALE);
-  if (image.empty()) {
-    throw InputError(
-        fmt::format("{}: a picture (.png, .jpg, ...) was expected, but it could not be read as one", name));
-  }
-  return {image.cols, image.rows, {image.begin(), image.end()}};
 }
 
 std::string name(FindingKind kind) {

@@ -4,10 +4,8 @@
 #include "captures/GreyPicture.hpp"
 
 #include <Eigen/Core>
-#include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace naocal {
@@ -42,12 +40,6 @@ struct Detection {
 /// pixels), fitted as centres of symmetry (CornerFit.hpp) and checked against their neighbours (BoardSearch.hpp).
 /// OpenCV's own ChArUco corners, half a pixel off in version 4.6, are not used.
 Detection detect(const GreyPicture& picture, const std::vector<Board>& boards, const CameraIntrinsics& intrinsics);
-
-/// Reads a picture file of any usual format as grey. Throws InputError that names the file.
-GreyPicture readPicture(const std::filesystem::path& file);
-
-/// The same of a file's content; `name`: what a refusal calls it.
-GreyPicture pictureOf(std::string_view content, const std::string& name);
 
 /// A finding's kind as it stands in files: "wrong-pattern".
 std::string name(FindingKind kind);

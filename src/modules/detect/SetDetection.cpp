@@ -1,6 +1,7 @@
 #include "detect/SetDetection.hpp"
 
 #include "captures/InputError.hpp"
+#include "captures/PictureFile.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -1,6 +1,7 @@
 #include "synthetic/Pictures.hpp"
 
 #include "captures/InputError.hpp"
+#include "captures/PictureFile.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -6,7 +6,6 @@
 #include "synthetic/RenderingSensor.hpp"
 
 #include <fmt/format.h>
-#include <opencv2/imgcodecs.hpp>
 
 namespace naocal {
 Renderer::Renderer(const CameraIntrinsics& intrinsics, std::optional<std::uint64_t> floorSeed)
@@ -68,20 +67,6 @@ BoardCorners trueCorners(const RenderedBoard& board, const CameraIntrinsics& int
     }
   }
   return corners;
-}
-
-void writePicture(const GreyPicture& picture, const std::filesystem::path& file) {
-  // OpenCV wants a mutable pointer but only reads.
-  const cv::Mat image(picture.height, picture.width, CV_8U, const_cast<std::uint8_t*>(picture.pixels.data()));
-  bool written = false;
-  try {
-    written = cv::imwrite(file.string(), image);
-  } catch (const cv::Exception&) { // an ending that OpenCV does not know
-  }
-  if (!written) {
-    throw InputError(fmt::format(
-        "{}: the picture could not be written; is the folder there and the ending .png or .jpg?", file.string()));
-  }
 }
 
 } // namespace naocal

@@ -76,7 +76,4 @@ std::optional<Eigen::Vector2d> seenAt(const Eigen::Vector3d& pointInCameraOptica
 /// The true places of a board's inner corners that lie in the picture, hidden or not.
 BoardCorners trueCorners(const RenderedBoard& board, const CameraIntrinsics& intrinsics);
 
-/// Writes a picture in the format that the file's name ends with (.png, .jpg, .pgm). Throws InputError.
-void writePicture(const GreyPicture& picture, const std::filesystem::path& file);
-
 } // namespace naocal

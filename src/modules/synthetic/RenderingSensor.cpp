@@ -1,9 +1,10 @@
 #include "synthetic/RenderingSensor.hpp"
 
+#include "captures/PictureFile.hpp"
+
 #include <algorithm>
 #include <boost/random/normal_distribution.hpp>
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 namespace naocal {
@@ -45,9 +46,7 @@ GreyPicture developed(std::vector<float> light, int width, int height, const App
   cv::Mat1b grey;
   image.convertTo(grey, CV_8U);
   if (appearance.jpegQuality) {
-    std::vector<std::uint8_t> bytes;
-    cv::imencode(".jpg", grey, bytes, {cv::IMWRITE_JPEG_QUALITY, *appearance.jpegQuality});
-    grey = cv::imdecode(bytes, cv::IMREAD_GRAYSCALE);
+    return decodedPicture(jpeg({grey.data, grey.total()}, width, height, *appearance.jpegQuality), "a picture");
   }
   return {grey.cols, grey.rows, {grey.begin(), grey.end()}};
 }

@@ -12,6 +12,7 @@ class Chance {
 public:
   Chance(std::uint64_t seed, std::string_view purpose);
 
+  std::uint64_t next(); // all its bits
   double uniform(); // [0, 1)
   double between(double low, double high) { return low + (high - low) * uniform(); }
   double within(double range) { return between(-range, range); }
@@ -22,7 +23,6 @@ public:
   double boxed(double sigma);       // uniform, with this standard deviation
 
 private:
-  std::uint64_t next();
   std::array<std::uint64_t, 4> state_{};
 };
 

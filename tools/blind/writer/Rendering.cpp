@@ -4,9 +4,12 @@
 #include "writer/SetFile.hpp"
 
 #include <algorithm>
+#include <csetjmp>
+#include <cstdio>
+#include <memory>
 #include <opencv2/aruco.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <png.h>
 #include <stdexcept>
 
 namespace blind {
@@ -115,34 +118,52 @@ cv::Mat developed(const cv::Mat& canvas, Chance& chance) {
   cv::Mat blurred, picture;
   cv::GaussianBlur(canvas, blurred, {}, blur * finer);
   cv::resize(blurred, picture, {Lens::width, Lens::height}, 0, 0, cv::INTER_AREA);
-  for (int row = 0; row < picture.rows; ++row) {
-    for (int column = 0; column < picture.cols; ++column) {
-      auto& grey = picture.at<unsigned char>(row, column);
-      grey = cv::saturate_cast<unsigned char>(grey + chance.normal(noise));
-    }
-  }
+  cv::Mat grain(picture.size(), CV_16S);
+  cv::RNG{chance.next()}.fill(grain, cv::RNG::NORMAL, 0, noise);
+  cv::add(picture, grain, picture, cv::noArray(), CV_8U);
   return picture;
+}
+
+void writePng(const cv::Mat& picture, const std::string& file) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream{std::fopen(file.c_str(), "wb"), std::fclose};
+  png_structp writer = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png_create_info_struct(writer);
+  if (!stream || setjmp(png_jmpbuf(writer)) != 0) { // libpng jumps here when it gives up
+    throw std::runtime_error{file + ": cannot be written"};
+  }
+  png_init_io(writer, stream.get());
+  png_set_IHDR(writer, info, static_cast<png_uint_32>(picture.cols), static_cast<png_uint_32>(picture.rows), 8,
+               PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_filter(writer, 0, PNG_FILTER_SUB);
+  png_set_compression_level(writer, 1);
+  png_set_compression_strategy(writer, 3); // runs only: noise is hardly repeated
+  png_write_info(writer, info);
+  for (int row = 0; row < picture.rows; ++row) {
+    png_write_row(writer, picture.ptr(row));
+  }
+  png_write_end(writer, info);
+  png_destroy_write_struct(&writer, &info);
 }
 
 } // namespace
 
 void renderSession(const Robot& robot, const Session& session, Chance& chance, const std::filesystem::path& folder) {
+  cv::setNumThreads(1); // several sets are written at a time
   std::filesystem::create_directories(folder / "images");
   const Pictures pictures{robot, session};
   std::vector<cv::Mat> sheets;
   for (std::size_t board = 0; board < session.boards.size(); ++board) {
     sheets.push_back(printedSheet(static_cast<int>(board) * (Sheet::squaresX * Sheet::squaresY / 2)));
   }
+  cv::Mat canvas(finer * Lens::height, finer * Lens::width, CV_8U);
   for (int reading = 0; reading < static_cast<int>(session.readings.size()); ++reading) {
     for (int camera = 0; camera < 2; ++camera) {
-      cv::Mat canvas(finer * Lens::height, finer * Lens::width, CV_8U, cv::Scalar{floorGrey});
+      canvas.setTo(floorGrey);
       for (int board = 0; board < static_cast<int>(sheets.size()); ++board) {
         paintBoard(pictures, {reading, camera, board, {}, 0}, sheets[board], canvas);
       }
       const std::string file = (folder / imageName(reading, camera)).string();
-      if (!cv::imwrite(file, developed(canvas, chance))) {
-        throw std::runtime_error{file + ": cannot be written"};
-      }
+      writePng(developed(canvas, chance), file);
     }
   }
 }
