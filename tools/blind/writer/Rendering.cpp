@@ -65,10 +65,21 @@ cv::Point2f onPrint(double right, double down) {
   return {static_cast<float>((right + paper) * printed - 0.5), static_cast<float>((down + paper) * printed - 0.5)};
 }
 
+/// What is to become a picture, and where something has been painted.
+struct Canvas {
+  cv::Mat grey = cv::Mat(finer * Lens::height, finer * Lens::width, CV_8U);
+  cv::Rect painted;
+
+  void clear() {
+    grey.setTo(floorGrey);
+    painted = {};
+  }
+};
+
 void paintCell(const cv::Mat& sheet, const std::array<cv::Point2f, 4>& from, const std::array<cv::Point2f, 4>& to,
-               cv::Mat& canvas) {
+               Canvas& canvas) {
   const std::vector<cv::Point2f> outline(to.begin(), to.end());
-  const cv::Rect room = cv::boundingRect(outline) & cv::Rect{0, 0, canvas.cols, canvas.rows};
+  const cv::Rect room = cv::boundingRect(outline) & cv::Rect{{}, canvas.grey.size()};
   if (room.empty() || cv::contourArea(outline) < 1) {
     return;
   }
@@ -83,10 +94,11 @@ void paintCell(const cv::Mat& sheet, const std::array<cv::Point2f, 4>& from, con
   cv::warpPerspective(sheet, warped, cv::getPerspectiveTransform(from.data(), inRoom.data()), room.size(),
                       cv::INTER_LINEAR, cv::BORDER_REPLICATE);
   cv::fillConvexPoly(mask, polygon, 255, cv::LINE_8, fraction);
-  warped.copyTo(canvas(room), mask);
+  warped.copyTo(canvas.grey(room), mask);
+  canvas.painted |= room;
 }
 
-void paintBoard(const Pictures& pictures, const Sight& sight, const cv::Mat& sheet, cv::Mat& canvas) {
+void paintBoard(const Pictures& pictures, const Sight& sight, const cv::Mat& sheet, Canvas& canvas) {
   const std::vector<double> columns = cellLines(Sheet::squaresX), rows = cellLines(Sheet::squaresY);
   std::vector<Eigen::Vector2d> grid;
   for (const double down : rows) {
@@ -113,12 +125,19 @@ void paintBoard(const Pictures& pictures, const Sight& sight, const cv::Mat& she
   }
 }
 
-cv::Mat developed(const cv::Mat& canvas, Chance& chance) {
+cv::Mat developed(const Canvas& canvas, Chance& chance) {
   constexpr double blur = 0.7, noise = 3; // [px], [grey levels]
-  cv::Mat blurred, picture;
-  cv::GaussianBlur(canvas, blurred, {}, blur * finer);
-  cv::resize(blurred, picture, {Lens::width, Lens::height}, 0, 0, cv::INTER_AREA);
-  cv::Mat grain(picture.size(), CV_16S);
+  cv::Mat picture(Lens::height, Lens::width, CV_8U, cv::Scalar{floorGrey}), grain(picture.size(), CV_16S);
+  const cv::Rect all{{}, picture.size()};
+  const int reach = 4; // of the blur [px]
+  const cv::Point first = canvas.painted.tl() / finer - cv::Point{reach, reach},
+                  last = canvas.painted.br() / finer + cv::Point{reach + 1, reach + 1};
+  if (const cv::Rect seen = cv::Rect{first, last} & all; !canvas.painted.empty()) {
+    const cv::Rect fine{seen.tl() * finer, seen.br() * finer};
+    cv::Mat blurred;
+    cv::GaussianBlur(canvas.grey(fine), blurred, {}, blur * finer);
+    cv::resize(blurred, picture(seen), seen.size(), 0, 0, cv::INTER_AREA);
+  }
   cv::RNG{chance.next()}.fill(grain, cv::RNG::NORMAL, 0, noise);
   cv::add(picture, grain, picture, cv::noArray(), CV_8U);
   return picture;
@@ -134,9 +153,8 @@ void writePng(const cv::Mat& picture, const std::string& file) {
   png_init_io(writer, stream.get());
   png_set_IHDR(writer, info, static_cast<png_uint_32>(picture.cols), static_cast<png_uint_32>(picture.rows), 8,
                PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  png_set_filter(writer, 0, PNG_FILTER_SUB);
-  png_set_compression_level(writer, 1);
-  png_set_compression_strategy(writer, 3); // runs only: noise is hardly repeated
+  png_set_filter(writer, 0, PNG_FILTER_NONE);
+  png_set_compression_level(writer, 0); // read once and thrown away
   png_write_info(writer, info);
   for (int row = 0; row < picture.rows; ++row) {
     png_write_row(writer, picture.ptr(row));
@@ -155,10 +173,10 @@ void renderSession(const Robot& robot, const Session& session, Chance& chance, c
   for (std::size_t board = 0; board < session.boards.size(); ++board) {
     sheets.push_back(printedSheet(static_cast<int>(board) * (Sheet::squaresX * Sheet::squaresY / 2)));
   }
-  cv::Mat canvas(finer * Lens::height, finer * Lens::width, CV_8U);
+  Canvas canvas;
   for (int reading = 0; reading < static_cast<int>(session.readings.size()); ++reading) {
     for (int camera = 0; camera < 2; ++camera) {
-      canvas.setTo(floorGrey);
+      canvas.clear();
       for (int board = 0; board < static_cast<int>(sheets.size()); ++board) {
         paintBoard(pictures, {reading, camera, board, {}, 0}, sheets[board], canvas);
       }
