@@ -1,16 +1,14 @@
 #include "Commands.hpp"
 
 #include "captures/InputError.hpp"
+#include "residuals/KeptMemory.hpp"
 
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <fmt/core.h>
-#include <malloc.h>
 
 int main(int argc, char** argv) {
-  // Matrices come and go by the megabyte: memory is kept instead of given back and asked for again.
-  mallopt(M_MMAP_THRESHOLD, 1 << 25);
-  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+  naocal::keepMemory();
   CLI::App app{
       "naocal: a NAO calibrates its joints and cameras with printed boards on the floor, and says how sure it is.",
       "naocal"};

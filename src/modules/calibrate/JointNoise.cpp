@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <nlopt.h>
+#include <tbb/parallel_for.h>
 
 namespace naocal {
 
@@ -25,8 +26,13 @@ Total total(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns, co
   const Eigen::VectorXd information = sigmas.cwiseAbs2().cwiseInverse();
   Total result{information.asDiagonal(), information.cwiseProduct(unknowns),
                0.5 * unknowns.cwiseAbs2().dot(information), 0};
-  for (const PoseSystem& pose : linear.poses) {
-    const Eliminated part = eliminated(pose, noise, deflectionRoot(pose, noise));
+  std::vector<Eliminated> parts(linear.poses.size());
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+    eliminate(linear.poses[i], noise, deflectionRoot(linear.poses[i], noise), parts[i]);
+  });
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const PoseSystem& pose = linear.poses[p];
+    const Eliminated& part = parts[p];
     for (std::size_t i = 0; i < pose.unknowns.size(); ++i) {
       const auto row = static_cast<Eigen::Index>(i), global = static_cast<Eigen::Index>(pose.unknowns[i]);
       result.gradient[global] += part.unknownGradient[row];

@@ -120,8 +120,8 @@ Evidence evidenceOf(const ScoreProblem& problem, const Noise& noise, const std::
   result.level = there.noise().pose;
   result.withoutScatter = null.outcomes.front().deviance[0] - null.deviance[0] + scatterPenalty(result.level);
   result.groups.resize(problem.groups.size());
-  describe(problem, tests, measured, null, result);
   const Eigen::VectorXd ratio = tests.ratios(measured, null);
+  describe(problem, tests, measured, null, result);
   for (std::size_t i = 0; i < problem.groups.size(); ++i) {
     result.groups[i].likelihoodRatio = ratio[at(i)];
     result.groups[i].pValue = tail(ratio[at(i)], there.freedom(i));

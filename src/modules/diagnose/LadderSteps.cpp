@@ -5,6 +5,7 @@
 #include "residuals/Carried.hpp"
 
 #include <algorithm>
+#include <tbb/parallel_for.h>
 
 namespace naocal {
 
@@ -44,17 +45,20 @@ double Ladder::refittedDrop(const Inquiry& inquiry, std::size_t candidate) const
 std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
   constexpr double near = 10;
   constexpr std::size_t most = 4;
-  const std::vector<std::size_t> order = inquiry.candidatesByEvidence();
+  std::vector<std::size_t> order = inquiry.candidatesByEvidence();
+  order.resize(std::min(most, order.size()));
+  std::erase_if(order, [&, likeliest = order.empty() ? 0 : inquiry.ofCandidate(order[0]).bayes](std::size_t candidate) {
+    const double bayes = inquiry.ofCandidate(candidate).bayes;
+    return bayes <= 0 || bayes < likeliest - near;
+  });
+  std::vector<double> drops(order.size());
+  tbb::parallel_for(std::size_t{0}, order.size(), [&](std::size_t i) { drops[i] = refittedDrop(inquiry, order[i]); });
   std::optional<std::size_t> best;
   double bestBayes = 0;
-  for (std::size_t i = 0; i < std::min(most, order.size()); ++i) {
+  for (std::size_t i = 0; i < order.size(); ++i) {
     const GroupEvidence& evidence = inquiry.ofCandidate(order[i]);
-    if (evidence.bayes <= 0 || evidence.bayes < inquiry.ofCandidate(order[0]).bayes - near) {
-      break;
-    }
-    const double drop = refittedDrop(inquiry, order[i]);
-    findingOf(inquiry.candidates()[order[i]]).chi2Drop = drop;
-    const double bayes = evidence.bayes + drop - evidence.fall;
+    findingOf(inquiry.candidates()[order[i]]).chi2Drop = drops[i];
+    const double bayes = evidence.bayes + drops[i] - evidence.fall;
     if (bayes > bestBayes) {
       bestBayes = bayes;
       best = order[i];

@@ -4,6 +4,7 @@
 #include "geometry/Index.hpp"
 
 #include <algorithm>
+#include <tbb/parallel_for.h>
 
 namespace naocal {
 
@@ -31,36 +32,36 @@ const std::vector<double>& poseLevels() {
 }
 
 LevelTests::LevelTests(const ScoreProblem& problem, const Noise& noise, const std::vector<double>& levels)
-    : tests_(levels.size()) {
-  alone_.reserve(levels.size());
-  for (double level : levels) {
+    : alone_(levels.size()), tests_(levels.size()) {
+  tbb::parallel_for(std::size_t{0}, levels.size(), [&](std::size_t level) {
     Noise there = noise;
-    there.pose = level;
-    alone_.emplace_back(problem, there);
-  }
+    there.pose = levels[level];
+    alone_[level].emplace(problem, there);
+  });
 }
 
 const ScoreTests& LevelTests::operator[](std::size_t level) {
   if (!tests_[level]) {
-    tests_[level].emplace(alone_[level]);
+    tests_[level].emplace(*alone_[level]);
   }
   return *tests_[level];
 }
 
 std::size_t LevelTests::placeOf(double level) const {
   const auto found =
-      std::find_if(alone_.begin(), alone_.end(), [&](const ModelAlone& tried) { return tried.noise().pose >= level; });
+      std::find_if(alone_.begin(), alone_.end(), [&](const auto& tried) { return tried->noise().pose >= level; });
   return static_cast<std::size_t>(found - alone_.begin());
 }
 
 NullFit LevelTests::nullOf(const PoseScores& scores, const Eigen::VectorXd& priorScore) const {
   NullFit result;
-  for (std::size_t level = 0; level < alone_.size(); ++level) {
-    const Eigen::RowVectorXd& here = result.outcomes.emplace_back(alone_[level](scores, priorScore)).deviance;
-    if (level == 0) {
-      result.deviance = here;
-      result.level.assign(static_cast<std::size_t>(here.size()), 0);
-    }
+  result.outcomes.resize(alone_.size());
+  tbb::parallel_for(std::size_t{0}, alone_.size(),
+                    [&](std::size_t level) { result.outcomes[level] = (*alone_[level])(scores, priorScore); });
+  result.deviance = result.outcomes.front().deviance;
+  result.level.assign(static_cast<std::size_t>(result.deviance.size()), 0);
+  for (std::size_t level = 1; level < alone_.size(); ++level) {
+    const Eigen::RowVectorXd& here = result.outcomes[level].deviance;
     for (Eigen::Index i = 0; i < here.size(); ++i) {
       if (here[i] < result.deviance[i]) {
         result.deviance[i] = here[i];
@@ -72,21 +73,24 @@ NullFit LevelTests::nullOf(const PoseScores& scores, const Eigen::VectorXd& prio
 }
 
 Eigen::MatrixXd LevelTests::ratios(const PoseScores& scores, const NullFit& null) {
-  const std::size_t groups = alone_.front().problem().groups.size();
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(at(groups), null.deviance.size());
-  const std::size_t highest = *std::max_element(null.level.begin(), null.level.end());
-  for (std::size_t level = 0; level <= highest; ++level) {
-    std::vector<Eigen::Index> which;
+  const std::size_t levels = 1 + *std::max_element(null.level.begin(), null.level.end());
+  std::vector<std::vector<Eigen::Index>> which(levels); // of the scores, whose null is at this level or above
+  std::vector<Eigen::MatrixXd> falls(levels);
+  tbb::parallel_for(std::size_t{0}, levels, [&](std::size_t level) {
     for (Eigen::Index i = 0; i < null.deviance.size(); ++i) {
       if (null.level[static_cast<std::size_t>(i)] >= level) {
-        which.push_back(i);
+        which[level].push_back(i);
       }
     }
-    const ModelAlone::Outcome& outcome = null.outcomes[level];
-    const Eigen::MatrixXd falls = (*this)[level].falls(columns(scores, which), outcome.own(Eigen::all, which));
-    for (std::size_t i = 0; i < which.size(); ++i) {
-      const double worse = outcome.deviance[which[i]] - null.deviance[which[i]];
-      result.col(which[i]) = result.col(which[i]).cwiseMax((falls.col(at(i)).array() - worse).matrix());
+    falls[level] =
+        (*this)[level].falls(columns(scores, which[level]), null.outcomes[level].own(Eigen::all, which[level]));
+  });
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(falls.front().rows(), null.deviance.size());
+  for (std::size_t level = 0; level < levels; ++level) {
+    for (std::size_t i = 0; i < which[level].size(); ++i) {
+      const Eigen::Index score = which[level][i];
+      const double worse = null.outcomes[level].deviance[score] - null.deviance[score];
+      result.col(score) = result.col(score).cwiseMax((falls[level].col(at(i)).array() - worse).matrix());
     }
   }
   return result;

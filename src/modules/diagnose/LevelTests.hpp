@@ -18,7 +18,8 @@ struct NullFit {
   std::vector<ModelAlone::Outcome> outcomes; // at each level
 };
 
-/// Score tests at several levels of pose noise. Those of a level that no scores need are never made.
+/// Score tests at several levels of pose noise, which are looked at side by side on all cores. Those of a level that no
+/// scores need are never made.
 class LevelTests {
 public:
   LevelTests(const LevelTests&) = delete; // its tests point into it
@@ -37,7 +38,7 @@ public:
   std::size_t placeOf(double level) const;
 
 private:
-  std::vector<ModelAlone> alone_;
+  std::vector<std::optional<ModelAlone>> alone_; // all there
   std::vector<std::optional<ScoreTests>> tests_;
 };
 

@@ -3,6 +3,8 @@
 #include <Eigen/Cholesky>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/normal_distribution.hpp>
+#include <tbb/parallel_for.h>
+#include <utility>
 
 namespace naocal {
 
@@ -41,19 +43,26 @@ PoseScores measuredScores(const Residuals::Linear& linear, const Noise& noise) {
 
 PoseScores drawnScores(const Residuals::Linear& linear, const Noise& noise, Eigen::Index draws, std::uint64_t seed) {
   boost::random::mt19937_64 random{seed};
-  const double information = 1 / (noise.pixel * noise.pixel);
-  PoseScores result;
+  std::vector<std::pair<Eigen::MatrixXd, Eigen::MatrixXd>> chance; // per pose, of its corners and of its deflections
   for (const PoseSystem& pose : linear.poses) {
+    const Eigen::Index unknowns = pose.unknownGradient.size(), joints = pose.deflectionGradient.size();
+    Eigen::MatrixXd corners = normals(unknowns + joints, draws, random);
+    chance.emplace_back(std::move(corners), normals(joints, draws, random));
+  }
+  const double information = 1 / (noise.pixel * noise.pixel);
+  PoseScores result(linear.poses.size());
+  tbb::parallel_for(std::size_t{0}, result.size(), [&](std::size_t i) {
+    const PoseSystem& pose = linear.poses[i];
     const Eigen::Index unknowns = pose.unknownGradient.size(), joints = pose.deflectionGradient.size();
     Eigen::MatrixXd gram(unknowns + joints, unknowns + joints);
     gram << pose.unknownGram, pose.cross, pose.cross.transpose(), pose.deflectionGram;
     gram *= information;
-    Eigen::MatrixXd scores = rootOf(gram) * normals(gram.rows(), draws, random);
+    Eigen::MatrixXd scores = rootOf(gram) * chance[i].first;
     if (joints > 0) {
-      scores += gram.rightCols(joints) * (deflectionRoot(pose, noise) * normals(joints, draws, random));
+      scores += gram.rightCols(joints) * (deflectionRoot(pose, noise) * chance[i].second);
     }
-    result.push_back({scores.topRows(unknowns), scores.bottomRows(joints)});
-  }
+    result[i] = {scores.topRows(unknowns), scores.bottomRows(joints)};
+  });
   return result;
 }
 

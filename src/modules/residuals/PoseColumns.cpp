@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tbb/parallel_for.h>
 
 namespace naocal {
 
@@ -28,20 +29,21 @@ std::optional<View> torsoOverFloor(const Measurements& measurements, const Model
 
 Residuals::Residuals(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss)
     : measurements_{measurements}, model_{model}, noise_{noise}, loss_{loss}, sigmas_{model.sigmas()},
-      free_(model.unknownCount(), true), prepared_(measurements.pictures.size()) {
-  for (std::size_t i = 0; i < prepared_.size(); ++i) {
+      free_(model.unknownCount(), true), prepared_(measurements.pictures.size()), empty_(measurements.poses.size()),
+      roots_(measurements.poses.size()) {
+  tbb::parallel_for(std::size_t{0}, prepared_.size(), [&](std::size_t i) {
     prepared_[i].slopes = PictureSlopes{measurements, model, measurements.pictures[i]};
     prepared_[i].torso = torsoOverFloor(measurements, model, measurements.pictures[i]);
-  }
-  for (const PoseGroup& pose : measurements.poses) {
-    empty_.push_back(emptySystem(pose));
-    roots_.push_back(deflectionRoot(empty_.back(), noise_));
-    for (const Reading& reading : pose.readings) {
+  });
+  tbb::parallel_for(std::size_t{0}, empty_.size(), [&](std::size_t pose) {
+    empty_[pose] = emptySystem(measurements.poses[pose]);
+    roots_[pose] = deflectionRoot(empty_[pose], noise_);
+    for (const Reading& reading : measurements.poses[pose].readings) {
       for (std::size_t index : reading.pictures) {
-        prepare(measurements, measurements.pictures[index], empty_.back().unknowns, prepared_[index]);
+        prepare(measurements, measurements.pictures[index], empty_[pose].unknowns, prepared_[index]);
       }
     }
-  }
+  });
 }
 
 /// The unknowns that a pose depends on, and a deflection per joint on its paths and encoder error.

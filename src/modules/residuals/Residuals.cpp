@@ -3,6 +3,8 @@
 #include "residuals/Workspace.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <tbb/parallel_for.h>
 
 namespace naocal {
 
@@ -114,35 +116,51 @@ std::optional<Residuals::Linear> Residuals::linearised(const State& state) const
   return linearise(state, *result) ? std::move(result) : std::nullopt;
 }
 
-bool Residuals::linearise(const State& state, Linear& result) const {
+/// A pose's sums, its deflections eliminated. False: one of its corners is nowhere.
+bool Residuals::lineariseAt(std::size_t pose, const State& state, Linear& result) const {
   Workspace& work = Workspace::ofThisThread(measurements_);
-  const Eigen::VectorXd inPrior = state.unknowns.cwiseQuotient(sigmas_);
-  result.cost = 0.5 * inPrior.squaredNorm();
-  result.gradient = inPrior.cwiseQuotient(sigmas_);
-  result.hessian = sigmas_.cwiseAbs2().cwiseInverse().asDiagonal();
+  PoseSystem& system = result.poses[pose];
+  system.squares = system.numbers = 0;
+  const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
+  work.sums.clear(at(system.unknowns.size() + system.joints.size()));
+  for (const Reading& reading : measurements_.poses[pose].readings) {
+    for (std::size_t index : reading.pictures) {
+      const Picture& picture = measurements_.pictures[index];
+      const PreparedPicture& ready = prepared_[index];
+      believe(picture, ready, state.unknowns, deflections, work);
+      if (!addPicture(picture, ready, work, system)) {
+        return false;
+      }
+    }
+  }
+  system.loss = work.cost;
+  takeSums(work.sums, deflections, system);
+  eliminate(system, noise_, roots_[pose], result.eliminated[pose]);
+  return true;
+}
+
+bool Residuals::linearise(const State& state, Linear& result) const {
   if (result.poses.empty()) {
     result.poses = empty_;
     result.eliminated.resize(empty_.size());
   }
-  for (std::size_t pose = 0; pose < empty_.size(); ++pose) {
-    PoseSystem& system = result.poses[pose];
-    system.squares = system.numbers = 0;
-    const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
-    work.sums.clear(at(system.unknowns.size() + system.joints.size()));
-    for (const Reading& reading : measurements_.poses[pose].readings) {
-      for (std::size_t index : reading.pictures) {
-        const Picture& picture = measurements_.pictures[index];
-        const PreparedPicture& ready = prepared_[index];
-        believe(picture, ready, state.unknowns, deflections, work);
-        if (!addPicture(picture, ready, work, system)) {
-          return false;
-        }
-      }
+  std::atomic<bool> possible = true;
+  tbb::parallel_for(std::size_t{0}, empty_.size(), [&](std::size_t pose) {
+    if (possible && !lineariseAt(pose, state, result)) {
+      possible = false;
     }
-    takeSums(work.sums, deflections, system);
-    result.cost += 0.5 * state.deflections[pose].squaredNorm();
-    Eliminated& part = result.eliminated[pose];
-    eliminate(system, noise_, roots_[pose], part);
+  });
+  if (!possible) {
+    return false;
+  }
+  const Eigen::VectorXd inPrior = state.unknowns.cwiseQuotient(sigmas_);
+  result.cost = 0.5 * inPrior.squaredNorm();
+  result.gradient = inPrior.cwiseQuotient(sigmas_);
+  result.hessian = sigmas_.cwiseAbs2().cwiseInverse().asDiagonal();
+  for (std::size_t pose = 0; pose < empty_.size(); ++pose) {
+    const PoseSystem& system = result.poses[pose];
+    const Eliminated& part = result.eliminated[pose];
+    result.cost += 0.5 * (system.loss + state.deflections[pose].squaredNorm());
     for (std::size_t i = 0; i < system.unknowns.size(); ++i) {
       result.gradient[at(system.unknowns[i])] += part.unknownGradient[at(i)];
       for (std::size_t j = 0; j < system.unknowns.size(); ++j) {
@@ -150,7 +168,6 @@ bool Residuals::linearise(const State& state, Linear& result) const {
       }
     }
   }
-  result.cost += 0.5 * work.cost;
   for (std::size_t i = 0; i < free_.size(); ++i) {
     if (!free_[i]) {
       result.gradient[at(i)] = 0;

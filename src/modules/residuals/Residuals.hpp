@@ -29,6 +29,7 @@ struct PoseSystem {
   Eigen::VectorXd unknownGradient;    // sum of w J_x^T r
   Eigen::VectorXd deflectionGradient; // sum of w J_t^T r
   double squares = 0;                 // sum of w r^2            [px^2]
+  double loss = 0;                    // sum of rho, and of what else the pose's pictures cost
   double numbers = 0; // that count: two per corner with a weight above zero, three per sole on the floor
 };
 
@@ -90,7 +91,8 @@ public:
   State start(const Eigen::VectorXd& unknowns) const;
   /// Absent, or false: the state is impossible.
   std::optional<Linear> linearised(const State& state) const;
-  /// The same into `result`, which is empty or was filled by this function before: its memory is used again.
+  /// The same into `result`, which is empty or was filled by this function before: its memory is used again. Poses
+  /// side by side on all cores, summed in their order.
   bool linearise(const State& state, Linear& result) const;
   State moved(const State& state, const Linear& linear, const Eigen::VectorXd& step) const;
   const Eigen::VectorXd& scales() const { return sigmas_; }
@@ -109,6 +111,7 @@ public:
 
 private:
   struct Workspace;
+  bool lineariseAt(std::size_t pose, const State& state, Linear& result) const;
   PoseSystem emptySystem(const PoseGroup& pose);
   void believe(const Picture& picture, const PreparedPicture& prepared, const Eigen::VectorXd& unknowns,
                const Eigen::VectorXd& deflections, Workspace& work) const;

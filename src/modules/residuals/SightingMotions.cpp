@@ -5,8 +5,6 @@
 
 namespace naocal {
 
-namespace {} // namespace
-
 std::optional<std::vector<SightingMotion>> Residuals::sightingMotions(const State& state) const {
   std::vector<SightingMotion> result;
   Workspace& work = Workspace::ofThisThread(measurements_);

@@ -1,0 +1,82 @@
+#include "diagnose/Questioned.hpp"
+
+#include "diagnose/Diagnosis.hpp"
+#include "residuals/KeptMemory.hpp"
+
+#include <benchmark/benchmark.h>
+
+// What a diagnosis of 30 poses with two cameras and three pictures costs: the calibration alone, one pass of the score
+// tests, the whole of it for a sound robot, for one flaw (two rungs) and for two (three rungs). Run by hand.
+
+namespace naocal {
+namespace {
+
+constexpr std::size_t poses = 30;
+
+const Questioned& sound() {
+  static const Questioned questioned{simulatedSet(poses, 1), true};
+  return questioned;
+}
+
+/// Readings of joints that count too much or too little, by these shares.
+CaptureSet withGains(const std::vector<std::pair<std::string, double>>& gains) {
+  CaptureSet set = simulatedSet(poses, 1);
+  for (const auto& [joint, gain] : gains) {
+    const auto index = std::find(set.jointNames.begin(), set.jointNames.end(), joint) - set.jointNames.begin();
+    for (Capture& capture : set.captures) {
+      capture.joints.measured[static_cast<std::size_t>(index)] *= 1 + gain;
+    }
+  }
+  return set;
+}
+
+void calibration(benchmark::State& state) {
+  const Questioned& robot = sound(); // made before the clock starts
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(calibrate(robot.measurements, robot.model));
+  }
+}
+
+void scorePass(benchmark::State& state) {
+  const std::vector<Term> testable = sound().testable();
+  for (auto _ : state) {
+    const Inquiry inquiry{sound().measurements, sound().model, sound().fit, testable, {.draws = 0, .map = false}};
+    benchmark::DoNotOptimize(inquiry.evidence().level);
+  }
+  state.counters["candidates"] = static_cast<double>(testable.size());
+}
+
+void scorePassWithMapAndAlarm(benchmark::State& state) {
+  const std::vector<Term> testable = sound().testable();
+  for (auto _ : state) {
+    const Inquiry inquiry{sound().measurements, sound().model, sound().fit, testable};
+    benchmark::DoNotOptimize(inquiry.evidence().pValue);
+  }
+}
+
+void wholeDiagnosis(benchmark::State& state, const std::vector<std::pair<std::string, double>>& gains) {
+  const CaptureSet set = withGains(gains);
+  const Measurements measurements = measurementsOf({set}, loadRobot(configurationDirectory(), "V6"));
+  std::size_t rungs = 0;
+  for (auto _ : state) {
+    rungs = diagnose({set}, measurements).steps.size();
+  }
+  state.counters["rungs"] = static_cast<double>(rungs);
+}
+
+BENCHMARK(calibration)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(scorePass)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(scorePassWithMapAndAlarm)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(wholeDiagnosis, sound, {})->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(wholeDiagnosis, flaw, {{"LKneePitch", 0.01}})->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(wholeDiagnosis, twoFlaws, {{"LKneePitch", 0.01}, {"LHipRoll", 0.03}})
+    ->UseRealTime()->Unit(benchmark::kMillisecond);
+
+} // namespace
+} // namespace naocal
+
+int main(int argc, char** argv) {
+  naocal::keepMemory(); // as naocal does
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}
