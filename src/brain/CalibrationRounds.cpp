@@ -36,7 +36,7 @@ void CalibrationRunner::prepare() {
     std::filesystem::create_directories(folder);
     std::filesystem::copy(files, folder / "configuration", std::filesystem::copy_options::recursive);
   });
-  RoundOptions options{*repeats_, radians(*approach_), 0, *orderSeed_};
+  RoundOptions options{*repeats_, radians(*approach_), 0, *orderSeed_, true};
   if (kind_->feet.front() == SupportFoot::both) {
     rounds_[0] = headRound(player_.home, *yaws_, *pitches_, options.pictures);
     rounds_[1] = rounds_[0];
@@ -63,6 +63,7 @@ void CalibrationRunner::prepare() {
     finding.rounds.emplace();
     finding.rounds->at(0) = legRound(legs, options);
     ++options.seed;
+    options.held = false; // calibrated by then
     options.poses = static_cast<std::size_t>(checkPoses);
     finding.rounds->at(1) = legRound(legs, options);
   });

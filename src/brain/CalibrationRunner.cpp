@@ -98,8 +98,9 @@ void CalibrationRunner::fail(const std::string& sentence) {
   enter(Phase::failed, sentence);
 }
 
-void CalibrationRunner::ask(PoseRequest::Kind kind, const std::string& name, std::vector<CompensatedAngles> points) {
-  request_.edit().write({++requests_, kind, name, std::move(points)});
+void CalibrationRunner::ask(PoseRequest::Kind kind, const std::string& name, std::vector<CompensatedAngles> points,
+                            bool held) {
+  request_.edit().write({++requests_, kind, name, std::move(points), held});
 }
 
 void CalibrationRunner::cycle() {
@@ -187,7 +188,7 @@ void CalibrationRunner::nextStep() {
 void CalibrationRunner::go() {
   const CalibrationStep& step = rounds_[round_][step_];
   const bool home = step.points.empty();
-  ask(home ? PoseRequest::Kind::home : PoseRequest::Kind::go, step.name, step.points);
+  ask(home ? PoseRequest::Kind::home : PoseRequest::Kind::go, step.name, step.points, step.held);
   if (home) {
     enter(Phase::goingHome, "The robot goes back to its stand.");
   } else {

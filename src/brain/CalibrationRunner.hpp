@@ -76,7 +76,7 @@ private:
   void startRound();
   void nextStep();
   void go();
-  void ask(PoseRequest::Kind kind, const std::string& name, std::vector<CompensatedAngles> points);
+  void ask(PoseRequest::Kind kind, const std::string& name, std::vector<CompensatedAngles> points, bool held = false);
   void watchPlayer();
   void chestPressed();
   void follow(const WantedLook& look);

@@ -25,13 +25,13 @@ CalibrationRound headRound(const CompensatedAngles& stand, const std::vector<dou
     backwards = !backwards;
     for (const double yaw : row) {
       CalibrationStep step{
-          fmt::format("Pose {}", round.size() + 1), "", {lookingFrom(stand, yaw, pitch)}, pictures, {}};
+          fmt::format("Pose {}", round.size() + 1), "", false, {lookingFrom(stand, yaw, pitch)}, pictures, {}};
       step.taken.pose = fmt::format("H{:02}", round.size());
       step.taken.supportFoot = SupportFoot::both;
       round.push_back(std::move(step));
     }
   }
-  round.push_back({"The stand", "", {}, 0, {}});
+  round.push_back({"The stand", "", false, {}, 0, {}});
   return round;
 }
 

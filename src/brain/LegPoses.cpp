@@ -52,29 +52,43 @@ CompensatedAngles LegPoses::robotAngles(const Eigen::VectorXd& angles) const {
   return result;
 }
 
+CalibrationRound LegPoses::onto(bool held) const {
+  const std::string foot = nameOf(foot_), name = fmt::format("The {} foot", foot);
+  std::vector<CompensatedAngles> points;
+  for (const Eigen::VectorXd& angles : ways_.onto()) {
+    points.push_back(robotAngles(angles));
+  }
+  if (!held) {
+    return {{name,
+             fmt::format("The robot is going to stand on its {} foot. Put your hands around it without touching it, "
+                         "and confirm.",
+                         foot),
+             false, points, 0, {}}};
+  }
+  return {{name,
+           fmt::format("The robot is going to stand on its {} foot and may fall: take it by its trunk, and confirm. Hold "
+                       "it as long as its eyes are yellow.",
+                       foot),
+           true, points, 0, {}},
+          {name,
+           fmt::format("Put the robot down so that its {} sole lies flat, let go, keep your hands around it without "
+                       "touching it, and confirm.",
+                       foot),
+           false, {points.back()}, 0, {}}};
+}
+
 CalibrationRound LegPoses::round(const RoundOptions& options, int stance) const {
   std::mt19937_64 random{options.seed};
   std::vector<PlayablePose> poses = poses_;
   std::shuffle(poses.begin(), poses.end(), random);
   poses.resize(options.poses == 0 ? poses.size() : std::min(options.poses, poses.size()));
-  CalibrationRound round;
-  CalibrationStep onto{fmt::format("The {} foot", nameOf(foot_)),
-                       fmt::format("The robot is going to stand on its {} foot. Put your hands around it without "
-                                   "touching it, and confirm.",
-                                   nameOf(foot_)),
-                       {},
-                       0,
-                       {}};
-  for (const Eigen::VectorXd& angles : ways_.onto()) {
-    onto.points.push_back(robotAngles(angles));
-  }
-  std::vector<CompensatedAngles> back = {onto.points.back()}; // upright again, from the pose before
-  round.push_back(std::move(onto));
+  CalibrationRound round = onto(options.held);
+  std::vector<CompensatedAngles> back = {round.back().points.back()}; // upright again, from the pose before
   for (const PlayablePose& pose : poses) {
     const OneFootWays::Approach first = approach(pose, options.approach, random);
     for (int repeat = 0; repeat < options.pictures; ++repeat) {
       const Eigen::VectorXd side = repeat % 2 == 0 ? first.side : -first.side;
-      CalibrationStep step{fmt::format("Pose {}", pose.id), "", {}, 1, {}};
+      CalibrationStep step{fmt::format("Pose {}", pose.id), "", false, {}, 1, {}};
       if (repeat == 0) {
         step.points = std::move(back);
         back.clear();
@@ -97,7 +111,7 @@ CalibrationRound LegPoses::round(const RoundOptions& options, int stance) const 
       round.push_back(std::move(step));
     }
   }
-  round.push_back({"The stand", "", {}, 0, {}});
+  round.push_back({"The stand", "", false, {}, 0, {}});
   return round;
 }
 

@@ -21,6 +21,8 @@ public:
   CalibrationRound round(const RoundOptions& options, int stance) const;
 
 private:
+  /// Onto the foot, upright; held by a person on the way, who then puts the robot down, or not.
+  CalibrationRound onto(bool held) const;
   OneFootWays::Approach approach(const PlayablePose& pose, double distance, std::mt19937_64& random) const;
   CompensatedAngles robotAngles(const Eigen::VectorXd& angles) const;
 

@@ -12,6 +12,9 @@ struct Rgb {
   bool operator==(const Rgb&) const = default;
 };
 
+/// Eyes of this colour ask the person beside the robot to hold it.
+constexpr Rgb holdMe{1, 0.75f, 0};
+
 /// The robot's lights, each list in the robot's own order.
 struct Leds {
   Rgb chest, leftFoot, rightFoot;

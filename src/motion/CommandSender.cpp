@@ -1,6 +1,7 @@
 #include "motion/CommandSender.hpp"
 
 #include "geometry/Angles.hpp"
+#include "motion/Lights.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -21,6 +22,7 @@ void CommandSender::cycle() {
   RobotCommand command;
   command.angles = sentToMotors(desired_->angles, added_, limits_);
   command.stiffness.fill(desired_->stiffness);
+  command.leds = lights(*player_);
   robot_.send(command);
   sent_ = command.angles;
 }

@@ -9,7 +9,7 @@
 
 namespace naocal {
 
-/// Answers every state of the robot with the desired pose: offsets added, within the limits. Offsets that change do not
+/// Answers every state of the robot with the desired pose, offsets added and within the limits, and with its lights. Offsets that change do not
 /// make the robot jump: what is added follows them at a limited speed.
 class CommandSender final : public Module {
 public:
@@ -26,6 +26,7 @@ private:
   Dependency<Measured> measured_{*this, "measured"};
   Dependency<JointOffsets> offsets_{*this, "JointCalibrationData"};
   Dependency<DesiredPose> desired_{*this, "desiredPose"};
+  Dependency<PlayerState> player_{*this, "player"};
   Production<RawAngles> sent_{*this, "sentAngles"};
 };
 

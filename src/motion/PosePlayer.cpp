@@ -77,6 +77,7 @@ void PosePlayer::watch(const RobotState& state) {
 void PosePlayer::look(const PoseRequest& request) {
   PlayerState& state = state_.edit();
   state.request = request.number;
+  state.held = request.held;
   state.done = false;
   switch (request.kind) {
   case PoseRequest::Kind::go:
@@ -181,7 +182,7 @@ void PosePlayer::extendTrail(const CompensatedAngles& point) {
 void PosePlayer::stop(Phase phase, const std::string& reason) {
   leaveMotion();
   PlayerState& state = state_.edit();
-  state = {.phase = phase, .request = state.request, .home = home_, .reason = reason, .presses = state.presses};
+  state = {.phase = phase, .request = state.request, .held = state.held, .home = home_, .reason = reason, .presses = state.presses};
   desired_.edit().stiffness = phase == Phase::off ? 0 : phase == Phase::fallen ? *fallenStiffness_ : *stiffness_;
 }
 

@@ -99,4 +99,22 @@ TEST_CASE("poses without a safe way to them are refused by name") {
                     "expected poses on the right foot, found none");
 }
 
+TEST_CASE("a robot whose joints may be off is held while it steps onto a foot, and let go before its first pose") {
+  // Proves the order: hold it and confirm, the way onto the foot, let it go and confirm, the poses.
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  const PoseFile file = readPoseFile(configurationDirectory() / "poses/V6.json", robot);
+  const LegPoses poses{robot, file, SupportFoot::right, stand()};
+  const CalibrationRound alone = poses.round({1, radians(1), 0, 1}, 0),
+                         held = poses.round({1, radians(1), 0, 1, true}, 0);
+  REQUIRE(held.size() == alone.size() + 1);
+  CHECK(held[0].held);
+  CHECK(held[0].question.find("take it by its trunk") != std::string::npos);
+  CHECK(held[0].points == alone[0].points);
+  CHECK_FALSE(held[1].held);
+  CHECK(held[1].question.find("right sole lies flat, let go") != std::string::npos);
+  CHECK(held[1].points == std::vector{held[0].points.back()});
+  CHECK(std::none_of(alone.begin(), alone.end(), [](const CalibrationStep& step) { return step.held; }));
+  CHECK(held[2].points == alone[1].points);
+}
+
 } // namespace naocal

@@ -112,6 +112,37 @@ TEST_CASE("a simulated robot falls over when its pose is not stable") {
   CHECK(world.truth().fallen);
 }
 
+// Proves that a robot whose eyes ask for it is held where it would fall, with its lower sole flat on the floor, and falls
+// when it is let go, unless it stands by itself then.
+TEST_CASE("a simulated robot is held as long as its eyes are yellow") {
+  SimulatedPlan plan = quick();
+  plan.offsetRange = 0;
+  const SyntheticBody body{v6()};
+  for (const bool comesBack : {true, false}) {
+    SimulatedWorld world{v6(), plan};
+    const auto robot = world.robot();
+    RobotCommand command = holding(plan.start);
+    command.leds.leftEye.fill(holdMe);
+    after(*robot, 50, command);
+    RawAngles leaning = plan.start;
+    leaning[*jointNumber("LAnklePitch")] = leaning[*jointNumber("RAnklePitch")] = radians(25);
+    command.angles = leaning;
+    after(*robot, 200, command);
+    CHECK(!world.truth().fallen);
+    const auto truth = world.truth();
+    const Eigen::Isometry3d sole = truth.worldFromTorso * body.posture(truth.joints)[v6().sole("left")->link];
+    CHECK(sole.linear().col(2).z() > 1 - 1e-6);
+    CHECK(std::abs(sole.translation().z()) < 0.01);
+    if (comesBack) {
+      command.angles = plan.start;
+      after(*robot, 100, command);
+    }
+    command.leds = {};
+    after(*robot, 200, command);
+    CHECK(world.truth().fallen == !comesBack);
+  }
+}
+
 // Proves that a sole that carries the robot does not slide.
 TEST_CASE("the support foot stays where it is while the rest of the robot moves") {
   SimulatedPlan plan = quick(3);

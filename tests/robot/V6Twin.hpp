@@ -118,6 +118,10 @@ private:
           command.angles[joint] = twin::commanded(message, "Position", i);
           command.stiffness[joint] = std::max(0.f, twin::commanded(message, "Stiffness", i));
         }
+        for (std::size_t i = 0; i < command.leds.leftEye.size(); ++i) { // all reds, all greens, all blues
+          command.leds.leftEye[i] = {twin::commanded(message, "LEye", i), twin::commanded(message, "LEye", i + 8),
+                                     twin::commanded(message, "LEye", i + 16)};
+        }
         body_->send(command);
         ++commands;
       }

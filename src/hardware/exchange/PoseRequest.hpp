@@ -21,6 +21,7 @@ struct PoseRequest {
   Kind kind = Kind::home;
   std::string name;                      // of the pose, for people
   std::vector<CompensatedAngles> points; // checked by who asks: the robot stands all along the lines between them [rad]
+  bool held = false;                     // a person was asked to hold the robot, until the next request
 };
 
 /// How the pose player fares.
@@ -33,6 +34,7 @@ struct PlayerState {
   };
   Phase phase = Phase::off;
   std::uint64_t request = 0; // the last one that was looked at
+  bool held = false;         // that request's: a person holds the robot
   bool done = false;         // that request came to its end
   TimePoint doneAt;          // when it did
   bool atHome = false;       // holding the stand

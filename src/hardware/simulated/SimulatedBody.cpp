@@ -68,6 +68,7 @@ void SimulatedBody::command(const RobotCommand& command) {
   }
   stiffness_ = command.stiffness;
   hands_ = command.angles.values;
+  held_ = command.leds.leftEye.front() == holdMe;
 }
 
 Eigen::VectorXd SimulatedBody::joints() const {
@@ -122,6 +123,23 @@ void SimulatedBody::anchor(SupportFoot foot, const Eigen::Isometry3d& torsoFromS
             std::atan2(worldFromSole(1, 0), worldFromSole(0, 0))};
 }
 
+/// Somebody holds the robot so that the sole that is lower lies flat.
+RestingPlane SimulatedBody::held(const std::vector<Eigen::Vector3d>& points,
+                                 const Eigen::Isometry3d* torsoFromSole) const {
+  constexpr double clearly = 0.01; // [m]
+  const auto heightOf = [&](bool right) { return (worldFromTorso_ * torsoFromSole[right].translation()).z(); };
+  const bool wasRight = anchored_ == SupportFoot::right;
+  const bool right = heightOf(!wasRight) < heightOf(wasRight) - clearly ? !wasRight : wasRight;
+  RestingPlane plane{torsoFromSole[right].linear().col(2), 0, {}};
+  const auto along = [&](const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
+    return plane.up.dot(one) < plane.up.dot(other);
+  };
+  plane.height = plane.up.dot(*std::min_element(points.begin(), points.end(), along));
+  const std::size_t first = right ? drawing_.sole("left")->outline.size() : 0;
+  plane.touching = {first, first + 1, first + 2};
+  return plane;
+}
+
 void SimulatedBody::settle(Seconds step) {
   const std::vector<Eigen::Isometry3d> torsoFromLink = body_.posture(joints());
   const Eigen::Isometry3d torsoFromSole[2]{torsoFromLink[soleLink(SupportFoot::left)],
@@ -129,7 +147,8 @@ void SimulatedBody::settle(Seconds step) {
   const auto [points, centre] = contactOf(torsoFromLink);
   const std::size_t leftCount = drawing_.sole("left")->outline.size();
   const Eigen::Vector3d up = worldFromTorso_.linear().transpose() * Eigen::Vector3d::UnitZ();
-  const auto resting = restingPlane(points, centre, up, mostTilt);
+  const auto resting =
+      held_ ? std::optional{held(points, torsoFromSole)} : restingPlane(points, centre, up, mostTilt);
   if (!resting) {
     const Eigen::Vector3d ahead =
         worldFromTorso_.linear() * (centre - torsoFromSole[anchored_ == SupportFoot::right].translation());

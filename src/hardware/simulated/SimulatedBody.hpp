@@ -10,7 +10,7 @@
 namespace naocal {
 
 /// The mechanics of a simulated robot on a flat floor: servos, gravity, which sole carries, whether it falls.
-/// Quasi-static: swings and impacts are not simulated.
+/// Quasi-static: swings and impacts are not simulated. Somebody beside it holds it as long as its eyes ask for that.
 class SimulatedBody {
 public:
   SimulatedBody(const Robot& drawing, const SimulatedPlan& plan, const SimulatedErrors& errors);
@@ -39,6 +39,7 @@ private:
   };
   Contact contactOf(const std::vector<Eigen::Isometry3d>& torsoFromLink) const;
   void putDown();
+  RestingPlane held(const std::vector<Eigen::Vector3d>& points, const Eigen::Isometry3d* torsoFromSole) const;
   void turnMotors(Seconds step);
   void settle(Seconds step);
   void fall(Seconds step);
@@ -56,6 +57,7 @@ private:
   std::vector<Servo> servos_;                // per joint of the drawing; of a driven one its motor's counts
   PerJoint<double> stiffness_{}, hands_{};
   Eigen::VectorXd torques_, temperatures_, torquesAt_; // torquesAt_: joints for which torques_ were computed
+  bool held_ = false;
   SupportFoot support_ = SupportFoot::both, anchored_ = SupportFoot::left;
   Stand stand_;
   Eigen::Isometry3d worldFromTorso_ = Eigen::Isometry3d::Identity();
