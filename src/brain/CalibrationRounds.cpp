@@ -36,7 +36,7 @@ void CalibrationRunner::prepare() {
     std::filesystem::create_directories(folder);
     std::filesystem::copy(files, folder / "configuration", std::filesystem::copy_options::recursive);
   });
-  RoundOptions options{*repeats_, radians(*approach_), 0, *orderSeed_, true};
+  RoundOptions options{*repeats_, radians(*approach_), 0, *orderSeed_};
   if (kind_->feet.front() == SupportFoot::both) {
     rounds_[0] = headRound(player_.home, *yaws_, *pitches_, options.pictures);
     rounds_[1] = rounds_[0];
@@ -63,7 +63,6 @@ void CalibrationRunner::prepare() {
     finding.rounds.emplace();
     finding.rounds->at(0) = legRound(legs, options);
     ++options.seed;
-    options.held = false; // calibrated by then
     options.poses = static_cast<std::size_t>(checkPoses);
     finding.rounds->at(1) = legRound(legs, options);
   });
@@ -109,6 +108,7 @@ void CalibrationRunner::takeLooked() {
 }
 
 void CalibrationRunner::endRound() {
+  ask(PoseRequest::Kind::home, "The stand", {}); // it is there, and can be let go
   if (kind_ == &askedKind_) {
     return enter(Phase::finished, fmt::format("All poses were taken; what was seen lies in {} on the robot.",
                                               (folder_ / "first").string()));

@@ -11,7 +11,7 @@ namespace naocal {
 struct CalibrationStep {
   std::string name;                      // of where it leads, for people
   std::string question;                  // to the person, answered before it begins; empty: none
-  bool held = false;                     // the person holds the robot on the way, until the next step begins
+  bool held = false;                     // a person holds the robot on the way, until the next step begins
   std::vector<CompensatedAngles> points; // to go through and stay at the last one; none: back to the stand
   int pictures = 0;                      // of each camera, taken there
   Capture taken;                         // what all captures of the step have in common: pose, repeat, foot, stance
@@ -26,7 +26,6 @@ struct RoundOptions {
   double approach = 0;    // from how far each joint comes, once from each side [rad]
   std::size_t poses = 0;  // the first so many of them in the round's random order; 0: all
   std::uint64_t seed = 1; // of that order
-  bool held = false;      // a person holds the robot while it steps onto a foot: its joints may be off by degrees
 };
 
 /// The stand with the head turned [deg].

@@ -52,29 +52,19 @@ CompensatedAngles LegPoses::robotAngles(const Eigen::VectorXd& angles) const {
   return result;
 }
 
-CalibrationRound LegPoses::onto(bool held) const {
+CalibrationRound LegPoses::onto(bool isHeld) const {
   const std::string foot = nameOf(foot_), name = fmt::format("The {} foot", foot);
   std::vector<CompensatedAngles> points;
   for (const Eigen::VectorXd& angles : ways_.onto()) {
     points.push_back(robotAngles(angles));
   }
-  if (!held) {
-    return {{name,
-             fmt::format("The robot is going to stand on its {} foot. Put your hands around it without touching it, "
-                         "and confirm.",
-                         foot),
-             false, points, 0, {}}};
-  }
-  return {{name,
-           fmt::format("The robot is going to stand on its {} foot and may fall: take it by its trunk, and confirm. Hold "
-                       "it as long as its eyes are yellow.",
-                       foot),
-           true, points, 0, {}},
-          {name,
-           fmt::format("Put the robot down so that its {} sole lies flat, let go, keep your hands around it without "
-                       "touching it, and confirm.",
-                       foot),
-           false, {points.back()}, 0, {}}};
+  const std::string takeHold = fmt::format("The robot is going to stand on its {} foot and may fall: take it by its "
+                                           "trunk, and confirm. Hold it as long as its eyes are yellow.",
+                                           foot),
+                    letGo = fmt::format("Put the robot down so that its {} sole lies flat, let go, keep your hands "
+                                        "around it without touching it, and confirm.",
+                                        foot);
+  return {{name, isHeld ? "" : takeHold, true, points, 0, {}}, {name, letGo, false, {points.back()}, 0, {}}};
 }
 
 CalibrationRound LegPoses::round(const RoundOptions& options, int stance) const {
@@ -82,7 +72,7 @@ CalibrationRound LegPoses::round(const RoundOptions& options, int stance) const 
   std::vector<PlayablePose> poses = poses_;
   std::shuffle(poses.begin(), poses.end(), random);
   poses.resize(options.poses == 0 ? poses.size() : std::min(options.poses, poses.size()));
-  CalibrationRound round = onto(options.held);
+  CalibrationRound round = onto(stance > 0);
   std::vector<CompensatedAngles> back = {round.back().points.back()}; // upright again, from the pose before
   for (const PlayablePose& pose : poses) {
     const OneFootWays::Approach first = approach(pose, options.approach, random);
@@ -111,7 +101,13 @@ CalibrationRound LegPoses::round(const RoundOptions& options, int stance) const 
       round.push_back(std::move(step));
     }
   }
-  round.push_back({"The stand", "", false, {}, 0, {}});
+  round.push_back({"The stand",
+                   "The robot is going back onto both feet and may fall: take it by its trunk, and confirm. Hold it as "
+                   "long as its eyes are yellow.",
+                   true,
+                   {},
+                   0,
+                   {}});
   return round;
 }
 

@@ -16,13 +16,14 @@ public:
   /// way to them.
   LegPoses(const Robot& drawing, const PoseFile& file, SupportFoot foot, const CompensatedAngles& stand);
 
-  /// Onto the foot, through the poses in random order, and back to the stand. In each pose pictures are taken at as
+  /// Onto the foot, through the poses in random order, and back to the stand; held by a person between one foot and
+  /// both, for its joints may be off by degrees, and since the foot before where this is not the first stance (0). In each pose pictures are taken at as
   /// many approaches as asked, from below and from above in turn: which joint comes from where first is random.
   CalibrationRound round(const RoundOptions& options, int stance) const;
 
 private:
-  /// Onto the foot, upright; held by a person on the way, who then puts the robot down, or not.
-  CalibrationRound onto(bool held) const;
+  /// Onto the foot, upright: held by a person, who then puts the robot down and lets it go.
+  CalibrationRound onto(bool isHeld) const;
   OneFootWays::Approach approach(const PlayablePose& pose, double distance, std::mt19937_64& random) const;
   CompensatedAngles robotAngles(const Eigen::VectorXd& angles) const;
 

@@ -79,7 +79,7 @@ TEST_CASE("a simulated robot calibrates a leg on one foot, and what was saved ca
   const json state = simulated.calibrated("left leg", [&](const json& now) { questions.insert(now["question"]); });
   INFO(state.dump());
   REQUIRE(state["phase"] == "finished");
-  CHECK(questions.size() == 4); // none, to take hold of it, to let it go; with the second round not to touch it
+  CHECK(questions.size() == 4); // none; to hold it, let it go, hold it
   CHECK(questions.contains("The robot is going to stand on its left foot and may fall: take it by its trunk, and "
                            "confirm. Hold it as long as its eyes are yellow."));
   CHECK(state["errorAfter"] < 0.3 * state["errorBefore"].get<double>());

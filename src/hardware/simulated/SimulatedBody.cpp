@@ -24,6 +24,7 @@ SimulatedBody::SimulatedBody(const Robot& drawing, const SimulatedPlan& plan, co
   temperatures_ = Eigen::VectorXd::Constant(at(servos_.size()), plan.mechanics.ambientTemperature);
   torquesAt_ = Eigen::VectorXd::Constant(at(servos_.size()), 1e3); // computed anew
   putDown();
+  stand_ = {0, anchored_ == SupportFoot::right ? -halfStance : halfStance, 0};
   settle(Seconds{0});
 }
 
@@ -32,6 +33,7 @@ void SimulatedBody::putDown() {
   const std::vector<Eigen::Isometry3d> torsoFromLink = body_.posture(joints());
   const Contact contact = contactOf(torsoFromLink);
   double least = mostTilt;
+  SupportFoot flatter = anchored_;
   for (const SupportFoot foot : {SupportFoot::left, SupportFoot::right}) {
     const Eigen::Isometry3d soleFromTorso = torsoFromLink[soleLink(foot)].inverse();
     const Eigen::Vector3d up = soleFromTorso.linear().transpose().col(2);
@@ -39,10 +41,10 @@ void SimulatedBody::putDown() {
     const double tilt = resting ? std::acos(std::min(1.0, resting->up.dot(up))) : mostTilt;
     if (tilt < least) {
       least = tilt;
-      anchored_ = foot;
+      flatter = foot;
     }
   }
-  stand_.y = anchored_ == SupportFoot::right ? -halfStance : halfStance;
+  anchor(flatter, torsoFromLink[soleLink(flatter)]);
   worldFromTorso_.linear() = torsoFromLink[soleLink(anchored_)].linear().transpose();
 }
 
@@ -68,7 +70,11 @@ void SimulatedBody::command(const RobotCommand& command) {
   }
   stiffness_ = command.stiffness;
   hands_ = command.angles.values;
-  held_ = command.leds.leftEye.front() == holdMe;
+  const bool hold = command.leds.leftEye.front() == holdMe;
+  if (held_ && !hold) {
+    putDown();
+  }
+  held_ = hold;
 }
 
 Eigen::VectorXd SimulatedBody::joints() const {

@@ -67,7 +67,7 @@ function draw() {
   const told = valueOf(shownRobot, outcomeKey), isRunning = running(state ? state.phase : "idle");
   const {before, captures} = of(shownRobot), now = entry.keys.get(offsetsMount);
   steer({robot: shownRobot, entry, state, isRunning, kinds: valueOf(shownRobot, kindsKey), draw, when});
-  when("progress", [state, player && player.reason], () => state ? progress(state, player) : [make("p", {class: "soft"}, "Waiting for the robot's first word …")]);
+  when("progress", [state, player && player.reason, player && player.held], () => state ? progress(state, player) : [make("p", {class: "soft"}, "Waiting for the robot's first word …")]);
   when("outcome", [state && state.errorAfter, isRunning, told], () => outcome(state, isRunning, told));
   when("offsets", [told, before, now], () => offsets(told, before, now));
   when("captures", captures, () => thumbnails(shownRobot));
@@ -105,6 +105,7 @@ function progress(state, player) {
     make("p", {class: state.phase === "failed" ? "bad" : "", role: "status"}, state.sentence || "Ready."),
     state.phase === "idle" ? "" : make("div", {class: "progress"}, bar, make("span", {class: "number"}, state.poses ? "pose " + state.pose + " of " + state.poses : ""),
       make("span", {class: "number"}, state.captures + " pictures"), make("span", {class: "number"}, state.secondsLeft === null ? "" : "about " + Math.ceil(state.secondsLeft) + " s left")),
+    player && player.held ? make("p", {class: "hold"}, make("span", {class: "eyes"}), "Hold the robot by its trunk: its eyes are yellow.") : "",
     player && player.reason ? make("p", {class: "bad"}, player.reason) : ""];
 }
 
