@@ -23,18 +23,17 @@ std::string base64(std::string_view bytes) {
 
 std::optional<std::string> thumbnail(const std::filesystem::path& file) {
   constexpr int widest = 640; // [px]
-  GreyPicture picture;
   try {
-    picture = readPicture(file);
+    GreyPicture picture = readPicture(file);
+    cv::Mat grey{picture.height, picture.width, CV_8UC1, picture.pixels.data()};
+    if (grey.cols > widest) {
+      const double scale = static_cast<double>(widest) / grey.cols;
+      cv::resize(grey, grey, {widest, std::max(1, cvRound(scale * grey.rows))}, 0, 0, cv::INTER_AREA);
+    }
+    return "data:image/jpeg;base64," + base64(jpeg({grey.data, grey.total()}, grey.cols, grey.rows, 70));
   } catch (const InputError&) { // lost or broken: the report does without
     return std::nullopt;
   }
-  cv::Mat grey{picture.height, picture.width, CV_8UC1, picture.pixels.data()};
-  if (grey.cols > widest) {
-    const double scale = static_cast<double>(widest) / grey.cols;
-    cv::resize(grey, grey, {widest, std::max(1, cvRound(scale * grey.rows))}, 0, 0, cv::INTER_AREA);
-  }
-  return "data:image/jpeg;base64," + base64(jpeg({grey.data, grey.total()}, grey.cols, grey.rows, 70));
 }
 
 } // namespace naocal
