@@ -31,8 +31,11 @@ await page.getByRole("button", {name: /^Play on/}).click();
 await portrait(page, axe, pictures, "next-confirm");
 await page.getByRole("button", {name: "Play", exact: true}).click();
 
-// The robot asks before it steps onto its foot.
-await page.getByRole("button", {name: "Confirm"}).click({timeout: 120000});
+// The robot asks to be held between one foot and both, and to be put down before its poses.
+for (const words of [/going to stand on its .* foot/, /lies flat, let go/, /back onto both feet/]) {
+  await page.getByText(words).first().waitFor({timeout: 300000});
+  await page.getByRole("button", {name: "Confirm"}).click();
+}
 await page.getByRole("heading", {name: /^(Finished|Failed)$/}).waitFor({timeout: 300000});
 check(await page.getByRole("heading", {name: "Finished"}).count() === 1, "the robot took them: " + await page.getByRole("heading", {name: /^(Finished|Failed)$/}).locator("xpath=following-sibling::p[1]").innerText());
 const sessions = readdirSync(join(here, "recordings")).map(name => join(here, "recordings", name, "first")).filter(path => existsSync(join(path, "captures.json")));
