@@ -26,9 +26,10 @@ class SharedVideo : public VideoSystem {
 
 public:
   void expose(const CameraFrame& frame) {
+    const auto bytes = frame.picture->bytes(); // drawn before the kernel is locked, else the brain hardly gets a turn
     const std::lock_guard lock{mutex_};
     const char* path = frame.camera == CameraName::top ? "/dev/video-top" : "/dev/video-bottom";
-    video_.expose(video_.cameras[path], frame.picture->bytes(), frame.time.time_since_epoch());
+    video_.expose(video_.cameras[path], bytes, frame.time.time_since_epoch());
   }
   int open(const std::string& path) override {
     return guarded([&] { return video_.open(path); });
