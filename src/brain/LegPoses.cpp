@@ -14,6 +14,12 @@ const char* nameOf(SupportFoot foot) {
   return foot == SupportFoot::left ? "left" : "right";
 }
 
+std::string takeHold(const std::string& why) {
+  return fmt::format("The robot {} and may fall: take it by its trunk, and confirm. Hold it as long as its eyes are "
+                     "yellow.",
+                     why);
+}
+
 Eigen::VectorXd drawn(const Robot& drawing, const CompensatedAngles& stand) {
   Eigen::VectorXd angles{at(drawing.joints.size())};
   for (std::size_t joint = 0; joint < drawing.joints.size(); ++joint) {
@@ -58,13 +64,12 @@ CalibrationRound LegPoses::onto(bool isHeld) const {
   for (const Eigen::VectorXd& angles : ways_.onto()) {
     points.push_back(robotAngles(angles));
   }
-  const std::string takeHold = fmt::format("The robot is going to stand on its {} foot and may fall: take it by its "
-                                           "trunk, and confirm. Hold it as long as its eyes are yellow.",
-                                           foot),
-                    letGo = fmt::format("Put the robot down so that its {} sole lies flat, let go, keep your hands "
-                                        "around it without touching it, and confirm.",
-                                        foot);
-  return {{name, isHeld ? "" : takeHold, true, points, 0, {}}, {name, letGo, false, {points.back()}, 0, {}}};
+  const std::string letGo =
+      fmt::format("Put the robot down so that its {} sole lies flat, let go, keep your hands around "
+                  "it without touching it, and confirm.",
+                  foot);
+  return {{name, isHeld ? "" : takeHold(fmt::format("is going to stand on its {} foot", foot)), true, points, 0, {}},
+          {name, letGo, false, {points.back()}, 0, {}}};
 }
 
 CalibrationRound LegPoses::round(const RoundOptions& options, int stance) const {
@@ -101,13 +106,7 @@ CalibrationRound LegPoses::round(const RoundOptions& options, int stance) const 
       round.push_back(std::move(step));
     }
   }
-  round.push_back({"The stand",
-                   "The robot is going back onto both feet and may fall: take it by its trunk, and confirm. Hold it as "
-                   "long as its eyes are yellow.",
-                   true,
-                   {},
-                   0,
-                   {}});
+  round.push_back({"The stand", takeHold("is going back onto both feet"), true, {}, 0, {}});
   return round;
 }
 

@@ -17,8 +17,9 @@ public:
   LegPoses(const Robot& drawing, const PoseFile& file, SupportFoot foot, const CompensatedAngles& stand);
 
   /// Onto the foot, through the poses in random order, and back to the stand; held by a person between one foot and
-  /// both, for its joints may be off by degrees, and since the foot before where this is not the first stance (0). In each pose pictures are taken at as
-  /// many approaches as asked, from below and from above in turn: which joint comes from where first is random.
+  /// both, for its joints may be off by degrees, and since the foot before where this is not the first stance (0). In
+  /// each pose pictures are taken at as many approaches as asked, from below and from above in turn: which joint comes
+  /// from where first is random.
   CalibrationRound round(const RoundOptions& options, int stance) const;
 
 private:

@@ -6,18 +6,6 @@
 #include <opencv2/imgproc.hpp>
 
 namespace naocal {
-namespace {
-
-/// Its bytes, if they are as many as format and size say.
-std::span<const std::uint8_t> wholePicture(const CameraFrame& frame) {
-  const auto bytes = frame.picture ? frame.picture->bytes() : std::span<const std::uint8_t>{};
-  const int perPixel = frame.format == PixelFormat::grey ? 1 : frame.format == PixelFormat::yuyv ? 2 : 3;
-  const bool whole = frame.width > 0 && frame.height > 0 &&
-                     bytes.size() == std::size_t(frame.width) * std::size_t(frame.height) * std::size_t(perPixel);
-  return whole ? bytes : std::span<const std::uint8_t>{};
-}
-
-} // namespace
 
 EncodedPicture toPicture(const ShownFrame& shown) {
   const CameraFrame& frame = shown.frame;

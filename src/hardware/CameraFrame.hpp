@@ -47,6 +47,9 @@ struct CameraFrame {
   std::shared_ptr<const PictureBytes> picture;
 };
 
+/// Its bytes; none when they are not as many as format and size say.
+std::span<const std::uint8_t> wholePicture(const CameraFrame& frame);
+
 /// Its brightness; absent when the bytes are not as many as format and size say.
 std::optional<GreyPicture> greyPicture(const CameraFrame& frame);
 

@@ -9,8 +9,8 @@
 
 namespace naocal {
 
-/// Answers every state of the robot with the desired pose, offsets added and within the limits, and with its lights. Offsets that change do not
-/// make the robot jump: what is added follows them at a limited speed.
+/// Answers every state of the robot with the desired pose, offsets added and within the limits, and with its lights.
+/// Offsets that change do not make the robot jump: what is added follows them at a limited speed.
 class CommandSender final : public Module {
 public:
   CommandSender(RobotInterface& robot, const Robot& drawing)

@@ -182,7 +182,12 @@ void PosePlayer::extendTrail(const CompensatedAngles& point) {
 void PosePlayer::stop(Phase phase, const std::string& reason) {
   leaveMotion();
   PlayerState& state = state_.edit();
-  state = {.phase = phase, .request = state.request, .held = state.held, .home = home_, .reason = reason, .presses = state.presses};
+  state = {.phase = phase,
+           .request = state.request,
+           .held = state.held,
+           .home = home_,
+           .reason = reason,
+           .presses = state.presses};
   desired_.edit().stiffness = phase == Phase::off ? 0 : phase == Phase::fallen ? *fallenStiffness_ : *stiffness_;
 }
 

@@ -103,8 +103,7 @@ GreyPicture decodedPicture(std::string_view content, const std::string& name) {
   if (auto picture = content.starts_with("\x89PNG") ? fromPng(content) : fromJpeg(content)) {
     return *std::move(picture);
   }
-  throw InputError{
-      fmt::format("{}: expected a whole picture (.png or .jpg), but it could not be read as one", name)};
+  throw InputError{fmt::format("{}: expected a whole picture (.png or .jpg), but it could not be read as one", name)};
 }
 
 GreyPicture readPicture(const std::filesystem::path& file) {
@@ -117,9 +116,8 @@ GreyPicture readPicture(const std::filesystem::path& file) {
 std::string png(const GreyPicture& picture) {
   std::string content;
   if (!isPossible(picture.width, picture.height) || !writtenAsPng(picture, content)) {
-    throw InputError{
-        fmt::format("a picture of {} x {} pixels was expected to become a PNG, but it cannot", picture.width,
-                    picture.height)};
+    throw InputError{fmt::format("a picture of {} x {} pixels was expected to become a PNG, but it cannot",
+                                 picture.width, picture.height)};
   }
   return content;
 }
@@ -133,8 +131,8 @@ std::string jpeg(std::span<const std::uint8_t> pixels, int width, int height, in
   auto* bytes = reinterpret_cast<unsigned char*>(content.data());
   if (tjCompress2(turbo.get(), pixels.data(), width, 0, height, coloured ? TJPF_RGB : TJPF_GRAY, &bytes, &size,
                   subsampling, quality, TJFLAG_NOREALLOC | TJFLAG_ACCURATEDCT) != 0) {
-    throw InputError{
-        fmt::format("a picture of {} x {} pixels cannot become a JPEG: {}", width, height, tjGetErrorStr2(turbo.get()))};
+    throw InputError{fmt::format("a picture of {} x {} pixels cannot become a JPEG: {}", width, height,
+                                 tjGetErrorStr2(turbo.get()))};
   }
   content.resize(size);
   return content;
@@ -143,8 +141,8 @@ std::string jpeg(std::span<const std::uint8_t> pixels, int width, int height, in
 void writePicture(const GreyPicture& picture, const std::filesystem::path& file) {
   const std::string ending = file.extension().string();
   if (ending != ".png" && ending != ".jpg") {
-    throw InputError{fmt::format("{}: expected a picture's name that ends with .png or .jpg, found '{}'", file.string(),
-                                 ending)};
+    throw InputError{
+        fmt::format("{}: expected a picture's name that ends with .png or .jpg, found '{}'", file.string(), ending)};
   }
   writeAtomically(file, ending == ".png" ? png(picture) : jpeg(picture.pixels, picture.width, picture.height, 95));
 }

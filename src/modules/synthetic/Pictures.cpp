@@ -45,8 +45,8 @@ std::size_t takePictures(const Simulation& simulation, const Appearance& appeara
   }
   const std::vector<Capture>& captures = simulation.set.captures;
   const auto take = [&](std::size_t i) {
-    const GreyPicture picture =
-        renderers.at(captures[i].camera).picture(sceneBefore(simulation, i), appearance, seed ^ (std::uint64_t{i} << 32U));
+    const GreyPicture picture = renderers.at(captures[i].camera)
+                                    .picture(sceneBefore(simulation, i), appearance, seed ^ (std::uint64_t{i} << 32U));
     writePicture(picture, setFolder / captures[i].image);
   };
   makeFolder(setFolder / "images");

@@ -1,11 +1,8 @@
 #include "synthetic/Rendering.hpp"
 
-#include "captures/InputError.hpp"
 #include "synthetic/RenderingLens.hpp"
 #include "synthetic/RenderingRow.hpp"
 #include "synthetic/RenderingSensor.hpp"
-
-#include <fmt/format.h>
 
 namespace naocal {
 Renderer::Renderer(const CameraIntrinsics& intrinsics, std::optional<std::uint64_t> floorSeed)
