@@ -112,8 +112,8 @@ double bestLevel(const ScoreProblem& problem, const Evidence& evidence) {
 
 Evidence evidenceOf(const ScoreProblem& problem, const Noise& noise, const std::vector<double>& levels,
                     Eigen::Index draws, std::uint64_t seed) {
-  LevelTests tests{problem, noise, levels};
   const PoseScores measured = measuredScores(*problem.linear, noise);
+  LevelTests tests{problem, noise, levels.empty() ? poseLevels(problem, noise, measured) : levels};
   const NullFit null = tests.nullOf(measured, problem.priorScore());
   const ScoreTests& there = tests[null.level.front()];
   Evidence result;

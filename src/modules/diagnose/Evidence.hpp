@@ -33,8 +33,8 @@ struct Evidence {
 /// Profile likelihood ratios of all groups, pose noise estimated anew under each hypothesis, with the null distribution
 /// of their largest by a parametric bootstrap of the linearised problem (`draws` times the same procedure on noise of
 /// the level found; none when 0): the alarm's rate is then right for any number of poses and any correlation of
-/// candidates. `levels` of pose noise are tried, ascending [rad].
-Evidence evidenceOf(const ScoreProblem& problem, const Noise& noise, const std::vector<double>& levels,
+/// candidates. `levels` of pose noise are tried, ascending [rad]; where there are none, those of `poseLevels`.
+Evidence evidenceOf(const ScoreProblem& problem, const Noise& noise, const std::vector<double>& levels = {},
                     Eigen::Index draws = 0, std::uint64_t seed = 1);
 
 } // namespace naocal

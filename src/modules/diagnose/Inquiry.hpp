@@ -17,7 +17,7 @@ struct InquiryOptions {
   Eigen::Index draws = 199; // of pure noise, for the alarm's null distribution
   std::uint64_t seed = 1;
   bool map = true;                           // joints and mounts over drivers beside the candidates
-  std::vector<double> levels = poseLevels(); // of pose noise
+  std::vector<double> levels; // of pose noise; none: those of `poseLevels`
 };
 
 /// A fitted model put to the question: which of these candidates, and which curve of a joint or mount over a driver,

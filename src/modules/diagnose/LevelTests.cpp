@@ -4,6 +4,9 @@
 #include "geometry/Index.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <cstdint>
 #include <tbb/parallel_for.h>
 
 namespace naocal {
@@ -20,14 +23,25 @@ PoseScores columns(const PoseScores& scores, const std::vector<Eigen::Index>& wh
 
 } // namespace
 
-const std::vector<double>& poseLevels() {
-  static const std::vector<double> levels = [] {
-    std::vector<double> result{0};
-    for (double level = radians(0.004); level < radians(1.5); level *= 1.7) {
-      result.push_back(level);
-    }
-    return result;
-  }();
+std::vector<double> poseLevels(const ScoreProblem& problem, const Noise& noise, const PoseScores& measured) {
+  constexpr double step = 1.7;
+  std::vector<double> levels{0};
+  for (double level = radians(0.004); level < radians(1.5); level *= step) {
+    levels.push_back(level);
+  }
+  const Eigen::VectorXd priorScore = problem.priorScore();
+  const double coarse = levels[LevelTests{problem, noise, levels}.nullOf(measured, priorScore).level.front()];
+  const auto deviance = [&](double logarithm) {
+    Noise there = noise;
+    there.pose = coarse * std::exp(logarithm);
+    return ModelAlone{problem, there}(measured, priorScore).deviance[0];
+  };
+  std::uintmax_t tries = 8;
+  const double reach = std::log(step);
+  const double shift = coarse > 0 ? boost::math::tools::brent_find_minima(deviance, -reach, reach, 6, tries).first : 0;
+  for (double& level : levels) {
+    level *= std::exp(shift);
+  }
   return levels;
 }
 

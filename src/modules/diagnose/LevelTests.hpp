@@ -8,8 +8,10 @@
 
 namespace naocal {
 
-/// None, then in steps from what no one can see to more than any robot has [rad].
-const std::vector<double>& poseLevels();
+/// Levels of pose noise to try: none, then in steps from what no one can see to more than any robot has, one of them
+/// the likeliest under the model alone [rad]. (The noise of a bootstrap is drawn there: a level that is off by half a
+/// step would make whatever is measured look striking or dull.)
+std::vector<double> poseLevels(const ScoreProblem& problem, const Noise& noise, const PoseScores& measured);
 
 /// Scores under the model alone, the level of pose noise estimated for each set of them (column).
 struct NullFit {

@@ -87,7 +87,7 @@ void express(const Inquiry& inquiry, const Measurements& measurements, const Dri
   for (const DriverCell& shape : columns.cells) {
     problem.groups.push_back({problem.candidates + shape.first, shape.count});
   }
-  const Evidence evidence = evidenceOf(problem, inquiry.noise(), poseLevels());
+  const Evidence evidence = evidenceOf(problem, inquiry.noise());
   const auto best = std::max_element(evidence.groups.begin(), evidence.groups.end(),
                                      [](const auto& a, const auto& b) { return a.bayes < b.bayes; });
   const DriverCell& shape = columns.cells[static_cast<std::size_t>(best - evidence.groups.begin())];
