@@ -16,6 +16,7 @@ namespace {
 using Phase = CalibrationState::Phase;
 
 constexpr double leastGain = 0.5; // what a calibration leaves of the error at most, to be kept
+constexpr double goodError = 1.5; // [px]; 2 cm on the floor, two metres away
 
 /// Each foot's poses, one foot after the other; each time that the robot steps onto one is a stance.
 CalibrationRound legRound(const std::deque<LegPoses>& legs, RoundOptions options) {
@@ -179,14 +180,22 @@ void CalibrationRunner::takeFinding() {
 void CalibrationRunner::tellError(const CalibrationSession::Error& error) {
   state_.edit().errorBefore = error.before;
   state_.edit().errorAfter = error.after;
-  const std::string fell = fmt::format("The measured error of corners that were not calibrated with fell from {:.1f} "
-                                       "to {:.1f} pixels",
-                                       error.before, error.after);
-  if (error.after > leastGain * error.before) {
-    enter(Phase::failed, fell + ", not even by half, so the calibration was taken back. Something else is off as well: "
-                                "calibrate the legs, or look at the recording with 'naocal diagnose'.");
+  const std::string errors =
+      fmt::format("from {:.1f} to {:.1f} pixels in corners that were not calibrated with", error.before, error.after);
+  if (error.after <= leastGain * error.before) {
+    enter(Phase::finished,
+          fmt::format("The measured error fell {}. The calibration is saved; it can be undone.", errors));
+  } else if (error.before <= goodError) {
+    enter(Phase::finished,
+          fmt::format("The robot was well calibrated already (the measured error went {}), so it keeps "
+                      "what it had.",
+                      errors));
   } else {
-    enter(Phase::finished, fell + ". The calibration is saved; it can be undone.");
+    enter(Phase::failed,
+          fmt::format("The measured error went {}: it did not fall by half, so the calibration was taken "
+                      "back. Something else is off as well: calibrate the legs, or look at the "
+                      "recording with 'naocal diagnose'.",
+                      errors));
   }
 }
 

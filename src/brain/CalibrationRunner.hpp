@@ -36,7 +36,7 @@ struct CalibrationSurroundings {
 
 /// Calibrates the robot: takes poses before the boards, solves the captures, saves the joints' offsets and the cameras'
 /// mounts, takes a second, shorter round, and says how far the error of its pictures has fallen. Where that is not by
-/// half, what was saved is taken back. Checking ways, detection and solving are done by a thread of their own.
+/// half, what was saved is taken back: it was well calibrated already, or something else is off. Checking ways, detection and solving are done by a thread of their own.
 ///
 /// Started by its parameter `run` becoming the name of a kind of calibration (a value from the file starts nothing),
 /// and ended by any other value; also by the chest button, which answers questions as well.

@@ -63,11 +63,13 @@ TEST_CASE("a module's parameters come from the file of its name") {
 }
 
 TEST_CASE("a change reaches a module between two cycles") {
-  // Proves that nothing changes before the next cycle begins, that the module is told once, and that a refused value
-  // changes neither module nor configuration. Concurrent changes: below.
+  // Proves that nothing changes before the next cycle begins, that the module is told of each change (of two values of
+  // one parameter that come together, of both), and that a refused value changes neither module nor configuration.
+  // Concurrent changes: below.
   Configured configured{good};
   auto& [robot, motion, player] = configured;
   motion.cycle();
+  robot.configuration.set("Motion.Player", "speed", 0.25);
   robot.configuration.set("Motion.Player", "speed", 0.75);
   robot.configuration.set("Motion.Player", "gains[1]", 7);
   CHECK(player.gains()[1] == 2);
@@ -75,7 +77,7 @@ TEST_CASE("a change reaches a module between two cycles") {
   motion.cycle();
   CHECK(player.gains()[1] == 7);
   CHECK(player.seen == std::vector<double>{0.5, 0.75, 0.75});
-  CHECK(player.changes == 2);
+  CHECK(player.changes == 4);
   CHECK_THROWS_AS(robot.configuration.set("Motion.Player", "speed", -1), ConfigurationError);
   motion.cycle();
   CHECK(player.seen.back() == 0.75);

@@ -44,7 +44,8 @@ TEST_CASE("both threads are wired with the shipped configuration") {
 
 TEST_CASE("a simulated robot calibrates neck and cameras, driven only through the sockets") {
   // Proves the whole way: started by a SET, poses played, pictures paired and searched, solved, saved into the robot's
-  // own files, and checked with pictures that were not used. Its legs are nearly calibrated (within a degree).
+  // own files, and checked with pictures that were not used; asked once more, it keeps what it had. Its legs are nearly
+  // calibrated (within a degree).
   SimulatedProcess simulated{SimulatedProcess::plan(1, radians(1))};
   const json state = simulated.calibrated("head");
   INFO(state.dump());
@@ -53,7 +54,12 @@ TEST_CASE("a simulated robot calibrates neck and cameras, driven only through th
   const json offsets = simulated.saved("default/body/synthetic-1/JointCalibrationProvider.json");
   CHECK(offsets.size() == 1); // where the head is turned to, no one can tell on two feet
   CHECK(offsets.contains("headPitch"));
-  CHECK(simulated.saved("simulated/head/synthetic-1/Projection.json").size() == 2);
+  const json mounts = simulated.saved("simulated/head/synthetic-1/Projection.json");
+  CHECK(mounts.size() == 2);
+  const json again = simulated.calibrated("head");
+  CHECK(again["phase"] == "finished");
+  CHECK(again["sentence"].get<std::string>().find("The robot was well calibrated already") == 0);
+  CHECK(simulated.saved("simulated/head/synthetic-1/Projection.json") == mounts);
 }
 
 TEST_CASE("a calibration of neck and cameras that does not help is taken back") {

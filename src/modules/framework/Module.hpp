@@ -32,7 +32,7 @@ public:
   /// Computes the productions from dependencies and parameters, once per cycle of its thread.
   virtual void cycle() = 0;
 
-  /// Called before the first cycle and before a cycle for which parameters have changed.
+  /// Called before the first cycle, and between cycles after each change of a parameter.
   virtual void parametersChanged() {}
 
   const std::string& name() const { return name_; }

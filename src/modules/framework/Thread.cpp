@@ -2,7 +2,6 @@
 
 #include "framework/CycleTimes.hpp"
 
-#include <algorithm>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <pthread.h>
@@ -50,13 +49,9 @@ void Thread::applyChanges() {
     }
     changes.swap(changes_);
   }
-  for (Change& change : changes) {
+  for (Change& change : changes) { // told one by one: of two values that come together, the first is one as well
     change.apply();
-  }
-  for (const auto& module : modules_) {
-    if (std::any_of(changes.begin(), changes.end(), [&](const Change& change) { return change.module == &*module; })) {
-      module->parametersChanged();
-    }
+    change.module->parametersChanged();
   }
 }
 
