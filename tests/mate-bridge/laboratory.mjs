@@ -68,7 +68,19 @@ check(svg.name.endsWith(".svg") && svg.content.includes("<svg") && (svg.content.
 const png = await saved(() => page.getByRole("button", {name: /^save as PNG: error/}).click({force: true}));
 check(png.content.subarray(1, 4).toString() === "PNG", "a drawing is saved as PNG");
 await tab("Map");
+check((await page.locator("#view h2").allInnerTexts()).join() === "Curves,What a joint would have to do,Within the pictures,On the boards", "the map shows the other ways to look at what is left");
+await page.locator("#bent").selectOption("LKneePitch");
+const bent = page.getByRole("img", {name: /^deflection of LKneePitch over/}), bentBox = await bent.boundingBox();
+check(await page.getByRole("img", {name: /^shape of board/}).count() > 1, "each board's shape is drawn");
 await portrait(page, axe, pictures, "map");
+let left = false; // the view, by a click on a point
+for (let x = 0.2; x < 0.95 && !left; x += 0.03) {
+  for (let y = 0.2; y < 0.85 && !left; y += 0.1) {
+    await bent.click({position: {x: x * bentBox.width, y: y * bentBox.height}});
+    left = page.url().endsWith("#compare");
+  }
+}
+check(left, "a click on a deflection shows its capture");
 await tab("Result");
 await portrait(page, axe, pictures, "result");
 const rows = (await saved(() => page.getByRole("button", {name: "CSV", exact: true}).click())).content.toString().split("\n");

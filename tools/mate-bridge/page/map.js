@@ -1,9 +1,10 @@
-// The joint by driver map, and the best of its curves.
+// The joint by driver map, the best of its curves, and what else shows where something is left over.
 import {make, button, empty} from "./elements.js";
 import {figure, bestOf, mapHeight, drawMap, drawCurve} from "./canvas.js";
 import {tenths, driverWords, short, withUnit} from "./words.js";
 import {state} from "./state.js";
 import {ownFrom} from "./own.js";
+import {leftSections} from "./left.js";
 
 export function showMap(parent, go) {
   const {questions} = state;
@@ -13,7 +14,8 @@ export function showMap(parent, go) {
   }
   const cells = questions.map;
   if (!cells.length) {
-    parent.replaceChildren(make("h1", {}, "Joint by driver"), empty("There is no map", "No joint of these captures moved enough for a curve."));
+    parent.replaceChildren(make("h1", {}, "Joint by driver"), empty("There is no map", "No joint of these captures moved enough for a curve."),
+      ...leftSections(questions, go));
     return;
   }
   const best = bestOf(cells);
@@ -31,7 +33,8 @@ export function showMap(parent, go) {
     make("p", {class: "soft"}, questions.curves.some(({evidence}) => evidence > 0)
       ? "The best curves with a band of two standard errors. Take one over as an effect of your own and see what it explains."
       : "Their evidence is below 0: nothing is left that a curve would explain. They are drawn so that you can see that."),
-    make("div", {class: "grid"}, ...questions.curves.map(curve => curveFigure(curve, go))));
+    make("div", {class: "grid"}, ...questions.curves.map(curve => curveFigure(curve, go))),
+    ...leftSections(questions, go));
 }
 
 function curveFigure(curve, go) {

@@ -10,7 +10,9 @@ set(evaluation_style style.css evaluation.css)
 set(evaluation_script ${shared} basics.js drawing.js evaluation.js)
 set(diagnosis_sections diagnosis.html)
 set(diagnosis_style style.css diagnosis.css)
-set(diagnosis_script ${shared} basics.js drawing.js ladder.js candidates.js taken.js added.js aliases.js imprint.js map.js curves.js whatif.js within.js shapes.js diagnosis.js)
+set(diagnosis_script ${shared} shared/taken.js shared/deflections.js shared/within.js shared/boards.js basics.js
+  drawing.js ladder.js candidates.js taken.js added.js aliases.js imprint.js map.js curves.js whatif.js within.js shapes.js
+  diagnosis.js)
 
 if(CMAKE_SCRIPT_MODE_FILE)
   set(source "#include \"report/PageFiles.hpp\"\n\nnamespace naocal::pageFiles {\n\n")

@@ -1,8 +1,6 @@
-// What each joint alone would have to do to explain what is left over, drawn over anything that was recorded.
+// The choice of a joint and a driver, and of the model whose residuals are shown.
 
-let leftModel = "asGiven"; // whose residuals are shown
-
-const fewValues = 6; // of a driver: then each stands for itself
+let leftModel = "asGiven";
 
 // Offers the models in each choice of the page; a change redraws all figures.
 function offerModels() {
@@ -16,28 +14,17 @@ function offerModels() {
   }
 }
 
-function poseOrder() {
-  const first = data.poses.map(pose => Math.min(...pose.pictures.map(picture => data.pictures[picture].capture)));
-  const sorted = [...first].sort((a, b) => a - b);
-  return {what: "the order of the poses", unit: "", joint: "", values: data.pictures.map(({pose}) => 1 + sorted.indexOf(first[pose]))};
-}
-
 function showWhatIf(parent) {
-  const joints = data.left.asGiven ? data.left.asGiven.whatIf.filter(({points}) => points.length) : [];
-  at("overWhatIf").hidden = !joints.length;
-  if (!joints.length) return;
-  const drivers = [...data.drivers, poseOrder()];
-  const offered = joint => drivers.filter(driver => !driver.joint || driver.joint === joint)
-    .map(driver => ({driver, strength: trendOf(joint, driver, "asGiven").strength})).sort((a, b) => b.strength - a.strength);
-  const ranked = joints.map(({joint}) => ({joint, offered: offered(joint)}))
-    .sort((a, b) => b.offered[0].strength - a.offered[0].strength);
+  const ranked = jointsByTrend(data);
+  at("overWhatIf").hidden = !ranked.length;
+  if (!ranked.length) return;
   const joint = at("bent"), driver = at("driver"), caption = element("figcaption");
   ranked.forEach(({joint: name}) => joint.append(element("option", "", name)));
   const first = data.candidates.length ? data.candidates[0].label.split("@")[1] : "";
   joint.selectedIndex = Math.max(0, ranked.findIndex(({joint: name}) => name === first)); // several joints move pictures alike
   const chosen = () => ranked[joint.selectedIndex].offered[driver.selectedIndex].driver;
   const redraw = canvasFigure(parent, 340, (context, width, height) =>
-    drawWhatIf(context, width, height, joint.value, chosen(), caption), "deflection of a joint over a driver");
+    drawWhatIf(context, width, height, {data, model: leftModel, joint: joint.value, driver: chosen(), caption}), "deflection of a joint over a driver");
   parent.append(caption);
   const offer = () => {
     driver.replaceChildren(...ranked[joint.selectedIndex].offered.map(({driver: {what}}) => element("option", "", what)));
@@ -46,86 +33,4 @@ function showWhatIf(parent) {
   joint.addEventListener("change", offer);
   driver.addEventListener("change", redraw);
   offer();
-}
-
-// Points of a joint over a driver, the means over stretches of it, and how many standard errors these lie from zero.
-function trendOf(joint, driver, model) {
-  const points = data.left[model].whatIf.find(one => one.joint === joint).points.map(([pictures, y, sigma]) =>
-    ({x: mean(pictures.map(picture => driver.values[picture])), y, sigma, pictures, pose: data.pictures[pictures[0]].pose}));
-  const xs = points.map(({x}) => x), range = Math.max(...xs) - Math.min(...xs) || 1;
-  const groups = new Map(); // what is not independent: points of one pose, unless the driver changed meanwhile
-  for (const point of points) {
-    const key = point.pose + "/" + Math.round(10 * (point.x - xs[0]) / range);
-    if (!groups.has(key)) groups.set(key, []);
-    groups.get(key).push(point);
-  }
-  const members = [...groups.values()].map(list => weighted(list)).sort((a, b) => a.x - b.x);
-  const means = stretchesOf(members, range).map(list => ({...weighted(list), error: spreadOf(list)}))
-    .filter(({error}) => error > 0);
-  const strength = means.length > 1 ? Math.sqrt(mean(means.map(({y, error}) => (y / error) ** 2))) : 0;
-  return {points, means, strength};
-}
-
-// The mean of points that weigh by their errors.
-function weighted(list) {
-  const weights = list.map(({sigma}) => sigma ** -2), sum = weights.reduce((a, b) => a + b, 0);
-  const over = value => list.reduce((all, point, i) => all + weights[i] * value(point), 0) / sum;
-  return {x: over(({x}) => x), y: over(({y}) => y), sigma: sum ** -0.5};
-}
-
-// The standard error of that mean by how the points differ.
-function spreadOf(list) {
-  const {y: middle, sigma} = weighted(list);
-  const chi2 = list.reduce((sum, {y, sigma: own}) => sum + ((y - middle) / own) ** 2, 0);
-  return list.length > 1 ? sigma * Math.sqrt(Math.max(1, chi2 / (list.length - 1))) : 0;
-}
-
-// Stretches of equally many points, or one for each value where there are only few.
-function stretchesOf(members, range) {
-  const values = new Map();
-  for (const member of members) {
-    const key = Math.round(50 * member.x / range);
-    if (!values.has(key)) values.set(key, []);
-    values.get(key).push(member);
-  }
-  if (values.size <= fewValues) return [...values.values()];
-  const count = Math.max(1, Math.min(8, Math.floor(members.length / 4)));
-  return Array.from({length: count}, (_, i) =>
-    members.slice(Math.round(i * members.length / count), Math.round((i + 1) * members.length / count)));
-}
-
-function drawWhatIf(context, width, height, joint, driver, caption) {
-  const {points, means, strength} = trendOf(joint, driver, leftModel), {unit, what} = driver;
-  const xs = points.map(({x}) => x), low = Math.min(...xs), high = Math.max(...xs), margin = 0.03 * (high - low || 1);
-  const reach = 1.15 * Math.max(quantile(points.map(({y}) => Math.abs(y)), 0.97),
-    ...means.map(({y, error}) => Math.abs(y) + 2 * error), 1e-3);
-  const box = {left: 56, right: width - 8, top: 30, bottom: height - 42};
-  const {x, y, line} = axes(context, box, [low - margin, high + margin], [-reach, reach],
-    {title: "deflection of " + joint + " that would explain it [°]", xLabel: what + (unit ? " [" + unit + "]" : "")});
-  const inside = value => Math.max(-reach, Math.min(reach, value));
-  context.strokeStyle = context.fillStyle = colours.blue;
-  context.lineWidth = 1;
-  const targets = points.map(point => {
-    const {x: a, y: b, sigma, pictures} = point;
-    context.globalAlpha = 0.3;
-    line(x(a), y(inside(b - sigma)), x(a), y(inside(b + sigma)));
-    context.globalAlpha = 0.8;
-    const target = {x: x(a), y: y(inside(b)), beyond: Math.abs(b) > reach ? -Math.sign(b) : 0};
-    dot(context, target);
-    return {...target, tip: () => poseName(point.pose) + "\ncaptures " + pictures.map(picture =>
-      data.pictures[picture].capture).join(", ") + "\n" + what + ": " + withUnit(short(a), unit) + "\n" + joint + " off by " +
-      withError(b, sigma, "°")};
-  });
-  context.globalAlpha = 1;
-  context.strokeStyle = context.fillStyle = colours.orange;
-  context.lineWidth = 2;
-  means.forEach((here, i) => {
-    line(x(here.x), y(inside(here.y - 2 * here.error)), x(here.x), y(inside(here.y + 2 * here.error)));
-    if (i) line(x(means[i - 1].x), y(inside(means[i - 1].y)), x(here.x), y(inside(here.y)));
-    context.fillRect(x(here.x) - 3, y(inside(here.y)) - 3, 6, 6);
-  });
-  caption.replaceChildren(element("b", "", joint + " over " + what), strength > 2
-    ? ": a trend, its means lie " + strength.toFixed(1) + " standard errors from zero."
-    : ": no trend, its means lie about as far from zero as they would by chance (" + strength.toFixed(1) + " standard errors).");
-  return targets;
 }

@@ -49,3 +49,5 @@ export const stateWords = {
 export const driverWords = name => name === "t" ? "time" : name === "approach" ? "how it was approached"
   : name === "T" ? "its temperature" : name === "qd" ? "its speed"
   : name.startsWith("tau_") ? "the torque on " + name.slice(4) : "the angle of " + name;
+
+export const bold = text => Object.assign(document.createElement("b"), {textContent: text});
