@@ -1,6 +1,5 @@
 #include "brain/CalibrationRunner.hpp"
 
-#include "brain/PictureDifference.hpp"
 #include "brain/SavedCalibration.hpp"
 
 #include <fmt/chrono.h>
@@ -23,7 +22,7 @@ std::string kindNames() {
 } // namespace
 
 CalibrationRunner::CalibrationRunner(CalibrationSurroundings surroundings)
-    : Module{"CalibrationRunner"}, surroundings_{std::move(surroundings)} {}
+    : Module{"CalibrationRunner"}, work_{std::move(surroundings)} {}
 
 void CalibrationRunner::parametersChanged() {
   const bool changed = configured_ && *run_ != asked_;
@@ -51,11 +50,11 @@ void CalibrationRunner::start(const CalibrationKind& kind) {
   kind_ = &kind;
   state_ = CalibrationState{.kind = kind.run, .questionNumber = state_->questionNumber};
   const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
-  folder_ = surroundings_.recordings / fmt::format("{:%Y-%m-%d_%H-%M-%S}", fmt::gmtime(now));
+  const CalibrationSurroundings& surroundings = work_.surroundings();
+  work_.begin(surroundings.recordings / fmt::format("{:%Y-%m-%d_%H-%M-%S}", fmt::gmtime(now)));
   rounds_ = {};
   round_ = 0;
-  sessions_ = {};
-  before_ = configured(surroundings_.configuration);
+  before_ = configured(surroundings.configuration);
   shownPoses_ = ShownPoses{};
   shownCaptures_ = std::vector<ShownCapture>{};
   shownOutcome_ = ShownOutcome{};
@@ -74,7 +73,7 @@ void CalibrationRunner::startAskedPoses() {
 
 void CalibrationRunner::undo() {
   try {
-    takeBack(surroundings_.configuration);
+    takeBack(work_.surroundings().configuration);
     shownOutcome_ = ShownOutcome{};
     state_ = CalibrationState{.questionNumber = state_->questionNumber};
     enter(Phase::finished, "What the last calibration saved was taken back.");
@@ -112,8 +111,7 @@ void CalibrationRunner::cycle() {
     shownOutcome_.edit();
   }
   watchPlayer();
-  takeFinding();
-  takeLooked();
+  takeFound();
   follow(*look_);
   const bool arrived = player_.request == requests_ && player_.done;
   switch (state_->phase) {
@@ -164,77 +162,6 @@ void CalibrationRunner::follow(const WantedLook& look) {
     ask(PoseRequest::Kind::home, "The stand", {});
   }
   followed_ = look;
-}
-
-bool CalibrationRunner::isStill(const CameraFrame& frame) {
-  const auto before = previous_.find(frame.camera);
-  const auto one = before == previous_.end() ? std::nullopt : greyPicture(before->second), other = greyPicture(frame);
-  previous_[frame.camera] = frame;
-  return one && other && pictureDifference(*one, *other) <= *stillPicture_;
-}
-
-void CalibrationRunner::nextStep() {
-  const CalibrationStep& step = rounds_[round_][step_];
-  taken_ = {};
-  previous_ = {};
-  shownPoses_ = shownPoses(static_cast<int>(round_), rounds_[round_], step_);
-  if (step.question.empty()) {
-    return go();
-  }
-  ++state_.edit().questionNumber;
-  enter(Phase::waiting, step.question);
-}
-
-void CalibrationRunner::go() {
-  const CalibrationStep& step = rounds_[round_][step_];
-  const bool home = step.points.empty();
-  ask(home ? PoseRequest::Kind::home : PoseRequest::Kind::go, step.name, step.points, step.held);
-  if (home) {
-    enter(Phase::goingHome, "The robot goes back to its stand.");
-  } else {
-    enter(Phase::moving, fmt::format("{}; pictures were taken in {} of {}.", step.name, state_->pose, state_->poses));
-  }
-}
-
-void CalibrationRunner::collect() {
-  const CalibrationStep& step = rounds_[round_][step_];
-  if (step.pictures > 0) {
-    if (!picture_->isNew || picture_->stillFor < *settleTime_ || picture_->frame.time < player_.doneAt) {
-      return;
-    }
-    roundStart_ = roundStart_.value_or(picture_->frame.time);
-    const Capture& still = picture_->capture;
-    int& count = taken_[still.camera];
-    if (count < step.pictures && isStill(picture_->frame)) {
-      Capture capture = step.taken;
-      capture.repeat += count++;
-      capture.time = still.time;
-      capture.camera = still.camera;
-      std::vector<double> approach = std::move(capture.joints.approach);
-      capture.joints = still.joints;
-      capture.joints.approach = std::move(approach);
-      capture.imu = still.imu;
-      capture.fsr = still.fsr;
-      take(capture);
-    }
-    if (taken_["top"] < step.pictures || taken_["bottom"] < step.pictures) {
-      return;
-    }
-    CalibrationState& state = state_.edit();
-    ++state.pose;
-    if (state.pose > 1) { // from the first pose's pictures to these
-      state.secondsLeft = seconds(picture_->frame.time - *roundStart_) / (state.pose - 1) * (state.poses - state.pose);
-    }
-  }
-  endStep();
-}
-
-void CalibrationRunner::endStep() {
-  if (rounds_[0].empty()) { // at the stand, to begin with
-    return prepare();
-  }
-  ++step_;
-  return step_ < rounds_[round_].size() ? nextStep() : endRound();
 }
 
 } // namespace naocal

@@ -4,39 +4,27 @@
 #include "brain/BehaviorModule.hpp"
 #include "brain/CalibrationBoards.hpp"
 #include "brain/CalibrationKind.hpp"
-#include "brain/CalibrationSession.hpp"
-#include "brain/CalibrationShown.hpp"
 #include "brain/CalibrationState.hpp"
-#include "brain/CalibrationStep.hpp"
+#include "brain/CalibrationWork.hpp"
 #include "brain/Projection.hpp"
 #include "brain/StillPicture.hpp"
-#include "brain/Worker.hpp"
-#include "framework/Configuration.hpp"
 #include "framework/Dependency.hpp"
 #include "framework/Module.hpp"
 #include "framework/Parameter.hpp"
 #include "framework/Production.hpp"
-#include "hardware/RobotInterface.hpp"
 #include "hardware/exchange/PoseRequest.hpp"
 
-#include <array>
 #include <map>
-#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace naocal {
 
-/// What a calibration needs beside its parameters.
-struct CalibrationSurroundings {
-  const Robot& drawing;
-  RobotIdentity identity;
-  Configuration& configuration;     // where results are applied and saved
-  std::filesystem::path files;      // the configuration's folder, copied into recordings; poses/V6.json and so on
-  std::filesystem::path recordings; // folder that gets one folder per calibration
-};
-
 /// Calibrates the robot: takes poses before the boards, solves the captures, saves the joints' offsets and the cameras'
 /// mounts, takes a second, shorter round, and says how far the error of its pictures has fallen. Where that is not by
-/// half, what was saved is taken back: it was well calibrated already, or something else is off. Checking ways, detection and solving are done by a thread of their own.
+/// half, what was saved is taken back: it was well calibrated already, or something else is off. What takes long is
+/// left to its work.
 ///
 /// Started by its parameter `run` becoming the name of a kind of calibration (a value from the file starts nothing),
 /// and ended by any other value; also by the chest button, which answers questions as well.
@@ -48,25 +36,6 @@ public:
   void parametersChanged() override;
 
 private:
-  using Rounds = std::array<CalibrationRound, 2>; // to calibrate, to check
-  /// A round's session, made and used by the worker alone.
-  struct Round {
-    std::optional<CalibrationSession> session;
-  };
-  /// What the worker found out.
-  struct Finding {
-    std::filesystem::path folder; // of the calibration that it is about
-    std::optional<Rounds> rounds;
-    bool isApplied = false;
-    std::optional<ShownOutcome> outcome;
-    std::optional<CalibrationSession::Error> error;
-    std::string problem; // one sentence; empty: none
-  };
-  /// What was found in the captures of a calibration so far, in their order.
-  struct Looked {
-    std::filesystem::path folder; // of that calibration
-    std::vector<ShownCapture> captures;
-  };
   void start(const CalibrationKind& kind);
   void prepare();
   void undo();
@@ -84,15 +53,10 @@ private:
   void collect();
   void endStep();
   void endRound();
-  void solve();
-  void check();
-  void takeFinding();
+  void takeFound();
   void take(const Capture& capture);
-  void takeLooked();
-  void tellError(const CalibrationSession::Error& error);
+  void tellError(const CalibrationSession::Error& error, bool isKept);
   CaptureSet header() const;
-  /// Has the worker do it; what it finds or throws comes back as a finding.
-  void give(std::function<void(Finding&)> task);
 
   Parameter<std::string> run_{*this, "run"};
   Parameter<int> confirmed_{*this, "confirmed"};
@@ -117,7 +81,6 @@ private:
   Production<std::vector<ShownCapture>> shownCaptures_{*this, "calibrationCaptures"};
   Production<ShownOutcome> shownOutcome_{*this, "calibrationOutcome"};
 
-  CalibrationSurroundings surroundings_;
   PlayerState player_;
   bool playerKnown_ = false;
   WantedLook followed_;
@@ -126,18 +89,13 @@ private:
   bool configured_ = false;
   const CalibrationKind* kind_ = nullptr;
   CalibrationKind askedKind_; // that plays `poses`
-  std::filesystem::path folder_;
-  Rounds rounds_;
+  CalibrationWork::Rounds rounds_;
   std::size_t round_ = 0, step_ = 0;
   std::map<std::string, int> taken_;           // in the present step, by camera
   std::map<CameraName, CameraFrame> previous_; // of the present step
   std::optional<TimePoint> roundStart_;
-  std::array<std::shared_ptr<Round>, 2> sessions_; // belong to the worker
-  StoredResult before_;                            // as configured before
-  Latest<Finding> findings_;
-  Latest<Looked> looked_;
-  Looked lookedAt_; // the worker's
-  Worker worker_;   // last: it uses the others
+  StoredResult before_; // as configured before
+  CalibrationWork work_;
 };
 
 } // namespace naocal

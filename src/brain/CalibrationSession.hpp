@@ -32,8 +32,8 @@ public:
     std::vector<ShownOffset> offsets;
     std::vector<Warning> warnings;
   };
-  /// Estimates them from the captures, and writes result.json and offsets.json beside them. Throws InputError when there
-  /// is nothing to fit.
+  /// Estimates them from the captures, and writes result.json and offsets.json beside them. Throws InputError when
+  /// there is nothing to fit.
   Solved solved() const;
 
   /// How far this session's corners are from where each of two calibrations has them [px].

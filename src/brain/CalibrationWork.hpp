@@ -1,0 +1,100 @@
+#pragma once
+
+#include "brain/CalibrationSession.hpp"
+#include "brain/CalibrationShown.hpp"
+#include "brain/CalibrationStep.hpp"
+#include "brain/Worker.hpp"
+#include "framework/Configuration.hpp"
+#include "framework/Latest.hpp"
+#include "hardware/RobotInterface.hpp"
+#include "model/Robot.hpp"
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// What a calibration needs beside its parameters.
+struct CalibrationSurroundings {
+  const Robot& drawing;
+  RobotIdentity identity;
+  Configuration& configuration;     // where results are applied and saved
+  std::filesystem::path files;      // the configuration's folder, copied into recordings; poses/V6.json and so on
+  std::filesystem::path recordings; // folder that gets one folder per calibration
+};
+
+/// What a calibration leaves to a thread of its own, so that no cycle waits for it: the ways between poses, finding
+/// boards and writing captures, solving, applying, comparing. Each call returns at once, and is done in the order of
+/// calls; what is found is taken later, and lost once another calibration has begun.
+class CalibrationWork {
+public:
+  using Rounds = std::array<CalibrationRound, 2>; // to calibrate, to check
+
+  explicit CalibrationWork(CalibrationSurroundings surroundings) : surroundings_{std::move(surroundings)} {}
+  const CalibrationSurroundings& surroundings() const { return surroundings_; }
+
+  /// A calibration whose files go into `folder`, the configuration as it is now first.
+  void begin(std::filesystem::path folder);
+  const std::filesystem::path& folder() const { return folder_; }
+
+  /// Poses on feet: of a pose file's content, or of the configuration's file where that is empty; `checkPoses` of them
+  /// on each foot to check.
+  struct Legs {
+    std::vector<SupportFoot> feet;
+    RoundOptions options;
+    int checkPoses;
+    CompensatedAngles home;
+    std::string asked;
+  };
+  void plan(Legs legs);
+
+  /// A round's captures come from now on; each is looked at.
+  void open(std::size_t round, CaptureSet header);
+  void look(std::size_t round, Capture capture, ShownCapture shown, CameraFrame frame);
+
+  /// Solves the first round's captures and applies what they say, of offsets only the neck's if so wished.
+  void solve(StoredResult before, bool onlyHead);
+  /// Compares both with the second round's captures; takes back what does not help.
+  void check(StoredResult before);
+
+  struct Finding {
+    std::filesystem::path folder; // of the calibration that it is about
+    std::optional<Rounds> rounds;
+    bool isApplied = false;
+    std::optional<ShownOutcome> outcome;
+    std::optional<CalibrationSession::Error> error;
+    bool isKept = false; // with `error`: what was applied was left as it is
+    std::string problem; // one sentence; empty: none
+  };
+  /// What came of it since the last call; nullptr: nothing.
+  Finding* found();
+  /// All captures that were looked at so far, in their order; nullptr: none since the last call.
+  const std::vector<ShownCapture>* looked();
+
+private:
+  /// A round's session, made and used by the worker alone.
+  struct Round {
+    std::optional<CalibrationSession> session;
+  };
+  struct Looked {
+    std::filesystem::path folder;
+    std::vector<ShownCapture> captures;
+  };
+  /// Has the worker do it; what it finds or throws comes back as a finding.
+  void give(std::function<void(Finding&)> task);
+
+  CalibrationSurroundings surroundings_;
+  std::filesystem::path folder_;
+  std::array<std::shared_ptr<Round>, 2> sessions_; // belong to the worker
+  Latest<Finding> findings_;
+  Latest<Looked> looked_;
+  Looked lookedAt_; // the worker's
+  Worker worker_;   // last: it uses the others
+};
+
+} // namespace naocal
