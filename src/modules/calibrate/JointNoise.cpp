@@ -1,12 +1,12 @@
 #include "calibrate/JointNoise.hpp"
 
 #include "geometry/Angles.hpp"
+#include "geometry/InParallel.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlopt.h>
-#include <tbb/parallel_for.h>
 
 namespace naocal {
 
@@ -27,7 +27,7 @@ Total total(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns, co
   Total result{information.asDiagonal(), information.cwiseProduct(unknowns),
                0.5 * unknowns.cwiseAbs2().dot(information), 0};
   std::vector<Eliminated> parts(linear.poses.size());
-  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+  inParallel(parts.size(), [&](std::size_t i) {
     eliminate(linear.poses[i], noise, deflectionRoot(linear.poses[i], noise), parts[i]);
   });
   for (std::size_t p = 0; p < parts.size(); ++p) {

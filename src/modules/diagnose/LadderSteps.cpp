@@ -2,10 +2,10 @@
 #include "calibrate/Fit.hpp"
 #include "diagnose/Alternatives.hpp"
 #include "diagnose/Ladder.hpp"
+#include "geometry/InParallel.hpp"
 #include "residuals/Carried.hpp"
 
 #include <algorithm>
-#include <tbb/parallel_for.h>
 
 namespace naocal {
 
@@ -52,7 +52,7 @@ std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
     return bayes <= 0 || bayes < likeliest - near;
   });
   std::vector<double> drops(order.size());
-  tbb::parallel_for(std::size_t{0}, order.size(), [&](std::size_t i) { drops[i] = refittedDrop(inquiry, order[i]); });
+  inParallel(order.size(), [&](std::size_t i) { drops[i] = refittedDrop(inquiry, order[i]); });
   std::optional<std::size_t> best;
   double bestBayes = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {

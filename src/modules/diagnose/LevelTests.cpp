@@ -1,13 +1,13 @@
 #include "diagnose/LevelTests.hpp"
 
 #include "geometry/Angles.hpp"
+#include "geometry/InParallel.hpp"
 #include "geometry/Index.hpp"
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <cstdint>
-#include <tbb/parallel_for.h>
 
 namespace naocal {
 
@@ -47,7 +47,7 @@ std::vector<double> poseLevels(const ScoreProblem& problem, const Noise& noise, 
 
 LevelTests::LevelTests(const ScoreProblem& problem, const Noise& noise, const std::vector<double>& levels)
     : alone_(levels.size()), tests_(levels.size()) {
-  tbb::parallel_for(std::size_t{0}, levels.size(), [&](std::size_t level) {
+  inParallel(levels.size(), [&](std::size_t level) {
     Noise there = noise;
     there.pose = levels[level];
     alone_[level].emplace(problem, there);
@@ -70,8 +70,7 @@ std::size_t LevelTests::placeOf(double level) const {
 NullFit LevelTests::nullOf(const PoseScores& scores, const Eigen::VectorXd& priorScore) const {
   NullFit result;
   result.outcomes.resize(alone_.size());
-  tbb::parallel_for(std::size_t{0}, alone_.size(),
-                    [&](std::size_t level) { result.outcomes[level] = (*alone_[level])(scores, priorScore); });
+  inParallel(alone_.size(), [&](std::size_t level) { result.outcomes[level] = (*alone_[level])(scores, priorScore); });
   result.deviance = result.outcomes.front().deviance;
   result.level.assign(static_cast<std::size_t>(result.deviance.size()), 0);
   for (std::size_t level = 1; level < alone_.size(); ++level) {
@@ -90,7 +89,7 @@ Eigen::MatrixXd LevelTests::ratios(const PoseScores& scores, const NullFit& null
   const std::size_t levels = 1 + *std::max_element(null.level.begin(), null.level.end());
   std::vector<std::vector<Eigen::Index>> which(levels); // of the scores, whose null is at this level or above
   std::vector<Eigen::MatrixXd> falls(levels);
-  tbb::parallel_for(std::size_t{0}, levels, [&](std::size_t level) {
+  inParallel(levels, [&](std::size_t level) {
     for (Eigen::Index i = 0; i < null.deviance.size(); ++i) {
       if (null.level[static_cast<std::size_t>(i)] >= level) {
         which[level].push_back(i);

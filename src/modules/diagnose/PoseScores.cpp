@@ -1,9 +1,10 @@
 #include "diagnose/PoseScores.hpp"
 
+#include "geometry/InParallel.hpp"
+
 #include <Eigen/Cholesky>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/normal_distribution.hpp>
-#include <tbb/parallel_for.h>
 #include <utility>
 
 namespace naocal {
@@ -51,7 +52,7 @@ PoseScores drawnScores(const Residuals::Linear& linear, const Noise& noise, Eige
   }
   const double information = 1 / (noise.pixel * noise.pixel);
   PoseScores result(linear.poses.size());
-  tbb::parallel_for(std::size_t{0}, result.size(), [&](std::size_t i) {
+  inParallel(result.size(), [&](std::size_t i) {
     const PoseSystem& pose = linear.poses[i];
     const Eigen::Index unknowns = pose.unknownGradient.size(), joints = pose.deflectionGradient.size();
     Eigen::MatrixXd gram(unknowns + joints, unknowns + joints);

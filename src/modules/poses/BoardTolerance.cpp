@@ -1,9 +1,10 @@
 #include "poses/BoardTolerance.hpp"
 
+#include "geometry/InParallel.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <tbb/parallel_for.h>
 
 namespace naocal {
 
@@ -35,7 +36,7 @@ std::vector<BoardTolerance> boardTolerances(const Robot& robot, const std::vecto
   };
   const double allowed = growth * worst(boards).value_or(0);
   std::vector<BoardTolerance> result(boards.size());
-  tbb::parallel_for(std::size_t{0}, boards.size(), [&](std::size_t i) {
+  inParallel(boards.size(), [&](std::size_t i) {
     const auto well = [&](double x, double y, double yaw) {
       std::vector<Board> laid = boards;
       laid[i].placement->x += x;

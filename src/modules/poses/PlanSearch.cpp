@@ -1,11 +1,11 @@
 #include "poses/PlanSearch.hpp"
 
 #include "captures/InputError.hpp"
+#include "geometry/InParallel.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
-#include <tbb/parallel_for.h>
 
 namespace naocal {
 
@@ -32,7 +32,7 @@ PlanDraft PlanSearch::found(const std::vector<Board>& boards, const std::vector<
 PlanDraft PlanSearch::refinedFromStarts(const std::vector<Board>& boards, const std::vector<SievedPose>& attitudes) {
   const PlanOptions drawn = ofDrawnRobot(options_);
   std::vector<PlanDraft> drafts(options_.starts, PlanDraft{{}, boards});
-  tbb::parallel_for(std::size_t{0}, drafts.size(), [&](std::size_t i) {
+  inParallel(drafts.size(), [&](std::size_t i) {
     PlanOptions beginning = options_;
     beginning.criterion = static_cast<Criterion>(i % static_cast<std::size_t>(Criterion::interaction));
     drafts[i].poses = PlanScore{robot_, boards, cameras_, beginning}.best(attitudes, options_.poses.count);

@@ -1,8 +1,9 @@
 #include "poses/PoseCandidates.hpp"
 
+#include "geometry/InParallel.hpp"
+
 #include <Eigen/Cholesky>
 #include <mutex>
-#include <tbb/parallel_for.h>
 
 namespace naocal {
 
@@ -29,7 +30,7 @@ PoseCandidates poseCandidates(const Robot& robot, const Scene& scene, const Pose
   std::vector<PoseCandidates> parts(chunks);
   std::mutex telling;
   std::size_t tried = 0;
-  tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t i) {
+  inParallel(chunks, [&](std::size_t i) {
     RandomAttitude attitudes{robot, scene, options, i * chunk};
     const std::size_t count = std::min(chunk, options.tries - i * chunk);
     for (std::size_t k = 0; k < count; ++k) {
@@ -54,7 +55,7 @@ PoseCandidates poseCandidates(const Robot& robot, const Scene& scene, const Pose
 std::vector<Eigen::MatrixXd> informations(const Robot& robot, const Scene& scene, const std::vector<SievedPose>& poses,
                                           const Noise& noise) {
   std::vector<Eigen::MatrixXd> result(poses.size());
-  tbb::parallel_for(std::size_t{0}, poses.size(), [&](std::size_t i) {
+  inParallel(poses.size(), [&](std::size_t i) {
     const auto joints = static_cast<Eigen::Index>(robot.joints.size());
     Belief belief = scene.drawn(); // the boards may lie elsewhere than when the pose was drawn
     belief.values.head(joints) = poses[i].belief.values.head(joints);

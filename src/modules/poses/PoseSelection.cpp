@@ -1,10 +1,11 @@
 #include "poses/PoseSelection.hpp"
 
+#include "geometry/InParallel.hpp"
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tbb/parallel_for.h>
 
 namespace naocal {
 
@@ -14,7 +15,7 @@ namespace {
 std::size_t bestBeside(const Eigen::MatrixXd& rest, const Judgement& judge,
                        const std::vector<Eigen::MatrixXd>& candidates, const std::vector<std::size_t>& chosen) {
   std::vector<double> values(candidates.size());
-  tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) { values[i] = judge(rest + candidates[i]); });
+  inParallel(candidates.size(), [&](std::size_t i) { values[i] = judge(rest + candidates[i]); });
   for (const std::size_t taken : chosen) {
     values[taken] = std::numeric_limits<double>::infinity();
   }

@@ -1,7 +1,8 @@
 #include "poses/PoseWays.hpp"
 
+#include "geometry/InParallel.hpp"
+
 #include <numeric>
-#include <tbb/parallel_for.h>
 
 namespace naocal {
 
@@ -42,7 +43,7 @@ PosesInOrder inOrder(const Robot& robot, const Scene& scene, const PoseOptions& 
   const std::size_t count = poses.size();
   const WayChecks checks{robot, options};
   std::vector<std::optional<PoseWay>> ways(count * count);
-  tbb::parallel_for(std::size_t{0}, count * count, [&](std::size_t i) {
+  inParallel(count * count, [&](std::size_t i) {
     ways[i] = safeWay(robot, scene, options, checks, poses[i / count], poses[i % count]);
   });
   std::vector<std::vector<std::optional<double>>> seconds(count, std::vector<std::optional<double>>(count));

@@ -1,8 +1,7 @@
 #include "poses/ThesisSelection.hpp"
 
+#include "geometry/InParallel.hpp"
 #include "geometry/Index.hpp"
-
-#include <tbb/parallel_for.h>
 
 namespace naocal {
 
@@ -29,7 +28,7 @@ ThesisSelection::ThesisSelection(const Robot& robot, const Sole& support,
 
 std::vector<Eigen::ArrayXd> ThesisSelection::interactions(const std::vector<SievedPose>& poses) const {
   std::vector<Eigen::ArrayXd> result(poses.size());
-  tbb::parallel_for(std::size_t{0}, poses.size(), [&](std::size_t i) {
+  inParallel(poses.size(), [&](std::size_t i) {
     result[i] = jointInteraction(sensor_.observation(poses[i].belief.values.head(angles_)));
   });
   return result;

@@ -1,10 +1,10 @@
 // What the residuals' sums are over: each pose's unknowns and deflections, known before any sum is taken.
+#include "geometry/InParallel.hpp"
 #include "geometry/Index.hpp"
 #include "residuals/Residuals.hpp"
 
 #include <algorithm>
 #include <map>
-#include <tbb/parallel_for.h>
 
 namespace naocal {
 
@@ -31,11 +31,11 @@ Residuals::Residuals(const Measurements& measurements, const Model& model, const
     : measurements_{measurements}, model_{model}, noise_{noise}, loss_{loss}, sigmas_{model.sigmas()},
       free_(model.unknownCount(), true), prepared_(measurements.pictures.size()), empty_(measurements.poses.size()),
       roots_(measurements.poses.size()) {
-  tbb::parallel_for(std::size_t{0}, prepared_.size(), [&](std::size_t i) {
+  inParallel(prepared_.size(), [&](std::size_t i) {
     prepared_[i].slopes = PictureSlopes{measurements, model, measurements.pictures[i]};
     prepared_[i].torso = torsoOverFloor(measurements, model, measurements.pictures[i]);
   });
-  tbb::parallel_for(std::size_t{0}, empty_.size(), [&](std::size_t pose) {
+  inParallel(empty_.size(), [&](std::size_t pose) {
     empty_[pose] = emptySystem(measurements.poses[pose]);
     roots_[pose] = deflectionRoot(empty_[pose], noise_);
     for (const Reading& reading : measurements.poses[pose].readings) {

@@ -1,10 +1,10 @@
 #include "residuals/Residuals.hpp"
+#include "geometry/InParallel.hpp"
 #include "geometry/Index.hpp"
 #include "residuals/Workspace.hpp"
 
 #include <algorithm>
 #include <atomic>
-#include <tbb/parallel_for.h>
 
 namespace naocal {
 
@@ -145,7 +145,7 @@ bool Residuals::linearise(const State& state, Linear& result) const {
     result.eliminated.resize(empty_.size());
   }
   std::atomic<bool> possible = true;
-  tbb::parallel_for(std::size_t{0}, empty_.size(), [&](std::size_t pose) {
+  inParallel(empty_.size(), [&](std::size_t pose) {
     if (possible && !lineariseAt(pose, state, result)) {
       possible = false;
     }

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <tbb/parallel_for.h>
+
+#if defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#include <atomic>
+#include <thread>
+#define NAOCAL_OWN_THREADS
+#endif
+#endif
+
+namespace naocal {
+
+/// body(i) for i = 0 .. count - 1 on all cores, in any order; returns when all are done. May be called by a body. What
+/// a body throws is thrown here.
+///
+/// Under the thread sanitizer by two threads of its own, which must not throw: it cannot see how a library's threads
+/// take turns, so that it would either accuse every body or have to overlook whatever they do.
+template <class Body> void inParallel(std::size_t count, const Body& body) {
+#ifdef NAOCAL_OWN_THREADS
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      body(i);
+    }
+  };
+  std::jthread other{work};
+  work();
+#else
+  tbb::parallel_for(std::size_t{0}, count, body);
+#endif
+}
+
+} // namespace naocal
