@@ -22,12 +22,12 @@ export function showCompare(parent) {
     make("p", {class: "soft"}, "Every point is a corner: how far its prediction is off. Orange squares are means with two " +
       "standard errors; good is when they stay at zero everywhere. Click a point to see its capture."),
     make("div", {class: "controls"},
-      named("overX", choice("Error over", options, shown.horizontal, value => { shown.horizontal = value; again(); })),
-      named("errorY", choice("error", verticals, shown.vertical, value => { shown.vertical = value; again(); })),
-      named("ofCamera", choice("camera", [{value: "", text: "both"}, ...cameras.map(value => ({value, text: value}))], shown.camera,
-        value => { shown.camera = value; again(); })),
-      named("layer", choice("joints", [{value: "reported", text: "as their encoders report them"}, {value: "fitted", text: "moved as far as their noise allows"}],
-        state.layer, value => { state.layer = value; again(); })),
+      choice("Error over", options, shown.horizontal, value => { shown.horizontal = value; again(); }, "overX"),
+      choice("error", verticals, shown.vertical, value => { shown.vertical = value; again(); }, "errorY"),
+      choice("camera", [{value: "", text: "both"}, ...cameras.map(value => ({value, text: value}))], shown.camera,
+        value => { shown.camera = value; again(); }, "ofCamera"),
+      choice("joints", [{value: "reported", text: "as their encoders report them"}, {value: "fitted", text: "moved as far as their noise allows"}],
+        state.layer, value => { state.layer = value; again(); }, "layer"),
       button("CSV", () => saveCorners(fit), {class: "small"})),
     make("div", {class: "split"}, scatter, make("div", {}, pictureFigure(chosen))),
     make("h2", {}, "Captures"),
@@ -36,14 +36,12 @@ export function showCompare(parent) {
   if (keep) document.getElementById(keep)?.focus();
 }
 
-const named = (id, label) => { label.querySelector("select").id = id; return label; };
-
 function pager(pictures, again) {
   shown.first = Math.min(shown.first, Math.max(0, pictures.length - 1));
   const turn = pages => () => { shown.first = Math.max(0, shown.first + pages * perPage); again(); };
   return make("div", {class: "controls"},
-    named("order", choice("Order", [{value: "worst", text: "worst first"}, {value: "time", text: "as taken"}], shown.order,
-      value => { shown.order = value; shown.first = 0; again(); })),
+    choice("Order", [{value: "worst", text: "worst first"}, {value: "time", text: "as taken"}], shown.order,
+      value => { shown.order = value; shown.first = 0; again(); }, "order"),
     button("‹", turn(-1), {disabled: shown.first === 0, id: "previous", "aria-label": "captures before"}),
     make("span", {}, shown.first + 1 + "–" + Math.min(shown.first + perPage, pictures.length) + " of " + pictures.length),
     button("›", turn(1), {disabled: shown.first + perPage >= pictures.length, id: "next", "aria-label": "captures after"}),

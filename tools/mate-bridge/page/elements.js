@@ -15,9 +15,9 @@ export function make(tag, properties = {}, ...children) {
 
 export const button = (text, onclick, properties = {}) => make("button", {type: "button", onclick, ...properties}, text);
 
-// A choice: [{value, text, group?}].
-export function choice(label, options, chosen, changed) {
-  const select = make("select", {onchange: () => changed(select.value)});
+// A choice: [{value, text, group?}]; with an id a view that is drawn anew finds it again.
+export function choice(label, options, chosen, changed, id) {
+  const select = make("select", {...(id && {id}), onchange: () => changed(select.value)});
   const groups = new Map();
   for (const {value, text, group} of options) {
     const option = make("option", {value}, text);

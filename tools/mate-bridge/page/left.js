@@ -34,11 +34,10 @@ function deflections(data, drawn) {
     const here = ranked.find(({joint}) => joint === shown.joint) || ranked[0], {offered} = here;
     const {driver} = offered.find(({driver: {what}}) => what === shown.driver) || offered[0];
     const keep = document.activeElement && parent.contains(document.activeElement) && document.activeElement.id;
-    const named = (id, label) => { label.querySelector("select").id = id; return label; };
     parent.replaceChildren(
       make("div", {class: "controls"},
-        named("bent", choice("Joint", ranked.map(({joint}) => ({value: joint, text: joint})), here.joint, value => { shown.joint = value; shown.driver = ""; again(); })),
-        named("bentOver", choice("over", offered.map(({driver: {what}}) => ({value: what, text: what})), driver.what, value => { shown.driver = value; again(); }))),
+        choice("Joint", ranked.map(({joint}) => ({value: joint, text: joint})), here.joint, value => { shown.joint = value; shown.driver = ""; again(); }, "bent"),
+        choice("over", offered.map(({driver: {what}}) => ({value: what, text: what})), driver.what, value => { shown.driver = value; again(); }, "bentOver")),
       drawn("deflection of " + here.joint + " over " + driver.what, 340, (context, width, height, caption) =>
         drawWhatIf(context, width, height, {data, model, joint: here.joint, driver, caption})));
     if (keep) document.getElementById(keep)?.focus();
