@@ -27,8 +27,7 @@ std::optional<GreyPicture> greyPicture(const CameraFrame& frame) {
   GreyPicture grey{frame.width, frame.height, std::vector<std::uint8_t>(count)};
   for (std::size_t pixel = 0; pixel < count; ++pixel) {
     const std::uint8_t* at = &bytes[perPixel * pixel];
-    // ITU-R BT.601, in 1/256
-    grey.pixels[pixel] = perPixel < 3 ? *at : std::uint8_t((77 * at[0] + 150 * at[1] + 29 * at[2] + 128) / 256);
+    grey.pixels[pixel] = perPixel < 3 ? *at : luma(at);
   }
   return grey;
 }

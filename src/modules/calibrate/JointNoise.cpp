@@ -31,16 +31,10 @@ Total total(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns, co
     eliminate(linear.poses[i], noise, deflectionRoot(linear.poses[i], noise), parts[i]);
   });
   for (std::size_t p = 0; p < parts.size(); ++p) {
-    const PoseSystem& pose = linear.poses[p];
+    const std::vector<std::size_t>& seen = linear.poses[p].unknowns;
     const Eliminated& part = parts[p];
-    for (std::size_t i = 0; i < pose.unknowns.size(); ++i) {
-      const auto row = static_cast<Eigen::Index>(i), global = static_cast<Eigen::Index>(pose.unknowns[i]);
-      result.gradient[global] += part.unknownGradient[row];
-      for (std::size_t j = 0; j < pose.unknowns.size(); ++j) {
-        result.hessian(global, static_cast<Eigen::Index>(pose.unknowns[j])) +=
-            part.hessian(row, static_cast<Eigen::Index>(j));
-      }
-    }
+    result.gradient(seen) += part.unknownGradient;
+    result.hessian(seen, seen) += part.hessian;
     result.cost += part.cost;
     result.logDeterminant += 2 * part.inner.matrixLLT().diagonal().array().log().sum();
   }

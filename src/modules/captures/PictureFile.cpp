@@ -21,11 +21,6 @@ bool isPossible(std::int64_t width, std::int64_t height) {
   return width > 0 && height > 0 && width <= most && height <= most && width * height <= most;
 }
 
-/// (Y, as JPEG and cameras define it: ITU-R BT.601-7, 2.5.1)
-std::uint8_t luma(const std::uint8_t* rgb) {
-  return static_cast<std::uint8_t>((299 * rgb[0] + 587 * rgb[1] + 114 * rgb[2] + 500) / 1000);
-}
-
 std::optional<GreyPicture> fromPng(std::string_view content) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;

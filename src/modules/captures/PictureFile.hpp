@@ -9,7 +9,7 @@
 
 namespace naocal {
 
-/// A picture file's grey levels; colours become their luma (Y of ITU-R BT.601), what is transparent white. Throws
+/// A picture file's grey levels; colours become their luma, what is transparent white. Throws
 /// InputError, with what the picture is called, where it is neither PNG nor JPEG, is cut off or has more than 64
 /// million pixels.
 GreyPicture decodedPicture(std::string_view content, const std::string& name);

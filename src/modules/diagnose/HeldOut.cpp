@@ -20,11 +20,10 @@ struct Sums {
         plainGradient{gradient} {}
 
   void add(const PoseSystem& pose, const Eliminated& part) {
-    std::vector<Eigen::Index> columns(pose.unknowns.begin(), pose.unknowns.end());
-    hessian(columns, columns) += part.hessian;
-    gradient(columns) += part.unknownGradient;
-    gram(columns, columns) += pose.unknownGram;
-    plainGradient(columns) += pose.unknownGradient;
+    hessian(pose.unknowns, pose.unknowns) += part.hessian;
+    gradient(pose.unknowns) += part.unknownGradient;
+    gram(pose.unknowns, pose.unknowns) += pose.unknownGram;
+    plainGradient(pose.unknowns) += pose.unknownGradient;
     squares += pose.squares;
     numbers += pose.numbers;
   }

@@ -1,7 +1,6 @@
 #include "diagnose/ModelAlone.hpp"
 
 #include "calibrate/JointNoise.hpp"
-#include "geometry/Index.hpp"
 
 namespace naocal {
 
@@ -19,15 +18,10 @@ ModelAlone::ModelAlone(const ScoreProblem& problem, const Noise& noise) : proble
     whitener.inner.noalias() = half.transpose() * half;
     whitener.unknowns.noalias() = information * system.cross * whitener.inner;
     const Eigen::Index own = problem.ownOf(system);
-    const Eigen::MatrixXd whitened =
+    const std::vector<std::size_t> unknowns = problem.ownUnknownsOf(system);
+    hessian(unknowns, unknowns) +=
         information * (system.unknownGram.topLeftCorner(own, own) -
                        whitener.unknowns.topRows(own) * system.cross.topRows(own).transpose());
-    for (Eigen::Index i = 0; i < own; ++i) {
-      for (Eigen::Index j = 0; j < own; ++j) {
-        hessian(at(system.unknowns[static_cast<std::size_t>(i)]), at(system.unknowns[static_cast<std::size_t>(j)])) +=
-            whitened(i, j);
-      }
-    }
   }
   factor_.compute(hessian);
 }
@@ -42,10 +36,8 @@ ModelAlone::Outcome ModelAlone::operator()(const PoseScores& scores, const Eigen
     const Eigen::Index own = problem_.ownOf(system);
     const Eigen::MatrixXd& bent = scores[pose].deflections;
     result.chi2 -= bent.cwiseProduct(whiteners_[pose].inner * bent).colwise().sum();
-    const Eigen::MatrixXd part = scores[pose].unknowns.topRows(own) - whiteners_[pose].unknowns.topRows(own) * bent;
-    for (Eigen::Index i = 0; i < own; ++i) {
-      result.own.row(at(system.unknowns[static_cast<std::size_t>(i)])) += part.row(i);
-    }
+    result.own(problem_.ownUnknownsOf(system), Eigen::all) +=
+        scores[pose].unknowns.topRows(own) - whiteners_[pose].unknowns.topRows(own) * bent;
   }
   factor_.matrixL().solveInPlace(result.own);
   result.chi2 -= result.own.colwise().squaredNorm();

@@ -9,4 +9,8 @@ Eigen::Index ScoreProblem::ownOf(const PoseSystem& pose) const {
          pose.unknowns.begin();
 }
 
+std::vector<std::size_t> ScoreProblem::ownUnknownsOf(const PoseSystem& pose) const {
+  return {pose.unknowns.begin(), pose.unknowns.begin() + ownOf(pose)};
+}
+
 } // namespace naocal

@@ -29,8 +29,9 @@ struct ScoreProblem {
   Eigen::VectorXd plausible;       // per column of a group: how large its coefficient plausibly is
 
   Eigen::Index own() const { return sigmas.size(); }
-  /// How many of a pose's unknowns are the model's own: the first of them.
+  /// How many of a pose's unknowns are the model's own: the first of them; and these.
   Eigen::Index ownOf(const PoseSystem& pose) const;
+  std::vector<std::size_t> ownUnknownsOf(const PoseSystem& pose) const;
   /// -2 ln of the own unknowns' prior: half of its gradient where `linear` was taken.
   Eigen::VectorXd priorScore() const { return unknowns.cwiseQuotient(sigmas.cwiseAbs2()); }
 };

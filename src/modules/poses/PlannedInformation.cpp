@@ -1,7 +1,6 @@
 #include "poses/PlannedInformation.hpp"
 
 #include "captures/InputError.hpp"
-#include "geometry/Index.hpp"
 #include "residuals/Candidates.hpp"
 #include "residuals/Carried.hpp"
 
@@ -66,11 +65,7 @@ Model withSuspects(const Measurements& measurements, const Model& model, const O
 }
 
 void PoseInformation::addTo(Eigen::MatrixXd& sum) const {
-  for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    for (std::size_t j = 0; j < unknowns.size(); ++j) {
-      sum(at(unknowns[i]), at(unknowns[j])) += hessian(at(i), at(j));
-    }
-  }
+  sum(unknowns, unknowns) += hessian;
 }
 
 PoseInformation informationOf(PoseSystem pose, const Noise& noise, double samples) {

@@ -161,12 +161,8 @@ bool Residuals::linearise(const State& state, Linear& result) const {
     const PoseSystem& system = result.poses[pose];
     const Eliminated& part = result.eliminated[pose];
     result.cost += 0.5 * (system.loss + state.deflections[pose].squaredNorm());
-    for (std::size_t i = 0; i < system.unknowns.size(); ++i) {
-      result.gradient[at(system.unknowns[i])] += part.unknownGradient[at(i)];
-      for (std::size_t j = 0; j < system.unknowns.size(); ++j) {
-        result.hessian(at(system.unknowns[i]), at(system.unknowns[j])) += part.hessian(at(i), at(j));
-      }
-    }
+    result.gradient(system.unknowns) += part.unknownGradient;
+    result.hessian(system.unknowns, system.unknowns) += part.hessian;
   }
   for (std::size_t i = 0; i < free_.size(); ++i) {
     if (!free_[i]) {

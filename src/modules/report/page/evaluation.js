@@ -74,13 +74,10 @@ function drawErrors(context, width, height, {before, solvers}) {
 }
 
 function fill(parent, figures, heightOf, draw) {
-  for (const redraw of parent.redraws || []) redraws.delete(redraw);
   parent.replaceChildren();
-  parent.redraws = [];
   for (const each of figures) {
     const figure = parent.appendChild(element("figure"));
-    parent.redraws.push(
-      canvasFigure(figure, heightOf, (context, width, height) => draw(context, width, height, each), each.name));
+    canvasFigure(figure, heightOf, (context, width, height) => draw(context, width, height, each), each.name);
     figure.appendChild(element("figcaption")).append(element("b", "", each.name));
   }
 }

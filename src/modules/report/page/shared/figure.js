@@ -2,8 +2,7 @@
 
 // The style sheet's colours, light or dark.
 export let colours = {};
-const redraws = new Set();
-export const redrawAll = () => redraws.forEach(redraw => redraw());
+export const redrawAll = () => document.querySelectorAll(".figure").forEach(({redraw}) => redraw());
 
 export function readColours() {
   const probe = document.body.appendChild(document.createElement("i")), read = {};
@@ -29,8 +28,7 @@ export const hideTip = () => { document.getElementById("tip").hidden = true; };
 export const font = "12px system-ui, sans-serif";
 
 // A frame with a canvas: draw(context, width, height) paints it and returns what can be pointed at,
-// [{x, y, tip: () => text, click?}]. `height`: a number, or a function of the width. The frame's `redraw` draws again;
-// it is forgotten once it has left the page.
+// [{x, y, tip: () => text, click?}]. `height`: a number, or a function of the width. The frame's `redraw` draws again.
 export function figure({height, draw, label, className = ""}) {
   const frame = document.createElement("div"), canvas = document.createElement("canvas"), ring = document.createElement("div");
   frame.className = ("figure " + className).trim();
@@ -39,7 +37,7 @@ export function figure({height, draw, label, className = ""}) {
   ring.className = "ring";
   ring.hidden = true;
   frame.append(canvas, ring);
-  let targets = [], chosen, wasShown = false, drawnWidth = 0;
+  let targets = [], chosen, drawnWidth = 0;
   const leave = () => {
     chosen = undefined;
     ring.hidden = true;
@@ -47,13 +45,8 @@ export function figure({height, draw, label, className = ""}) {
   };
 
   frame.redraw = () => {
-    if (!frame.isConnected) {
-      if (wasShown) redraws.delete(frame.redraw);
-      return;
-    }
-    wasShown = true;
     const width = frame.clientWidth, tall = typeof height === "function" ? height(width) : height;
-    if (!width) return;
+    if (!width) return; // not on the page, or hidden
     const scale = window.devicePixelRatio || 1, context = canvas.getContext("2d");
     canvas.width = Math.round(width * scale);
     canvas.height = Math.round(tall * scale);
@@ -90,6 +83,5 @@ export function figure({height, draw, label, className = ""}) {
       frame.redraw();
     }
   })).observe(frame);
-  redraws.add(frame.redraw);
   return frame;
 }
