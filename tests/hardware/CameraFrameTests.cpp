@@ -24,7 +24,7 @@ TEST_CASE("a frame's brightness is every second byte of YUYV, every byte of grey
         std::vector<std::uint8_t>{1, 2, 3, 4});
   CHECK(greyPicture(frame(PixelFormat::grey, 3, 1, {7, 8, 9}))->pixels == std::vector<std::uint8_t>{7, 8, 9});
   CHECK(greyPicture(frame(PixelFormat::rgb, 4, 1, {255, 255, 255, 255, 0, 0, 0, 255, 0, 0, 0, 255}))->pixels ==
-        std::vector<std::uint8_t>{255, 77, 149, 29});
+        std::vector<std::uint8_t>{255, 76, 150, 29});
 }
 
 // Proves that no byte beyond the frame's is touched, whatever it says of itself.
