@@ -58,7 +58,8 @@ std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
   for (std::size_t i = 0; i < order.size(); ++i) {
     const GroupEvidence& evidence = inquiry.ofCandidate(order[i]);
     findingOf(inquiry.candidates()[order[i]]).chi2Drop = drops[i];
-    const double bayes = evidence.bayes * drops[i] / evidence.fall; // in the share of its predicted fall that comes true
+    const double bayes =
+        evidence.bayes * drops[i] / evidence.fall; // in the share of its predicted fall that comes true
     if (bayes > bestBayes) {
       bestBayes = bayes;
       best = order[i];
