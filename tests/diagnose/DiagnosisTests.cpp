@@ -113,6 +113,19 @@ TEST_CASE("a large flaw is named although less than its linear prediction comes 
   CHECK(diagnosis.suggested.front() == "linkLength@tibia");
 }
 
+TEST_CASE("a flaw larger than is plausible leaves nothing to explain once it is added") {
+  // Proves that no curve of the same shape seems evident because a gap of 2.4 degrees is rare.
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  SimulationPlan plan;
+  plan.hiddenFlaw = true;
+  plan.flawScale = 3;
+  plan.poses = standingPoses(robot, plan, SupportFoot::left, 16, 1);
+  plan.repeatKind = RepeatKind::reapproach;
+  const Diagnosis diagnosis = diagnosed(simulate(robot, plan, 1).set);
+  CHECK(diagnosis.verdict == Verdict::effectMissing);
+  CHECK(diagnosis.suggested == std::vector<std::string>{"hysteresis@LKneePitch"});
+}
+
 TEST_CASE("a robot without hidden effects rarely raises an alarm") {
   // Proves the family-wise rate on simulated robots, with and without stiction: at most 7 alarms of 40, which chance
   // makes of 5 % once in 500 runs. The blind benchmark measures the rate itself.

@@ -2,6 +2,7 @@
 
 #include "captures/InputError.hpp"
 #include "diagnose/Drivers.hpp"
+#include "geometry/Index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,21 @@ std::vector<std::size_t> byBayes(std::span<const GroupEvidence> groups) {
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return groups[a].bayes > groups[b].bayes; });
   return order;
+}
+
+/// The model's priors; of effects beyond the base wide enough for what was found of them: else a curve of the same
+/// shape, which may be larger, would be evident because it relieves them.
+Eigen::VectorXd priorsOf(const Model& model, const CalibrationResult& fit) {
+  constexpr double implausible = 3; // sigma
+  Eigen::VectorXd sigmas = model.sigmas();
+  for (const Term& term : model.terms()) {
+    if (term.effect.name != "jointOffset" && term.effect.name != "cameraRotation") {
+      for (Eigen::Index i = at(term.first); i < at(term.first + term.effect.unknowns.size()); ++i) {
+        sigmas[i] = std::max(sigmas[i], std::abs(fit.unknowns[i]) / implausible);
+      }
+    }
+  }
+  return sigmas;
 }
 
 /// The sums of model and candidates at the fit, candidates at zero.
@@ -75,9 +91,9 @@ Inquiry::Inquiry(const Measurements& measurements, const Model& model, const Cal
   }
   Eigen::VectorXd plausible(columns + map_.count);
   plausible << extended.sigmas().tail(columns), Eigen::VectorXd::Constant(map_.count, plausibleCurve);
-  problem_ =
-      std::make_unique<ScoreProblem>(ScoreProblem{&linear_, &map_, fit.unknowns, model.sigmas(), std::move(groups),
-                                                  candidates_.size(), columns, std::move(plausible)});
+  problem_ = std::make_unique<ScoreProblem>(ScoreProblem{&linear_, &map_, fit.unknowns, priorsOf(model, fit),
+                                                         std::move(groups), candidates_.size(), columns,
+                                                         std::move(plausible)});
   evidence_ = evidenceOf(*problem_, noise_, options.levels, options.draws, options.seed);
 }
 
