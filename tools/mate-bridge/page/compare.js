@@ -1,5 +1,5 @@
 // Compare: where the prediction fails. Residuals over anything, the chosen capture beside them, all pictures worst first.
-import {make, button, choice, csv, download} from "./elements.js";
+import {make, button, choice, csv, download, renew} from "./elements.js";
 import {state} from "./state.js";
 import {pictureFigure, pictureRms, cornersOf} from "./pictures.js";
 import {scatterFigure, horizontals, verticals, isChosen} from "./scatter.js";
@@ -16,8 +16,7 @@ export function showCompare(parent) {
   const chosen = pictures.find(isChosen) || pictures[0];
   const cameras = [...new Set(fit.pictures.map(({camera}) => camera))];
   const scatter = scatterFigure({fit, horizontal, vertical, camera: shown.camera, choose: picture => { state.chosen = picture; again(); }});
-  const keep = document.activeElement && parent.contains(document.activeElement) && document.activeElement.id;
-  parent.replaceChildren(
+  renew(parent,
     make("h1", {}, "Where the prediction fails"),
     make("p", {class: "soft"}, "Every point is a corner: how far its prediction is off. Orange squares are means with two " +
       "standard errors; good is when they stay at zero everywhere. Click a point to see its capture."),
@@ -33,7 +32,6 @@ export function showCompare(parent) {
     make("h2", {}, "Captures"),
     pager(pictures, again),
     make("div", {class: "grid"}, ...pictures.slice(shown.first, shown.first + perPage).map(pictureFigure)));
-  if (keep) document.getElementById(keep)?.focus();
 }
 
 function pager(pictures, again) {

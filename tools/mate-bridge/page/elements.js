@@ -31,6 +31,13 @@ export function choice(label, options, chosen, changed, id) {
   return make("label", {}, label + " ", select);
 }
 
+// New content, without taking the focus from an element with an id that is there again.
+export function renew(parent, ...children) {
+  const kept = document.activeElement && parent.contains(document.activeElement) && document.activeElement.id;
+  parent.replaceChildren(...children);
+  if (kept) document.getElementById(kept)?.focus();
+}
+
 export const empty = (title, ...words) => make("div", {class: "empty"}, make("h2", {}, title), make("p", {}, ...words));
 
 // What a browser saves as a file.

@@ -1,5 +1,5 @@
 // Configuration: every mount's parameters; each is set by itself, and saved only when the person confirms it.
-import {make, button, empty} from "./elements.js";
+import {make, button, empty, renew} from "./elements.js";
 import {act, notice} from "./state.js";
 import {robots, robotBar, lookedAt, whyNothing} from "./robots.js";
 
@@ -9,9 +9,7 @@ const edits = new Map(); // text by robot, mount and key, until it is set
 export function showKeys(parent) {
   parentShown = parent;
   const robot = lookedAt(), why = whyNothing();
-  const focused = document.activeElement && parent.contains(document.activeElement) && document.activeElement.id;
-  parent.replaceChildren(make("h1", {}, "Configuration"), robotBar(() => showKeys(parent)), ...(why ? [empty(...why)] : content(robot)));
-  if (focused) document.getElementById(focused)?.focus();
+  renew(parent, make("h1", {}, "Configuration"), robotBar(() => showKeys(parent)), ...(why ? [empty(...why)] : content(robot)));
 }
 
 export function keysTold(message, isShown) {

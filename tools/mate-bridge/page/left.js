@@ -1,5 +1,5 @@
 // What is left over, beside the map: what each joint would have to do, within the pictures, on the boards.
-import {make, choice} from "./elements.js";
+import {make, choice, renew} from "./elements.js";
 import {figure} from "./canvas.js";
 import {jointsByTrend, drawWhatIf} from "../../../src/modules/report/page/shared/deflections.js";
 import {drawWithin, drawRanges} from "../../../src/modules/report/page/shared/within.js";
@@ -12,7 +12,6 @@ const shown = {joint: "", driver: ""};
 export function leftSections(data, go) {
   const {left: {asGiven: left}} = data;
   if (!left) return [];
-  const captioned = (caption, options) => make("figure", {}, figure(options), caption);
   // A point that belongs to a picture leads to it.
   const leading = draw => (...where) => draw(...where).map(target => target.picture === undefined ? target : {...target, click: () => {
     const {capture, pose} = data.pictures[target.picture], set = data.poses[pose].set;
@@ -21,7 +20,7 @@ export function leftSections(data, go) {
   }});
   const drawn = (label, height, draw) => {
     const caption = make("figcaption");
-    return captioned(caption, {label, height, draw: leading((context, width, tall) => draw(context, width, tall, caption))});
+    return make("figure", {}, figure({label, height, draw: leading((context, width, tall) => draw(context, width, tall, caption))}), caption);
   };
   return [...deflections(data, drawn), ...within(data, left, drawn), ...boards(data, left, drawn)];
 }
@@ -33,14 +32,12 @@ function deflections(data, drawn) {
   const again = () => {
     const here = ranked.find(({joint}) => joint === shown.joint) || ranked[0], {offered} = here;
     const {driver} = offered.find(({driver: {what}}) => what === shown.driver) || offered[0];
-    const keep = document.activeElement && parent.contains(document.activeElement) && document.activeElement.id;
-    parent.replaceChildren(
+    renew(parent,
       make("div", {class: "controls"},
         choice("Joint", ranked.map(({joint}) => ({value: joint, text: joint})), here.joint, value => { shown.joint = value; shown.driver = ""; again(); }, "bent"),
         choice("over", offered.map(({driver: {what}}) => ({value: what, text: what})), driver.what, value => { shown.driver = value; again(); }, "bentOver")),
       drawn("deflection of " + here.joint + " over " + driver.what, 340, (context, width, height, caption) =>
         drawWhatIf(context, width, height, {data, model, joint: here.joint, driver, caption})));
-    if (keep) document.getElementById(keep)?.focus();
   };
   again();
   return [make("h2", {}, "What a joint would have to do"),
