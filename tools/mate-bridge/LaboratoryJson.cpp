@@ -7,7 +7,7 @@
 #include "report/EstimatesData.hpp"
 #include "report/PictureData.hpp"
 #include "report/Sentences.hpp"
-#include "report/ShownUnit.hpp"
+#include "geometry/ShownUnit.hpp"
 
 #include <map>
 #include <nlohmann/json.hpp>

@@ -9,7 +9,7 @@
 #include "captures/InputError.hpp"
 #include "detect/SetDetection.hpp"
 #include "diagnose/DiagnosisFile.hpp"
-#include "geometry/Angles.hpp"
+#include "geometry/ShownUnit.hpp"
 #include "report/Report.hpp"
 #include "synthetic/Pictures.hpp"
 #include "synthetic/StandingPoses.hpp"
@@ -62,13 +62,10 @@ std::size_t printTruth(const Truth& truth, const Model& model, const Calibration
       }
       const Estimate& estimate = result.estimates[term.first + i];
       inside += std::abs(estimate.value - *value) <= estimate.halfWidth;
-      const double scale = unknown.unit.starts_with("rad") ? degrees(1.0) : unknown.unit == "m" ? 1000 : 1;
-      const std::string unit = unknown.unit.starts_with("rad") ? "°" + unknown.unit.substr(3)
-                               : unknown.unit == "m"           ? " mm"
-                                                               : " " + unknown.unit;
+      const auto [unit, scale] = shownUnit(unknown.unit);
       fmt::print("  {:<34} {:>9.3f}{:<6} {:>9.3f}    {:>8.3f}{}\n",
                  term.effect.name == "jointOffset" ? term.place : term.label() + "." + unknown.name, scale * *value,
-                 unit, scale * estimate.value, scale * estimate.sigma,
+                 withUnit("", unit), scale * estimate.value, scale * estimate.sigma,
                  std::abs(estimate.value - *value) <= estimate.halfWidth ? "" : "  outside 95 %");
     }
   }

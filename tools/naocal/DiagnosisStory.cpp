@@ -51,14 +51,12 @@ void printCurves(const Diagnosis& diagnosis) {
     for (const auto& [name, value] : curve.coefficients) {
       coefficients += fmt::format("{}{} = {:.4g}", coefficients.empty() ? "" : ", ", name, value);
     }
-    const bool turns = curve.unit == "rad";
     const std::string like = curve.about.empty() ? fmt::format("{}  ({})", curve.expression, coefficients)
-                             : turns ? fmt::format("the camera's mount turns about its {} axis", curve.about)
-                                     : fmt::format("corners are off along {}", curve.about);
-    const std::string far = turns               ? fmt::format("±{:.3f}°", degrees(curve.amplitude))
-                            : curve.unit == "m" ? fmt::format("±{:.2f} mm", 1000 * curve.amplitude)
-                                                : fmt::format("±{:.2f} {}", curve.amplitude, curve.unit);
-    fmt::print("  {:16} over {:18} {:>9}  evidence {:7.1f}   {}\n", curve.place, curve.driver, far, curve.bayes, like);
+                             : curve.unit == "rad"
+                                 ? fmt::format("the camera's mount turns about its {} axis", curve.about)
+                                 : fmt::format("corners are off along {}", curve.about);
+    fmt::print("  {:16} over {:18} {:>9}  evidence {:7.1f}   {}\n", curve.place, curve.driver, howFar(curve),
+               curve.bayes, like);
   }
 }
 

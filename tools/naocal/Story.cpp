@@ -2,6 +2,7 @@
 
 #include "calibrate/Verdict.hpp"
 #include "geometry/Angles.hpp"
+#include "geometry/ShownUnit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,26 +21,16 @@ std::string bar(double share) {
 }
 
 void printEstimates(const Model& model, const CalibrationResult& result) {
-  fmt::print("\n  {:<38} {:>12}   {:>10}   learned\n", "unknown", "estimate", "±  1 sigma");
+  fmt::print("\n  {:<38} {:>12}     {:>10}     learned\n", "unknown", "estimate", "±  1 sigma");
   for (const Term& term : model.terms()) {
     for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement && term.asked; ++i) {
       const Unknown& unknown = term.effect.unknowns[i];
       const Estimate& estimate = result.estimates[term.first + i];
-      const bool angle = unknown.unit == "rad", length = unknown.unit == "m";
-      const double scale = angle ? degrees(1.0) : length ? 1000 : 1;
+      const auto [unit, scale] = shownUnit(unknown.unit);
       const std::string name =
           term.effect.name == "jointOffset" ? term.place : fmt::format("{} {}", term.label(), unknown.name);
-      fmt::print("  {:<38} {:>10.4f} {:<2}  {:>8.4f} {:<2}  {:>3.0f} % {}\n", name, scale * estimate.value,
-                 angle                 ? "°"
-                 : length              ? "mm"
-                 : unknown.unit == "1" ? ""
-                                       : unknown.unit,
-                 scale * estimate.sigma,
-                 angle                 ? "°"
-                 : length              ? "mm"
-                 : unknown.unit == "1" ? ""
-                                       : unknown.unit,
-                 100 * estimate.learned, bar(estimate.learned));
+      fmt::print("  {:<38} {:>10.4f} {:<4}  {:>8.4f} {:<4}  {:>3.0f} % {}\n", name, scale * estimate.value, unit,
+                 scale * estimate.sigma, unit, 100 * estimate.learned, bar(estimate.learned));
     }
   }
 }

@@ -13,10 +13,11 @@ namespace naocal {
 
 namespace {
 
-/// The curve's points over its driver with their errors, from its coefficients; and half of its range.
+/// The curve's points over its driver with their errors, from its coefficients; and half of its range. A joint is
+/// approached from below, from nowhere that is known, or from above: there is nothing between.
 void draw(const DriverCell& cell, const Eigen::VectorXd& estimate, const Eigen::MatrixXd& covariance,
           DriverFinding& finding) {
-  constexpr int points = 41;
+  const int points = finding.driver == "approach" ? static_cast<int>(std::lround(cell.most - cell.least)) + 1 : 41;
   double least = 0, most = 0;
   for (int i = 0; i < points; ++i) {
     const double x = std::lerp(cell.least, cell.most, static_cast<double>(i) / (points - 1));

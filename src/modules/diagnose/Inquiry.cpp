@@ -27,7 +27,7 @@ Eigen::VectorXd priorsOf(const Model& model, const CalibrationResult& fit) {
   constexpr double implausible = 3; // sigma
   Eigen::VectorXd sigmas = model.sigmas();
   for (const Term& term : model.terms()) {
-    if (term.effect.name != "jointOffset" && term.effect.name != "cameraRotation") {
+    if (!term.effect.base) {
       for (Eigen::Index i = at(term.first); i < at(term.first + term.effect.unknowns.size()); ++i) {
         sigmas[i] = std::max(sigmas[i], std::abs(fit.unknowns[i]) / implausible);
       }

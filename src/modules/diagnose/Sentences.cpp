@@ -1,6 +1,7 @@
 #include "diagnose/Sentences.hpp"
 
 #include "geometry/Angles.hpp"
+#include "geometry/ShownUnit.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -45,17 +46,15 @@ std::pair<std::string, std::string> whereAndHowFar(const DriverFinding& curve) {
         fmt::format("board {}, whose corners do not lie where its file has them (bent, badly printed or not on flat "
                     "ground?),",
                     curve.place),
-        fmt::format("±{:.2g} mm along its {} axis", 1000 * curve.amplitude, curve.about)};
+        fmt::format("{} along its {} axis", howFar(curve), curve.about)};
   }
   if (curve.unit == "px") {
-    return {fmt::format("the lens of camera {}", curve.place),
-            fmt::format("±{:.2g} px along {}", curve.amplitude, curve.about)};
+    return {fmt::format("the lens of camera {}", curve.place), fmt::format("{} along {}", howFar(curve), curve.about)};
   }
-  const std::string far = fmt::format("±{:.2f}°", degrees(curve.amplitude));
   return {curve.about.empty()
               ? curve.place
               : fmt::format("the mount of camera {}, which turns about its {} axis,", curve.place, curve.about),
-          far};
+          howFar(curve)};
 }
 
 std::string unknown(const Diagnosis& diagnosis) {
@@ -109,15 +108,19 @@ std::string nameOf(State state) {
   return {};
 }
 
+std::string howFar(const DriverFinding& curve) {
+  const auto [unit, scale] = shownUnit(curve.unit);
+  return withUnit(fmt::format("±{:.2f}", scale * curve.amplitude), unit);
+}
+
 std::string sizes(const CandidateFinding& finding) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < finding.term.effect.unknowns.size(); ++i) {
     const Unknown& unknown = finding.term.effect.unknowns[i];
     const auto row = static_cast<Eigen::Index>(i);
     const double value = finding.evidence.estimate[row], sigma = std::sqrt(finding.evidence.covariance(row, row));
-    const bool angle = unknown.unit.starts_with("rad");
-    parts.push_back(fmt::format("{} = {:.3g} ± {:.1g} {}", unknown.name, angle ? degrees(value) : value,
-                                angle ? degrees(sigma) : sigma, angle ? "°" + unknown.unit.substr(3) : unknown.unit));
+    const auto [unit, scale] = shownUnit(unknown.unit);
+    parts.push_back(withUnit(fmt::format("{} = {:.3g} ± {:.1g}", unknown.name, scale * value, scale * sigma), unit));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }

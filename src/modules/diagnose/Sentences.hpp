@@ -14,7 +14,10 @@ std::string nameOf(State state);
 /// The diagnosis in a sentence or two for people.
 std::string sentence(const Diagnosis& diagnosis);
 
-/// "c = 0.0060 ± 0.0003 rad/Nm": a finding's sizes; angles in degrees too.
+/// How far a curve deflects: "±0.30°".
+std::string howFar(const DriverFinding& curve);
+
+/// "c = 0.34 ± 0.02°/Nm": a finding's sizes.
 std::string sizes(const CandidateFinding& finding);
 
 } // namespace naocal

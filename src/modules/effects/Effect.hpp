@@ -70,6 +70,7 @@ struct Effect {
   std::vector<Elsewhere> elsewhere = {};          // and at others
   bool linear = true;                             // the correction is linear in the unknowns
   bool kink = false;                              // not smooth in what drives it
+  bool base = false;                              // in every model that is not asked to leave it out
   bool shared = false;                            // a board's effect that may be one for all boards
   std::optional<std::size_t> only = std::nullopt; // a user's effect at one joint: its motor
   std::string definition = "";                    // a user's effect: its JSON

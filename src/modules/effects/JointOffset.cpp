@@ -9,6 +9,7 @@ Effect jointOffset() {
           .formula = "q_true = q_measured - o",
           .place = Place::motor,
           .unknowns = {{"o", "rad", 0.1}},
+          .base = true,
           .correct = [](Belief& belief, const Instant&, std::size_t joint, std::span<const double> values) {
             belief.angle(joint) -= values[0];
           }};

@@ -3,7 +3,7 @@
 #include "report/DiagnosisCurves.hpp"
 #include "report/DiagnosisSentences.hpp"
 #include "report/FiguresData.hpp"
-#include "report/ShownUnit.hpp"
+#include "geometry/ShownUnit.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

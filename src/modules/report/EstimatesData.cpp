@@ -1,6 +1,6 @@
 #include "report/EstimatesData.hpp"
 
-#include "report/ShownUnit.hpp"
+#include "geometry/ShownUnit.hpp"
 
 #include <algorithm>
 #include <cctype>

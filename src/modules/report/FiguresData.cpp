@@ -2,7 +2,7 @@
 
 #include "report/AliasesData.hpp"
 #include "report/LeftData.hpp"
-#include "report/ShownUnit.hpp"
+#include "geometry/ShownUnit.hpp"
 
 #include <nlohmann/json.hpp>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "report/LeftData.hpp"
 
 #include "geometry/Angles.hpp"
-#include "report/ShownUnit.hpp"
+#include "geometry/ShownUnit.hpp"
 
 #include <nlohmann/json.hpp>
 #include <vector>

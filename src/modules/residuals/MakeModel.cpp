@@ -101,7 +101,6 @@ std::vector<Term> weighingOffsets(const Measurements& measurements) {
 
 Model makeModel(const Measurements& measurements, const std::vector<std::string>& with,
                 const std::vector<std::string>& without, const std::vector<Effect>& effects) {
-  const std::vector<Pattern> base = patterns({"jointOffset@*", "cameraRotation@*"});
   std::vector<Pattern> added = patterns(with), removed = patterns(without);
   const Robot& robot = measurements.robot;
   std::vector<std::string> known;
@@ -111,7 +110,7 @@ Model makeModel(const Measurements& measurements, const std::vector<std::string>
     if (anyNames(removed, term, robot)) {
       mark(removed, term, robot);
       mark(added, term, robot);
-    } else if (anyNames(base, term, robot) || anyNames(added, term, robot)) {
+    } else if (term.effect.base || anyNames(added, term, robot)) {
       const auto undriven = whyUntestable(term.effect, term.at, measurements);
       mark(added, term, robot, undriven);
       if (!undriven) {

@@ -79,25 +79,35 @@ export function drawMap(context, width, height, cells) {
   });
 }
 
-// A joint's deflection over what it varies with, with a band of two standard errors.
+// A joint's deflection over what it varies with, with a band of two standard errors; a few points on their own, where
+// there is nothing between them.
 export function drawCurve(context, width, height, {joint, driver, unit, valueUnit = "°", points, title = "deflection of " + joint}) {
   const box = {left: 52, right: width - 8, top: 30, bottom: height - 42};
   const reach = 1.05 * Math.max(1e-3, ...points.map(([, y, error]) => Math.abs(y) + 2 * error));
   const xs = points.map(([x]) => x), name = driver === "q" ? joint : driver === "tau" ? "tau_" + joint : driver;
-  const {x, y} = axes(context, box, [Math.min(...xs), Math.max(...xs)], [-reach, reach],
+  const few = points.length < 5, beside = few ? 0.5 : 0;
+  const {x, y} = axes(context, box, [Math.min(...xs) - beside, Math.max(...xs) + beside], [-reach, reach],
     {title: title + " [" + valueUnit + "]", xLabel: name + (unit ? " [" + unit + "]" : "")});
   const path = list => {
     context.beginPath();
     list.forEach(([a, b], i) => i ? context.lineTo(x(a), y(b)) : context.moveTo(x(a), y(b)));
   };
   context.fillStyle = context.strokeStyle = colours.blue;
-  context.globalAlpha = 0.2;
-  path([...points.map(([a, b, error]) => [a, b + 2 * error]), ...points.map(([a, b, error]) => [a, b - 2 * error]).reverse()]);
-  context.fill();
-  context.globalAlpha = 1;
   context.lineWidth = 2.5;
-  path(points);
-  context.stroke();
+  if (few) {
+    for (const [a, b, error] of points) {
+      path([[a, b - 2 * error], [a, b + 2 * error]]);
+      context.stroke();
+      dot(context, {x: x(a), y: y(b)});
+    }
+  } else {
+    context.globalAlpha = 0.2;
+    path([...points.map(([a, b, error]) => [a, b + 2 * error]), ...points.map(([a, b, error]) => [a, b - 2 * error]).reverse()]);
+    context.fill();
+    context.globalAlpha = 1;
+    path(points);
+    context.stroke();
+  }
   return points.map(([a, b, error]) => ({x: x(a), y: y(b), tip: () => name + " = " + withUnit(short(a), unit) + "\n" + title +
     ": " + withError(b, error, valueUnit)}));
 }

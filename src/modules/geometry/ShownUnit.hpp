@@ -18,4 +18,10 @@ inline std::pair<std::string, double> shownUnit(const std::string& unit) {
   return {unit == "1" ? "" : unit, 1};
 }
 
+/// "3 mm", "0.2°", "0.2°/Nm", "0.2".
+inline std::string withUnit(std::string number, const std::string& shownUnit) {
+  const bool apart = !shownUnit.empty() && !shownUnit.starts_with("°");
+  return std::move(number) + (apart ? " " : "") + shownUnit;
+}
+
 } // namespace naocal
