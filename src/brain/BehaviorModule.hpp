@@ -24,7 +24,7 @@ public:
   void parametersChanged() override { look_ = {*active_, *yaw_, *pitch_}; }
 
 private:
-  Parameter<bool> active_{*this, "isCameraCalibration"};
+  Wish<bool> active_{*this, "isCameraCalibration"};
   Parameter<double> yaw_{*this, "calibrationHeadYaw"}, pitch_{*this, "calibrationHeadPitch"}; // [deg]
   Parameter<bool> unused_{*this, "useEffectiveYawVelocity"}; // the panel sets it; nothing depends on it
   Production<WantedLook> look_{*this, "wantedLook"};

@@ -16,15 +16,12 @@ constexpr double goodError = 1.5; // [px]; 2 cm on the floor, two metres away
 
 void CalibrationRunner::prepare() {
   enter(Phase::preparing, "The ways between the poses are being checked.");
-  const RoundOptions options{*repeats_, radians(*approach_), 0, *orderSeed_};
+  RoundOptions options{*repeats_, radians(*approach_), 0, *orderSeed_};
   if (kind_->feet.front() == SupportFoot::both) {
-    rounds_[0] = headRound(player_.home, *yaws_, *pitches_, options.pictures);
-    rounds_[1] = rounds_[0];
-    for (CalibrationStep& step : rounds_[1]) { // to check, other places than those that were calibrated with
-      for (CompensatedAngles& pose : step.points) {
-        pose = interpolated(pose, player_.home, 0.3);
-      }
-    }
+    constexpr double nearer = 0.7; // to check, other places than those that were calibrated with
+    rounds_[0] = headRound(player_.home, *yaws_, *pitches_, 1, options);
+    ++options.seed;
+    rounds_[1] = headRound(player_.home, *yaws_, *pitches_, nearer, options);
     return startRound();
   }
   work_.plan({kind_->feet, options, *checkPoses_, player_.home, kind_ == &askedKind_ ? askedPoses_->content : ""});
@@ -67,11 +64,18 @@ void CalibrationRunner::takeFound() {
     std::copy(looked->begin(), looked->end(), shownCaptures_.edit().begin());
   }
   CalibrationWork::Finding* found = work_.found();
-  if (found == nullptr || !state_->runs()) {
+  if (found == nullptr) {
     return;
   }
-  if (!found->problem.empty()) {
-    fail(fmt::format("The calibration ended: {}", found->problem));
+  if (found->isUndone) {
+    shownOutcome_ = ShownOutcome{};
+    enter(Phase::finished, "What the last calibration saved was taken back.");
+  } else if (!found->diagnosis.empty()) {
+    shownOutcome_.edit().diagnosis = found->diagnosis;
+  } else if (state_->kind == "undo" || !state_->runs()) {
+    enter(Phase::failed, fmt::format("Nothing was taken back: {}.", found->problem));
+  } else if (!found->problem.empty()) {
+    fail(fmt::format("The calibration ended: {}.", found->problem));
   } else if (found->rounds) {
     rounds_ = std::move(*found->rounds);
     startRound();
@@ -100,7 +104,7 @@ void CalibrationRunner::tellError(const CalibrationSession::Error& error, bool i
   } else {
     enter(Phase::failed,
           fmt::format("The measured error went {}: it did not fall by half, so the calibration was taken "
-                      "back. Something else is off as well: calibrate the legs, or look at the "
+                      "back, and nothing was saved. Something else is off as well: calibrate the legs, or look at the "
                       "recording with 'naocal diagnose'.",
                       errors));
   }

@@ -5,6 +5,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace naocal {
 namespace {
@@ -25,20 +26,21 @@ CalibrationRunner::CalibrationRunner(CalibrationSurroundings surroundings)
     : Module{"CalibrationRunner"}, work_{std::move(surroundings)} {}
 
 void CalibrationRunner::parametersChanged() {
-  const bool changed = configured_ && *run_ != asked_;
-  asked_ = *run_;
-  configured_ = true;
   kinds_ = calibrationKinds();
-  if (!changed) {
+  const bool isGiven = run_.takeGiven(), isNew = *run_ != std::exchange(runBefore_, *run_);
+  const bool counts = isGiven && (state_->runs() ? *run_ != state_->kind : isNew);
+  if (!counts) {
     return;
   }
   const CalibrationKind* kind = calibrationKind(*run_);
   if (state_->runs()) {
-    fail("The calibration was ended; the robot goes back to its stand. Nothing more was changed.");
+    fail("The calibration was ended; the robot goes back to its stand. Nothing was changed.");
   } else if (kind != nullptr) {
     start(*kind);
   } else if (*run_ == "undo") {
-    undo();
+    state_ = CalibrationState{.kind = *run_, .questionNumber = state_->questionNumber};
+    enter(Phase::preparing, "What the last calibration saved is being taken back.");
+    work_.undo();
   } else if (*run_ == "poses") {
     startAskedPoses();
   } else if (!run_->empty()) {
@@ -51,10 +53,11 @@ void CalibrationRunner::start(const CalibrationKind& kind) {
   state_ = CalibrationState{.kind = kind.run, .questionNumber = state_->questionNumber};
   const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
   const CalibrationSurroundings& surroundings = work_.surroundings();
+  before_ = configured(surroundings.configuration);
   work_.begin(surroundings.recordings / fmt::format("{:%Y-%m-%d_%H-%M-%S}", fmt::gmtime(now)));
   rounds_ = {};
   round_ = 0;
-  before_ = configured(surroundings.configuration);
+  poseTime_.reset();
   shownPoses_ = ShownPoses{};
   shownCaptures_ = std::vector<ShownCapture>{};
   shownOutcome_ = ShownOutcome{};
@@ -71,19 +74,11 @@ void CalibrationRunner::startAskedPoses() {
   start(askedKind_);
 }
 
-void CalibrationRunner::undo() {
-  try {
-    takeBack(work_.surroundings().configuration);
-    shownOutcome_ = ShownOutcome{};
-    state_ = CalibrationState{.questionNumber = state_->questionNumber};
-    enter(Phase::finished, "What the last calibration saved was taken back.");
-  } catch (const std::exception& error) {
-    enter(Phase::failed, fmt::format("Nothing was taken back: {}", error.what()));
-  }
-}
-
 void CalibrationRunner::enter(Phase phase, const std::string& sentence) {
   CalibrationState& state = state_.edit();
+  if (phase == Phase::failed && state.runs()) {
+    work_.abandon();
+  }
   state.phase = phase;
   state.sentence = sentence;
   state.question = phase == Phase::waiting ? sentence : "";
@@ -120,6 +115,7 @@ void CalibrationRunner::cycle() {
   case Phase::goingHome:
     return arrived && player_.atHome ? endStep() : void();
   case Phase::moving:
+    waitingSince_ = pictureSince_ = Clock::now();
     return arrived ? enter(Phase::collecting, state_->sentence) : void();
   case Phase::collecting:
     return collect();
@@ -147,18 +143,20 @@ void CalibrationRunner::chestPressed() {
   if (state_->phase == Phase::waiting) {
     go();
   } else if (!state_->runs() && kind != nullptr) {
-    asked_ = kind->run; // so that "" ends it
     start(*kind);
   }
 }
 
 void CalibrationRunner::follow(const WantedLook& look) {
-  if (state_->runs() || !playerKnown_ || look == followed_) {
+  if (!followed_) { // what a file says moves nothing
+    followed_ = look;
+  }
+  if (state_->runs() || !playerKnown_ || look == *followed_) {
     return;
   }
   if (look.active) {
     ask(PoseRequest::Kind::go, "Looking there", {lookingFrom(player_.home, look.yaw, look.pitch)});
-  } else if (followed_.active) {
+  } else if (followed_->active) {
     ask(PoseRequest::Kind::home, "The stand", {});
   }
   followed_ = look;

@@ -8,6 +8,7 @@
 #include "brain/CalibrationWork.hpp"
 #include "brain/Projection.hpp"
 #include "brain/StillPicture.hpp"
+#include "framework/Checks.hpp"
 #include "framework/Dependency.hpp"
 #include "framework/Module.hpp"
 #include "framework/Parameter.hpp"
@@ -21,10 +22,10 @@
 
 namespace naocal {
 
-/// Calibrates the robot: takes poses before the boards, solves the captures, saves the joints' offsets and the cameras'
-/// mounts, takes a second, shorter round, and says how far the error of its pictures has fallen. Where that is not by
-/// half, what was saved is taken back: it was well calibrated already, or something else is off. What takes long is
-/// left to its work.
+/// Calibrates the robot: takes poses before the boards, solves the captures, puts the joints' offsets and the cameras'
+/// mounts into effect, takes a second, shorter round, and says how far the error of its pictures has fallen. Where that
+/// is by half, it saves them; else it puts back what was before: the robot was well calibrated already, or something
+/// else is off. What takes long is left to its work.
 ///
 /// Started by its parameter `run` becoming the name of a kind of calibration (a value from the file starts nothing),
 /// and ended by any other value; also by the chest button, which answers questions as well.
@@ -38,7 +39,6 @@ public:
 private:
   void start(const CalibrationKind& kind);
   void prepare();
-  void undo();
   void startAskedPoses();
   void enter(CalibrationState::Phase phase, const std::string& sentence);
   void fail(const std::string& sentence);
@@ -51,6 +51,9 @@ private:
   void follow(const WantedLook& look);
   bool isStill(const CameraFrame& frame);
   void collect();
+  bool takePicture(); // if there is one, and all is still; else says what it waits for
+  void waitFor(const char* what);
+  void tellTimeLeft();
   void endStep();
   void endRound();
   void takeFound();
@@ -58,17 +61,19 @@ private:
   void tellError(const CalibrationSession::Error& error, bool isKept);
   CaptureSet header() const;
 
-  Parameter<std::string> run_{*this, "run"};
-  Parameter<int> confirmed_{*this, "confirmed"};
-  Parameter<AskedPoses> askedPoses_{*this, "poses"};
-  Parameter<std::string> chestStarts_{*this, "chestStarts"};                               // the kind; empty: none
-  Parameter<std::vector<double>> yaws_{*this, "headYaws"}, pitches_{*this, "headPitches"}; // [deg]
-  Parameter<int> repeats_{*this, "repeats"};              // pictures per camera and pose
-  Parameter<int> checkPoses_{*this, "checkPoses"};        // on each foot, to check
-  Parameter<double> approach_{*this, "approach"};         // from how far joints come into a pose on one foot [deg]
-  Parameter<std::uint64_t> orderSeed_{*this, "seed"};     // of the order of poses
-  Parameter<double> settleTime_{*this, "settle"};         // before a picture counts [s]
-  Parameter<double> stillPicture_{*this, "stillPicture"}; // how far a picture may differ from the one before it [grey]
+  Wish<std::string> run_{*this, "run"};
+  Wish<int> confirmed_{*this, "confirmed"};
+  Wish<AskedPoses> askedPoses_{*this, "poses"};
+  Parameter<std::string> chestStarts_{*this, "chestStarts"}; // the kind; empty: none
+  Parameter<std::vector<double>> yaws_{*this, "headYaws", eachWithin<-119, 119>},
+      pitches_{*this, "headPitches", eachWithin<-38, 29>};         // [deg]
+  Parameter<int> repeats_{*this, "repeats", within<1, 20>};        // pictures per camera and pose
+  Parameter<int> checkPoses_{*this, "checkPoses", within<1, 100>}; // on each foot, to check
+  Parameter<double> approach_{*this, "approach", within<0, 5>};    // from how far joints come into a pose [deg]
+  Parameter<std::uint64_t> orderSeed_{*this, "seed"};              // of the order of poses
+  Parameter<double> settleTime_{*this, "settle", within<0, 10>};   // before a picture counts [s]
+  Parameter<double> stillPicture_{*this, "stillPicture",
+                                  within<0, 255>}; // a picture's most change since the last [grey]
   Parameter<CalibrationBoards> boards_{*this, "boards"};
   Dependency<StillPicture> picture_{*this, "stillPicture"};
   Dependency<CameraBeliefs> cameras_{*this, "cameras"};
@@ -83,10 +88,9 @@ private:
 
   PlayerState player_;
   bool playerKnown_ = false;
-  WantedLook followed_;
+  std::optional<WantedLook> followed_;
   std::uint64_t requests_ = 0, cycles_ = 0;
-  std::string asked_; // the last value of `run`
-  bool configured_ = false;
+  std::string runBefore_; // the last value of `run`
   const CalibrationKind* kind_ = nullptr;
   CalibrationKind askedKind_; // that plays `poses`
   CalibrationWork::Rounds rounds_;
@@ -94,7 +98,9 @@ private:
   std::map<std::string, int> taken_;           // in the present step, by camera
   std::map<CameraName, CameraFrame> previous_; // of the present step
   std::optional<TimePoint> roundStart_;
-  StoredResult before_; // as configured before
+  std::optional<double> poseTime_;        // on the average of the present round, or the one before [s]
+  TimePoint waitingSince_, pictureSince_; // for the next capture, since the last picture; in the program's time
+  StoredResult before_;                   // as configured before
   CalibrationWork work_;
 };
 

@@ -6,6 +6,7 @@
 #include "captures/InputError.hpp"
 #include "captures/PictureFile.hpp"
 #include "detect/Detection.hpp"
+#include "diagnose/DiagnosisFile.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -45,6 +46,11 @@ CalibrationSession::Solved CalibrationSession::solved() const {
   const CalibrationResult result = calibrate(measurements, model);
   const ResultInputs inputs{{folder_.string()}, {sha256(fileContent(folder_ / "captures.json"))}};
   writeAtomically(folder_ / "result.json", resultJson(sets, measurements, model, result, inputs).dump(2) + "\n");
+  if (!result.converged) {
+    throw InputError{
+        "the search for offsets and mounts did not converge. Nothing was changed. Look whether all boards are "
+        "those of the configuration and lie still, and calibrate again"};
+  }
   Solved solved{readResult(folder_ / "result.json"), shownOffsets(measurements, model, result), result.warnings};
   nlohmann::json offsets; // [rad]
   for (const ShownOffset& offset : solved.offsets) {
@@ -52,6 +58,16 @@ CalibrationSession::Solved CalibrationSession::solved() const {
   }
   writeAtomically(folder_ / "offsets.json", offsets.dump(2) + "\n");
   return solved;
+}
+
+std::string CalibrationSession::diagnosed() const {
+  const std::vector<CaptureSet> sets{set_};
+  const Measurements measurements = measurementsOf(sets, drawing_);
+  DiagnosisOptions options;
+  options.with = gearGaps(measurements);
+  const Diagnosis diagnosis = diagnose(sets, measurements, options);
+  writeAtomically(folder_ / "diagnosis.json", diagnosisJson(diagnosis).dump(2) + "\n");
+  return diagnosis.sentence;
 }
 
 CalibrationSession::Error CalibrationSession::error(const StoredResult& before, const StoredResult& after) const {

@@ -33,8 +33,11 @@ public:
     std::vector<Warning> warnings;
   };
   /// Estimates them from the captures, and writes result.json and offsets.json beside them. Throws InputError when
-  /// there is nothing to fit.
+  /// there is nothing to fit, or the search does not converge.
   Solved solved() const;
+
+  /// What 'naocal diagnose' says of the captures, in a sentence or two; diagnosis.json is written beside them.
+  std::string diagnosed() const;
 
   /// How far this session's corners are from where each of two calibrations has them [px].
   struct Error {

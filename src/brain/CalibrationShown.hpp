@@ -46,6 +46,7 @@ struct ShownOutcome {
   };
   std::vector<Offset> joints;
   std::vector<std::string> warnings; // sentences, with what to do
+  std::string diagnosis;             // how well the model fits, in a sentence or two; empty until that is known
 };
 void to_json(nlohmann::json& out, const ShownOutcome& outcome);
 

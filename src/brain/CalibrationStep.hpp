@@ -31,8 +31,9 @@ struct RoundOptions {
 /// The stand with the head turned [deg].
 CompensatedAngles lookingFrom(const CompensatedAngles& stand, double yaw, double pitch);
 
-/// The stand with the head at each pair of these angles [deg], row by row of pitches, back and forth.
+/// The stand with the head at each pair of these angles [deg] times `share`, in random order; pictures are taken at as
+/// many approaches as asked, of yaw and pitch from below and from above in turn.
 CalibrationRound headRound(const CompensatedAngles& stand, const std::vector<double>& yaws,
-                           const std::vector<double>& pitches, int pictures);
+                           const std::vector<double>& pitches, double share, const RoundOptions& options);
 
 } // namespace naocal

@@ -1,6 +1,7 @@
 #include "brain/CalibrationRunner.hpp"
 #include "brain/PictureDifference.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 /// The steps of a round: asking, going there, taking pictures when all is still.
@@ -8,6 +9,8 @@ namespace naocal {
 namespace {
 
 using Phase = CalibrationState::Phase;
+
+constexpr std::chrono::seconds notWorthAWord{2};
 
 } // namespace
 
@@ -26,7 +29,8 @@ void CalibrationRunner::nextStep() {
   if (step.question.empty()) {
     return go();
   }
-  ++state_.edit().questionNumber;
+  ask(PoseRequest::Kind::wait, "", {});
+  state_.edit().questionNumber = std::max(state_->questionNumber, *confirmed_) + 1; // no old answer counts
   enter(Phase::waiting, step.question);
 }
 
@@ -41,35 +45,75 @@ void CalibrationRunner::go() {
   }
 }
 
+void CalibrationRunner::waitFor(const char* what) {
+  if (Clock::now() - waitingSince_ > notWorthAWord) {
+    state_.edit().sentence = fmt::format("{} waits until {}.", rounds_[round_][step_].name, what);
+  }
+}
+
+bool CalibrationRunner::takePicture() {
+  const CalibrationStep& step = rounds_[round_][step_];
+  const Capture& still = picture_->capture;
+  if (picture_->isNew || picture_->isMoving) {
+    pictureSince_ = Clock::now();
+  }
+  if (picture_->isMoving || (picture_->isNew && picture_->stillFor < *settleTime_)) {
+    waitFor("the robot's joints and trunk are still: they tremble, or something moves the robot");
+    return false;
+  }
+  if (!picture_->isNew || picture_->frame.time < player_.doneAt) {
+    if (Clock::now() - pictureSince_ > notWorthAWord) {
+      waitFor("the cameras give pictures");
+    }
+    return false;
+  }
+  roundStart_ = roundStart_.value_or(picture_->frame.time);
+  int& count = taken_[still.camera];
+  if (count == step.pictures) {
+    waitFor(still.camera == "top" ? "the bottom camera gives pictures" : "the top camera gives pictures");
+    return false;
+  }
+  if (!isStill(picture_->frame)) {
+    waitFor("the picture is still: something moves before the camera");
+    return false;
+  }
+  Capture capture = step.taken;
+  capture.repeat += count++;
+  capture.time = still.time;
+  capture.camera = still.camera;
+  std::vector<double> approach = std::move(capture.joints.approach);
+  capture.joints = still.joints;
+  capture.joints.approach = std::move(approach);
+  capture.imu = still.imu;
+  capture.fsr = still.fsr;
+  take(capture);
+  waitingSince_ = Clock::now();
+  return true;
+}
+
+void CalibrationRunner::tellTimeLeft() {
+  const auto left = [this](std::size_t round) {
+    return std::count_if(rounds_[round].begin(), rounds_[round].end(),
+                         [](const CalibrationStep& step) { return step.pictures > 0; });
+  };
+  CalibrationState& state = state_.edit();
+  if (state.pose > 1) { // from the first pose's pictures to these
+    poseTime_ = seconds(picture_->frame.time - *roundStart_) / (state.pose - 1);
+  }
+  if (poseTime_) {
+    const auto later = round_ == 0 && kind_ != &askedKind_ ? left(1) : 0;
+    state.secondsLeft = *poseTime_ * static_cast<double>(state.poses - state.pose + later);
+  }
+}
+
 void CalibrationRunner::collect() {
   const CalibrationStep& step = rounds_[round_][step_];
   if (step.pictures > 0) {
-    if (!picture_->isNew || picture_->stillFor < *settleTime_ || picture_->frame.time < player_.doneAt) {
+    if (!takePicture() || taken_["top"] < step.pictures || taken_["bottom"] < step.pictures) {
       return;
     }
-    roundStart_ = roundStart_.value_or(picture_->frame.time);
-    const Capture& still = picture_->capture;
-    int& count = taken_[still.camera];
-    if (count < step.pictures && isStill(picture_->frame)) {
-      Capture capture = step.taken;
-      capture.repeat += count++;
-      capture.time = still.time;
-      capture.camera = still.camera;
-      std::vector<double> approach = std::move(capture.joints.approach);
-      capture.joints = still.joints;
-      capture.joints.approach = std::move(approach);
-      capture.imu = still.imu;
-      capture.fsr = still.fsr;
-      take(capture);
-    }
-    if (taken_["top"] < step.pictures || taken_["bottom"] < step.pictures) {
-      return;
-    }
-    CalibrationState& state = state_.edit();
-    ++state.pose;
-    if (state.pose > 1) { // from the first pose's pictures to these
-      state.secondsLeft = seconds(picture_->frame.time - *roundStart_) / (state.pose - 1) * (state.poses - state.pose);
-    }
+    ++state_.edit().pose;
+    tellTimeLeft();
   }
   endStep();
 }

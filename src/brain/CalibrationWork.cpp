@@ -3,14 +3,31 @@
 #include "brain/LegPoses.hpp"
 #include "brain/SavedCalibration.hpp"
 #include "captures/Files.hpp"
+#include "captures/InputError.hpp"
+#include "geometry/Angles.hpp"
 
+#include <cmath>
 #include <deque>
 #include <exception>
+#include <fmt/format.h>
+#include <utility>
 
 namespace naocal {
 namespace {
 
-constexpr double leastGain = 0.5; // what a calibration leaves of the error at most, to be kept
+constexpr double leastGain = 0.5;          // what a calibration leaves of the error at most, to be kept
+constexpr double mostOffset = radians(20); // of any NAO: 11 degrees have been seen
+
+/// Throws InputError for offsets that no robot has: captures that do not belong together.
+void requirePlausible(const std::vector<ShownOffset>& offsets) {
+  for (const ShownOffset& offset : offsets) {
+    if (!(std::abs(offset.value) <= mostOffset)) {
+      throw InputError{fmt::format("{} would be off by {:.0f} degrees, which no robot's is. Nothing was changed. Look "
+                                   "whether all boards are those of the configuration and lie still",
+                                   offset.joint, degrees(offset.value))};
+    }
+  }
+}
 
 /// Each foot's poses, one foot after the other; each time that the robot steps onto one is a stance.
 CalibrationRound legRound(const std::deque<LegPoses>& legs, RoundOptions options) {
@@ -28,9 +45,8 @@ CalibrationRound legRound(const std::deque<LegPoses>& legs, RoundOptions options
 void CalibrationWork::begin(std::filesystem::path folder) {
   folder_ = std::move(folder);
   sessions_ = {};
-  give([files = surroundings_.files, folder = folder_](Finding&) {
-    std::filesystem::create_directories(folder);
-    std::filesystem::copy(files, folder / "configuration", std::filesystem::copy_options::recursive);
+  give([&configuration = surroundings_.configuration, folder = folder_](Finding&) {
+    configuration.writeTo(folder / "configuration");
   });
 }
 
@@ -80,7 +96,7 @@ void CalibrationWork::look(std::size_t round, Capture capture, ShownCapture show
 }
 
 void CalibrationWork::solve(StoredResult before, bool onlyHead) {
-  give([this, session = sessions_[0], before = std::move(before), onlyHead](Finding& finding) {
+  give([this, session = sessions_[0], before = std::move(before), onlyHead, ended = ended_.load()](Finding& finding) {
     const CalibrationSession::Solved solved = session->session.value().solved();
     const std::vector<ShownOffset> offsets = onlyHead ? ofHead(solved.offsets) : solved.offsets;
     finding.outcome = shownOutcome(before, offsets, lookedAt_.captures);
@@ -89,19 +105,50 @@ void CalibrationWork::solve(StoredResult before, bool onlyHead) {
         finding.outcome->warnings.push_back(warning.sentence);
       }
     }
-    apply(learned(offsets), solved.result, surroundings_.configuration);
-    finding.isApplied = true;
+    if (ended == ended_) {
+      requirePlausible(learned(offsets));
+      const std::string keys = calibrationKeys(surroundings_.configuration);
+      apply(learned(offsets), solved.result, surroundings_.configuration);
+      keysToPutBack_ = keys;
+      finding.isApplied = true;
+    }
   });
 }
 
 void CalibrationWork::check(StoredResult before) {
-  give([session = sessions_[1], before = std::move(before),
-        &configuration = surroundings_.configuration](Finding& finding) {
-    finding.error = session->session.value().error(before, configured(configuration));
+  give([this, session = sessions_[1], before = std::move(before)](Finding& finding) {
+    finding.error = session->session.value().error(before, configured(surroundings_.configuration));
     finding.isKept = finding.error->after <= leastGain * finding.error->before;
-    if (!finding.isKept) {
-      takeBack(configuration);
+    if (finding.isKept) {
+      saveCalibration(surroundings_.configuration);
+      keysToPutBack_.reset();
     }
+    putBackUnsaved();
+  });
+  give([session = sessions_[0]](Finding& finding) {
+    try {
+      finding.diagnosis = session->session.value().diagnosed();
+    } catch (const std::exception& error) {
+      finding.diagnosis = fmt::format("How well the model fits could not be told: {}.", error.what());
+    }
+  });
+}
+
+void CalibrationWork::putBackUnsaved() {
+  if (keysToPutBack_) {
+    putBack(*std::exchange(keysToPutBack_, std::nullopt), surroundings_.configuration);
+  }
+}
+
+void CalibrationWork::abandon() {
+  ++ended_;
+  give([this](Finding&) { putBackUnsaved(); });
+}
+
+void CalibrationWork::undo() {
+  give([this](Finding& finding) {
+    undoCalibration(surroundings_.configuration);
+    finding.isUndone = true;
   });
 }
 
@@ -123,7 +170,9 @@ void CalibrationWork::give(std::function<void(Finding&)> task) {
     } catch (const std::exception& error) {
       finding.problem = error.what();
     }
-    if (finding.rounds || finding.isApplied || finding.error || !finding.problem.empty()) {
+    const bool isSomething = finding.rounds || finding.isApplied || finding.error || finding.isUndone ||
+                             !finding.diagnosis.empty() || !finding.problem.empty();
+    if (isSomething) {
       findings_.write(std::move(finding));
     }
   });

@@ -10,6 +10,8 @@
 #include "model/Robot.hpp"
 
 #include <array>
+#include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -57,10 +59,15 @@ public:
   void open(std::size_t round, CaptureSet header);
   void look(std::size_t round, Capture capture, ShownCapture shown, CameraFrame frame);
 
-  /// Solves the first round's captures and applies what they say, of offsets only the neck's if so wished.
+  /// Solves the first round's captures and puts into effect what they say, of offsets only the neck's if so wished.
   void solve(StoredResult before, bool onlyHead);
-  /// Compares both with the second round's captures; takes back what does not help.
+  /// Compares both with the second round's captures; saves what helps, puts back what does not. Then asks of the first
+  /// round's captures how well the model fits them.
   void check(StoredResult before);
+  /// Ends the calibration: what was put into effect and not saved is put back.
+  void abandon();
+  /// Takes back what the last calibration saved.
+  void undo();
 
   struct Finding {
     std::filesystem::path folder; // of the calibration that it is about
@@ -68,8 +75,10 @@ public:
     bool isApplied = false;
     std::optional<ShownOutcome> outcome;
     std::optional<CalibrationSession::Error> error;
-    bool isKept = false; // with `error`: what was applied was left as it is
-    std::string problem; // one sentence; empty: none
+    bool isKept = false;   // with `error`: what was applied is saved
+    bool isUndone = false; // what was saved before is taken back
+    std::string diagnosis; // a sentence or two about how well the model fits
+    std::string problem;   // one sentence; empty: none
   };
   /// What came of it since the last call; nullptr: nothing.
   Finding* found();
@@ -85,11 +94,14 @@ private:
     std::filesystem::path folder;
     std::vector<ShownCapture> captures;
   };
+  void putBackUnsaved(); // the worker's
   /// Has the worker do it; what it finds or throws comes back as a finding.
   void give(std::function<void(Finding&)> task);
 
   CalibrationSurroundings surroundings_;
   std::filesystem::path folder_;
+  std::atomic<std::uint64_t> ended_{0};            // how many calibrations were abandoned
+  std::optional<std::string> keysToPutBack_;       // the worker's, while what is in effect is not saved
   std::array<std::shared_ptr<Round>, 2> sessions_; // belong to the worker
   Latest<Finding> findings_;
   Latest<Looked> looked_;

@@ -29,7 +29,7 @@ Capture captureOf(const CameraFrame& frame, TimePoint middle, const JointMoment&
 
 void CaptureCollector::cycle() {
   StillPicture& picture = picture_.edit();
-  picture.isNew = false;
+  picture.isNew = picture.isMoving = false;
   if (frame_->isNew) {
     waiting_.push_back(frame_->frame);
     if (waiting_.size() > mostWaiting) {
@@ -45,7 +45,9 @@ void CaptureCollector::cycle() {
     return; // not measured yet
   }
   if (const auto moment = moments_->at(middle); moment && moment->stillFor > 0) {
-    picture = {true, waiting_.front(), captureOf(waiting_.front(), middle, *moment), moment->stillFor};
+    picture = {true, false, waiting_.front(), captureOf(waiting_.front(), middle, *moment), moment->stillFor};
+  } else if (moment) {
+    picture.isMoving = true;
   }
   waiting_.pop_front();
 }

@@ -33,7 +33,7 @@ void to_json(nlohmann::json& out, const NewFrame& frame) {
 }
 
 void to_json(nlohmann::json& out, const CameraLink& link) {
-  out = {{"frames", link.frames}, {"skipped", link.skipped},   {"lost", link.lost},
+  out = {{"frames", link.frames}, {"skipped", link.skipped},   {"lost", link.lost},      {"undated", link.undated},
          {"broken", link.broken}, {"reopened", link.reopened}, {"problem", link.problem}};
 }
 

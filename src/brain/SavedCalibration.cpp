@@ -53,27 +53,56 @@ StoredResult configured(const Configuration& configuration) {
   return result;
 }
 
-void apply(const std::vector<ShownOffset>& offsets, const StoredResult& mounts, Configuration& configuration) {
-  for (const ShownOffset& offset : offsets) {
-    configuration.set(offsetsMount, offsetKey(offset.joint), degrees(offset.value));
-    if (offset.joint == "LHipYawPitch") {
-      configuration.set(offsetsMount, offsetKey("RHipYawPitch"), degrees(offset.value));
-    }
+std::string calibrationKeys(const Configuration& configuration) {
+  nlohmann::json all;
+  for (const std::string& mount : calibrationMounts) {
+    configuration.keys(mount, all[mount]);
   }
-  for (const std::string& term : mounts.terms) {
-    const std::string effect = term.substr(0, term.find('@')), place = term.substr(term.find('@') + 1);
-    if (effect == "cameraRotation") {
-      nlohmann::json rotation;
-      for (const char* angle : mountAngles) {
-        rotation.push_back(mounts.values.at(term + "." + angle));
+  return all.dump();
+}
+
+void putBack(const std::string& calibrationKeys, Configuration& configuration) {
+  const auto now = nlohmann::json::parse(naocal::calibrationKeys(configuration));
+  const auto before = nlohmann::json::parse(calibrationKeys);
+  for (const auto& [mount, keys] : before.items()) {
+    for (const auto& [key, value] : keys.items()) {
+      if (now.at(mount).value(key, nlohmann::json{}) != value) {
+        configuration.set(mount, key, value);
       }
-      configuration.set(camerasMount, mountKey(place), rotation);
     }
   }
+}
+
+void apply(const std::vector<ShownOffset>& offsets, const StoredResult& mounts, Configuration& configuration) {
+  const std::string before = calibrationKeys(configuration);
+  try {
+    for (const ShownOffset& offset : offsets) {
+      configuration.set(offsetsMount, offsetKey(offset.joint), degrees(offset.value));
+      if (offset.joint == "LHipYawPitch") {
+        configuration.set(offsetsMount, offsetKey("RHipYawPitch"), degrees(offset.value));
+      }
+    }
+    for (const std::string& term : mounts.terms) {
+      const std::string effect = term.substr(0, term.find('@')), place = term.substr(term.find('@') + 1);
+      if (effect == "cameraRotation") {
+        nlohmann::json rotation;
+        for (const char* angle : mountAngles) {
+          rotation.push_back(mounts.values.at(term + "." + angle));
+        }
+        configuration.set(camerasMount, mountKey(place), rotation);
+      }
+    }
+  } catch (...) {
+    putBack(before, configuration);
+    throw;
+  }
+}
+
+void saveCalibration(Configuration& configuration) {
   configuration.save(calibrationMounts);
 }
 
-void takeBack(Configuration& configuration) {
+void undoCalibration(Configuration& configuration) {
   configuration.undo(calibrationMounts);
 }
 

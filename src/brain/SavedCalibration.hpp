@@ -12,11 +12,17 @@ std::vector<ShownOffset> ofHead(std::vector<ShownOffset> offsets);
 /// The joints' offsets and the cameras' mounts as they are configured now.
 StoredResult configured(const Configuration& configuration);
 
-/// Sets and saves the joints' offsets (Motion.JointCalibrationProvider, degrees) and the cameras' mounts of a result
-/// (Brain.Projection, radians); both hip yaw-pitches get their one motor's. Throws what the configuration throws.
-void apply(const std::vector<ShownOffset>& offsets, const StoredResult& mounts, Configuration& configuration);
+/// The keys of both as they are set now, to be put back.
+std::string calibrationKeys(const Configuration& configuration);
 
-/// Undoes what `apply` saved. Throws ConfigurationError where nothing was.
-void takeBack(Configuration& configuration);
+/// Puts into effect the joints' offsets (Motion.JointCalibrationProvider, degrees) and the cameras' mounts of a result
+/// (Brain.Projection, radians); both hip yaw-pitches get their one motor's. Nothing is saved. Throws what the
+/// configuration throws; nothing has changed then.
+void apply(const std::vector<ShownOffset>& offsets, const StoredResult& mounts, Configuration& configuration);
+void putBack(const std::string& calibrationKeys, Configuration& configuration);
+
+/// Saves both, and undoes what was saved last. Throw ConfigurationError where that cannot be.
+void saveCalibration(Configuration& configuration);
+void undoCalibration(Configuration& configuration);
 
 } // namespace naocal

@@ -15,6 +15,7 @@ struct CameraLink {
   std::uint64_t frames = 0;  // given to the program
   std::uint64_t skipped = 0; // taken, but a newer one was there when the program asked
   std::uint64_t lost = 0;    // that the driver took and never delivered: gaps of its sequence numbers
+  std::uint64_t undated = 0; // whose driver's time means nothing here: they count from when they came
   std::uint64_t broken = 0;  // delivered but marked as damaged by the driver; not given to the program
   std::uint64_t reopened = 0;
   std::string problem; // one sentence while the camera gives nothing, or when it refused a setting; else empty

@@ -11,20 +11,23 @@ namespace {
 
 using Phase = PlayerState::Phase;
 
-bool isTouched(const Touch& touch) {
-  return touch.headFront || touch.headMiddle || touch.headRear || touch.leftFootLeft || touch.leftFootRight ||
-         touch.rightFootLeft || touch.rightFootRight || touch.leftHandBack || touch.leftHandLeft ||
-         touch.leftHandRight || touch.rightHandBack || touch.rightHandLeft || touch.rightHandRight;
-}
+constexpr double longestStep = 0.03; // of a motion's time from one state to the next, however long that was [s]
 
 } // namespace
+
+std::string PosePlayer::joints(const std::map<std::string, double>& stand) {
+  for (const auto& [name, degrees] : stand) {
+    if (!jointNumber(name) || !(std::abs(degrees) <= 180)) {
+      return fmt::format("an angle in degrees for each joint, named as in {}; {} is none", jointNames[0], name);
+    }
+  }
+  return "";
+}
 
 void PosePlayer::parametersChanged() {
   home_ = {};
   for (const auto& [name, degrees] : *stand_) {
-    if (const auto joint = jointNumber(name)) {
-      home_[*joint] = radians(degrees);
-    }
+    home_[jointNumber(name).value()] = radians(degrees);
   }
   joinHipYawPitch(home_);
   home_ = limits_.clamped(home_);
@@ -34,56 +37,34 @@ void PosePlayer::parametersChanged() {
 void PosePlayer::cycle() {
   state_.edit();
   if (measured_->isNew) {
+    const double since = seconds(measured_->state.time - now_);
     now_ = measured_->state.time;
-    watch(measured_->state);
+    motionTime_ += std::min(since, longestStep);
+    afterSilence(since);
     if (const PoseRequest* request = request_->take()) {
       look(*request);
     }
+    watch(measured_->state);
     advance();
   }
   ending_.atRest = state_->phase == Phase::off || state_->phase == Phase::fallen || state_->atHome;
   forBrain_.edit().write(*state_);
 }
 
-void PosePlayer::watch(const RobotState& state) {
-  const bool pressed = state.touch.chestButton;
-  const bool newlyPressed = pressed && !wasPressed_;
-  wasPressed_ = pressed;
-  const Phase phase = state_->phase;
-  if (newlyPressed && (phase == Phase::off || phase == Phase::fallen || state_->atHome)) {
-    ++state_.edit().presses;
-  }
-  if (phase == Phase::off || phase == Phase::fallen) {
-    return;
-  }
-  const double tilt = degrees(state.torsoAngles.cwiseAbs().maxCoeff());
-  const auto hot = std::max_element(state.temperature.begin(), state.temperature.end());
-  if (tilt > *largestTilt_) {
-    stop(Phase::fallen, fmt::format("The torso is tilted by {:.0f} degrees, so the motors are weak. Stand the robot up "
-                                    "and start again.",
-                                    tilt));
-  } else if (isTouched(state.touch) && motion_) {
-    stop(Phase::holding, "The robot was touched and stopped. Press its chest button to have it go back to its stand.");
-  } else if (newlyPressed && !goingHome_ && !state_->atHome) {
-    goHome("The chest button was pressed: the robot goes back to its stand.");
-  } else if (ending_.asked && !goingHome_ && !state_->atHome) {
-    goHome("The program is being ended: the robot goes back to its stand.");
-  } else if (*hot > *hottest_ && !goingHome_ && !state_->atHome) {
-    goHome(fmt::format("{} is {:.0f} degrees Celsius hot: the robot goes back to its stand. Let it cool down.",
-                       jointNames[static_cast<std::size_t>(hot - state.temperature.begin())], *hot));
-  }
-}
-
 void PosePlayer::look(const PoseRequest& request) {
   PlayerState& state = state_.edit();
   state.request = request.number;
-  state.held = request.held;
   state.done = false;
+  waits_ = request.kind == PoseRequest::Kind::wait;
+  state.held = waits_ ? state.held : request.held;
   switch (request.kind) {
   case PoseRequest::Kind::go:
     return go(request);
   case PoseRequest::Kind::home:
     return goHome("");
+  case PoseRequest::Kind::wait:
+    state.done = true;
+    return;
   case PoseRequest::Kind::rest:
     stop(Phase::off, "");
     state.done = true;
@@ -136,6 +117,7 @@ void PosePlayer::go(const PoseRequest& request) {
   leaveMotion();
   extendTrail(desired_->angles);
   start(request.points);
+  needsHands_ |= request.held;
 }
 
 void PosePlayer::goHome(const std::string& reason) {
@@ -144,6 +126,22 @@ void PosePlayer::goHome(const std::string& reason) {
     return;
   }
   leaveMotion();
+  waits_ = false;
+  PlayerState& state = state_.edit();
+  if (needsHands_ && !state.held) {
+    state.phase = Phase::holding;
+    state.held = true;
+    state.reason += fmt::format("{}Take hold of it by its trunk: its eyes are yellow. It steps back onto both feet in "
+                                "{:.0f} s, or at once when its chest button is pressed.",
+                                reason.empty() ? "" : " ", *handsTime_);
+    handsUntil_ = now_ + fromSeconds(*handsTime_);
+    return;
+  }
+  startHome();
+}
+
+void PosePlayer::startHome() {
+  handsUntil_.reset();
   start({trail_.rbegin(), trail_.rend()});
   goingHome_ = true;
 }
@@ -151,17 +149,18 @@ void PosePlayer::goHome(const std::string& reason) {
 void PosePlayer::start(std::vector<CompensatedAngles> points) {
   points_ = std::move(points);
   motion_.emplace(desired_->angles, points_, limits_, *speed_);
-  motionStart_ = now_;
+  motionTime_ = 0;
   state_.edit().phase = Phase::moving;
   state_.edit().atHome = false;
   desired_.edit().stiffness = *stiffness_;
 }
 
 void PosePlayer::leaveMotion() {
+  handsUntil_.reset();
   if (!motion_) {
     return;
   }
-  const auto passed = points_.begin() + static_cast<std::ptrdiff_t>(motion_->passed(seconds(now_ - motionStart_)));
+  const auto passed = points_.begin() + static_cast<std::ptrdiff_t>(motion_->passed(motionTime_));
   if (goingHome_) {
     trail_.assign(std::make_reverse_iterator(points_.end()), std::make_reverse_iterator(passed));
   } else {
@@ -181,6 +180,7 @@ void PosePlayer::extendTrail(const CompensatedAngles& point) {
 
 void PosePlayer::stop(Phase phase, const std::string& reason) {
   leaveMotion();
+  waits_ = false;
   PlayerState& state = state_.edit();
   state = {.phase = phase,
            .request = state.request,
@@ -198,20 +198,25 @@ void PosePlayer::advance() {
     desired.angles = *angles_; // nothing pulls when the motors come on
     return;
   }
+  if (handsUntil_ && now_ >= *handsUntil_) {
+    startHome();
+  }
   if (!motion_) {
     return;
   }
-  const double time = seconds(now_ - motionStart_);
-  desired.angles = motion_->at(time);
-  state.progress = std::min(1.0, time / motion_->duration());
-  state.secondsLeft = std::max(0.0, motion_->duration() - time);
-  if (time >= motion_->duration()) {
+  desired.angles = motion_->at(motionTime_);
+  state.progress = std::min(1.0, motionTime_ / motion_->duration());
+  state.secondsLeft = std::max(0.0, motion_->duration() - motionTime_);
+  if (motionTime_ >= motion_->duration()) {
     state.phase = Phase::holding;
     state.done = true;
     state.doneAt = now_;
     state.atHome = goingHome_;
     leaveMotion();
-    trail_ = state.atHome ? std::vector{home_} : trail_;
+    if (state.atHome) {
+      trail_ = {home_};
+      needsHands_ = state.held = false;
+    }
   }
 }
 

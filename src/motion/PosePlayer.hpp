@@ -1,5 +1,6 @@
 #pragma once
 
+#include "framework/Checks.hpp"
 #include "framework/Dependency.hpp"
 #include "framework/Module.hpp"
 #include "framework/Parameter.hpp"
@@ -30,7 +31,11 @@ struct Ending {
 
 /// Takes the robot from pose to pose: smoothly, at a share of the joints' speeds, back the way it came when it is told
 /// to go home, when the chest button is pressed while it moves or holds a pose, when the program ends, or when a joint
-/// gets too hot. Touched at head, hands or feet it stops where it is and holds; tilted too far its motors become weak.
+/// gets too hot. Touched at head, hands or feet it stops where it is and holds; tilted too far its motors become weak,
+/// as they do where its joints were moved while nothing was heard of it.
+///
+/// A robot that was held on its way out is held on its way home: unless it is already, it asks for hands by its eyes,
+/// and goes after some seconds, or at once when its chest button is pressed.
 ///
 /// It refuses to start where the robot is not near its stand, and points that joints cannot take; whether the robot
 /// stands on the way is the asking one's to check (which takes longer than a cycle).
@@ -41,10 +46,14 @@ public:
   void parametersChanged() override;
 
 private:
+  static std::string joints(const std::map<std::string, double>& stand); // what is expected, if they are not
   void watch(const RobotState& state);
+  void chestPressed();
+  void afterSilence(double length); // [s]
   void look(const PoseRequest& request);
   void go(const PoseRequest& request);
   void goHome(const std::string& reason);
+  void startHome();
   bool isReady(const std::string& who); // motors are on, or the robot is at its stand; `who` is refused otherwise
   void start(std::vector<CompensatedAngles> points);
   void leaveMotion();                               // keeps in the trail what it has passed
@@ -54,13 +63,14 @@ private:
   std::string unreachable(const PoseRequest& request) const;
   bool isNear(const CompensatedAngles& angles, const CompensatedAngles& point) const;
 
-  Parameter<std::map<std::string, double>> stand_{*this, "stand"}; // [deg] by joint; 0 for those not named
-  Parameter<double> speed_{*this, "speed"};                        // share of the joints' largest speeds
-  Parameter<double> stiffness_{*this, "stiffness"};                // while playing
-  Parameter<double> fallenStiffness_{*this, "fallenStiffness"};
-  Parameter<double> startDistance_{*this, "startDistance"}; // of each joint from the stand [deg]
-  Parameter<double> largestTilt_{*this, "largestTilt"};     // of the torso [deg]
-  Parameter<double> hottest_{*this, "hottest"};             // joint [degC]
+  Parameter<std::map<std::string, double>> stand_{*this, "stand", joints}; // [deg] by joint; 0 for those not named
+  Parameter<double> speed_{*this, "speed", share};                         // of the joints' largest speeds
+  Parameter<double> stiffness_{*this, "stiffness", share};                 // while playing
+  Parameter<double> fallenStiffness_{*this, "fallenStiffness", within<0, 1>};
+  Parameter<double> startDistance_{*this, "startDistance", within<0, 30>}; // of each joint from the stand [deg]
+  Parameter<double> largestTilt_{*this, "largestTilt", within<10, 90>};    // of the torso [deg]
+  Parameter<double> hottest_{*this, "hottest", within<30, 100>};           // joint [degC]
+  Parameter<double> handsTime_{*this, "handsTime", within<1, 60>};         // to take hold of the robot in [s]
   Dependency<Measured> measured_{*this, "measured"};
   Dependency<CompensatedAngles> angles_{*this, "angles"};
   Dependency<Latest<PoseRequest>> request_{*this, "Brain.poseRequest"};
@@ -76,7 +86,11 @@ private:
   std::vector<CompensatedAngles> points_; // of that motion
   bool goingHome_ = false;
   bool wasPressed_ = false;
-  TimePoint motionStart_, now_;
+  bool needsHands_ = false;             // it was held on the way from its stand
+  bool waits_ = false;                  // for a person's answer
+  std::optional<TimePoint> handsUntil_; // asking for hands, to go home then
+  double motionTime_ = 0;               // [s]
+  TimePoint now_;
 };
 
 } // namespace naocal

@@ -112,8 +112,9 @@ TEST_CASE("what is saved is what is read back, also where the location overrides
   }
 }
 
-TEST_CASE("a save is undone and done again, comments included") {
-  // Proves that the previous file comes back byte for byte, that keys follow, and that undoing twice goes forward.
+TEST_CASE("a save is undone once, comments included") {
+  // Proves that the previous file comes back byte for byte, that keys follow, and that a second undo, which would bring
+  // back what was undone, is refused until something is saved again.
   ConfiguredRobot robot;
   const std::string before = "// by hand\n{\"headYaw\": 1.0}";
   robot.file("default/body/Bob/Offsets.json", before);
@@ -125,16 +126,41 @@ TEST_CASE("a save is undone and done again, comments included") {
   robot.configuration.undo({"Motion.Offsets"});
   CHECK(fileContent(robot.path("default/body/Bob/Offsets.json")) == before);
   CHECK(robot.keys("Motion.Offsets")["headYaw"] == 1.0);
+  CHECK(refusal([&] { robot.configuration.undo({"Motion.Offsets"}); }) ==
+        "Motion.Offsets: nothing was saved that could be undone");
+  CHECK(robot.keys("Motion.Offsets")["headYaw"] == 1.0);
+  robot.configuration.set("Motion.Offsets", "headYaw", 3.0);
+  robot.configuration.save();
   robot.configuration.undo({"Motion.Offsets"});
-  CHECK(robot.content("default/body/Bob/Offsets.json")["headYaw"] == 2.0);
-  CHECK(robot.keys("Motion.Offsets")["headYaw"] == 2.0);
+  CHECK(robot.keys("Motion.Offsets")["headYaw"] == 1.0);
+}
+
+TEST_CASE("orders are never saved, and all else is written elsewhere as it would be saved") {
+  // Proves it for a key that no file shall get; the other place gets unsaved changes, and no secret.
+  ConfiguredRobot robot;
+  robot.file("default/head/default/Runner.json", R"({"run": "", "repeats": 1})");
+  robot.file("default/access.json", R"({"secret": "psst"})");
+  robot.configuration.mount("Brain.Runner", "Runner.json", Part::head, {}, {"run"});
+  robot.configuration.set("Brain.Runner", "run", "left leg");
+  robot.configuration.set("Brain.Runner", "repeats", 2);
+  const TemporaryFolder other;
+  robot.configuration.writeTo(other.path());
+  CHECK_FALSE(std::filesystem::exists(robot.path("default/head/Ada/Runner.json")));
+  CHECK_FALSE(std::filesystem::exists(other.path() / "location/default/access.json"));
+  Configuration copy{other.path(), robot.names, writeAtomically};
+  copy.mount("Brain.Runner", "Runner.json", Part::head);
+  json keys;
+  copy.keys("Brain.Runner", keys);
+  CHECK(keys == json{{"run", ""}, {"repeats", 2}});
+  robot.configuration.save();
+  CHECK(robot.content("default/head/Ada/Runner.json") == json{{"repeats", 2}});
 }
 
 TEST_CASE("what is saved together is old or new together, wherever the program ends") {
   // Proves it for every write of a save and of an undo: the program ends there, and the next one finishes what was
   // noted or finds nothing changed. A mount without changes is left as it is by both.
   for (const bool undone : {false, true}) {
-    for (int writes = 0; writes <= 6; ++writes) {
+    for (int writes = 0; writes <= (undone ? 3 : 6); ++writes) {
       ConfiguredRobot robot;
       int left = 1000;
       const auto writer = [&](const std::filesystem::path& file, std::string_view content) {
@@ -224,6 +250,7 @@ TEST_CASE("broken files are refused with a sentence that names them") {
   const std::string name = robot.path("default/Broken.json").string();
   CHECK(mounting("{\"a\": }").rfind(name + ": expected valid JSON, found a parse error at line 1, column 7", 0) == 0);
   CHECK(mounting("[1]") == name + ": expected an object with keys at its top level");
+  CHECK(mounting("{} // gr\xfc\xdf dich") == name + ": expected text in UTF-8, found other bytes; save it as UTF-8");
   CHECK(mounting("").rfind(name + ": expected valid JSON", 0) == 0);
   CHECK(refusal([] {
           layersOf("/c", "a.json", Part::head, {"default", "../x", "Bob"});

@@ -1,4 +1,5 @@
 #include "ConfiguredRobot.hpp"
+#include "framework/Checks.hpp"
 #include "framework/Database.hpp"
 #include "framework/Errors.hpp"
 #include "framework/Parameter.hpp"
@@ -33,10 +34,16 @@ private:
 
 const nlohmann::json good = {{"speed", 0.5}, {"careful", true}, {"repeats", 3}, {"name", "wave"}, {"gains", {1, 2, 3}}};
 
+/// What was said of the last file's keys.
+std::vector<std::string>& unknownKeys() {
+  static std::vector<std::string> unknown;
+  return unknown;
+}
+
 struct Configured {
   explicit Configured(const nlohmann::json& content) {
     robot.file("default/body/default/Player.json", content.dump());
-    configure(motion, robot.configuration);
+    unknownKeys() = configure(motion, robot.configuration);
   }
   ConfiguredRobot robot;
   Thread motion{"Motion", Part::body};
@@ -126,6 +133,62 @@ TEST_CASE("configuration errors are sentences with names") {
   CHECK(with("gains", {1, "two"}) == "Motion.Player: gains: expected another value than [1,\"two\"]: type must be "
                                      "number, but is string");
   CHECK(with("speed", nullptr) == "Motion.Player: speed: expected a number, found null");
+  auto misspelt = good;
+  misspelt["spede"] = 1;
+  CHECK(configurationError(misspelt) == "configured");
+  CHECK(unknownKeys() ==
+        std::vector<std::string>{"Motion.Player: Player.json has a key \"spede\" that means nothing there; known are "
+                                 "careful, gains, name, repeats, speed"});
+  CHECK(configurationError(good) == "configured");
+  CHECK(unknownKeys().empty());
+}
+
+TEST_CASE("what numbers are asked to be") {
+  // Proves both ends of each check and what is no number.
+  const double none = std::nan("");
+  CHECK(within<0, 3>(3.0).empty());
+  CHECK(within<0, 3>(0).empty());
+  for (const double outside : {-0.1, 3.1, none}) {
+    CHECK(within<0, 3>(outside) == "a number from 0 to 3");
+    CHECK_FALSE(eachWithin<0, 3>({1, outside}).empty());
+  }
+  CHECK(eachWithin<0, 3>({1, 2}).empty());
+  CHECK_FALSE(eachWithin<0, 3>({}).empty());
+  CHECK_FALSE(eachWithin<0, 3>(std::vector<double>(21, 1)).empty());
+  CHECK(share(1).empty());
+  for (const double outside : {0.0, 1.1, none}) {
+    CHECK(share(outside) == "a number above 0, at most 1");
+  }
+}
+
+TEST_CASE("an order counts when it is given, whatever else changes") {
+  // Proves that a file gives none, that each SET does, also of the same value, and that other parameters do not.
+  class Runner : public Module {
+  public:
+    Runner() : Module{"Runner"} {}
+    void cycle() override {}
+    void parametersChanged() override { given += run_.takeGiven(); }
+    int given = 0;
+
+  private:
+    Wish<std::string> run_{*this, "run"};
+    Parameter<int> repeats_{*this, "repeats"};
+  };
+  ConfiguredRobot robot;
+  robot.file("default/body/default/Runner.json", R"({"run": "left", "repeats": 1})");
+  Thread motion{"Motion", Part::body};
+  const Runner& runner = motion.add<Runner>();
+  configure(motion, robot.configuration);
+  motion.cycle();
+  CHECK(runner.given == 0);
+  robot.configuration.set("Motion.Runner", "repeats", 2);
+  motion.cycle();
+  CHECK(runner.given == 0);
+  for (const char* order : {"right", "right", ""}) {
+    robot.configuration.set("Motion.Runner", "run", order);
+  }
+  motion.cycle();
+  CHECK(runner.given == 3);
 }
 
 } // namespace naocal

@@ -63,9 +63,22 @@ struct MotionRig {
     }
     return see.player->done;
   }
-  void ask(PoseRequest::Kind kind, std::vector<CompensatedAngles> points = {}) {
-    asking.ask({++number, kind, "The pose", std::move(points)});
+  /// Cycles until the robot is at its stand, at most a minute.
+  bool untilHome() {
+    for (int i = 0; i < 5000 && !see.player->atHome; ++i) {
+      motion.cycle();
+    }
+    return see.player->atHome;
+  }
+  void ask(PoseRequest::Kind kind, std::vector<CompensatedAngles> points = {}, bool held = false) {
+    asking.ask({++number, kind, "The pose", std::move(points), held});
     motion.cycle();
+  }
+  void press() {
+    robot.state.touch.chestButton = true;
+    cycles(3);
+    robot.state.touch.chestButton = false;
+    cycles(1);
   }
   /// Puts the robot at its stand and has the player hold it.
   void stand() {

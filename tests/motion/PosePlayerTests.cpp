@@ -171,10 +171,7 @@ TEST_CASE("a joint that gets too hot sends the robot home and off rests it") {
   CHECK(rig.see.player->reason == "RKneePitch is 80 degrees Celsius hot: the robot goes back to its stand. Let it cool "
                                   "down.");
   CHECK_FALSE(rig.see.player->atHome);
-  for (int i = 0; i < 1000 && !rig.see.player->atHome; ++i) {
-    rig.motion.cycle();
-  }
-  CHECK(rig.see.player->atHome);
+  CHECK(rig.untilHome());
   rig.ask(Kind::rest);
   CHECK(rig.see.player->phase == Phase::off);
   CHECK(rig.robot.sent.back().stiffness[yaw] == 0);
@@ -235,6 +232,118 @@ TEST_CASE("the chest button's presses at the stand are told on, those that send 
   CHECK(rig.see.player->presses == 2);
   rig.untilDone();
   CHECK(rig.see.player->atHome);
+}
+
+TEST_CASE("a robot that was held on its way out asks for hands before it goes home") {
+  // Proves for each reason to go home that it stays where it is until the time is over, its eyes asking, and then goes;
+  // that a press hurries it; that it does not ask again at its stand, nor where it is held already.
+  const CompensatedAngles one = MotionRig::looking(40, 0), two = MotionRig::looking(40, 20);
+  for (const char* reason : {"asked", "pressed", "hot", "ended", "held"}) {
+    INFO(reason);
+    const std::string why{reason};
+    MotionRig rig;
+    rig.stand();
+    rig.ask(Kind::go, {one}, true);
+    rig.untilDone();
+    CHECK(rig.see.player->held);
+    rig.ask(Kind::go, {two});
+    rig.untilDone();
+    CHECK_FALSE(rig.see.player->held);
+    if (why == "asked" || why == "held") {
+      rig.ask(Kind::home, {}, why == "held");
+    } else if (why == "pressed") {
+      rig.press();
+    } else if (why == "hot") {
+      rig.robot.state.temperature[knee] = 90;
+    } else {
+      rig.ending.asked = true;
+    }
+    rig.cycles(50);
+    CHECK(rig.see.player->held);
+    CHECK((rig.see.player->phase == Phase::holding) == (why != "held"));
+    if (why != "held") {
+      CHECK(
+          rig.see.player->reason.find("Take hold of it by its trunk: its eyes are yellow. It steps back onto both feet "
+                                      "in 10 s, or at once when its chest button is pressed.") != std::string::npos);
+      CHECK(rig.robot.sent.back().leds.leftEye.front() == holdMe);
+      rig.cycles(static_cast<int>(10 / 0.012) - 60);
+      CHECK(rig.see.player->phase == Phase::holding);
+      why == "hot" ? rig.press() : rig.cycles(20);
+    }
+    CHECK(rig.see.player->phase == Phase::moving);
+    CHECK(rig.untilHome());
+    CHECK_FALSE(rig.see.player->held);
+    rig.robot.state.temperature[knee] = 30;
+    rig.ask(Kind::go, {two});
+    rig.ask(Kind::home);
+    CHECK(rig.see.player->phase == Phase::moving);
+  }
+}
+
+TEST_CASE("while an answer is waited for, the chest button gives it") {
+  // Proves it away from the stand, that a robot that is held stays so, and that the button sends it home again once the
+  // next request is there.
+  MotionRig rig;
+  rig.stand();
+  rig.ask(Kind::go, {MotionRig::looking(40, 0)}, true);
+  rig.untilDone();
+  rig.ask(Kind::wait);
+  rig.press();
+  CHECK(rig.see.player->presses == 1);
+  CHECK(rig.see.player->held);
+  CHECK(rig.see.player->reason.empty());
+  rig.ask(Kind::go, {MotionRig::looking(40, 20)}, true);
+  rig.press();
+  CHECK(rig.see.player->presses == 1);
+  CHECK(rig.see.player->reason == "The chest button was pressed: the robot goes back to its stand.");
+}
+
+TEST_CASE("silence in a motion is no jump, and joints that were moved meanwhile make motors weak") {
+  // Proves that after a second without a state the way goes on where it was, within a cycle's step, and the sentence
+  // for a robot that was bent.
+  for (const bool bent : {false, true}) {
+    MotionRig rig;
+    rig.stand();
+    rig.ask(Kind::go, {MotionRig::looking(60, 0)});
+    rig.cycles(40);
+    const double before = rig.robot.sent.back().angles[yaw];
+    rig.cycles(1);
+    const double step = rig.robot.sent.back().angles[yaw] - before;
+    rig.robot.state.time += std::chrono::seconds{1};
+    if (bent) {
+      rig.robot.state.angles[knee] += radians(20);
+    }
+    rig.cycles(1);
+    if (bent) {
+      CHECK(rig.see.player->phase == Phase::fallen);
+      CHECK(rig.see.player->reason == "Nothing was heard of the robot for 1.0 s, and its joints were moved meanwhile, "
+                                      "so the motors are weak. Stand "
+                                      "the robot up and start again.");
+      CHECK(rig.robot.sent.back().stiffness[yaw] == 0.1);
+    } else {
+      CHECK(rig.robot.sent.back().angles[yaw] - before - step < 4 * step);
+      CHECK(rig.untilDone());
+    }
+  }
+}
+
+TEST_CASE("a player's parameters are refused where they would be dangerous") {
+  // Pins what a person reads.
+  MotionRig rig;
+  const auto refusal = [&](const char* key, const nlohmann::json& value) -> std::string {
+    try {
+      rig.configuration.set("Motion.PosePlayer", key, value);
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return "taken";
+  };
+  CHECK(refusal("speed", -1) == "Motion.PosePlayer: speed: expected a number above 0, at most 1, found -1");
+  CHECK(refusal("speed", 3) == "Motion.PosePlayer: speed: expected a number above 0, at most 1, found 3");
+  CHECK(refusal("largestTilt", 1000) == "Motion.PosePlayer: largestTilt: expected a number from 10 to 90, found 1000");
+  CHECK(refusal("stand", {{"LKnee", 50}}) == "Motion.PosePlayer: stand: expected an angle in degrees for each joint, "
+                                             "named as in HeadYaw; LKnee is none, found "
+                                             "{\"LKnee\":50}");
 }
 
 } // namespace naocal

@@ -79,6 +79,9 @@ struct DrivenProcess {
     told.erase("robotSeconds");
     return state;
   }
+  bool isSaved(const std::string& file) const {
+    return std::filesystem::exists(folder.path() / "configuration/location" / file);
+  }
   Json saved(const std::string& file) const {
     return Json::parse(fileContent(folder.path() / "configuration/location" / file));
   }

@@ -24,6 +24,11 @@ RobotNames namesOf(const RobotIdentity& identity, const RobotProcessOptions& opt
     }
     names.location = location;
   }
+  const auto folder = options.configuration / "location" / names.location;
+  if (!std::filesystem::is_directory(folder)) {
+    throw ConfigurationError{
+        fmt::format("there is no location \"{}\": expected a folder {}", names.location, folder.string())};
+  }
   return names;
 }
 
@@ -44,8 +49,11 @@ RobotProcess::RobotProcess(RobotInterface& robot, CameraInterface& cameras, cons
   configuration_.publish("tuhhSDK.base", "NaoInfo.headName", names.head);
   configuration_.publish("tuhhSDK.base", "NaoInfo.bodyName", names.body);
   configuration_.publish("tuhhSDK.base", "location", names.location);
-  configure(motion_, configuration_);
-  configure(brain_, configuration_);
+  for (Thread* thread : {&motion_, &brain_}) {
+    for (const std::string& unknown : configure(*thread, configuration_)) {
+      log_(unknown);
+    }
+  }
   const SocketSettings sockets =
       options.sockets ? *options.sockets : readSocketSettings(options.configuration, names.head);
   sockets_.emplace(sockets, std::vector<Thread*>{&motion_, &brain_}, configuration_,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hardware/RobotCommand.hpp"
+#include "hardware/RobotState.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,10 @@ namespace naocal {
 /// All are finite numbers, also in single precision, which robots speak.
 inline bool isFinite(const PerJoint<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(float(value)); });
+}
+/// What moves the robot or tells that it falls: angles, tilt and turning.
+inline bool isFinite(const RobotState& state) {
+  return isFinite(state.angles.values) && state.torsoAngles.allFinite() && state.gyroscope.allFinite();
 }
 inline bool isFinite(const RobotCommand& command) {
   return isFinite(command.angles.values) && isFinite(command.stiffness);

@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
+#include <utility>
 
 namespace naocal {
 
@@ -67,8 +68,6 @@ bool SharedMemoryRobot::map() {
         fmt::format("shared memory {}: naocal's module in NAOqi is not ready or of another version", blockName_);
     return false;
   }
-  link_.reconnects += mappedBefore_;
-  mappedBefore_ = true;
   lastSign_ = std::chrono::steady_clock::now();
   seen_ = __atomic_load_n(&block_->stateCount, __ATOMIC_ACQUIRE);
   return true;
@@ -96,6 +95,7 @@ std::optional<RobotState> SharedMemoryRobot::waitForState(std::chrono::milliseco
     if (number == 0 || number == seen_) {
       if (now - lastSign_ > silence) {
         block_.reset(); // a NAOqi that was started anew may have made another block
+        wasLost_ = true;
         link_.problem = fmt::format("shared memory {}: NAOqi has not measured for 0.2 s", blockName_);
         continue;
       }
@@ -109,13 +109,14 @@ std::optional<RobotState> SharedMemoryRobot::waitForState(std::chrono::milliseco
     seen_ = number;
     lastSign_ = now;
     RobotState result = fromShared(state);
-    if (isFinite(result.angles.values)) {
+    if (isFinite(result)) {
+      link_.reconnects += std::exchange(wasLost_, false);
       ++link_.states;
       link_.problem.clear();
       return result;
     }
     ++link_.lostStates;
-    link_.problem = "the robot reports an angle that is not a finite number";
+    link_.problem = "the robot reports an angle, a tilt or a turning that is not a finite number";
   } while (now < deadline);
   return std::nullopt;
 }

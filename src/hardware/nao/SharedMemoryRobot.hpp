@@ -33,8 +33,8 @@ private:
   std::string blockName_;
   std::unique_ptr<shared::Block, Unmap> block_;
   std::uint32_t seen_ = 0; // number of the last state
-  bool mappedBefore_ = false;
-  TimePoint lastSign_{}; // of life
+  bool wasLost_ = false;   // since the last state
+  TimePoint lastSign_{};   // of life
   RobotLink link_;
 };
 

@@ -110,7 +110,8 @@ void VideoDevice::drain() {
 
 void VideoDevice::accept(const v4l2_buffer& buffer) {
   // The driver counts what it exposes, in 32 bits; a stream that was opened anew counts anew.
-  const std::uint32_t gap = driverSequence_ ? buffer.sequence - *driverSequence_ - 1 : 0;
+  const auto step = driverSequence_ ? static_cast<std::int32_t>(buffer.sequence - *driverSequence_) : 1;
+  const std::uint64_t gap = step > 1 ? static_cast<std::uint64_t>(step - 1) : 0; // no count goes back
   driverSequence_ = buffer.sequence;
   link.lost += gap;
   sequence_ += gap;
@@ -141,7 +142,9 @@ TimePoint VideoDevice::stamp(const v4l2_buffer& buffer) {
   }
   wallClock_.sampleNow();
   const TimePoint now = Clock::now();
-  return wallClock_.converted(since, now).value_or(now);
+  const auto converted = wallClock_.converted(since, now);
+  link.undated += !converted;
+  return converted.value_or(now);
 }
 
 } // namespace naocal

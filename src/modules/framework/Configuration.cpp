@@ -16,14 +16,15 @@ Configuration::Configuration(std::filesystem::path root, RobotNames names, FileW
 }
 Configuration::~Configuration() = default;
 
-void Configuration::mount(const std::string& mount, const std::string& file, Part part, Listener listener) {
+void Configuration::mount(const std::string& mount, const std::string& file, Part part, Listener listener,
+                          std::set<std::string> unsaved) {
   Overlay overlay{layersOf(root_, file, part, names_)};
   const std::lock_guard lock{mutex_};
   const auto [place, isNew] = mounts_.try_emplace(mount);
   if (!isNew) {
     throw ConfigurationError{fmt::format("{} is mounted twice; give one of the two modules another name", mount)};
   }
-  place->second.reset(new Mounted{mount, file, part, std::move(listener), std::move(overlay)});
+  place->second.reset(new Mounted{mount, file, part, std::move(listener), std::move(unsaved), std::move(overlay)});
 }
 
 void Configuration::publish(const std::string& mount, const std::string& key, const json& value) {
@@ -75,7 +76,9 @@ void Configuration::set(std::string_view mount, std::string_view path, const jso
     entry.listener(place.topLevelKey, changed[place.topLevelKey]);
   }
   *entry.overlay.merged = std::move(changed);
-  entry.changed.insert(place.topLevelKey);
+  if (!entry.unsaved.contains(place.topLevelKey)) {
+    entry.changed.insert(place.topLevelKey);
+  }
 }
 
 } // namespace naocal

@@ -24,8 +24,10 @@ public:
   Configuration(std::filesystem::path root, RobotNames names, FileWriter writer);
   ~Configuration();
 
-  /// Serves a file's keys as `mount`. Throws ConfigurationError for a broken file or a mount name that is taken.
-  void mount(const std::string& mount, const std::string& file, Part part, Listener listener = {});
+  /// Serves a file's keys as `mount`; those of `unsaved` are never saved. Throws ConfigurationError for a broken file
+  /// or a mount name that is taken.
+  void mount(const std::string& mount, const std::string& file, Part part, Listener listener = {},
+             std::set<std::string> unsaved = {});
 
   /// Serves a key that is in no file and cannot be set (NaoInfo.headName).
   void publish(const std::string& mount, const std::string& key, const nlohmann::json& value);
@@ -50,8 +52,11 @@ public:
   /// Only these mounts, which `undo` is to undo together: changed or not, each has a previous file afterwards.
   void save(const std::vector<std::string>& mounts);
 
-  /// Puts mounts' saved files back to what they were before their last save, and their keys with them; again: forward.
-  /// Changes that are not saved are lost. Throws ConfigurationError when nothing was ever saved of one of them.
+  /// Writes all files as they would be if everything was saved now into another, empty root, without the secret.
+  void writeTo(const std::filesystem::path& root) const;
+
+  /// Puts mounts' saved files back to what they were before their last save, and their keys with them. Changes that are
+  /// not saved are lost. Throws ConfigurationError when nothing was saved of one of them since the last undo.
   void undo(const std::vector<std::string>& mounts);
 
   /// Where a mount's changes are saved: the robot's own file of the default location, so that a robot keeps them
@@ -64,6 +69,7 @@ private:
   const Mounted& mounted(std::string_view mount) const;
   std::filesystem::path target(const Mounted& mounted) const;
   std::filesystem::path journal() const;
+  nlohmann::json toSave(const Mounted& mounted) const; // its file's content
   void save(const std::vector<Mounted*>& mounts);
 
   std::filesystem::path root_;

@@ -73,6 +73,12 @@ std::optional<json> readConfiguration(const std::filesystem::path& file) {
   text << stream.rdbuf();
   json content;
   try {
+    (void)json(text.str()).dump(); // comments as well: what is kept of a file is written anew
+  } catch (const json::exception&) {
+    throw ConfigurationError{
+        fmt::format("{}: expected text in UTF-8, found other bytes; save it as UTF-8", file.string())};
+  }
+  try {
     content = parsedJson(text.str(), true);
   } catch (const json::exception& error) {
     throw ConfigurationError{fmt::format("{}: expected valid JSON, found a {}", file.string(), reasonOf(error))};

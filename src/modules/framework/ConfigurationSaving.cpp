@@ -52,17 +52,21 @@ std::filesystem::path Configuration::journal() const {
   return root_ / "location" / "unfinished-save.json";
 }
 
+json Configuration::toSave(const Mounted& entry) const {
+  json content = readConfiguration(target(entry)).value_or(json::object());
+  for (const std::string& key : entry.changed) {
+    content[key] = (*entry.overlay.merged)[key];
+  }
+  return content;
+}
+
 void Configuration::save(const std::vector<Mounted*>& mounts) {
   std::vector<FileContent> files;
   for (const Mounted* entry : mounts) {
     const auto file = target(*entry);
-    json content = readConfiguration(file).value_or(json::object());
-    for (const std::string& key : entry->changed) {
-      content[key] = (*entry->overlay.merged)[key];
-    }
     const std::string present = textOf(file);
     files.push_back({previousOf(file), present});
-    files.push_back({file, entry->changed.empty() ? present : written(content)});
+    files.push_back({file, entry->changed.empty() ? present : written(toSave(*entry))});
   }
   writeTogether(journal(), files, writer_);
   for (Mounted* entry : mounts) {
@@ -95,6 +99,32 @@ void Configuration::save(const std::vector<std::string>& mounts) {
   save(entries);
 }
 
+void Configuration::writeTo(const std::filesystem::path& root) const {
+  std::vector<FileContent> changed;
+  {
+    const std::lock_guard lock{mutex_};
+    for (const auto& [name, entry] : mounts_) {
+      if (!entry->changed.empty()) {
+        changed.push_back({target(*entry), written(toSave(*entry))});
+      }
+    }
+  }
+  const auto write = [&](const std::filesystem::path& file, const std::string& content) {
+    const auto copy = root / std::filesystem::relative(file, root_);
+    std::filesystem::create_directories(copy.parent_path());
+    writer_(copy, content);
+  };
+  for (const auto& entry : std::filesystem::recursive_directory_iterator{root_}) {
+    const auto& file = entry.path();
+    if (entry.is_regular_file() && file.extension() == ".json" && file.filename() != "access.json") {
+      write(file, textOf(file));
+    }
+  }
+  for (const FileContent& one : changed) {
+    write(one.file, one.content);
+  }
+}
+
 void Configuration::undo(const std::vector<std::string>& mounts) {
   const std::lock_guard lock{mutex_};
   std::vector<FileContent> files;
@@ -104,11 +134,11 @@ void Configuration::undo(const std::vector<std::string>& mounts) {
       throw ConfigurationError{fmt::format("{}: nothing was saved that could be undone", mount)};
     }
     files.push_back({file, textOf(previousOf(file))});
-    files.push_back({previousOf(file), textOf(file)});
   }
   writeTogether(journal(), files, writer_);
   for (const std::string& mount : mounts) {
     Mounted& entry = mounted(mount);
+    std::filesystem::remove(previousOf(target(entry)));
     Overlay overlay{layersOf(root_, entry.file, entry.part, names_)};
     if (entry.listener) {
       for (const auto& [key, value] : overlay.merged->items()) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 namespace naocal {
@@ -20,16 +21,24 @@ std::function<void()> preparedAt(AnyParameter& parameter, const nlohmann::json& 
   }
 }
 
-void configure(Thread& thread, Module& module, Configuration& configuration) {
+void configure(Thread& thread, Module& module, Configuration& configuration, std::vector<std::string>& unknown) {
   const std::string mount = thread.name() + "." + module.name();
   const std::string file = module.name() + ".json";
-  configuration.mount(mount, file, thread.part(), [&thread, &module, mount](const auto& key, const auto& value) {
+  std::set<std::string> known, wishes;
+  for (const AnyParameter* parameter : module.parameters()) {
+    known.insert(parameter->key());
+    if (parameter->isWish()) {
+      wishes.insert(parameter->key());
+    }
+  }
+  const auto listener = [&thread, &module, mount](const auto& key, const auto& value) {
     for (AnyParameter* parameter : module.parameters()) {
       if (parameter->key() == key) {
         thread.change(module, preparedAt(*parameter, value, mount));
       }
     }
-  });
+  };
+  configuration.mount(mount, file, thread.part(), listener, std::move(wishes));
   nlohmann::json keys;
   configuration.keys(mount, keys);
   for (AnyParameter* parameter : module.parameters()) {
@@ -41,17 +50,25 @@ void configure(Thread& thread, Module& module, Configuration& configuration) {
     }
     preparedAt(*parameter, *entry, mount)();
   }
+  for (const auto& [key, value] : keys.items()) {
+    if (!known.contains(key)) {
+      unknown.push_back(fmt::format("{}: {} has a key \"{}\" that means nothing there; known are {}", mount, file, key,
+                                    fmt::join(known, ", ")));
+    }
+  }
 }
 
 } // namespace
 
-void configure(Thread& thread, Configuration& configuration) {
+std::vector<std::string> configure(Thread& thread, Configuration& configuration) {
+  std::vector<std::string> unknown;
   for (const auto& module : thread.modules()) {
     if (!module->parameters().empty()) {
-      configure(thread, *module, configuration);
+      configure(thread, *module, configuration, unknown);
     }
     module->parametersChanged();
   }
+  return unknown;
 }
 
 } // namespace naocal

@@ -29,8 +29,9 @@ private:
 };
 
 /// Mounts `<module>.json` as `<thread>.<module>` for every module of a thread that has parameters, gives each parameter
-/// its value, and has later changes reach the module between its cycles. Throws ConfigurationError that names thread,
-/// module, key and file for a missing key or a wrong type.
-void configure(Thread& thread, Configuration& configuration);
+/// its value, and has later changes reach the module between its cycles. Returns a sentence for each key of a file that
+/// no parameter has. Throws ConfigurationError that names thread, module, key and file for a missing key or a wrong
+/// type.
+std::vector<std::string> configure(Thread& thread, Configuration& configuration);
 
 } // namespace naocal

@@ -12,6 +12,7 @@ struct Configuration::Mounted {
   std::string file;
   Part part = Part::none;
   Listener listener;
+  std::set<std::string> unsaved; // top-level keys that no file shall get
   Overlay overlay;
   nlohmann::json published = nlohmann::json::object();
   std::set<std::string> changed; // top-level keys since the last save

@@ -3,6 +3,7 @@
 #include "framework/Module.hpp"
 
 #include <concepts>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <nlohmann/json_fwd.hpp>
@@ -21,6 +22,10 @@ public:
 
   const std::string& key() const { return key_; }
 
+  /// What a person asks for at this moment, such as "start": saving leaves it out, so that nobody's wish of yesterday
+  /// is found in a file.
+  virtual bool isWish() const { return false; }
+
   /// Reads a value on any thread and returns what puts it into effect on the module's own thread. Throws
   /// ConfigurationError that says what was expected and found, without the place.
   virtual std::function<void()> prepared(const nlohmann::json& value) = 0;
@@ -38,7 +43,7 @@ void requireInteger(const nlohmann::json& value, double lowest, double highest);
 [[noreturn]] void refused(const nlohmann::json& value, const std::string& expected);
 
 /// A number, text, list or structure (with `from_json`) that a person configures; changes take effect between cycles.
-template <class T> class Parameter final : public AnyParameter {
+template <class T> class Parameter : public AnyParameter {
 public:
   /// What is wrong with a value ("expected a positive number"), empty when nothing is: `expected` in the refusal.
   using Check = std::string (*)(const T&);
@@ -54,8 +59,14 @@ public:
     if (const std::string expected = check_ ? check_(read) : std::string{}; !expected.empty()) {
       refused(value, expected);
     }
-    return [this, read = std::move(read)]() mutable { value_ = std::move(read); };
+    return [this, read = std::move(read)]() mutable {
+      value_ = std::move(read);
+      ++writes_;
+    };
   }
+
+protected:
+  std::uint64_t writes() const { return writes_; }
 
 private:
   template <class Json> static T converted(const Json& value) {
@@ -75,6 +86,24 @@ private:
 
   Check check_;
   T value_{};
+  std::uint64_t writes_ = 0;
+};
+
+/// A parameter that is an order rather than a setting: that it was given counts, not only what it is.
+template <class T> class Wish final : public Parameter<T> {
+public:
+  using Parameter<T>::Parameter;
+  bool isWish() const override { return true; }
+
+  /// Whether it was given anew since the last call. What the file says was not given.
+  bool takeGiven() {
+    const bool given = seen_ > 0 && this->writes() != seen_;
+    seen_ = this->writes();
+    return given;
+  }
+
+private:
+  std::uint64_t seen_ = 0;
 };
 
 } // namespace naocal
