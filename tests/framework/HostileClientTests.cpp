@@ -116,6 +116,10 @@ TEST_CASE("a client may subscribe to what does not exist, but not without end") 
   }
   CHECK(client.isClosed());
   CHECK(robot.isLogged("expected at most 1000 subscriptions of one client, found more"));
+  auto wordy = robot.debug();
+  wordy.send(0, std::string(257, 'a'));
+  CHECK(wordy.isClosed());
+  CHECK(robot.isLogged("expected a key of at most 256 letters, found 257"));
 }
 
 } // namespace naocal

@@ -51,8 +51,12 @@ AccessSettings readAccess(const std::filesystem::path& configuration) {
   return settings;
 }
 
+bool Access::needsSecret(const std::string& address) const {
+  return !address.empty() && !settings_.trustedNetwork && settings_.listensWide();
+}
+
 bool Access::isOpen(const std::string& address) const {
-  return address.empty() || settings_.trustedNetwork || !settings_.listensWide() || entered_.contains(address);
+  return !needsSecret(address) || entered_.contains(address);
 }
 
 bool Access::enter(const std::string& address, std::string_view secret) {

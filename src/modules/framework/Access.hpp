@@ -22,13 +22,14 @@ struct AccessSettings {
 AccessSettings readAccess(const std::filesystem::path& configuration);
 
 /// Which clients may do what. Clients on UNIX sockets and of a server that listens on this computer only may do
-/// everything. Where it listens wider, an address may once one of its config connections has sent the secret, until
-/// the last such connection ends.
+/// everything. Where it listens wider, a config connection may once it has sent the secret, and an address may look
+/// once one of its config connections has, until the last such connection ends.
 class Access {
 public:
   explicit Access(AccessSettings settings) : settings_{std::move(settings)} {}
 
-  bool isOpen(const std::string& address) const;
+  bool needsSecret(const std::string& address) const;
+  bool isOpen(const std::string& address) const; // needs none, or was opened
 
   /// Opens an address for as long as the connection that asks lasts, which then calls `leave`. False: wrong secret.
   bool enter(const std::string& address, std::string_view secret);

@@ -47,6 +47,7 @@ void ConfigServer::closed(Peer& peer) {
   if (entered_.erase(&peer) > 0) {
     access_.leave(peer.address());
   }
+  refused_.erase(&peer);
 }
 
 void ConfigServer::received(Peer& peer, std::uint8_t type, std::string body) {
@@ -66,9 +67,13 @@ void ConfigServer::received(Peer& peer, std::uint8_t type, std::string body) {
   throw ProtocolError{fmt::format("expected a request, found message type {}, which only robots send", type)};
 }
 
-template <class Action> void ConfigServer::change(const Peer& peer, std::string_view what, const Action& action) const {
-  if (!access_.isOpen(peer.address())) {
-    log_(fmt::format("Client {}: {} was refused; it has not sent the secret of access.json.", nameOf(peer), what));
+template <class Action> void ConfigServer::change(const Peer& peer, std::string_view what, const Action& action) {
+  if (access_.needsSecret(peer.address()) && !entered_.contains(&peer)) {
+    if (refused_.insert(&peer).second) { // once is enough to know, and does not fill a disk
+      log_(fmt::format("Client {}: {} was refused, as all that it asks for will be; it has not sent the secret of "
+                       "access.json.",
+                       nameOf(peer), what));
+    }
     return;
   }
   try {
@@ -129,8 +134,8 @@ void ConfigServer::enter(Peer& peer, const json& secret) {
     return;
   }
   if (!secret.is_string() || !access_.enter(peer.address(), secret.get_ref<const std::string&>())) {
-    if (access_.isOpen(peer.address())) {
-      return; // it needs none
+    if (!access_.needsSecret(peer.address())) {
+      return;
     }
     throw ProtocolError{"expected the secret of access.json, found another one"};
   }

@@ -39,12 +39,12 @@ private:
   void sendMounts(Peer& peer) const;
   void sendKeys(Peer& peer, const std::string& mount) const;
   /// Does it and logs what it throws, and a refusal to who may not.
-  template <class Action> void change(const Peer& peer, std::string_view what, const Action& action) const;
+  template <class Action> void change(const Peer& peer, std::string_view what, const Action& action);
 
   Configuration& configuration_;
   Access& access_;
   Log log_;
-  std::set<const Peer*> entered_;
+  std::set<const Peer*> entered_, refused_;
   struct Setting;
   std::map<const Peer*, std::vector<Setting>> wills_;
 };

@@ -16,6 +16,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t mostKeys = 1000; // of one client
+constexpr std::size_t longestKey = 256;
 
 } // namespace
 
@@ -30,6 +31,9 @@ DebugServer::DebugServer(const std::vector<Thread*>& threads, Access& access, Ti
     : access_{access}, base_{base} {
   for (const Thread* thread : threads) {
     for (AnyProduction* production : thread->productions()) {
+      if (!production->isShown()) {
+        continue;
+      }
       const std::string key = thread->name() + "." + production->name();
       const json unknown = {{"key", key}, {"timestamp", 0}, {"value", nullptr}};
       auto shown = std::make_unique<Shown>(Shown{key, production, production->isPicture() ? "" : line(unknown)});
@@ -77,6 +81,9 @@ void DebugServer::received(Peer& peer, std::uint8_t type, std::string body) {
 
 void DebugServer::subscribe(Peer& peer, const std::string& key) {
   auto& keys = clients_[&peer].keys;
+  if (key.size() > longestKey) {
+    throw ProtocolError{fmt::format("expected a key of at most {} letters, found {}", longestKey, key.size())};
+  }
   if (keys.size() >= mostKeys && !keys.contains(key)) {
     throw ProtocolError{fmt::format("expected at most {} subscriptions of one client, found more", mostKeys)};
   }

@@ -38,8 +38,7 @@ std::string addressOf(const Generic::endpoint& endpoint) {
 
 Listener::Listener(boost::asio::io_context& context, Protocol& protocol, std::size_t mostClients, ClientLimits limits,
                    Log log)
-    : context_{context}, protocol_{protocol},
-      mostClients_{mostClients}, limits_{limits}, log_{std::move(log)}, pause_{context} {}
+    : context_{context}, protocol_{protocol}, mostClients_{mostClients}, limits_{limits}, log_{std::move(log)} {}
 
 Listener::~Listener() {
   while (!connections_.empty()) {
@@ -51,17 +50,23 @@ Listener::~Listener() {
   }
 }
 
+Listener::Door& Listener::open(const Generic& protocol) {
+  return doors_.emplace_back(
+      Door{boost::asio::basic_socket_acceptor<Generic>{context_, protocol}, boost::asio::steady_timer{context_}});
+}
+
 std::uint16_t Listener::listenTcp(const std::string& address, std::uint16_t port) {
   try {
     const tcp::endpoint endpoint{boost::asio::ip::make_address(address), port};
-    Acceptor& acceptor = acceptors_.emplace_back(context_, Generic{endpoint.protocol()});
+    Door& door = open(Generic{endpoint.protocol()});
+    auto& acceptor = door.acceptor;
     acceptor.set_option(boost::asio::socket_base::reuse_address{true});
     acceptor.bind(Generic::endpoint{endpoint});
     acceptor.listen();
     const Generic::endpoint bound = acceptor.local_endpoint();
     tcp::endpoint local;
     std::memcpy(local.data(), bound.data(), std::min(bound.size(), local.capacity()));
-    accept(acceptor);
+    accept(door);
     return local.port();
   } catch (const boost::system::system_error& error) {
     refuseToListen(fmt::format("{} port {}", address, port), error.code().message());
@@ -80,31 +85,33 @@ void Listener::listenUnix(const std::filesystem::path& path) {
       std::filesystem::remove(path);
     }
     std::filesystem::create_directories(path.parent_path());
-    Acceptor& acceptor = acceptors_.emplace_back(context_, Generic{endpoint.protocol()});
+    Door& door = open(Generic{endpoint.protocol()});
+    auto& acceptor = door.acceptor;
     acceptor.bind(Generic::endpoint{endpoint});
     ::chmod(path.c_str(), S_IRUSR | S_IWUSR); // before it listens
     paths_.push_back(path);
     acceptor.listen();
-    accept(acceptor);
+    accept(door);
   } catch (const std::system_error& error) {
     refuseToListen(path.string(), error.code().message());
   }
 }
 
-void Listener::accept(Acceptor& acceptor) {
-  acceptor.async_accept([this, &acceptor](const error_code& error, Socket socket) {
+void Listener::accept(Door& door) {
+  door.acceptor.async_accept([this, &door](const error_code& error, Socket socket) {
     if (error == boost::asio::error::operation_aborted) {
       return;
     }
     if (!error) {
       welcome(std::move(socket));
-      return accept(acceptor);
+      return accept(door);
     }
     log_(fmt::format("A client could not be accepted: {}.", error.message()));
-    pause_.expires_after(std::chrono::milliseconds{100}); // such as no descriptors left: not again and again at once
-    pause_.async_wait([this, &acceptor](const error_code& stopped) {
+    door.pause.expires_after(
+        std::chrono::milliseconds{100}); // such as no descriptors left: not again and again at once
+    door.pause.async_wait([this, &door](const error_code& stopped) {
       if (!stopped) {
-        accept(acceptor);
+        accept(door);
       }
     });
   });

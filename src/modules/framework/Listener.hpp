@@ -24,8 +24,13 @@ public:
   void listenUnix(const std::filesystem::path& path);
 
 private:
-  using Acceptor = boost::asio::basic_socket_acceptor<boost::asio::generic::stream_protocol>;
-  void accept(Acceptor& acceptor);
+  /// Where clients come in.
+  struct Door {
+    boost::asio::basic_socket_acceptor<boost::asio::generic::stream_protocol> acceptor;
+    boost::asio::steady_timer pause;
+  };
+  Door& open(const boost::asio::generic::stream_protocol& protocol);
+  void accept(Door& door);
   void welcome(Socket socket);
 
   boost::asio::io_context& context_;
@@ -33,9 +38,8 @@ private:
   std::size_t mostClients_;
   ClientLimits limits_;
   Log log_;
-  std::deque<Acceptor> acceptors_;
+  std::deque<Door> doors_;
   std::deque<std::filesystem::path> paths_; // of UNIX sockets, removed at the end
-  boost::asio::steady_timer pause_;
   std::set<std::shared_ptr<Connection>> connections_;
 };
 

@@ -23,6 +23,7 @@ public:
   bool crossesThreads() const { return crossesThreads_; }
   int mostReaders() const { return mostReaders_; } // 0: any number
   virtual bool isPicture() const = 0;
+  virtual bool isShown() const = 0; // has a value that can be looked at
   virtual const void* value() const = 0;
 
   /// A copy for showing; nullptr where there is nothing to show.
@@ -75,6 +76,7 @@ public:
   }
 
   bool isPicture() const override { return ShownAsPicture<T>; }
+  bool isShown() const override { return naocal::isShown<T>; }
   const void* value() const override { return &value_; }
   std::unique_ptr<const Sample> sample() const override { return sampleOf(value_); }
 

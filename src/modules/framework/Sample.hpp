@@ -63,7 +63,11 @@ template <class T, std::size_t Capacity> std::unique_ptr<const Sample> sampleOf(
   return entry ? std::make_unique<SampleOf<T>>(entry->value) : nullptr;
 }
 template <class T> std::unique_ptr<const Sample> sampleOf(const Latest<T>&) {
-  return nullptr; // its value belongs to the reader
+  return nullptr;
 }
+
+/// What is handed over belongs to its reader, and is not shown.
+template <class T> inline constexpr bool isShown = true;
+template <class T> inline constexpr bool isShown<Latest<T>> = false;
 
 } // namespace naocal

@@ -45,8 +45,8 @@ private:
       return forward();
     }
     const auto send = [this, report] {
+      boost::asio::post(descriptor.get_executor(), [this] { sendNext(); }); // whatever comes of this one
       server.send(*report);
-      boost::asio::post(descriptor.get_executor(), [this] { sendNext(); });
     };
     const std::vector<CycleReport::Item*> pictures = server.picturesToEncode(*report);
     if (pictures.empty()) {
