@@ -2,6 +2,7 @@
 
 #include "captures/BoardReader.hpp"
 #include "captures/JsonPlace.hpp"
+#include "captures/PatternReader.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -12,6 +13,7 @@ void from_json(const nlohmann::json& json, CalibrationBoards& boards) {
   for (const JsonPlace& place : JsonPlace{json, "boards"}.elements()) {
     boards.boards.push_back(readBoard(place));
   }
+  requireDistinctMarkers(boards.boards, JsonPlace{json, "boards"});
 }
 
 } // namespace naocal

@@ -18,7 +18,7 @@ Capture captureOf(const CameraFrame& frame, TimePoint middle, const JointMoment&
   capture.time = middle.time_since_epoch();
   capture.camera = toString(frame.camera);
   capture.joints = {.measured = listOf(moment.raw.values),
-                    .commanded = listOf(moment.sent),
+                    .commanded = listOf(moment.sent.values),
                     .velocity = listOf(moment.speeds),
                     .temperature = listOf(moment.temperatures),
                     .current = listOf(moment.currents)};

@@ -2,6 +2,7 @@
 
 #include "brain/Projection.hpp"
 #include "brain/StillPicture.hpp"
+#include "framework/Checks.hpp"
 #include "framework/Dependency.hpp"
 #include "framework/Module.hpp"
 #include "framework/Parameter.hpp"
@@ -24,7 +25,7 @@ public:
   void parametersChanged() override { latencyShown_ = *latency_; }
 
 private:
-  Parameter<double> latency_{*this, "latency"}; // from a picture's stamp to the middle of its exposure [s]
+  Parameter<double> latency_{*this, "latency", within<-1, 1>}; // from a picture's stamp to the middle of its exposure [s]
   Dependency<NewFrame> frame_{*this, "frame"};
   Dependency<JointMoments> moments_{*this, "Motion.jointHistory"};
   Production<StillPicture> picture_{*this, "stillPicture"};

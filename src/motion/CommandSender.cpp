@@ -14,7 +14,9 @@ void CommandSender::cycle() {
     return;
   }
   const TimePoint now = measured_->state.time;
-  const double most = last_ ? radians(*offsetSpeed_) * seconds(now - *last_) : 2 * std::numbers::pi; // first: at once
+  constexpr double longestStep = 0.03; // [s]; silence is no reason to jump
+  const double most = last_ ? radians(*offsetSpeed_) * std::min(seconds(now - *last_), longestStep)
+                            : 2 * std::numbers::pi; // first: at once
   last_ = now;
   for (std::size_t joint = 0; joint < jointCount; ++joint) {
     added_.values[joint] += std::clamp(offsets_->values[joint] - added_.values[joint], -most, most);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "framework/Checks.hpp"
 #include "framework/Dependency.hpp"
 #include "framework/Module.hpp"
 #include "framework/Parameter.hpp"
@@ -22,7 +23,7 @@ private:
   JointLimits limits_;
   JointOffsets added_;
   std::optional<TimePoint> last_;
-  Parameter<double> offsetSpeed_{*this, "offsetSpeed"}; // [deg/s]
+  Parameter<double> offsetSpeed_{*this, "offsetSpeed", within<1, 90>}; // [deg/s]
   Dependency<Measured> measured_{*this, "measured"};
   Dependency<JointOffsets> offsets_{*this, "JointCalibrationData"};
   Dependency<DesiredPose> desired_{*this, "desiredPose"};

@@ -15,7 +15,7 @@ void JointHistory::cycle() {
     return;
   }
   const RobotState& state = measured_->state;
-  JointMoment moment{.raw = state.angles, .angles = *angles_, .sent = sent_->values};
+  JointMoment moment{.raw = state.angles, .angles = *angles_, .sent = *sent_};
   moment.temperatures = state.temperature;
   moment.currents = state.current;
   moment.tilt = {state.torsoAngles.x(), state.torsoAngles.y()};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "framework/Checks.hpp"
 #include "framework/Dependency.hpp"
 #include "framework/Module.hpp"
 #include "framework/Parameter.hpp"
@@ -23,9 +24,9 @@ public:
 private:
   bool isStill(const JointMoment& moment) const;
 
-  Parameter<double> window_{*this, "window"};             // [s]
-  Parameter<double> fastestJoint_{*this, "fastestJoint"}; // that counts as still [rad/s]
-  Parameter<double> fastestTurn_{*this, "fastestTurn"};   // of the torso, that counts as still [rad/s]
+  Parameter<double> window_{*this, "window", share};             // [s]
+  Parameter<double> fastestJoint_{*this, "fastestJoint", within<0, 10>}; // that counts as still [rad/s]
+  Parameter<double> fastestTurn_{*this, "fastestTurn", within<0, 10>};   // of the torso, that counts as still [rad/s]
   Dependency<Measured> measured_{*this, "measured"};
   Dependency<CompensatedAngles> angles_{*this, "angles"};
   Dependency<RawAngles> sent_{*this, "sentAngles"};

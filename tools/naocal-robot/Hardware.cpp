@@ -1,12 +1,15 @@
 #include "Hardware.hpp"
 
+#include "captures/CaptureSetFile.hpp"
 #include "framework/ConfigurationLayers.hpp"
+#include "framework/Errors.hpp"
 #include "hardware/nao/LolaRobot.hpp"
 #include "hardware/nao/SharedMemoryRobot.hpp"
 #include "hardware/nao/VideoCameras.hpp"
 #include "hardware/simulated/SimulatedWorld.hpp"
 #include "poses/PoseFile.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace naocal {
@@ -35,11 +38,15 @@ Hardware simulatedHardware(const SimulatedPlan& plan, const std::filesystem::pat
 }
 
 Hardware replayedHardware(const std::filesystem::path& round, const std::filesystem::path& configuration) {
-  const auto collector =
-      readConfiguration(configuration / "location" / "default" / "head" / "default" / "CaptureCollector.json");
+  const CaptureSet recorded = readCaptureSet(round).set;
+  const RobotNames names = robotNames(configuration, recorded.headId, recorded.bodyId);
+  const Overlay collector{layersOf(configuration, "CaptureCollector.json", Part::head, names)};
   ReplayOptions options;
-  if (collector && collector->contains("latency")) {
-    options.latency = fromSeconds(collector->at("latency").get<double>());
+  if (const auto latency = collector.merged->find("latency"); latency != collector.merged->end()) {
+    if (!latency->is_number()) {
+      throw ConfigurationError{fmt::format("{}: latency: expected a number of seconds", round.string())};
+    }
+    options.latency = fromSeconds(latency->get<double>());
   }
   const auto world = std::make_shared<ReplayWorld>(round, options);
   return {loadRobot(configuration, world->set().model), world->robot(), world->cameras(), "", world};

@@ -54,8 +54,14 @@ RobotProcess::RobotProcess(RobotInterface& robot, CameraInterface& cameras, cons
       log_(unknown);
     }
   }
-  const SocketSettings sockets =
-      options.sockets ? *options.sockets : readSocketSettings(options.configuration, names.head);
+  SocketSettings sockets = options.sockets ? *options.sockets : readSocketSettings(options.configuration, names.head);
+  if (options.basePort) {
+    sockets.debugPort = static_cast<std::uint16_t>(*options.basePort + 1);
+    sockets.configPort = static_cast<std::uint16_t>(*options.basePort + 2);
+  }
+  if (options.onlyHere) {
+    sockets.access = {};
+  }
   sockets_.emplace(sockets, std::vector<Thread*>{&motion_, &brain_}, configuration_,
                    Clock::now() - std::chrono::seconds{2}, log_);
 }
@@ -66,12 +72,14 @@ RobotProcess::~RobotProcess() {
 
 void RobotProcess::start(std::function<void(std::string_view)> failed) {
   failed_ = std::move(failed);
+  moves_ = true;
   motionThread_ = std::jthread{[this](const std::stop_token& stop) {
     const std::string refused = options_.realTime ? requestRealTimePriority(motionPriority) : "";
     if (!refused.empty()) {
       log_(fmt::format("The motion thread runs without real-time priority, which the system refuses: {}.", refused));
     }
     run(motion_, stop, [this] { return robot_.ended(); });
+    moves_ = false;
   }};
   brainThread_ =
       std::jthread{[this](const std::stop_token& stop) { run(brain_, stop, [this] { return cameras_.ended(); }); }};
@@ -103,7 +111,7 @@ void RobotProcess::stop() {
 bool RobotProcess::goToStand(std::chrono::milliseconds most) {
   constexpr std::chrono::milliseconds glance{10};
   ending_.asked = true;
-  for (auto waited = glance; waited <= most; waited += glance) {
+  for (auto waited = glance; waited <= most && moves_; waited += glance) {
     std::this_thread::sleep_for(glance);
     if (ending_.atRest) {
       return true;

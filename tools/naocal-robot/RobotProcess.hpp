@@ -10,6 +10,7 @@
 #include "hardware/RobotInterface.hpp"
 #include "motion/PosePlayer.hpp"
 
+#include <atomic>
 #include <functional>
 #include <optional>
 #include <string>
@@ -22,10 +23,12 @@ namespace naocal {
 struct RobotProcessOptions {
   std::filesystem::path configuration; // home/configuration
   std::filesystem::path recordings;
-  std::string location;                  // empty: as sdk.json says
-  std::optional<SocketSettings> sockets; // absent: as sdk.json and access.json say
-  bool realTime = true;                  // ask the system to prefer the motion thread
-  const ReplayWorld* replay = nullptr;   // whose captures are to be taken anew, into `recordings`
+  std::string location;                                 // empty: as sdk.json says
+  std::optional<SocketSettings> sockets;                // absent: as sdk.json and access.json say
+  bool realTime = true;                                 // ask the system to prefer the motion thread
+  const ReplayWorld* replay = nullptr;                  // whose captures are to be taken anew, into `recordings`
+  std::optional<std::uint16_t> basePort = std::nullopt; // instead of sdk.json's: debug one above, configuration two
+  bool onlyHere = false;                                // listen on this computer only, whatever access.json says
 };
 
 /// Both threads of the robot, wired and configured, with their sockets. Making it throws WiringError,
@@ -42,8 +45,8 @@ public:
   void start(std::function<void(std::string_view sentence)> failed);
   void stop();
 
-  /// Has the robot go to its stand from wherever it is, while both threads run. False where it has not come there in
-  /// time.
+  /// Has the robot go to its stand from wherever it is, while the motion thread runs. False where it has not come there
+  /// in time, or cannot.
   bool goToStand(std::chrono::milliseconds most);
 
   /// Of a replay; nullptr where nothing is replayed.
@@ -68,6 +71,7 @@ private:
   std::optional<Database> database_;
   std::optional<Sockets> sockets_;
   std::function<void(std::string_view)> failed_;
+  std::atomic<bool> moves_{false};          // the motion thread runs
   std::jthread motionThread_, brainThread_; // last: they use the others
 };
 

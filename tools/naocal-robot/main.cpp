@@ -13,7 +13,7 @@ namespace naocal {
 namespace {
 
 struct Options {
-  std::string hardware = "simulated", model = NAOCAL_MODEL, simulation;
+  std::string hardware = "simulated", simulation;
   std::filesystem::path recording;
   std::uint64_t seed = 1;
   RobotProcessOptions process{configurationDirectory(), "recordings", "", std::nullopt, true};
@@ -38,14 +38,20 @@ Hardware replay(Options& options) {
     options.process.configuration = options.recording / "configuration";
   }
   Hardware hardware = replayedHardware(roundOf(options.recording), options.process.configuration);
-  options.process.recordings /= options.recording.filename().string() + "-replayed";
+  const std::string name = std::filesystem::canonical(options.recording).filename().string() + "-replayed";
+  std::filesystem::path folder = options.process.recordings / name;
+  for (int again = 2; std::filesystem::exists(folder); ++again) {
+    folder = options.process.recordings / fmt::format("{}-{}", name, again);
+  }
+  options.process.recordings = folder;
   options.process.replay = hardware.replay.get();
+  options.process.onlyHere = true; // the configuration is the robot's, this computer is not
   return hardware;
 }
 
 Hardware hardwareOf(Options& options) {
-  if (options.hardware == "nao") {
-    return naoHardware(options.model, options.process.configuration);
+  if (options.hardware == "v5" || options.hardware == "v6") {
+    return naoHardware(options.hardware == "v5" ? "V5" : "V6", options.process.configuration);
   }
   if (options.hardware == "replay") {
     return replay(options);
@@ -60,6 +66,7 @@ int run(Options options) {
   ::sigemptyset(&ends);
   ::sigaddset(&ends, SIGINT);
   ::sigaddset(&ends, SIGTERM);
+  ::sigaddset(&ends, SIGHUP); // the terminal is gone
   ::pthread_sigmask(SIG_BLOCK, &ends, nullptr);
   const Hardware hardware = hardwareOf(options);
   const auto identity = hardware.robot->waitForIdentity(std::chrono::seconds{10});
@@ -81,8 +88,9 @@ int run(Options options) {
                   process.sockets().where()));
   int signal = 0;
   ::sigwait(&ends, &signal);
-  if (!failed && !ended && !process.goToStand(std::chrono::seconds{30})) {
-    say("The robot has not come to its stand within 30 s.");
+  const bool isOver = ended && !failed; // a replay
+  if (!isOver && !process.goToStand(std::chrono::seconds{60})) {
+    say("The robot has not come to its stand: look after it.");
   }
   process.stop();
   if (process.replayed() != nullptr && !failed) {
@@ -101,10 +109,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", NAOCAL_VERSION);
   app.footer("Example: naocal-robot --hardware simulated --recordings /tmp/recordings");
   app.add_option("--hardware", options.hardware, "the robot behind it")
-      ->check(CLI::IsMember{{"simulated", "nao", "replay"}})
-      ->capture_default_str();
-  app.add_option("--model", options.model, "of the NAO that it runs on")
-      ->check(CLI::IsMember{{"V5", "V6"}})
+      ->check(CLI::IsMember{{"simulated", "v6", "v5", "replay"}})
       ->capture_default_str();
   app.add_option("--seed", options.seed, "of a simulated robot's offsets and mounts")->capture_default_str();
   app.add_option("--recording", options.recording, "what to replay: a calibration's folder, or a capture set")
@@ -116,6 +121,9 @@ int main(int argc, char** argv) {
       ->check(CLI::ExistingDirectory);
   app.add_option("--recordings", options.process.recordings, "folder for the captures of calibrations")
       ->capture_default_str();
+  app.add_option("--base-port", options.process.basePort,
+                 "of its sockets, instead of sdk.json's: debug one above it, configuration two")
+      ->check(CLI::Range{1, 65533});
   app.add_option("--location", options.process.location, "layer of the configuration beside the default");
   CLI11_PARSE(app, argc, argv);
   try {

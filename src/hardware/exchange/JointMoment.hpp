@@ -13,7 +13,7 @@ struct JointMoment {
   RawAngles raw;
   CompensatedAngles angles;
   PerJoint<double> speeds{};       // of the encoders [rad/s]
-  PerJoint<double> sent{};         // what the motors were sent last, raw [rad]
+  RawAngles sent;                  // what the motors were sent last [rad]
   PerJoint<double> temperatures{}; // [degC]
   PerJoint<double> currents{};     // [A]
   std::array<double, 2> tilt{};    // torso roll, pitch [rad]
