@@ -12,13 +12,13 @@ TEST_CASE("the head takes every pair of angles in random order, each from both s
   // Proves that all pairs are there, that another seed gives another order, that the last piece of the way goes the way
   // that is recorded, and that a smaller share looks nearer to the middle.
   const CompensatedAngles stand;
-  const std::size_t yaw = *jointNumber("HeadYaw"), pitch = *jointNumber("HeadPitch");
+  const std::size_t turns = *jointNumber("HeadYaw"), nods = *jointNumber("HeadPitch");
   const auto looks = [&](const CalibrationRound& round) {
     std::vector<std::pair<double, double>> result;
     for (const CalibrationStep& step : round) {
       if (step.pictures > 0) {
-        result.emplace_back(std::round(degrees(step.points.back()[yaw])),
-                            std::round(degrees(step.points.back()[pitch])));
+        result.emplace_back(std::round(degrees(step.points.back()[turns])),
+                            std::round(degrees(step.points.back()[nods])));
       }
     }
     return result;
@@ -31,7 +31,7 @@ TEST_CASE("the head takes every pair of angles in random order, each from both s
   std::map<std::string, double> sides;
   for (const CalibrationStep& step : round) {
     if (step.pictures > 0) {
-      for (const std::size_t joint : {yaw, pitch}) {
+      for (const std::size_t joint : {turns, nods}) {
         const double last = step.points.back()[joint] - step.points.front()[joint];
         CHECK(last == Approx(radians(1) * step.taken.joints.approach[joint]));
         sides[step.taken.pose] += step.taken.joints.approach[joint];
