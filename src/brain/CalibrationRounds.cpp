@@ -73,7 +73,8 @@ void CalibrationRunner::takeFound() {
   } else if (!found->diagnosis.empty()) {
     shownOutcome_.edit().diagnosis = found->diagnosis;
   } else if (state_->kind == "undo" || !state_->runs()) {
-    enter(Phase::failed, fmt::format("Nothing was taken back: {}.", found->problem));
+    enter(Phase::failed,
+          fmt::format("{}{}.", state_->kind == "undo" ? "Nothing was taken back: " : "", found->problem));
   } else if (!found->problem.empty()) {
     fail(fmt::format("The calibration ended: {}.", found->problem));
   } else if (found->rounds) {

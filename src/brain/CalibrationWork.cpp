@@ -96,7 +96,8 @@ void CalibrationWork::look(std::size_t round, Capture capture, ShownCapture show
 }
 
 void CalibrationWork::solve(StoredResult before, bool onlyHead) {
-  give([this, session = sessions_[0], before = std::move(before), onlyHead, ended = ended_.load()](Finding& finding) {
+  give([this, session = sessions_[0], before = std::move(before), onlyHead,
+        abandoned = abandoned_.load()](Finding& finding) {
     const CalibrationSession::Solved solved = session->session.value().solved();
     const std::vector<ShownOffset> offsets = onlyHead ? ofHead(solved.offsets) : solved.offsets;
     finding.outcome = shownOutcome(before, offsets, lookedAt_.captures);
@@ -105,7 +106,7 @@ void CalibrationWork::solve(StoredResult before, bool onlyHead) {
         finding.outcome->warnings.push_back(warning.sentence);
       }
     }
-    if (ended == ended_) {
+    if (abandoned == abandoned_) {
       requirePlausible(learned(offsets));
       const std::string keys = calibrationKeys(surroundings_.configuration);
       apply(learned(offsets), solved.result, surroundings_.configuration);
@@ -135,13 +136,18 @@ void CalibrationWork::check(StoredResult before) {
 }
 
 void CalibrationWork::putBackUnsaved() {
-  if (keysToPutBack_) {
-    putBack(*std::exchange(keysToPutBack_, std::nullopt), surroundings_.configuration);
+  if (!keysToPutBack_) {
+    return;
+  }
+  const bool wasSaved = isCalibrationSaved(surroundings_.configuration); // by somebody, unchecked
+  putBack(*std::exchange(keysToPutBack_, std::nullopt), surroundings_.configuration);
+  if (wasSaved) {
+    saveCalibration(surroundings_.configuration);
   }
 }
 
 void CalibrationWork::abandon() {
-  ++ended_;
+  ++abandoned_;
   give([this](Finding&) { putBackUnsaved(); });
 }
 

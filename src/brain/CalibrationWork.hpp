@@ -100,7 +100,7 @@ private:
 
   CalibrationSurroundings surroundings_;
   std::filesystem::path folder_;
-  std::atomic<std::uint64_t> ended_{0};            // how many calibrations were abandoned
+  std::atomic<std::uint64_t> abandoned_{0};        // so many calibrations
   std::optional<std::string> keysToPutBack_;       // the worker's, while what is in effect is not saved
   std::array<std::shared_ptr<Round>, 2> sessions_; // belong to the worker
   Latest<Finding> findings_;

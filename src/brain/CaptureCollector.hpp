@@ -25,7 +25,8 @@ public:
   void parametersChanged() override { latencyShown_ = *latency_; }
 
 private:
-  Parameter<double> latency_{*this, "latency", within<-1, 1>}; // from a picture's stamp to the middle of its exposure [s]
+  Parameter<double> latency_{*this, "latency",
+                             within<-1, 1>}; // from a picture's stamp to the middle of its exposure [s]
   Dependency<NewFrame> frame_{*this, "frame"};
   Dependency<JointMoments> moments_{*this, "Motion.jointHistory"};
   Production<StillPicture> picture_{*this, "stillPicture"};

@@ -3,6 +3,7 @@
 #include "geometry/Angles.hpp"
 #include "hardware/Joints.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <fmt/format.h>
@@ -96,6 +97,11 @@ void apply(const std::vector<ShownOffset>& offsets, const StoredResult& mounts, 
     putBack(before, configuration);
     throw;
   }
+}
+
+bool isCalibrationSaved(const Configuration& configuration) {
+  return std::all_of(calibrationMounts.begin(), calibrationMounts.end(),
+                     [&](const std::string& mount) { return configuration.isSaved(mount); });
 }
 
 void saveCalibration(Configuration& configuration) {

@@ -22,6 +22,7 @@ void apply(const std::vector<ShownOffset>& offsets, const StoredResult& mounts, 
 void putBack(const std::string& calibrationKeys, Configuration& configuration);
 
 /// Saves both, and undoes what was saved last. Throw ConfigurationError where that cannot be.
+bool isCalibrationSaved(const Configuration& configuration); // as it is now
 void saveCalibration(Configuration& configuration);
 void undoCalibration(Configuration& configuration);
 

@@ -52,6 +52,9 @@ public:
   /// Only these mounts, which `undo` is to undo together: changed or not, each has a previous file afterwards.
   void save(const std::vector<std::string>& mounts);
 
+  /// Nothing was set since the last save.
+  bool isSaved(std::string_view mount) const;
+
   /// Writes all files as they would be if everything was saved now into another, empty root, without the secret.
   void writeTo(const std::filesystem::path& root) const;
 

@@ -99,6 +99,11 @@ void Configuration::save(const std::vector<std::string>& mounts) {
   save(entries);
 }
 
+bool Configuration::isSaved(std::string_view mount) const {
+  const std::lock_guard lock{mutex_};
+  return mounted(mount).changed.empty();
+}
+
 void Configuration::writeTo(const std::filesystem::path& root) const {
   std::vector<FileContent> changed;
   {
