@@ -116,6 +116,20 @@ TEST_CASE("a wrong name, a wide miss of the size and a risen error count as such
   CHECK(marked.nearFloor == false);
 }
 
+TEST_CASE("sound captures that are called bad are no detection, and a suggestion that cannot be tried lowers nothing") {
+  // Proves that neither an answer of the wrong kind nor a calibration that failed makes a figure look better.
+  json said = diagnosis("bad-captures");
+  Bench bench;
+  bench.add(truthOf("s1", "catalogue", json::array({knee(40)})), said);
+  CHECK(bench.marked().alarmed);
+  CHECK(bench.marked().detected == false);
+  CHECK(!bench.marked().errorFell);
+  said["suggested"] = json::array({"elasticity@LKneePitch"});
+  bench.add(truthOf("s1", "catalogue", json::array({knee(40)})), said);
+  CHECK(bench.marked().errorFell == false);
+  CHECK(bench.marked().nearFloor == false);
+}
+
 TEST_CASE("two hidden effects ask for two suggestions and count further ones") {
   // Proves that one suggestion does not stand for two effects, and that extras are counted.
   json second = knee(40);

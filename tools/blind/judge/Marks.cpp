@@ -34,7 +34,7 @@ std::size_t testable(const Answer& answer) {
 void markNaming(const Truth::Effect& effect, const Answer& answer, Marks& result) {
   const auto isIt = [&](const Answer::Candidate& candidate) { return candidate.name == effect.name; };
   const auto third = answer.ranking.begin() + std::min<std::ptrdiff_t>(3, std::ssize(answer.ranking));
-  result.detected = result.alarmed;
+  result.detected = answer.verdict == "effect-missing" || answer.verdict == "unknown-effect"; // captures are sound
   result.top1 = !answer.ranking.empty() && isIt(answer.ranking.front());
   result.top3 = std::any_of(answer.ranking.begin(), third, isIt);
   result.inClass = !answer.ranking.empty() && names(answer.ranking.front(), effect.name);
@@ -111,10 +111,10 @@ Marks marks(const Case& one) {
     markNaming(truth.effects.front(), answer, result);
     constexpr double plain = 20, roundedUp = 0.95; // the size that was aimed at is met within 2 %
     const bool notable = truth.effects.front().noncentrality > roundedUp * plain;
-    if (notable && answer.lockedAfterPx && !answer.suggested.empty()) {
+    if (notable && !answer.suggested.empty()) { // what cannot be calibrated or compared does not lower anything
       constexpr double near = 1.1;
-      result.errorFell = answer.lockedFell;
-      result.nearFloor = *answer.lockedAfterPx <= near * truth.lockedFloorPx;
+      result.errorFell = answer.lockedAfterPx && answer.lockedFell;
+      result.nearFloor = answer.lockedAfterPx && *answer.lockedAfterPx <= near * truth.lockedFloorPx;
     }
   } else if (truth.group == "pair") {
     markPair(one, result);

@@ -56,7 +56,7 @@ std::vector<Required> requiredFigures(const Tally& tally) {
                 {0, tally.extra.all}, tally.extra.value() <= 0.05);
   }
   figures.atLeast("outside the catalogue, 0.3°, clean: joint, driver, \"unknown\"", 90, tally.unknownClean);
-  figures.atLeast("outside the catalogue, stiction, noncentrality 60", 90, tally.unknownSticking);
+  figures.atLeast("outside the catalogue, stiction, noncentrality 40 and 80", 90, tally.unknownSticking);
   figures.atMost("\"unknown\" on controls and catalogued effects", 5, tally.falseUnknown);
   Share fell, near, covered;
   for (const auto& [size, cell] : tally.bySize) {

@@ -33,7 +33,9 @@ public:
     repeat(5 * counts_.sets, {"pair", "", 40, 20});
     for (const Family& family : outside()) {
       repeat(counts_.sets, {"outside", family.effect, 0, 20, "clean"});
-      repeat(counts_.sets, {"outside", family.effect, 60, 20, "stiction 0.05"});
+      for (const double size : {40.0, 80.0}) {
+        repeat(counts_.sets, {"outside", family.effect, size, 20, "stiction 0.05"});
+      }
     }
     for (const std::string& kind : absorbedKinds()) {
       repeat(counts_.sets, {"absorbed", kind});
