@@ -1,9 +1,12 @@
+#include "captures/JsonText.hpp"
+#include "effects/UserEffect.hpp"
 #include "residuals/Candidates.hpp"
 #include "residuals/Slopes.hpp"
 
 #include "synthetic/HandMadePoses.hpp"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 namespace naocal {
 namespace {
@@ -69,6 +72,27 @@ TEST_CASE(
     }
   }
   CHECK(mixed > 200);
+}
+
+TEST_CASE("a person's effect counts wherever it acts, be it nothing in a dead band") {
+  // Proves that what such an effect moves is not looked for where its correction happens to be zero.
+  const Measurements measurements = standing(SupportFoot::left);
+  const nlohmann::json definition = parseJson(R"json({"name": "slack", "at": "LKneePitch",
+    "correction": "a*max(0, abs(tau) - 0.3)", "unknowns": {"a": {"unit": "rad/Nm", "sigma": 0.01}}})json",
+                                              "model.json");
+  std::vector<Effect> effects = allEffects();
+  effects.push_back(userEffect(JsonPlace{definition, "model.json"}, measurements.robot));
+  const Model model = makeModel(measurements, {"slack@LKneePitch"}, {}, effects);
+  const std::size_t knee = *measurements.robot.jointIndex("LKneePitch");
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.unknownCount()));
+  double most = 0;
+  for (const Picture& picture : measurements.pictures) {
+    for (const Slope& slope : slopes(measurements, model, picture, none)) {
+      const bool ofSlack = model.names()[slope.unknown].find("slack") != std::string::npos;
+      most = ofSlack && slope.quantity == measurements.quantities.angle(knee) ? std::max(most, slope.value) : most;
+    }
+  }
+  CHECK(most > 0.1); // [Nm] beyond the dead band
 }
 
 } // namespace naocal

@@ -124,6 +124,10 @@ PictureSlopes::Varying PictureSlopes::correction(const Model& model, const Pictu
   const Effect& effect = model.terms()[term].effect;
   Varying result{term, place, {}, drivers(effect, place), {}};
   const bool fixed = effect.linear && result.drivers.empty();
+  if (!effect.definition.empty()) { // a user's effect turns its joint, be it nowhere but beyond a dead band
+    result.quantities.push_back(picture.drawn.quantities().angle(place));
+    return result;
+  }
   if (!fixed && !inGeneral) {
     inGeneral = generic(picture.instant);
   }
