@@ -1,6 +1,7 @@
 #include "RobotV6.hpp"
 #include "poses/Discrimination.hpp"
 #include "poses/NextPoses.hpp"
+#include "poses/PlannedCaptures.hpp"
 #include "poses/OneFootWays.hpp"
 #include "residuals/Carried.hpp"
 #include "synthetic/Simulation.hpp"
@@ -163,6 +164,25 @@ TEST_CASE("poses are proposed for captures that tell little or much of the joint
   const NextPoses nothing = nextPoses({hanging}, measurements, {fitted.model, none, {}}, question);
   CHECK(nothing.poses.empty());
   CHECK(nothing.whyNone == "no board lies on the floor before a standing robot");
+}
+
+TEST_CASE("planned captures tell what the captures tell") {
+  // Proves that models that look at the torso's angles or the feet's loads can be planned for too.
+  CaptureSet set = captures(randomPoses(1, 3), 0);
+  for (Capture& capture : set.captures) {
+    capture.imu = Eigen::Vector2d{0.01, 0.02};
+    capture.fsr = std::array<double, 8>{1, 1, 1, 1, 1, 1, 1, 1};
+  }
+  const std::size_t taken = set.captures.size();
+  ProposedPose pose;
+  pose.pose.supportFoot = SupportFoot::left;
+  pose.pose.angles = pose.approach = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(v6().joints.size()));
+  const CaptureSet extended = withPlanned({set}, v6(), {pose}).front();
+  REQUIRE(extended.captures.size() > taken);
+  for (const Capture& capture : extended.captures) {
+    CHECK(capture.imu.has_value());
+    CHECK(capture.fsr.has_value());
+  }
 }
 
 TEST_CASE("what a rival cannot imitate is told by hand") {

@@ -32,6 +32,18 @@ std::vector<std::string> labels(const OpenQuestion& question) {
 
 } // namespace
 
+TEST_CASE("where no poses can help, it is said why") {
+  // Proves a reason of its own for captures that are bad, for what sits where poses cannot be planned, and for nothing.
+  Diagnosis diagnosis;
+  const auto why = [&] { return openQuestion(diagnosis, v6(), {}).whyNone; };
+  CHECK(why() == "the captures leave nothing open");
+  diagnosis.verdict = Verdict::badCaptures;
+  CHECK_THAT(why(), Catch::Contains("put the captures right"));
+  diagnosis.verdict = Verdict::unknownEffect;
+  diagnosis.drivers.push_back({.place = "top", .driver = "u", .unit = "px"});
+  CHECK_THAT(why(), Catch::Contains("top over u"));
+}
+
 TEST_CASE("twins are asked first, then a curve's rival, then what captures hardly test") {
   // Proves which question each kind of diagnosis leaves open, on made-up diagnoses.
   Diagnosis diagnosis;

@@ -88,7 +88,7 @@ NextPoses nextPoses(const std::vector<CaptureSet>& sets, const Measurements& mea
   NextPoses result;
   result.why = question.why;
   if (question.suspects.empty()) {
-    result.whyNone = "the captures leave nothing open";
+    result.whyNone = question.whyNone;
     return result;
   }
   const Robot& robot = measurements.robot;

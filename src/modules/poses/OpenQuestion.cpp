@@ -133,10 +133,17 @@ OpenQuestion openQuestion(const Diagnosis& diagnosis, const Robot& robot, const 
   OpenQuestion question{
       .suspects = {}, .with = diagnosis.with, .without = asked.without, .effects = asked.effects, .why = {}};
   if (diagnosis.verdict == Verdict::badCaptures) {
+    question.whyNone = "put the captures right first, further ones would suffer from the same";
     return question;
   }
   if (diagnosis.verdict == Verdict::unknownEffect) {
     askAboutCurve(diagnosis, robot, question);
+    if (question.suspects.empty()) {
+      const DriverFinding& curve = diagnosis.drivers.front();
+      question.whyNone =
+          fmt::format("poses are proposed to tell a joint's curve from effects, and what is missing sits at {} over {}",
+                      curve.place, curve.driver);
+    }
     return question;
   }
   for (const std::string& label : diagnosis.suggested) {
@@ -149,6 +156,9 @@ OpenQuestion openQuestion(const Diagnosis& diagnosis, const Robot& robot, const 
   askWhether(diagnosis, State::inconclusive, question);
   if (question.suspects.empty()) {
     askWhether(diagnosis, State::absorbed, question);
+  }
+  if (question.suspects.empty()) {
+    question.whyNone = "the captures leave nothing open";
   }
   return question;
 }

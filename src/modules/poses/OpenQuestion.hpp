@@ -23,7 +23,8 @@ struct OpenQuestion {
   std::vector<std::string> with; // what the model has beyond the base: none of the suspects
   std::vector<std::string> without;
   std::vector<Effect> effects; // all that suspects and model are named by
-  std::string why;             // "tells elasticity@LKneePitch from backlash@LKneePitch"; empty: nothing is open
+  std::string why;             // "tells elasticity@LKneePitch from backlash@LKneePitch"; empty: there is no question
+  std::string whyNone;         // in words, where there is no question that poses could answer
 };
 
 /// The first of these that a diagnosis leaves open: which effect of a class that its captures cannot tell apart is

@@ -36,6 +36,8 @@ Capture plannedCapture(const CaptureSet& set, const Robot& robot, const Proposed
   }
   capture.joints.temperature = last.joints.temperature;
   capture.joints.current = last.joints.current;
+  capture.imu = last.imu;
+  capture.fsr = last.fsr;
   return capture;
 }
 
