@@ -11,8 +11,9 @@ namespace naocal {
 
 /// A fitted base model with every testable candidate, linearised at the fit.
 struct Questioned {
-  Questioned(const CaptureSet& set, bool map)
-      : measurements{measurementsOf({set}, loadRobot(configurationDirectory(), "V6"))}, model{makeModel(measurements)},
+  Questioned(const CaptureSet& set, bool map, const std::vector<std::string>& with = {})
+      : measurements{measurementsOf({set}, loadRobot(configurationDirectory(), "V6"))}, model{makeModel(measurements,
+                                                                                                        with)},
         fit{calibrate(measurements, model)}, inquiry{measurements, model, fit, testable(), {.draws = 0, .map = map}} {}
 
   std::vector<Term> testable() const {

@@ -97,4 +97,15 @@ TEST_CASE("power follows the noncentral chi2 distribution") {
   CHECK(noncentralityFor(0.9, 1, critical) == Approx(21.4).margin(0.3));
 }
 
+TEST_CASE("a candidate is as sure to be noticed as the unknown of it that is hardest to see") {
+  // Proves that one unknown that would stand out does not make up for one that could hide.
+  GroupEvidence group;
+  group.freedom = 2;
+  group.covariance = Eigen::Vector2d{0.01, 1}.asDiagonal();
+  const double sharp = sensitivity(group, Eigen::Vector2d{1, 100}, 1e-3).power;
+  const double blunt = sensitivity(group, Eigen::Vector2d{1, 1}, 1e-3).power;
+  CHECK(sharp > 0.99);
+  CHECK(blunt == Approx(powerAt(1, 2, 1e-3)));
+}
+
 } // namespace naocal

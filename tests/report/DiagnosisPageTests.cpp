@@ -167,14 +167,15 @@ TEST_CASE("the expression that a page proposes is a model that can be calibrated
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   json file = diagnosed();
   file["drivers"][0]["at"] = "LKneePitch";
+  file["drivers"][0]["driver"] = "q";
   file["drivers"][0]["expression"] = "a*sin(6*q) + b*cos(6*q)";
   file["drivers"][0]["coefficients"] = {{"a", 0.008}, {"b", -0.001}};
   const json model = shown(pageOf(file))["curves"][0]["model"];
   const TemporaryFolder folder;
   writeAtomically(folder.path() / "model.json", model.dump());
   const ModelFile read = readModelFile(folder.path() / "model.json", robot);
-  CHECK(read.with == std::vector<std::string>{"found_LKneePitch@LKneePitch"});
-  REQUIRE(read.effects.back().name == "found_LKneePitch");
+  CHECK(read.with == std::vector<std::string>{"found_LKneePitch_over_q@LKneePitch"});
+  REQUIRE(read.effects.back().name == "found_LKneePitch_over_q");
   CHECK(read.effects.back().unknowns.size() == 2);
 }
 

@@ -44,7 +44,9 @@ Rung firstRung(const OpenedSets& opened, const Measurements& measurements) {
 nlohmann::json rungJson(const Rung& rung) {
   nlohmann::json json{{"with", rung.with}, {"without", rung.without}, {"step", rung.step}, {"rms", rung.rmsPx}};
   if (rung.questioned) {
-    json["heldOut"] = rung.questioned->heldOutPx;
+    if (rung.questioned->heldOutPx) {
+      json["heldOut"] = *rung.questioned->heldOutPx;
+    }
     json["floor"] = rung.questioned->noiseFloorPx;
     json["alarm"] = rung.questioned->alarm;
   }

@@ -111,13 +111,13 @@ int demo(const DemoCommand& command) {
                     whyFile = (folder / "diagnosis.html").string();
   writeJson(diagnosisJson(diagnosis), diagnosisFile);
   writeAtomically(whyFile, reportPage(diagnosisFile));
-  printDiagnosis(diagnosis, {set});
+  printDiagnosis(diagnosis, {.sets = {set}});
 
   const Model model = makeModel(measurements, diagnosis.with);
   const CalibrationResult result = calibrate(measurements, model);
   const std::string resultFile = (folder / "result.json").string(), reportFile = (folder / "report.html").string();
   writeJson(resultJson(given.sets, measurements, model, result, given.inputs), resultFile);
-  fmt::print("\nCalibrated with that added:\n");
+  fmt::print("\nCalibrated {}:\n", diagnosis.suggested.empty() ? "as it is, nothing added" : "with that added");
   printStory(given.sets, measurements, model, result);
   const TrueEffect& hidden = truth.effects.back();
   fmt::print("\nNow the truth is opened. Hidden was {}@{}.\n", hidden.effect, hidden.at);

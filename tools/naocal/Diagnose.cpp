@@ -1,13 +1,16 @@
 #include "Commands.hpp"
 #include "DiagnosisStory.hpp"
 #include "NextStory.hpp"
+#include "Progress.hpp"
 #include "Sets.hpp"
 
+#include "captures/InputError.hpp"
 #include "diagnose/DiagnosisFile.hpp"
 #include "poses/PoseFile.hpp"
 #include "residuals/ModelFile.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -41,14 +44,33 @@ NextPoses asked(const DiagnoseCommand& command, const GivenSets& given, const Me
   NextOptions options = command.next;
   options.count = command.json.empty() && command.poses.empty() ? 0 : options.count;
   options.seed = command.options.inquiry.seed;
-  return nextPoses(given.sets, measurements, diagnosis, command.options, options);
+  try {
+    return nextPoses(given.sets, measurements, diagnosis, command.options, options);
+  } catch (const InputError& error) { // the diagnosis stands all the same
+    NextPoses none;
+    none.whyNone = error.what();
+    return none;
+  }
+}
+
+/// Ctrl-C ends it with what it has found so far.
+Diagnosis withProgress(const GivenSets& given, const Measurements& measurements, DiagnosisOptions options) {
+  const Progress progress{"models looked at (at most)"};
+  const std::size_t most = 2 + measurements.poses.size() / 4;
+  std::size_t done = 0;
+  options.goesOn = [&] { return progress(std::min(++done, most - 1), most); };
+  Diagnosis diagnosis = diagnose(given.sets, measurements, options);
+  progress(most, most);
+  return diagnosis;
 }
 
 int diagnose(DiagnoseCommand& command) {
   const GivenSets given = readSets(command.sets, command.skipBad);
   const Measurements measurements = measurementsOf(given.sets, given.robot, command.next.samePlace);
+  const AsAsked asIs{command.sets,  command.options.with,   command.options.without,
+                     command.model, command.next.samePlace, command.skipBad};
   readModel(command, measurements.robot);
-  const Diagnosis diagnosis = diagnose(given.sets, measurements, command.options);
+  const Diagnosis diagnosis = withProgress(given, measurements, command.options);
   const NextPoses next = asked(command, given, measurements, diagnosis);
   if (!command.json.empty()) {
     nlohmann::json json = diagnosisJson(diagnosis);
@@ -60,8 +82,8 @@ int diagnose(DiagnoseCommand& command) {
     writeJson(posesJson(next, given.robot), command.poses);
   }
   if (command.json != "-") {
-    printDiagnosis(diagnosis, command.sets);
-    printNext(next, command.sets, command.poses);
+    printDiagnosis(diagnosis, asIs);
+    printNext(next, asIs, command.poses);
   }
   return diagnosis.verdict == Verdict::badCaptures ? 3 : 0;
 }

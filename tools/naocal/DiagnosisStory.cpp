@@ -27,14 +27,17 @@ std::string bar(double value, double most, std::size_t width) {
 }
 
 void printLadder(const Diagnosis& diagnosis) {
-  fmt::print("\nerror on poses that the fit has not seen\n");
+  const bool unseen = diagnosis.steps.front().heldOutPx.has_value();
+  fmt::print("\nerror {}\n", unseen ? "on poses that neither the fit nor the choice of effects has seen"
+                                    : "of the fit (one pose: none is left to try it on)");
+  const auto error = [](const Step& step) { return step.heldOutPx.value_or(step.rmsPx); };
   double most = diagnosis.steps.back().noiseFloorPx;
   for (const Step& step : diagnosis.steps) {
-    most = std::max(most, step.heldOutPx);
+    most = std::max(most, error(step));
   }
   for (const Step& step : diagnosis.steps) {
     fmt::print("  {:32} {} {:6.3f} px{}\n", step.added.empty() ? "the model as given" : "+ " + step.added,
-               bar(step.heldOutPx, most, 30), step.heldOutPx,
+               bar(error(step), most, 30), error(step),
                step.dropped.empty() ? "" : fmt::format("   no longer needed: {}", fmt::join(step.dropped, ", ")));
   }
   const double floor = diagnosis.steps.back().noiseFloorPx;
@@ -74,8 +77,12 @@ void printCandidates(const Diagnosis& diagnosis) {
     if (finding.state == State::noData) {
       break;
     }
-    fmt::print("  {:32} {} {:8.1f}  {:12} {}\n", finding.term.label(), bar(finding.evidence.likelihoodRatio, most, 14),
-               finding.evidence.likelihoodRatio, nameOf(finding.state), sizes(finding));
+    const std::string fall = finding.chi2Drop ? fmt::format("; chi2 fell by {:.0f} on adding it, predicted {:.0f}",
+                                                            *finding.chi2Drop, finding.evidence.fall)
+                                              : "";
+    fmt::print("  {:32} {} {:8.1f}  {:12} {}{}\n", finding.term.label(),
+               bar(finding.evidence.likelihoodRatio, most, 14), finding.evidence.likelihoodRatio, nameOf(finding.state),
+               sizes(finding), fall);
   }
   std::size_t absorbed = 0, noData = 0, inconclusive = 0;
   for (const CandidateFinding& finding : diagnosis.ranking) {
@@ -89,7 +96,7 @@ void printCandidates(const Diagnosis& diagnosis) {
       diagnosis.ranking.size(), absorbed, noData, inconclusive);
 }
 
-void printDiagnosis(const Diagnosis& diagnosis, const std::vector<std::string>& sets) {
+void printDiagnosis(const Diagnosis& diagnosis, const AsAsked& asked) {
   fmt::print("{}: {}\n", nameOf(diagnosis.verdict), diagnosis.sentence);
   if (!diagnosis.steps.empty()) { // else no fit was possible
     printLadder(diagnosis);
@@ -100,8 +107,7 @@ void printDiagnosis(const Diagnosis& diagnosis, const std::vector<std::string>& 
     fmt::print("  suspicious: {}\n", suspicion.why);
   }
   if (!diagnosis.suggested.empty()) {
-    fmt::print("\nadd it:  naocal solve {} --with {} -o result.json\n", fmt::join(sets, " "),
-               fmt::join(diagnosis.suggested, ","));
+    fmt::print("\nadd it:  naocal solve {} -o result.json\n", asked.words(diagnosis.suggested));
   }
   fmt::print("({:.2f} s)\n", diagnosis.seconds);
 }

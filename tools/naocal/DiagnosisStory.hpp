@@ -1,14 +1,13 @@
 #pragma once
 
-#include "diagnose/Diagnosis.hpp"
+#include "AsAsked.hpp"
 
-#include <string>
-#include <vector>
+#include "diagnose/Diagnosis.hpp"
 
 namespace naocal {
 
 /// Tells a diagnosis to a person: verdict, ladder, candidates with bars, curves, and the command that adds the first.
-void printDiagnosis(const Diagnosis& diagnosis, const std::vector<std::string>& sets);
+void printDiagnosis(const Diagnosis& diagnosis, const AsAsked& asked);
 
 /// Its candidates alone.
 void printCandidates(const Diagnosis& diagnosis);

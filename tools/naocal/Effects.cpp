@@ -4,6 +4,7 @@
 #include "residuals/ModelFile.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -63,17 +64,28 @@ const char* key(Driver driver) {
   return nullptr;
 }
 
-std::vector<std::string> neededKeys(const Effect& effect) {
+std::vector<std::string> neededKeys(const Effect& effect, const Robot& robot) {
   std::vector<std::string> result;
+  const auto add = [&](const std::string& needed) {
+    if (std::find(result.begin(), result.end(), needed) == result.end()) {
+      result.push_back(needed);
+    }
+  };
   for (const Driver driver : effect.needs) {
     if (const char* const needed = key(driver)) {
-      result.emplace_back(needed);
+      add(needed);
+    }
+  }
+  for (const Elsewhere& other : effect.elsewhere) {
+    add("joints.measured of " + robot.joints[other.joint].name);
+    if (const char* const needed = key(other.driver)) {
+      add(needed);
     }
   }
   return result;
 }
 
-nlohmann::json effectsJson(const std::vector<Effect>& effects) {
+nlohmann::json effectsJson(const std::vector<Effect>& effects, const Robot& robot) {
   nlohmann::json list = nlohmann::json::array();
   for (const Effect& effect : effects) {
     nlohmann::json unknowns;
@@ -85,19 +97,19 @@ nlohmann::json effectsJson(const std::vector<Effect>& effects) {
                     {"at", places(effect)},
                     {"formula", effect.formula},
                     {"unknowns", std::move(unknowns)},
-                    {"needs", neededKeys(effect)},
+                    {"needs", neededKeys(effect, robot)},
                     {"smooth", !effect.kink}});
   }
   return {{"format", "naocal-effects"}, {"version", 1}, {"effects", std::move(list)}};
 }
 
-void print(const Effect& effect) {
+void print(const Effect& effect, const Robot& robot) {
   std::vector<std::string> unknowns;
   for (const Unknown& unknown : effect.unknowns) {
     unknowns.push_back(
         fmt::format("{} ± {:g}{}", unknown.name, unknown.sigma, unknown.unit == "1" ? "" : " " + unknown.unit));
   }
-  const std::vector<std::string> needs = neededKeys(effect);
+  const std::vector<std::string> needs = neededKeys(effect, robot);
   fmt::print("{}\n  {}\n  {:<9} {}\n  {:<9} {}\n  {:<9} {}\n", effect.name, effect.what, "formula", effect.formula,
              "at", places(effect), "unknowns", fmt::join(unknowns, ", "));
   if (!needs.empty()) {
@@ -107,11 +119,11 @@ void print(const Effect& effect) {
 }
 
 void listEffects(const EffectsCommand& command) {
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
   const std::vector<Effect> effects =
-      command.model.empty() ? allEffects()
-                            : readModelFile(command.model, loadRobot(configurationDirectory(), "V6")).effects;
+      command.model.empty() ? allEffects() : readModelFile(command.model, robot).effects;
   if (!command.json.empty()) {
-    writeJson(effectsJson(effects), command.json);
+    writeJson(effectsJson(effects, robot), command.json);
   }
   if (command.json == "-") {
     return;
@@ -120,7 +132,7 @@ void listEffects(const EffectsCommand& command) {
       "Each can be added to a calibration: naocal solve SET --with EFFECT@PLACE. The number behind ± says how far\n"
       "from zero an unknown plausibly lies (1 sigma).\n\n");
   for (const Effect& effect : effects) {
-    print(effect);
+    print(effect, robot);
   }
 }
 

@@ -1,11 +1,10 @@
 #include "NextStory.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 namespace naocal {
 
-void printNext(const NextPoses& next, const std::vector<std::string>& sets, const std::string& file) {
+void printNext(const NextPoses& next, AsAsked asked, const std::string& file) {
   if (!next.whyNone.empty()) {
     if (!file.empty()) {
       fmt::print("no poses are proposed, and {} is not written: {}\n", file, next.whyNone);
@@ -13,13 +12,15 @@ void printNext(const NextPoses& next, const std::vector<std::string>& sets, cons
     return;
   }
   if (next.poses.empty() || file.empty()) {
-    fmt::print("measure next what {}:  naocal diagnose {} --next poses.json\n", next.why, fmt::join(sets, " "));
+    fmt::print("measure next what {}:  naocal diagnose {} --next poses.json\n", next.why, asked.words());
     return;
   }
+  asked.sets.emplace_back("FURTHER-SET");
+  asked.samePlace = true;
   fmt::print(
       "\n{} holds {} poses; what {} grows {:.1f}-fold with them. Take them with the boards where they lie, number "
-      "their stance {}, then:\n  naocal diagnose {} FURTHER-SET --same-place\n",
-      file, next.poses.size(), next.why, next.growth, next.firstStance, fmt::join(sets, " "));
+      "their stance {}, then:\n  naocal diagnose {}\n",
+      file, next.poses.size(), next.why, next.growth, next.firstStance, asked.words());
 }
 
 } // namespace naocal

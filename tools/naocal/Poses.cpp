@@ -16,7 +16,7 @@ namespace naocal {
 
 namespace {
 
-const std::map<std::string, SupportFoot> feet{
+const std::map<std::string, SupportFoot> supportFeet{
     {"left", SupportFoot::left}, {"right", SupportFoot::right}, {"both", SupportFoot::both}};
 const std::map<std::string, Sampling> samplings{
     {"even", Sampling::even}, {"grid", Sampling::grid}, {"random", Sampling::random}};
@@ -75,7 +75,7 @@ void addPoses(CLI::App& app) {
   poses->add_option("--pose-files", command->poseFiles, "a folder for HULKs' .pose files too");
   poses->add_option("--robot", command->robot, "its model")->capture_default_str();
   poses->add_option("--support", plan.poses.supportFoot, "the foot to stand on: left, right or both")
-      ->transform(CLI::CheckedTransformer(feet, CLI::ignore_case));
+      ->transform(CLI::CheckedTransformer(supportFeet, CLI::ignore_case));
   poses->add_option("--candidates", plan.poses.tries, "attitudes to draw and sieve")
       ->capture_default_str()
       ->check(CLI::Range(1, 100'000'000));

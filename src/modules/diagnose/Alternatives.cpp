@@ -10,6 +10,8 @@ namespace {
 
 constexpr double asLikely = 6;    // in 2 ln of the Bayes factor: a twentieth as likely
 constexpr double hardlyLess = 14; // beyond that, correlation is no excuse
+constexpr double related = 0.5;   // correlation below which neither explains what the other does
+constexpr double evident = 10;    // in 2 ln of the Bayes factor: no chance finding
 
 /// W with W^T block W = 1 over what is not absorbed.
 Eigen::MatrixXd orthonormaliser(const Eigen::MatrixXd& block) {
@@ -38,17 +40,19 @@ std::vector<std::size_t> equivalents(const Inquiry& inquiry, std::size_t chosen)
   std::vector<std::size_t> result;
   const GroupEvidence& best = inquiry.ofCandidate(chosen);
   const std::vector<ColumnGroup>& groups = inquiry.problem().groups;
-  const auto tells = [&](std::size_t other) {
-    const double alike = correlation(inquiry.evidence().information, groups[chosen], groups[other]);
-    return best.likelihoodRatio >= evidenceToTell(alike);
-  };
   for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
     const GroupEvidence& other = inquiry.ofCandidate(i);
     if (i == chosen || other.freedom < 1 || other.bayes <= 0) {
       continue;
     }
     const double behind = best.bayes - other.bayes;
-    if (behind < asLikely || (behind < hardlyLess && !tells(i))) {
+    if (behind >= hardlyLess) {
+      continue;
+    }
+    const double like = correlation(inquiry.evidence().information, groups[chosen], groups[i]);
+    const bool tells = best.likelihoodRatio >= evidenceToTell(like);
+    const bool besideIt = like < related && other.bayes >= evident; // there as well, whichever else is
+    if ((behind < asLikely || !tells) && !besideIt) {
       result.push_back(i);
     }
   }

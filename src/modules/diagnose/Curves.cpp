@@ -30,7 +30,23 @@ void draw(const DriverCell& cell, const Eigen::VectorXd& estimate, const Eigen::
   finding.amplitude = (most - least) / 2;
 }
 
-void drawMount(const DriverCell& cell, const GroupEvidence& group, DriverFinding& finding) {
+/// How much of a joint's or mount's scatter from picture to picture a curve explains: its variance over the pictures as
+/// they were taken, against the pose noise that it leaves.
+double shareOf(const DriverCell& cell, const std::vector<double>& driver, const Eigen::VectorXd& estimate,
+               double left) {
+  double sum = 0, squares = 0;
+  for (const double x : driver) {
+    const double value = cell.basis(x).dot(estimate);
+    sum += value;
+    squares += value * value;
+  }
+  const auto count = static_cast<double>(driver.size());
+  const double variance = squares / count - std::pow(sum / count, 2);
+  return variance > 0 ? variance / (variance + left * left) : 0;
+}
+
+void drawMount(const DriverCell& cell, const std::vector<double>& driver, const GroupEvidence& group,
+               DriverFinding& finding) {
   const std::array<const char*, 3> axes{"x", "y", "z"};
   finding.amplitude = -1;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -39,6 +55,7 @@ void drawMount(const DriverCell& cell, const GroupEvidence& group, DriverFinding
     about.about = axes[static_cast<std::size_t>(axis)];
     about.curve.clear();
     draw(cell, group.estimate(own), group.covariance(own, own), about);
+    about.share = shareOf(cell, driver, group.estimate(own), group.level);
     if (about.amplitude > finding.amplitude) {
       finding = about;
     }
@@ -67,15 +84,15 @@ DriverFinding driverFinding(const Inquiry& inquiry, const Measurements& measurem
   DriverFinding result{.place = name.place, .driver = name.driver};
   result.likelihoodRatio = group.likelihoodRatio;
   result.bayes = group.bayes;
-  const double level = inquiry.evidence().level;
-  result.share = level > 0 ? 1 - std::pow(group.level / level, 2) : 0;
   const bool ofMount = curve < inquiry.mounts().size();
   const DriverCell& cell =
       ofMount ? inquiry.mounts()[curve].cell : inquiry.map().cells[curve - inquiry.mounts().size()];
-  result.what = inquiry.map().drivers[cell.driver].what;
+  const DriverValues& driver = inquiry.map().drivers[cell.driver];
+  result.what = driver.what;
   if (ofMount) {
-    drawMount(cell, group, result);
+    drawMount(cell, driver.atPicture, group, result);
   } else {
+    result.share = shareOf(cell, driver.atPicture, group.estimate, group.level);
     draw(cell, group.estimate, group.covariance, result);
     express(inquiry, measurements, cell, result);
   }

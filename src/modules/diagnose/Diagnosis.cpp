@@ -67,7 +67,7 @@ Verdict verdictOf(const Diagnosis& diagnosis, const Inquiry& last, bool missing,
   // Corners of pictures at rest err together (a lens that is not quite round, a detector's bias): precise captures show
   // that long before it matters, and repeats at rest do not.
   const bool matters = diagnosis.rmsPx > diagnosis.lackOfFit.noiseFloorPx;
-  return significant && matters ? Verdict::inconclusive : Verdict::adequate;
+  return (significant && matters) || diagnosis.unexplained ? Verdict::inconclusive : Verdict::adequate;
 }
 
 /// What is left to say where no search can start.
@@ -101,6 +101,8 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
     if (result.steps.size() == 1) {
       result.suspicious = suspicions(sets, measurements, ladder.model(), ladder.fit(), inquiry);
       result.alarm = inquiry.evidence().pValue;
+    } else { // what was added may have hidden an accident
+      result.suspicious = accidents(sets, measurements, ladder.model(), ladder.fit(), inquiry);
     }
     const std::optional<ImageField> field = worthANote(strikingField(measurements, ladder.model(), ladder.fit()), most);
     const bool alarm = (inquiry.evidence().pValue <= options.alarm || field) && result.suspicious.empty();
@@ -117,11 +119,13 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
         result.drivers.insert(result.drivers.begin(), fieldFinding(*field, measurements));
       }
       result.scatter = inquiry.evidence().level;
-      if (!unknown && result.suggested.empty()) {
+      const bool silent = inquiry.evidence().pValue > options.alarm;
+      if (!unknown && (result.suggested.empty() || silent)) {
         const std::vector<Suspicion> moved = movedBoards(sets, measurements, ladder.withoutMovedBoards());
         result.suspicious.insert(result.suspicious.end(), moved.begin(), moved.end());
       }
       const bool missing = !result.suggested.empty() || (!grows && candidate);
+      result.unexplained = alarm && !candidate && !unknown && !missing;
       result.verdict = verdictOf(result, inquiry, missing, unknown);
       result.with = ladder.added();
       result.ranking = judged(ladder.findings(), inquiry, ladder.model(), ladder.fit(), result.suggested);

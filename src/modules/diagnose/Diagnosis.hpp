@@ -33,12 +33,12 @@ enum class State {
 struct CandidateFinding {
   Term term;
   State state = State::inconclusive;
-  std::string why;                                   // of noData: "no temperatures were recorded"
-  GroupEvidence evidence;                            // where it was strongest: alone, or after others were added
-  std::size_t step = 0;                              // after how many additions that was
-  double power = 0;                                  // chance to be noticed were it as large as plausible
-  std::vector<double> minimalDetectable;             // per unknown: noticed in 9 of 10 cases [the unknown's unit]
-  std::optional<double> chi2Drop;                    // after refitting, where that was done
+  std::string why;                       // of noData: "no temperatures were recorded"
+  GroupEvidence evidence;                // where it was strongest: alone, or after others were added
+  std::size_t step = 0;                  // after how many additions that was
+  double power = 0;                      // chance to be noticed were any one of its unknowns as large as plausible
+  std::vector<double> minimalDetectable; // per unknown: noticed in 9 of 10 cases [the unknown's unit]
+  std::optional<double> chi2Drop;        // after refitting, where that was done
   std::optional<double> heldOutBefore, heldOutAfter; // [px]
   bool plausible = true;                             // within three of its sigmas
   std::vector<std::string> equivalent;               // labels of effects that these captures cannot tell from it
@@ -53,7 +53,7 @@ struct DriverFinding {
   std::string what;          // "the angle of LKneePitch"
   std::string about;         // of a mount: the axis that its curve turns about, "y"; within pictures: the direction
   std::string unit = "rad";  // of the curve; "m" of a board's shape, "px" of a lens
-  double share = 0;          // of the scatter from pose to pose (its variance) that it explains
+  double share = 0;          // of the scatter (variance) of this joint or mount, or within pictures, that it explains
   double likelihoodRatio = 0, bayes = 0, amplitude = 0;     // amplitude: half of the curve's range
   std::vector<std::array<double, 3>> curve;                 // driver, deflection, its standard error
   std::string expression;                                   // of a joint: a small one that follows the curve
@@ -76,7 +76,9 @@ struct Suspicion {
 struct Step {
   std::string added;                // its label; empty for the model as it was given
   std::vector<std::string> dropped; // labels of earlier additions that it made superfluous
-  double rmsPx = 0, heldOutPx = 0, noiseFloorPx = 0;
+  double rmsPx = 0, noiseFloorPx = 0;
+  std::optional<double> heldOutPx; // on poses that neither the fit nor the choice of effects has seen; not of one pose
+  std::optional<double> nextPx;    // the same with the effect that would be chosen next
   double chi2 = 0, dof = 0;
   double alarm = 1; // family-wise p-value that something is missing here
 };
@@ -87,6 +89,7 @@ struct Diagnosis {
   LackOfFit lackOfFit; // of the model as given
   double rmsPx = 0;
   double alarm = 1;                      // of the model as given
+  bool unexplained = false;              // the alarm stands, but nothing is likely enough to be added
   double scatter = 0;                    // pose noise of the last model [rad]
   std::vector<CandidateFinding> ranking; // best first
   std::vector<std::string> suggested;    // labels, in the order they were added

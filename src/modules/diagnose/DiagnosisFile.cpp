@@ -103,7 +103,8 @@ Json diagnosisJson(const Diagnosis& diagnosis) {
     result["steps"].push_back({{"added", step.added.empty() ? Json(nullptr) : Json(step.added)},
                                {"dropped", step.dropped},
                                {"rmsPx", step.rmsPx},
-                               {"heldOutPx", step.heldOutPx},
+                               {"heldOutPx", number(step.heldOutPx)},
+                               {"nextPx", number(step.nextPx)},
                                {"noiseFloorPx", step.noiseFloorPx},
                                {"alarm", step.alarm}});
   }

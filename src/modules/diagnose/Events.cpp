@@ -12,17 +12,28 @@ namespace {
 
 constexpr std::size_t mostMoments = 16; // per board or stance
 
-/// From `after` on a floor placement (x, y, yaw) is another one.
-Effect moved(Place place, double after) {
+/// A moment in one of the sets.
+struct Moment {
+  std::size_t set;
+  double time;
+};
+
+/// Sets follow each other in the order in which they were given.
+bool isAfter(const Instant& instant, const Moment& moment) {
+  return instant.set > moment.set || (instant.set == moment.set && instant.time.count() > moment.time);
+}
+
+/// From a moment on a floor placement (x, y, yaw) is another one.
+Effect moved(Place place, const Moment& moment) {
   Effect effect{.name = place == Place::board ? "boardMoved" : "robotMoved",
                 .what = {},
                 .formula = {},
                 .place = place,
                 .unknowns = {{"x", "m", 0.02}, {"y", "m", 0.02}, {"yaw", "rad", 0.05}},
                 .correct = {}};
-  effect.correct = [place, after](Belief& belief, const Instant& instant, std::size_t at,
-                                  std::span<const double> values) {
-    if (instant.time.count() > after) {
+  effect.correct = [place, moment](Belief& belief, const Instant& instant, std::size_t at,
+                                   std::span<const double> values) {
+    if (isAfter(instant, moment)) {
       auto placement = place == Place::board ? belief.boardPlacement(at) : belief.ground();
       placement[0] += values[0];
       placement[1] += values[1];
@@ -33,7 +44,7 @@ Effect moved(Place place, double after) {
 }
 
 /// At these instants a camera looks elsewhere than it should.
-Effect turned(std::string name, std::function<bool(double)> when) {
+Effect turned(std::string name, std::function<bool(const Instant&)> when) {
   return {.name = std::move(name),
           .what = {},
           .formula = {},
@@ -41,67 +52,80 @@ Effect turned(std::string name, std::function<bool(double)> when) {
           .unknowns = {{"rx", "rad", 0.02}, {"ry", "rad", 0.02}, {"rz", "rad", 0.02}},
           .correct = [when = std::move(when)](Belief& belief, const Instant& instant, std::size_t,
                                               std::span<const double> values) {
-            if (when(instant.time.count())) {
+            if (when(instant)) {
               belief.mountRotation() += Eigen::Vector3d{values[0], values[1], values[2]};
             }
           }};
 }
 
-Effect bad(double time) {
-  return turned("badCapture", [time](double t) { return t == time; });
+Effect bad(const Moment& moment) {
+  return turned("badCapture", [moment](const Instant& instant) {
+    return instant.set == moment.set && instant.time.count() == moment.time;
+  });
 }
 
-Effect knocked(double after) {
-  return turned("cameraKnocked", [after](double t) { return t > after; });
+Effect knocked(const Moment& moment) {
+  return turned("cameraKnocked", [moment](const Instant& instant) { return isAfter(instant, moment); });
+}
+
+/// When boards, stances or cameras were seen, by set and number.
+using Times = std::map<std::pair<std::size_t, std::size_t>, std::set<double>>;
+
+/// Whether there are several of them in the set.
+bool severalIn(std::size_t set, const Times& times) {
+  const auto ofSet = [set](const auto& entry) { return entry.first.first == set; };
+  return std::count_if(times.begin(), times.end(), ofSet) > 1;
 }
 
 } // namespace
 
 std::vector<Event> possibleEvents(const std::vector<CaptureSet>& sets, const Measurements& measurements) {
   std::vector<Event> result;
-  std::map<std::size_t, std::set<double>> boards, stances, cameras;
+  Times boards, stances, cameras;
+  const auto inSet = [&](std::size_t set) { return sets.size() > 1 ? " of " + sets[set].name : std::string{}; };
   for (const Picture& picture : measurements.pictures) {
     const double time = picture.instant.time.count();
     bool floor = false;
     for (const Sighting& sighting : picture.sightings) {
       if (measurements.targets[sighting.view.board()].onFloor) {
-        boards[sighting.view.board()].insert(time);
+        boards[{picture.set, sighting.view.board()}].insert(time);
         floor = true;
       }
     }
     if (floor) {
-      stances[picture.stance].insert(time);
+      stances[{picture.set, picture.stance}].insert(time);
     }
     if (!picture.sightings.empty()) {
-      cameras[picture.camera].insert(time);
+      cameras[{picture.set, picture.camera}].insert(time);
       const int id = sets[picture.set].captures[picture.capture].id;
-      result.push_back({{bad(time), picture.camera, fmt::format("capture {}", id)},
+      const std::string name = fmt::format("capture {}{}", id, inSet(picture.set));
+      result.push_back({{bad({picture.set, time}), picture.camera, name},
                         {id},
-                        fmt::format("capture {} does not belong to the rest: another picture, or other angles", id)});
+                        name + " does not belong to the rest: another picture, or other angles"});
     }
   }
-  const auto addMoves = [&](const std::map<std::size_t, std::set<double>>& times, const auto& effect,
-                            const auto& name) {
-    for (const auto& [at, seen] : times) {
-      for (double moment : momentsBetween(seen, mostMoments)) {
+  const auto addMoves = [&](const Times& times, const auto& effect, const auto& name) {
+    for (const auto& [which, seen] : times) {
+      const auto& [set, at] = which;
+      for (const double time : momentsBetween(seen, mostMoments)) {
         const std::string who = name(at);
-        result.push_back({{effect(moment), at, fmt::format("{} {:.3f}", who, moment)},
+        result.push_back({{effect(Moment{set, time}), at, fmt::format("{} {:.3f}{}", who, time, inSet(set))},
                           {},
-                          fmt::format("{} moved {:.1f} s after the first capture", who, moment)});
+                          fmt::format("{} moved {:.1f} s after the first capture{}", who, time, inSet(set))});
       }
     }
   };
-  if (boards.size() > 1) { // of one board alone it is the robot that moves
-    addMoves(
-        boards, [](double moment) { return moved(Place::board, moment); },
-        [&](std::size_t at) { return "board " + measurements.targets[at].name; });
-  }
+  Times movable = boards, knockable = cameras;
+  // of one board alone it is the robot that moves, of one camera alone it may as well be the head
+  std::erase_if(movable, [&](const auto& entry) { return !severalIn(entry.first.first, boards); });
+  std::erase_if(knockable, [&](const auto& entry) { return !severalIn(entry.first.first, cameras); });
   addMoves(
-      stances, [](double moment) { return moved(Place::stance, moment); },
+      movable, [](const Moment& moment) { return moved(Place::board, moment); },
+      [&](std::size_t at) { return "board " + measurements.targets[at].name; });
+  addMoves(
+      stances, [](const Moment& moment) { return moved(Place::stance, moment); },
       [&](std::size_t at) { return "the robot in stance " + measurements.standings[at].name; });
-  if (cameras.size() > 1) { // of one camera alone it may as well be the head
-    addMoves(cameras, knocked, [&](std::size_t at) { return "camera " + measurements.robot.cameras[at].name; });
-  }
+  addMoves(knockable, knocked, [&](std::size_t at) { return "camera " + measurements.robot.cameras[at].name; });
   return result;
 }
 

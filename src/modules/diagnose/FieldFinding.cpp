@@ -94,6 +94,7 @@ DriverFinding fieldFinding(const ImageField& field, const Measurements& measurem
                            board ? measurements.targets[field.at].name : measurements.robot.cameras[field.at].name};
   result.unit = board ? "m" : "px";
   result.bayes = field.fit.bayes;
+  result.share = field.fit.share;
   result.amplitude = -1;
   const std::vector<FieldPoint> points = pointsOf(field, measurements);
   for (std::size_t driver = 0; driver < drivers.size(); ++driver) {

@@ -155,6 +155,7 @@ FieldFit FreedErrors::fitted(Eigen::Index count, double plausible,
     }
   }
   result.rmsPx = std::sqrt(std::max(0.0, explained - freedom * noise) / (2 * all.corners));
+  result.share = all.sum > 0 ? std::max(0.0, explained - freedom * noise) / all.sum : 0;
   result.pValue = cdf(complement(boost::math::fisher_f{freedom, remaining}, explained / freedom / noise));
   return result;
 }

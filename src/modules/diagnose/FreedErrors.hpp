@@ -37,6 +37,7 @@ struct FieldFit {
   Eigen::MatrixXd covariance;
   double freedom = 0; // how many numbers the captures tell of them; 0: nothing is said
   double rmsPx = 0;   // of what the columns explain, per axis of a corner
+  double share = 0;   // of the errors' squares that they explain beyond what noise would seem to
   double bayes = 0;   // 2 ln of the Bayes factor against none, coefficients ~ N(0, plausible^2)
   double pValue = 1;  // how often noise alone would seem to be explained as well (F)
 };

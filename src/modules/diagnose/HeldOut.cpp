@@ -1,147 +1,169 @@
 #include "diagnose/HeldOut.hpp"
 
+#include "diagnose/HeldOutSums.hpp"
+#include "geometry/Index.hpp"
+
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace naocal {
 
 namespace {
 
-constexpr std::size_t folds = 5;
+using Columns = std::vector<Eigen::Index>;
 
-/// Sums over some poses: whitened ones to learn from, plain ones to measure by.
-struct Sums {
-  Eigen::MatrixXd hessian, gram;
-  Eigen::VectorXd gradient, plainGradient;
-  double squares = 0, numbers = 0;
+/// Columns that are learned from all poses but those of one fold.
+class Fold {
+public:
+  /// `prior`: of every column its information, `start` its unknown where the sums were taken.
+  Fold(const HeldOutSums& all, const HeldOutSums& held, const Eigen::VectorXd& prior, const Eigen::VectorXd& start)
+      : all_{all}, held_{held}, hessian_{all.hessian - held.hessian}, gradient_{all.gradient - held.gradient},
+        prior_{prior}, pull_{prior.cwiseProduct(start)} {}
 
-  explicit Sums(Eigen::Index size)
-      : hessian{Eigen::MatrixXd::Zero(size, size)}, gram{hessian}, gradient{Eigen::VectorXd::Zero(size)},
-        plainGradient{gradient} {}
+  /// Squares of the fold's errors [px^2] when `columns` are learned from the others.
+  double squaresLeft(const Columns& columns) const {
+    Eigen::MatrixXd hessian = hessian_(columns, columns);
+    Eigen::VectorXd gradient = (gradient_ + pull_)(columns);
+    Columns unseen; // no other fold tells them
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      if (hessian(at(i), at(i)) < 1e-9 * all_.hessian(columns[i], columns[i])) {
+        unseen.push_back(at(i));
+      }
+      hessian(at(i), at(i)) += prior_[columns[i]];
+    }
+    for (const Eigen::Index row : unseen) {
+      hessian.row(row).setZero();
+      hessian.col(row).setZero();
+      hessian(row, row) = 1;
+      gradient[row] = 0;
+    }
+    Eigen::VectorXd step = -hessian.ldlt().solve(gradient);
+    const Eigen::MatrixXd gram = held_.gram(columns, columns);
+    const Eigen::VectorXd plain = held_.plainGradient(columns);
+    if (!unseen.empty()) {
+      Eigen::MatrixXd own = gram(unseen, unseen);
+      own.diagonal().array() += 1e-12 * (1 + own.diagonal().array());
+      step(unseen) = -own.ldlt().solve((plain + gram * step)(unseen));
+    }
+    return held_.squares + 2 * plain.dot(step) + step.dot(gram * step);
+  }
 
-  void add(const PoseSystem& pose, const Eliminated& part) {
-    hessian(pose.unknowns, pose.unknowns) += part.hessian;
-    gradient(pose.unknowns) += part.unknownGradient;
-    gram(pose.unknowns, pose.unknowns) += pose.unknownGram;
-    plainGradient(pose.unknowns) += pose.unknownGradient;
-    squares += pose.squares;
-    numbers += pose.numbers;
+  /// Adds the group with the largest Bayes factor in the other folds to `columns`, if one beats the model without it.
+  void addBest(const std::vector<Columns>& groups, Columns& columns) const {
+    Eigen::MatrixXd known = hessian_(columns, columns);
+    known.diagonal() += prior_(columns);
+    const Eigen::LLT<Eigen::MatrixXd> factor{known};
+    const Eigen::MatrixXd half = factor.matrixL().solve(hessian_(columns, Eigen::all));
+    const Eigen::VectorXd gradient = gradient_ + pull_;
+    const Eigen::VectorXd left = gradient - half.transpose() * factor.matrixL().solve(gradient(columns));
+    const Columns* best = nullptr;
+    double bestBayes = 0;
+    for (const Columns& group : groups) {
+      if (std::find(columns.begin(), columns.end(), group.front()) != columns.end()) {
+        continue;
+      }
+      const Eigen::MatrixXd part = half(Eigen::all, group);
+      const Eigen::VectorXd plausible = prior_(group).cwiseSqrt().cwiseInverse();
+      const Eigen::VectorXd score = plausible.cwiseProduct(left(group));
+      Eigen::MatrixXd posterior =
+          plausible.asDiagonal() * (hessian_(group, group) - part.transpose() * part) * plausible.asDiagonal();
+      posterior.diagonal().array() += 1;
+      const Eigen::LLT<Eigen::MatrixXd> inner{posterior};
+      const double bayes = score.dot(inner.solve(score)) - 2 * inner.matrixLLT().diagonal().array().log().sum();
+      if (bayes > bestBayes) {
+        bestBayes = bayes;
+        best = &group;
+      }
+    }
+    if (best) {
+      columns.insert(columns.end(), best->begin(), best->end());
+    }
+  }
+
+private:
+  const HeldOutSums &all_, &held_;
+  Eigen::MatrixXd hessian_;
+  Eigen::VectorXd gradient_, prior_, pull_;
+};
+
+Columns range(Eigen::Index first, Eigen::Index count) {
+  Columns result(static_cast<std::size_t>(count));
+  std::iota(result.begin(), result.end(), first);
+  return result;
+}
+
+Columns joined(Columns columns, const Columns& more) {
+  columns.insert(columns.end(), more.begin(), more.end());
+  return columns;
+}
+
+/// What may be learned in a fold.
+struct Choices {
+  std::vector<Columns> candidates, chosen; // per candidate; per effect that was chosen on all poses
+  Columns given;                           // all others of the model
+
+  Choices(const Inquiry& inquiry, const Model& model, const std::vector<std::string>& labels) {
+    const Eigen::Index own = inquiry.problem().own();
+    for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
+      const ColumnGroup& group = inquiry.problem().groups[i];
+      candidates.push_back(range(own + group.first, group.count));
+    }
+    for (const Term& term : model.terms()) {
+      const Columns columns = range(at(term.first), at(term.effect.unknowns.size()));
+      const bool isChosen = std::find(labels.begin(), labels.end(), term.label()) != labels.end();
+      isChosen ? chosen.push_back(columns) : void(given = joined(given, columns));
+    }
   }
 };
 
-/// Squares of the corners' errors [px^2] of `held` when `columns` are learned from all but it.
-double squaresLeft(const Sums& all, const Sums& held, const ScoreProblem& problem,
-                   const std::vector<Eigen::Index>& columns) {
-  Eigen::MatrixXd hessian = all.hessian(columns, columns) - held.hessian(columns, columns);
-  Eigen::VectorXd gradient = all.gradient(columns) - held.gradient(columns);
-  std::vector<Eigen::Index> unseen; // no other fold tells them
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    if (hessian(row, row) < 1e-9 * all.hessian(columns[i], columns[i])) {
-      unseen.push_back(row);
-    }
-    if (columns[i] < problem.own()) {
-      const double information = std::pow(problem.sigmas[columns[i]], -2);
-      hessian(row, row) += information;
-      gradient[row] += information * problem.unknowns[columns[i]];
-    } else {
-      hessian(row, row) += 1e-12 * all.hessian(columns[i], columns[i]);
-    }
-  }
-  for (Eigen::Index row : unseen) {
-    hessian.row(row).setZero();
-    hessian.col(row).setZero();
-    hessian(row, row) = 1;
-    gradient[row] = 0;
-  }
-  Eigen::VectorXd step = -hessian.ldlt().solve(gradient);
-  const Eigen::MatrixXd gram = held.gram(columns, columns);
-  const Eigen::VectorXd plain = held.plainGradient(columns);
-  if (!unseen.empty()) {
-    Eigen::MatrixXd own = gram(unseen, unseen);
-    own.diagonal().array() += 1e-12 * (1 + own.diagonal().array());
-    step(unseen) = -own.ldlt().solve((plain + gram * step)(unseen));
-  }
-  return held.squares + 2 * plain.dot(step) + step.dot(gram * step);
-}
-
-/// The candidate with the largest Bayes factor in all but `held`, absent when none beats the model alone.
-std::optional<std::size_t> chosenWithout(const Sums& all, const Sums& held, const ScoreProblem& problem,
-                                         std::size_t candidates) {
-  const Eigen::Index own = problem.own();
-  const Eigen::MatrixXd hessian = all.hessian - held.hessian;
-  const Eigen::VectorXd gradient = all.gradient - held.gradient;
-  Eigen::MatrixXd ownPart = hessian.topLeftCorner(own, own);
-  ownPart.diagonal() += problem.sigmas.cwiseAbs2().cwiseInverse();
-  const Eigen::LLT<Eigen::MatrixXd> factor{ownPart};
-  const Eigen::MatrixXd half = factor.matrixL().solve(hessian.topRightCorner(own, problem.candidates));
-  const Eigen::VectorXd ownGradient = factor.matrixL().solve(gradient.head(own) + problem.priorScore());
-  std::optional<std::size_t> best;
-  double bestBayes = 0;
-  for (std::size_t i = 0; i < candidates; ++i) {
-    const ColumnGroup& group = problem.groups[i];
-    const auto part = half.middleCols(group.first, group.count);
-    const Eigen::VectorXd plausible = problem.plausible.segment(group.first, group.count);
-    const Eigen::VectorXd score =
-        plausible.cwiseProduct(part.transpose() * ownGradient - gradient.segment(own + group.first, group.count));
-    Eigen::MatrixXd posterior =
-        plausible.asDiagonal() *
-        (hessian.block(own + group.first, own + group.first, group.count, group.count) - part.transpose() * part) *
-        plausible.asDiagonal();
-    posterior.diagonal().array() += 1;
-    const Eigen::LLT<Eigen::MatrixXd> inner{posterior};
-    const double bayes = score.dot(inner.solve(score)) - 2 * inner.matrixLLT().diagonal().array().log().sum();
-    if (bayes > bestBayes) {
-      bestBayes = bayes;
-      best = i;
-    }
-  }
-  return best;
-}
-
 } // namespace
 
-HeldOut heldOut(const Inquiry& inquiry, const std::vector<std::size_t>& candidates) {
+std::optional<HeldOut> heldOut(const Inquiry& inquiry, const Model& model, const std::vector<std::string>& chosen,
+                               const std::vector<std::size_t>& candidates) {
   const ScoreProblem& problem = inquiry.problem();
-  const std::vector<PoseSystem>& poses = inquiry.linear().poses;
-  const Noise noise = inquiry.noise();
-  Sums all{problem.own() + problem.candidates};
-  std::vector<Sums> parts(std::min(folds, poses.size()), all);
-  for (std::size_t pose = 0; pose < poses.size(); ++pose) {
-    const Eliminated part = eliminated(poses[pose], noise, deflectionRoot(poses[pose], noise));
-    all.add(poses[pose], part);
-    parts[pose % parts.size()].add(poses[pose], part);
+  if (inquiry.linear().poses.size() < 2) {
+    return std::nullopt;
   }
-  std::vector<Eigen::Index> own;
-  for (Eigen::Index i = 0; i < problem.own(); ++i) {
-    own.push_back(i);
+  const Choices choices{inquiry, model, chosen};
+  Eigen::VectorXd prior{problem.own() + problem.candidates}, start{Eigen::VectorXd::Zero(prior.size())};
+  prior << problem.sigmas.cwiseAbs2().cwiseInverse(),
+      problem.plausible.head(problem.candidates).cwiseAbs2().cwiseInverse();
+  start.head(problem.own()) = problem.unknowns;
+  Eigen::VectorXd toNone = Eigen::VectorXd::Zero(prior.size()); // of the effects that were chosen
+  for (const Columns& effect : choices.chosen) {
+    toNone(effect) = -start(effect);
+    start(effect).setZero();
   }
-  const auto with = [&](std::size_t candidate) {
-    std::vector<Eigen::Index> columns = own;
-    const ColumnGroup& group = problem.groups[candidate];
-    for (Eigen::Index i = 0; i < group.count; ++i) {
-      columns.push_back(problem.own() + group.first + i);
-    }
-    return columns;
-  };
-  const auto rms = [&](double squares) { return std::sqrt(2 * std::max(0.0, squares) / all.numbers); };
+  const HeldOutParts sums = heldOutSums(inquiry, toNone);
+  std::vector<Columns> groups = choices.candidates;
+  groups.insert(groups.end(), choices.chosen.begin(), choices.chosen.end());
+  Columns asItIs = choices.given;
+  for (const Columns& effect : choices.chosen) {
+    asItIs = joined(asItIs, effect);
+  }
   HeldOut result;
-  double before = 0, selected = 0;
-  std::vector<double> after(candidates.size(), 0);
-  for (const Sums& held : parts) {
-    const double plain = squaresLeft(all, held, problem, own);
-    before += plain;
-    const auto chosen = chosenWithout(all, held, problem, inquiry.candidates().size());
-    selected += chosen ? squaresLeft(all, held, problem, with(*chosen)) : plain;
+  result.afterPx.resize(candidates.size());
+  for (const HeldOutSums& held : sums.parts) {
+    const Fold fold{sums.all, held, prior, start};
+    result.beforePx += fold.squaresLeft(asItIs);
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-      after[i] += squaresLeft(all, held, problem, with(candidates[i]));
+      result.afterPx[i] += fold.squaresLeft(joined(asItIs, choices.candidates[candidates[i]]));
     }
+    Columns columns = choices.given;
+    for (std::size_t i = 0; i < choices.chosen.size(); ++i) {
+      fold.addBest(groups, columns);
+    }
+    result.chosenPx += fold.squaresLeft(columns);
+    fold.addBest(groups, columns);
+    result.nextPx += fold.squaresLeft(columns);
   }
-  result.beforePx = rms(before);
-  result.selectedPx = rms(selected);
-  for (double squares : after) {
-    result.afterPx.push_back(rms(squares));
-  }
+  const auto toRms = [&](double& squares) { squares = std::sqrt(2 * std::max(0.0, squares) / sums.all.numbers); };
+  toRms(result.beforePx);
+  toRms(result.chosenPx);
+  toRms(result.nextPx);
+  std::for_each(result.afterPx.begin(), result.afterPx.end(), toRms);
   return result;
 }
 

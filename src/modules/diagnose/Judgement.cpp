@@ -39,11 +39,12 @@ void judgeLeftOut(const GroupEvidence& evidence, double criticalP, CandidateFind
     constexpr double enough = 0.8;
     const bool untestable = evidence.freedom < 1 || isBlind(finding);
     const bool taken = finding.evidence.bayes > evidence.bayes + 2; // by what was added since
-    finding.state = untestable && taken           ? State::aliased
-                    : untestable                  ? State::absorbed
-                    : evidence.pValue < criticalP ? State::present
-                    : finding.power >= enough     ? State::absent
-                                                  : State::inconclusive;
+    const bool striking = evidence.pValue < criticalP;              // but it may be less likely there than not
+    finding.state = untestable && taken                    ? State::aliased
+                    : untestable                           ? State::absorbed
+                    : striking && evidence.bayes > 0       ? State::present
+                    : !striking && finding.power >= enough ? State::absent
+                                                           : State::inconclusive;
   }
 }
 
@@ -56,6 +57,7 @@ void judgeAdded(const Term& term, const CalibrationResult& fit, double criticalP
     finding.evidence.estimate[row] = estimate.value;
     finding.evidence.covariance(row, row) = estimate.sigma * estimate.sigma;
   }
+  finding.plausible = isPlausible(finding.evidence, finding.term.sigmas());
 }
 
 /// The first few of those left out that explain something: what they cannot be told from.

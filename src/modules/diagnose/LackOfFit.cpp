@@ -3,6 +3,7 @@
 #include "diagnose/ModelAlone.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 
@@ -62,9 +63,17 @@ LackOfFit lackOfFit(const Inquiry& inquiry) {
   const double all = chi2(readings) + constant, within = chi2(free) + constant;
   const auto learned = static_cast<double>(problem.own());
   result.dof[0] = std::max(1.0, directions - learned);
-  result.dof[1] = std::max(1.0, numbers - learned - result.dof[0]);
-  result.statistic = std::max(0.0, (all - within) / result.dof[0] / (within / result.dof[1]));
-  result.pValue = boost::math::cdf(complement(boost::math::fisher_f{result.dof[0], result.dof[1]}, result.statistic));
+  result.dof[1] = std::max(0.0, numbers - learned - result.dof[0]);
+  const double between = std::max(0.0, all - within) / result.dof[0];
+  constexpr double few = 20; // single marks instead of boards: nothing within pictures tells the noise
+  if (result.dof[1] < few) {
+    result.dof[1] = 0;
+    result.statistic = between;
+    result.pValue = boost::math::cdf(complement(boost::math::chi_squared{result.dof[0]}, between * result.dof[0]));
+  } else {
+    result.statistic = between / (within / result.dof[1]);
+    result.pValue = boost::math::cdf(complement(boost::math::fisher_f{result.dof[0], result.dof[1]}, result.statistic));
+  }
   result.noiseFloorPx = std::sqrt(2 * expected / numbers);
   return result;
 }

@@ -1,6 +1,7 @@
 #include "diagnose/Ladder.hpp"
 
 #include "diagnose/HeldOut.hpp"
+#include "diagnose/Power.hpp"
 #include "residuals/Candidates.hpp"
 
 #include <algorithm>
@@ -18,10 +19,6 @@ bool has(const Model& model, const std::string& label) {
 
 /// No lens and no detector is known better: smaller misfits within pictures are not worth a cause [px].
 constexpr double knownLens = 0.1;
-
-bool isPlausible(const GroupEvidence& evidence, const Eigen::VectorXd& sigmas) {
-  return (evidence.estimate.cwiseAbs().array() <= 3 * sigmas.array()).all();
-}
 
 } // namespace
 
@@ -74,10 +71,9 @@ std::vector<Term> Ladder::testable() const {
   return result;
 }
 
-CandidateFinding& Ladder::findingOf(const Term& term) {
-  const auto found = std::find_if(findings_.begin(), findings_.end(), [&](const CandidateFinding& finding) {
-    return finding.term.label() == term.label();
-  });
+CandidateFinding& Ladder::findingOf(const std::string& label) {
+  const auto found = std::find_if(findings_.begin(), findings_.end(),
+                                  [&](const CandidateFinding& finding) { return finding.term.label() == label; });
   return *found;
 }
 
@@ -92,21 +88,35 @@ void Ladder::look(const Inquiry& inquiry, Diagnosis& diagnosis) {
   }
   std::vector<std::size_t> order = inquiry.candidatesByStanding();
   order.resize(std::min<std::size_t>(order.size(), 10));
-  const HeldOut held = heldOut(inquiry, order);
+  const std::optional<HeldOut> held = heldOut(inquiry, model_, diagnosis.suggested, order);
   for (std::size_t i = 0; i < order.size(); ++i) {
     CandidateFinding& finding = findingOf(inquiry.candidates()[order[i]]);
     if (finding.step == diagnosis.steps.size()) {
-      finding.heldOutBefore = held.beforePx;
-      finding.heldOutAfter = held.afterPx[i];
+      if (held) {
+        finding.heldOutBefore = held->beforePx;
+        finding.heldOutAfter = held->afterPx[i];
+      }
       finding.addedVariable = addedVariable(inquiry, model_, order[i]);
     }
   }
   const LackOfFit misfit = lackOfFit(inquiry);
+  Step step{.dropped = dropped_, .rmsPx = fit_.rmsPx, .noiseFloorPx = misfit.noiseFloorPx};
+  step.chi2 = fit_.chi2;
+  step.dof = fit_.dof;
+  step.alarm = inquiry.evidence().pValue;
+  if (held) {
+    step.heldOutPx = held->chosenPx;
+    step.nextPx = held->nextPx;
+  }
   if (diagnosis.steps.empty()) {
     diagnosis.lackOfFit = misfit;
+  } else { // an effect that was chosen on all poses is as good as its choice
+    step.added = added_.back();
+    CandidateFinding& added = findingOf(step.added);
+    added.heldOutBefore = diagnosis.steps.back().heldOutPx;
+    added.heldOutAfter = step.heldOutPx;
   }
-  diagnosis.steps.push_back({diagnosis.steps.empty() ? "" : added_.back(), dropped_, fit_.rmsPx, held.beforePx,
-                             misfit.noiseFloorPx, fit_.chi2, fit_.dof, inquiry.evidence().pValue});
+  diagnosis.steps.push_back(std::move(step));
 }
 
 } // namespace naocal

@@ -36,7 +36,10 @@ public:
   const std::vector<std::string>& added() const { return added_; }
 
 private:
-  CandidateFinding& findingOf(const Term& term);
+  CandidateFinding& findingOf(const std::string& label);
+  CandidateFinding& findingOf(const Term& term) { return findingOf(term.label()); }
+  /// Both are needed: neither stands for the other.
+  void notEquivalent(const std::string& one, const std::string& other);
   void refit();
   /// The model with one more effect.
   Model with(const Term& term) const;

@@ -57,7 +57,10 @@ std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
   double bestBayes = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const GroupEvidence& evidence = inquiry.ofCandidate(order[i]);
-    findingOf(inquiry.candidates()[order[i]]).chi2Drop = drops[i];
+    CandidateFinding& finding = findingOf(inquiry.candidates()[order[i]]);
+    if (finding.evidence.bayes == evidence.bayes) { // it is this rung that its predicted fall is of
+      finding.chi2Drop = drops[i];
+    }
     const double bayes =
         evidence.bayes * drops[i] / evidence.fall; // in the share of its predicted fall that comes true
     if (bayes > bestBayes) {
@@ -66,6 +69,11 @@ std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
     }
   }
   return best;
+}
+
+void Ladder::notEquivalent(const std::string& one, const std::string& other) {
+  std::erase(findingOf(one).equivalent, other);
+  std::erase(findingOf(other).equivalent, one);
 }
 
 bool Ladder::add(const Inquiry& inquiry, std::size_t candidate, Diagnosis& diagnosis) {
@@ -89,6 +97,9 @@ bool Ladder::add(const Inquiry& inquiry, std::size_t candidate, Diagnosis& diagn
   diagnosis.suggested.push_back(term.label());
   refit();
   dropSuperfluous(diagnosis.suggested);
+  for (std::size_t earlier = 0; earlier + 1 < diagnosis.suggested.size(); ++earlier) { // the captures need both
+    notEquivalent(diagnosis.suggested[earlier], diagnosis.suggested.back());
+  }
   return true;
 }
 
@@ -118,6 +129,14 @@ void Ladder::dropSuperfluous(std::vector<std::string>& suggested) {
     if (earlier && !isNeeded(term, fit_)) {
       dropped_.push_back(term.label());
       findingOf(term).state = State::inconclusive;
+    }
+  }
+  for (CandidateFinding& finding : findings_) {
+    if (finding.state == State::aliased) { // by what is no longer there
+      for (const std::string& label : dropped_) {
+        std::erase(finding.equivalent, label);
+      }
+      finding.state = finding.equivalent.empty() ? State::inconclusive : State::aliased;
     }
   }
   for (const std::string& label : dropped_) {

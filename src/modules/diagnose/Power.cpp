@@ -18,6 +18,10 @@ double criticalChi2(Eigen::Index freedom, double criticalP) {
 
 } // namespace
 
+bool isPlausible(const GroupEvidence& group, const Eigen::VectorXd& sigmas) {
+  return (group.estimate.cwiseAbs().array() <= 3 * sigmas.array()).all();
+}
+
 double powerAt(double noncentrality, Eigen::Index freedom, double criticalP) {
   if (freedom < 1) {
     return 0;
@@ -39,12 +43,12 @@ Sensitivity sensitivity(const GroupEvidence& group, const Eigen::VectorXd& plaus
   }
   const Eigen::VectorXd information = group.covariance.inverse().diagonal();
   const double needed = noncentralityFor(0.9, group.freedom, criticalP);
-  double noncentrality = 0;
+  double least = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < count; ++i) {
-    noncentrality += plausible[i] * plausible[i] * information[i] / static_cast<double>(count);
+    least = std::min(least, plausible[i] * plausible[i] * information[i]);
     result.detectable[static_cast<std::size_t>(i)] = std::sqrt(needed / information[i]);
   }
-  result.power = powerAt(noncentrality, group.freedom, criticalP);
+  result.power = powerAt(least, group.freedom, criticalP);
   return result;
 }
 

@@ -32,11 +32,23 @@ std::string missing(const Diagnosis& diagnosis) {
     text += fmt::format(" Further: {}.", fmt::join(diagnosis.suggested.begin() + 1, diagnosis.suggested.end(), ", "));
   }
   const Step &before = diagnosis.steps.front(), &after = diagnosis.steps.back();
-  const double heldOut = diagnosis.suggested.empty() ? first.heldOutAfter.value_or(before.heldOutPx) : after.heldOutPx;
-  text += fmt::format(" On poses that the fit has not seen the error falls from {:.2f} to {:.2f} px (noise alone: "
-                      "{:.2f} px).",
-                      before.heldOutPx, heldOut, after.noiseFloorPx);
+  const std::optional<double>& heldOut = diagnosis.suggested.empty() ? before.nextPx : after.heldOutPx;
+  if (before.heldOutPx && heldOut) {
+    text += fmt::format(" On poses that neither fit nor choice has seen the error {} from {:.2f} to {:.2f} px (noise "
+                        "alone: {:.2f} px).",
+                        *heldOut < *before.heldOutPx ? "falls" : "does not fall:", *before.heldOutPx, *heldOut,
+                        after.noiseFloorPx);
+  }
   return text;
+}
+
+/// The alarm stands, but its best candidate is no likelier there than not.
+std::string hardlyLikely(const Diagnosis& diagnosis) {
+  const CandidateFinding& first = diagnosis.ranking.front();
+  return fmt::format("Something may be missing: pure noise would show a candidate as striking as the best one in {} of "
+                     "cases. The likeliest is {} ({}), but these captures show too little of it to add it: take more "
+                     "poses.",
+                     percent(diagnosis.alarm), first.term.label(), sizes(first));
 }
 
 /// "LKneePitch", and how far: "±0.30°".
@@ -140,6 +152,9 @@ std::string sentence(const Diagnosis& diagnosis) {
                        "drives it: stiction or a slipping foot. Repeatability limits this robot, not the model.",
                        degrees(diagnosis.scatter));
   case Verdict::inconclusive:
+    if (diagnosis.unexplained && !diagnosis.ranking.empty()) {
+      return hardlyLikely(diagnosis);
+    }
     return fmt::format("The model does not fit (p = {:.1g}), but nothing in particular explains it: take more poses.",
                        diagnosis.lackOfFit.pValue);
   case Verdict::adequate:

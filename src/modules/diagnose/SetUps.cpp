@@ -16,9 +16,9 @@ constexpr double gross = 3;       // [px] rms: physics of a robot that still wal
 constexpr double mends = 0.4;     // of the misfit must be left at most
 
 /// rms distance of corners when these sets are fitted [px]; absent when they cannot be.
-std::optional<double> misfitOf(const std::vector<CaptureSet>& sets, const Robot& robot) {
+std::optional<double> misfitOf(const std::vector<CaptureSet>& sets, const Measurements& asTheyAre) {
   try {
-    const Measurements measurements = measurementsOf(sets, robot);
+    const Measurements measurements = measurementsOf(sets, asTheyAre.robot, asTheyAre.samePlace);
     CalibrationOptions options;
     options.estimateNoise = false;
     options.robust = false;
@@ -60,7 +60,7 @@ std::optional<Suspicion> wrongSetUp(const std::vector<CaptureSet>& sets, const M
   std::optional<Suspicion> best;
   double least = std::min(mends * std::min(rmsPx, impossible), good);
   const auto consider = [&](const std::vector<CaptureSet>& corrected, const std::string& why) {
-    if (const auto misfit = misfitOf(corrected, measurements.robot); misfit && *misfit < least) {
+    if (const auto misfit = misfitOf(corrected, measurements); misfit && *misfit < least) {
       least = *misfit;
       best = Suspicion{{}, fmt::format("{} (so corrected the error is {:.1f} px)", why, *misfit)};
     }

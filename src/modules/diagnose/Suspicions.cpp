@@ -30,9 +30,10 @@ std::optional<Suspicion> setUpFrom(const Inquiry& inquiry) {
   }
   if (term.effect.name == "boardScale" && std::abs(evidence.estimate[0]) > boardScale) {
     return Suspicion{{},
-                     fmt::format("the squares of board {} are {:.1f} % {} than the file says: measure the print and "
+                     fmt::format("the squares of {} are {:.1f} % {} than the file says: measure the print and "
                                  "correct squareLength",
-                                 term.place, 100 * std::abs(evidence.estimate[0]),
+                                 term.at == everywhere ? "all boards" : "board " + term.place,
+                                 100 * std::abs(evidence.estimate[0]),
                                  evidence.estimate[0] > 0 ? "larger" : "smaller")};
   }
   if (term.effect.name == "encoderGain" && evidence.estimate[0] < mirrored) {
@@ -58,7 +59,6 @@ bool mayBeMirrored(const Inquiry& inquiry, std::size_t motor) {
 
 std::vector<Suspicion> suspicions(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                                   const Model& model, const CalibrationResult& fit, const Inquiry& inquiry) {
-  std::vector<Suspicion> result;
   const auto mirrored = [&](std::size_t motor) { return mayBeMirrored(inquiry, motor); };
   if (const auto setUp = wrongSetUp(sets, measurements, fit.rmsPx, mirrored)) {
     return {*setUp};
@@ -66,14 +66,17 @@ std::vector<Suspicion> suspicions(const std::vector<CaptureSet>& sets, const Mea
   if (const auto setUp = setUpFrom(inquiry)) {
     return {*setUp};
   }
+  return accidents(sets, measurements, model, fit, inquiry);
+}
+
+std::vector<Suspicion> accidents(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                 const Model& model, const CalibrationResult& fit, const Inquiry& inquiry) {
   const std::vector<Event> events = possibleEvents(sets, measurements);
-  if (!events.empty()) {
-    if (const auto event = likeliestEvent(events, measurements, model, fit, inquiry)) {
-      result.push_back(
-          {event->captures.empty() ? std::nullopt : std::optional{event->captures.front()}, event->sentence});
-    }
+  const auto event = events.empty() ? std::nullopt : likeliestEvent(events, measurements, model, fit, inquiry);
+  if (!event) {
+    return {};
   }
-  return result;
+  return {{event->captures.empty() ? std::nullopt : std::optional{event->captures.front()}, event->sentence}};
 }
 
 std::vector<Suspicion> movedBoards(const std::vector<CaptureSet>& sets, const Measurements& measurements,

@@ -12,6 +12,10 @@ namespace naocal {
 std::vector<Suspicion> suspicions(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                                   const Model& model, const CalibrationResult& fit, const Inquiry& inquiry);
 
+/// Of these only what happened once: an effect that was added may have hidden it.
+std::vector<Suspicion> accidents(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                 const Model& model, const CalibrationResult& fit, const Inquiry& inquiry);
+
 /// Sightings most of whose corners fit nothing.
 std::vector<Suspicion> movedBoards(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                                    const CalibrationResult& fit);

@@ -26,7 +26,8 @@ struct Unknown {
 struct Instant {
   static constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-  Seconds time{0}; // since the set's earliest capture
+  std::size_t set = 0; // of those given: the same time in another one is another moment
+  Seconds time{0};     // since the set's earliest capture
   SupportFoot supportFoot = SupportFoot::none;
   Eigen::VectorXd q;                                        // measured - o [rad]
   Eigen::VectorXd velocity;                                 // [rad/s]

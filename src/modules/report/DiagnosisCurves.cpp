@@ -25,7 +25,8 @@ std::string driverUnit(const std::string& driver) {
 /// The curve's proposed expression as a model file. Every sigma is twice what was found, so that captures decide;
 /// coefficients count in rad, what they multiply as a plain number.
 json modelFile(const JsonPlace& curve) {
-  const std::string joint = curve.at("at").text(), name = "found_" + joint;
+  const std::string joint = curve.at("at").text();
+  const std::string name = fmt::format("found_{}_over_{}", joint, curve.at("driver").text());
   json unknowns = json::object();
   for (const auto& [coefficient, value] : curve.at("coefficients").members()) {
     const double size = std::max(1e-6, 2 * std::abs(value.number(anyNumber)));

@@ -1,9 +1,9 @@
 #include "report/DiagnosisData.hpp"
 
+#include "geometry/ShownUnit.hpp"
 #include "report/DiagnosisCurves.hpp"
 #include "report/DiagnosisSentences.hpp"
 #include "report/FiguresData.hpp"
-#include "geometry/ShownUnit.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -69,7 +69,7 @@ json stepJson(const JsonPlace& step) {
   return {{"added", step.at("added").value().is_null() ? "" : step.at("added").text()},
           {"dropped", dropped ? texts(*dropped) : json::array()},
           {"rms", step.at("rmsPx").number(pixels)},
-          {"heldOut", step.at("heldOutPx").number(pixels)},
+          {"heldOut", numberOrNull(step.at("heldOutPx"))},
           {"floor", step.at("noiseFloorPx").number(pixels)},
           {"alarm", step.at("alarm").number({0, 1, ""})}};
 }

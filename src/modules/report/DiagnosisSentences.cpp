@@ -21,28 +21,41 @@ std::string chance(double p) {
 }
 
 Fact heldOutFact(const std::vector<JsonPlace>& all, const std::string& floor) {
-  const double before = all.front().at("heldOutPx").number(pixels), after = all.back().at("heldOutPx").number(pixels);
   const std::string noise =
       fmt::format("{} would leave {:.2f} px", floor, all.back().at("noiseFloorPx").number(pixels));
+  if (all.front().at("heldOutPx").value().is_null()) {
+    return {fmt::format("{:.2f} px", all.front().at("rmsPx").number(pixels)),
+            "error of the fit (of one pose: none is left to try it on); " + noise + "."};
+  }
+  const double before = all.front().at("heldOutPx").number(pixels), after = all.back().at("heldOutPx").number(pixels);
   if (all.size() == 1) {
     return {fmt::format("{:.2f} px", before), "error on poses that the fit has not seen; " + noise + "."};
   }
   return {fmt::format("{:.2f} → {:.2f} px", before, after),
-          "error on poses that the fit has not seen, before and after adding what is suggested; " + noise + "."};
+          "error on poses that neither the fit nor the choice of effects has seen, before and after adding what is "
+          "suggested; " +
+              noise + "."};
 }
 
-Fact alarmFact(double alarm) {
-  return {chance(alarm),
-          alarm <= 0.05 ? "so rarely would pure noise make any candidate look as striking as the best one does."
-                        : "so often would pure noise make some candidate look as striking as the best one does: no "
-                          "reason to add anything."};
+/// `found`: something that these candidates are not, within pictures.
+Fact alarmFact(double alarm, bool found) {
+  if (alarm <= 0.05) {
+    return {chance(alarm), "so rarely would pure noise make any candidate look as striking as the best one does."};
+  }
+  return {chance(alarm), std::string{"so often would pure noise make some candidate look as striking as the best one "
+                                     "does: "} +
+                             (found ? "no reason to add one. What is told above shows by a test of its own."
+                                    : "no reason to add anything.")};
 }
 
 Fact lackOfFitFact(const JsonPlace& lackOfFit) {
   const double p = lackOfFit.at("pValue").number(probability);
-  return {fmt::format("F = {:.3g}", lackOfFit.at("statistic").number({0, 1e15, ""})),
-          fmt::format("what the model as given leaves from pose to pose, in units of what repeats differ by; noise "
-                      "alone would exceed it with {}.",
+  const bool known = lackOfFit.at("dof").numbers(2, {0, 1e15, ""}, "two degrees of freedom")[1] == 0;
+  return {fmt::format("{} = {:.3g}", known ? "chi²/dof" : "F", lackOfFit.at("statistic").number({0, 1e15, ""})),
+          fmt::format("what the model as given leaves from pose to pose, in units of {}; noise alone would exceed it "
+                      "with {}.",
+                      known ? "the noise that is assumed, as there are too few corners to tell it"
+                            : "what corners of one picture differ by, encoders' noise allowed for",
                       chance(p))};
 }
 
@@ -80,9 +93,11 @@ std::vector<Fact> diagnosisFacts(const JsonPlace& diagnosis) {
     return {};
   }
   const double scatter = scatterOf(diagnosis);
-  std::vector<Fact> facts{heldOutFact(steps, floorName(diagnosis)),
-                          alarmFact(diagnosis.at("alarm").number(probability)),
-                          lackOfFitFact(diagnosis.at("lackOfFit"))};
+  std::vector<Fact> facts{
+      heldOutFact(steps, floorName(diagnosis)),
+      alarmFact(diagnosis.at("alarm").number(probability),
+                diagnosis.at("verdict").text() == "unknown-effect" || diagnosis.at("verdict").text() == "bad-captures"),
+      lackOfFitFact(diagnosis.at("lackOfFit"))};
   if (scatter > 0) {
     facts.push_back({fmt::format("{:.3f}°", degrees(scatter)),
                      "by which joints deflect at random from pose to pose (1 sigma) beyond what the model explains."});

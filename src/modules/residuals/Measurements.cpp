@@ -69,6 +69,7 @@ Measurements measurementsOf(const std::vector<CaptureSet>& sets, const Robot& ro
   const Places places{sets, robot, samePlace};
   Measurements result;
   result.robot = robot;
+  result.samePlace = samePlace;
   result.quantities = Quantities{robot.joints.size(), robot.lengths.size(), places.targets().size()};
   result.targets = places.targets();
   result.standings = places.standings();
@@ -78,6 +79,7 @@ Measurements measurementsOf(const std::vector<CaptureSet>& sets, const Robot& ro
     for (std::size_t capture = 0; capture < sets[set].captures.size(); ++capture) {
       result.pictures.push_back(recordedPicture(sets, set, capture, result, places));
       result.pictures.back().instant.time -= first;
+      result.pictures.back().instant.set = set;
       for (const Sighting& sighting : result.pictures.back().sightings) {
         result.cornerCount += sighting.ids.size();
       }

@@ -75,7 +75,8 @@ struct Measurements {
   std::vector<std::size_t> joints;   // motors of joints between some camera and some target, ascending
   std::vector<std::size_t> recorded; // motors whose angles every capture tells, ascending
   std::size_t cornerCount = 0;
-  bool repeats = false; // some pose was taken more than once
+  bool repeats = false;   // some pose was taken more than once
+  bool samePlace = false; // boards and stances of equal ids are the same in all sets
 };
 
 /// Prepares sets of one robot. `samePlace` joins boards and stances of equal ids over the sets.

@@ -2,19 +2,20 @@
 
 function showLadder(parent) {
   const floor = data.steps[data.steps.length - 1].floor;
-  const most = 1.05 * Math.max(floor, ...data.steps.map(step => step.heldOut));
+  const error = step => step.heldOut ?? step.rms; // of one pose none is left to try the fit on
+  const most = 1.05 * Math.max(floor, ...data.steps.map(error));
   const place = value => 100 * value / most + "%";
   data.steps.forEach((step, i) => {
     const row = parent.appendChild(element("div", "rung")), axis = element("div", "axis");
     axis.appendChild(element("div", "band")).style.width = place(floor);
-    axis.appendChild(element("div", "bar")).style.width = place(step.heldOut);
+    axis.appendChild(element("div", "bar")).style.width = place(error(step));
     const dropped = step.dropped.map(label => " − " + label).join("");
     row.append(element("span", "", step.added ? "+ " + step.added + dropped : "the model as given"), axis,
-      element("span", "number", px(step.heldOut)));
-    const previous = i ? data.steps[i - 1].heldOut : step.heldOut;
+      element("span", "number", px(error(step))));
+    const previous = error(data.steps[i ? i - 1 : i]);
     tipOver(row, (step.added ? "with " + step.added : "the model as given") +
-      (step.dropped.length ? ", which makes superfluous: " + step.dropped.join(", ") : "") + "\non unseen poses: " + px(step.heldOut) +
-      (i ? " (" + px(previous) + " before)" : "") + "\non the poses it was fitted to: " + px(step.rms) +
+      (step.dropped.length ? ", which makes superfluous: " + step.dropped.join(", ") : "") +
+      (step.heldOut === null ? "" : "\non unseen poses: " + px(step.heldOut) + (i ? " (" + px(previous) + " before)" : "")) + "\non the poses it was fitted to: " + px(step.rms) +
       " rms\n" + data.floorName + ": " + px(floor) + "\nchance that noise looks like something missing: " + chance(step.alarm));
   });
   const last = parent.appendChild(element("div", "rung")), axis = element("div", "axis");
