@@ -1,8 +1,8 @@
 #include "RobotV6.hpp"
 #include "poses/Discrimination.hpp"
 #include "poses/NextPoses.hpp"
-#include "poses/PlannedCaptures.hpp"
 #include "poses/OneFootWays.hpp"
+#include "poses/PlannedCaptures.hpp"
 #include "residuals/Carried.hpp"
 #include "synthetic/Simulation.hpp"
 

@@ -163,9 +163,11 @@ TEST_CASE("a diagnosis file from before its figures were written still has a pag
 }
 
 TEST_CASE("the expression that a page proposes is a model that can be calibrated") {
-  // Proves that the text to copy is accepted as a model file is; that it describes the curve is the diagnosis's matter.
+  // Proves that the text to copy is accepted as a model file is, with the effects that the curve is left beside; that
+  // it describes the curve is the diagnosis's matter.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   json file = diagnosed();
+  file["suggested"] = {"focalLength@top"};
   file["drivers"][0]["at"] = "LKneePitch";
   file["drivers"][0]["driver"] = "q";
   file["drivers"][0]["expression"] = "a*sin(6*q) + b*cos(6*q)";
@@ -174,7 +176,7 @@ TEST_CASE("the expression that a page proposes is a model that can be calibrated
   const TemporaryFolder folder;
   writeAtomically(folder.path() / "model.json", model.dump());
   const ModelFile read = readModelFile(folder.path() / "model.json", robot);
-  CHECK(read.with == std::vector<std::string>{"found_LKneePitch_over_q@LKneePitch"});
+  CHECK(read.with == std::vector<std::string>{"focalLength@top", "found_LKneePitch_over_q@LKneePitch"});
   REQUIRE(read.effects.back().name == "found_LKneePitch_over_q");
   CHECK(read.effects.back().unknowns.size() == 2);
 }

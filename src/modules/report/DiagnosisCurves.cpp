@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace naocal {
 
@@ -24,7 +25,7 @@ std::string driverUnit(const std::string& driver) {
 
 /// The curve's proposed expression as a model file. Every sigma is twice what was found, so that captures decide;
 /// coefficients count in rad, what they multiply as a plain number.
-json modelFile(const JsonPlace& curve) {
+json modelFile(const JsonPlace& curve, json with) {
   const std::string joint = curve.at("at").text();
   const std::string name = fmt::format("found_{}_over_{}", joint, curve.at("driver").text());
   json unknowns = json::object();
@@ -34,16 +35,17 @@ json modelFile(const JsonPlace& curve) {
   }
   const json effect{
       {"name", name}, {"at", joint}, {"correction", curve.at("expression").text()}, {"unknowns", unknowns}};
+  with.push_back(name + "@" + joint);
   return {{"format", "naocal-model"},
           {"version", 1},
-          {"with", json::array({name + "@" + joint})},
+          {"with", std::move(with)},
           {"without", json::array()},
           {"define", json::array({effect})}};
 }
 
 } // namespace
 
-json curveJson(const JsonPlace& curve) {
+json curveJson(const JsonPlace& curve, const json& suggested) {
   const std::string joint = curve.at("at").text(), driver = curve.at("driver").text();
   const auto about = curve.find("about");
   const auto valueUnit = curve.find("unit");
@@ -72,7 +74,7 @@ json curveJson(const JsonPlace& curve) {
                     : shown == "px" ? fmt::format("errors of camera {} along {}", joint, about->text())
                     : about         ? fmt::format("turn of camera {} about its {} axis", joint, about->text())
                                     : fmt::format("deflection of {}", joint)},
-          {"model", written ? modelFile(curve) : json(nullptr)}};
+          {"model", written ? modelFile(curve, suggested) : json(nullptr)}};
 }
 
 json mapJson(const JsonPlace& diagnosis) {

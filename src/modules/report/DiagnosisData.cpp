@@ -100,7 +100,7 @@ json diagnosisData(const JsonPlace& diagnosis) {
   };
   list("steps", "steps", stepJson);
   list("candidates", "ranking", [&](const JsonPlace& entry) { return candidateJson(entry, data); });
-  list("curves", "drivers", curveJson);
+  list("curves", "drivers", [&](const JsonPlace& curve) { return curveJson(curve, data["suggested"]); });
   list("suspicious", "suspicious", suspicionJson);
   const auto next = diagnosis.find("next");
   if (next && !next->value().is_null() && next->at("why").value() != "") { // else nothing is open

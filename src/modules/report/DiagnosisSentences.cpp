@@ -78,7 +78,7 @@ std::string verdictHeadline(const JsonPlace& diagnosis) {
                                                   "An effect is missing in the model.",
                                                   "Something that no known effect explains is at work.",
                                                   "Joints scatter at random.",
-                                                  "The model does not fit, and nothing in particular explains it.",
+                                                  "It is open what is missing, if anything is.",
                                                   "Something is wrong with the captures or the set-up."};
   return headlines[diagnosis.at("verdict").oneOf(verdicts())];
 }
