@@ -11,9 +11,8 @@ namespace naocal {
 
 namespace {
 
-/// Its unknowns differ from zero by more than their errors (Wald).
-bool isNeeded(const Term& term, const CalibrationResult& fit) {
-  constexpr double leastZ = 2;
+/// Its unknowns differ from zero by more than so many of their errors (Wald).
+bool isNeeded(const Term& term, const CalibrationResult& fit, double leastZ = 2) {
   const auto first = static_cast<Eigen::Index>(term.first), count = term.sigmas().size();
   const Eigen::VectorXd values = fit.unknowns.segment(first, count);
   const double chi2 = values.dot(fit.covariance.block(first, first, count, count).ldlt().solve(values));
@@ -97,8 +96,12 @@ bool Ladder::add(const Inquiry& inquiry, std::size_t candidate, Diagnosis& diagn
   diagnosis.suggested.push_back(term.label());
   refit();
   dropSuperfluous(diagnosis.suggested);
-  for (std::size_t earlier = 0; earlier + 1 < diagnosis.suggested.size(); ++earlier) { // the captures need both
-    notEquivalent(diagnosis.suggested[earlier], diagnosis.suggested.back());
+  constexpr double evident = 3.3; // of one that is hardly needed beside the last, that may be the right one
+  for (const Term& earlier : model_.terms()) {
+    const auto found = std::find(diagnosis.suggested.begin(), diagnosis.suggested.end() - 1, earlier.label());
+    if (found != diagnosis.suggested.end() - 1 && isNeeded(earlier, fit_, evident)) {
+      notEquivalent(earlier.label(), diagnosis.suggested.back());
+    }
   }
   return true;
 }
