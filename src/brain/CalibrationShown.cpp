@@ -12,7 +12,6 @@
 namespace naocal {
 namespace {
 
-constexpr double hardly = 0.5;   // learned: less is hardly observed
 constexpr int fewestCorners = 6; // of a pose's pictures in which a board was seen
 
 /// "left knee pitch" for LKneePitch.
@@ -67,7 +66,7 @@ ShownPoses shownPoses(int round, const CalibrationRound& steps, std::size_t step
 }
 
 std::vector<ShownOffset> learned(std::vector<ShownOffset> offsets) {
-  std::erase_if(offsets, [](const ShownOffset& offset) { return offset.learned < hardly; });
+  std::erase_if(offsets, [](const ShownOffset& offset) { return !isLearned(offset); });
   return offsets;
 }
 
@@ -76,7 +75,7 @@ ShownOutcome shownOutcome(const StoredResult& before, const std::vector<ShownOff
   ShownOutcome outcome;
   const std::vector<std::string> unseen = posesWithoutBoard(captures);
   for (const ShownOffset& offset : offsets) {
-    if (offset.learned < hardly) {
+    if (!isLearned(offset)) {
       outcome.warnings.push_back(hardlyObserved(offset, unseen));
       continue;
     }

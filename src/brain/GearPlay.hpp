@@ -1,6 +1,6 @@
 #pragma once
 
-#include "calibrate/Calibration.hpp"
+#include "calibrate/ShownOffsets.hpp"
 
 #include <string>
 #include <vector>
@@ -11,18 +11,5 @@ namespace naocal {
 /// carries the load the joint lags behind its last motion. Empty where the robot stood on both feet: there the loads of
 /// the joints are not known.
 std::vector<std::string> gearGaps(const Measurements& measurements);
-
-/// What a joint's encoder shows too much with its gear where load and motion leave it: o with the corrections of
-/// backlash and hysteresis, the mean over the pictures in which it lies between board and camera. That much a constant
-/// angle can compensate.
-struct ShownOffset {
-  std::string joint;
-  double value = 0, sigma = 0; // [rad]
-  double learned = 0;          // about o: 1 - posterior sigma / prior sigma
-};
-
-/// Of every measured joint.
-std::vector<ShownOffset> shownOffsets(const Measurements& measurements, const Model& model,
-                                      const CalibrationResult& result);
 
 } // namespace naocal

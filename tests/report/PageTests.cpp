@@ -58,8 +58,8 @@ TEST_CASE("a report's pictures come worst first") {
   }
 }
 
-TEST_CASE("estimates are shown in degrees and millimetres with their 95 percent interval") {
-  // Proves units and intervals of joint offsets and camera rotations; units that stay as they are need no proof.
+TEST_CASE("estimates are shown in degrees and millimetres with their standard error and 95 percent interval") {
+  // Proves units, errors and intervals of joint offsets and camera rotations; units that stay as they are need no proof.
   const CalibratedFolder calibrated;
   const json groups = shown(calibrated.page())["groups"];
   REQUIRE(groups.size() == 2);
@@ -69,6 +69,7 @@ TEST_CASE("estimates are shown in degrees and millimetres with their 95 percent 
   const json& row = groups[0]["rows"][0];
   CHECK(row["name"] == calibrated.result["effects"][0]["at"]);
   CHECK(row["value"].get<double>() == Approx(degrees(unknown["value"].get<double>())));
+  CHECK(row["sigma"].get<double>() == Approx(degrees(unknown["sigma"].get<double>())));
   CHECK(row["low"].get<double>() == Approx(degrees(unknown["interval95"][0].get<double>())));
   CHECK(row["high"].get<double>() == Approx(degrees(unknown["interval95"][1].get<double>())));
   CHECK(row["learned"] == unknown["learned"]);

@@ -1,7 +1,6 @@
 #include "effects/Expression.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <fmt/format.h>
 #include <map>
 #include <muParser.h>
@@ -53,12 +52,11 @@ ExpressionError told(const mu::Parser::exception_type& error, const std::string&
 struct Expression::Parsed {
   mu::Parser parser;
   std::vector<double> values; // of the names
+  std::weak_ptr<const char> identity;
 };
 
 Expression::Expression(const std::string& text, const std::function<ExpressionName(const std::string&)>& resolve)
-    : text_{text} {
-  static std::atomic<std::size_t> count{0};
-  number_ = count++;
+    : text_{text}, identity_{std::make_shared<const char>()} {
   try {
     mu::Parser parser;
     parser.SetExpr(text);
@@ -79,10 +77,13 @@ Expression::Expression(const std::string& text, const std::function<ExpressionNa
 }
 
 Expression::Parsed& Expression::ofThisThread() const {
-  static thread_local std::map<std::size_t, Parsed> all;
-  const auto [entry, isNew] = all.try_emplace(number_);
+  static thread_local std::map<const char*, Parsed> all;
+  const auto [entry, isNew] = all.try_emplace(identity_.get());
   Parsed& parsed = entry->second;
-  if (isNew) {
+  if (isNew || parsed.identity.expired()) {
+    parsed = {};
+    parsed.identity = identity_;
+    std::erase_if(all, [](const auto& one) { return one.second.identity.expired(); });
     parsed.values.assign(texts_.size(), 0);
     for (std::size_t i = 0; i < texts_.size(); ++i) {
       parsed.parser.DefineVar(texts_[i], &parsed.values[i]);

@@ -38,8 +38,8 @@ private:
   Parsed& ofThisThread() const;
 
   std::string text_;
-  std::size_t number_;             // of this expression among all: a thread finds its own by it
-  std::vector<std::string> texts_; // the names as written
+  std::shared_ptr<const char> identity_; // the copies': a thread finds its own by it, as long as one lives
+  std::vector<std::string> texts_;       // the names as written
   std::vector<ExpressionName> names_;
 };
 

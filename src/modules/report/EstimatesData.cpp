@@ -28,6 +28,7 @@ json estimateJson(const std::string& name, const JsonPlace& unknown, double scal
   const std::vector<double> ends = unknown.at("interval95").numbers(2, {-1e15, 1e15, ""}, "lower and upper end");
   return {{"name", name},
           {"value", scale * unknown.at("value").number({-1e15, 1e15, ""})},
+          {"sigma", scale * unknown.at("sigma").number({0, 1e15, ""})},
           {"low", scale * ends[0]},
           {"high", scale * ends[1]},
           {"learned", unknown.at("learned").number({-1e15, 1, ""})}};

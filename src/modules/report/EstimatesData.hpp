@@ -7,7 +7,8 @@
 namespace naocal {
 
 /// A result's estimates by effect and unit: what can share an axis stands together. [{"title": "joint offset",
-/// "unit": "°", "rows": [{"name": "LKneePitch", "value", "low", "high", "learned"}]}] with the ends of 95 % intervals.
+/// "unit": "°", "rows": [{"name": "LKneePitch", "value", "sigma", "low", "high", "learned"}]}] with the standard error
+/// and the ends of the 95 % interval.
 nlohmann::json estimatesData(const JsonPlace& effects);
 
 } // namespace naocal

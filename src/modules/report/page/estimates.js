@@ -18,7 +18,7 @@ function showEstimates(parent) {
   }
 }
 
-function estimateRow({name, value, low, high, learned}, unit, place, marks) {
+function estimateRow({name, value, sigma, low, high, learned}, unit, place, marks) {
   const row = element("div", "row"), axis = element("div", "axis");
   for (const mark of marks) {
     axis.appendChild(element("i", mark === 0 ? "zero" : "")).style.left = place(mark);
@@ -32,7 +32,7 @@ function estimateRow({name, value, low, high, learned}, unit, place, marks) {
   told.append(element("span", "", share + " %"));
   told.style.setProperty("--share", share + "%");
   told.title = "learned from these captures";
-  row.append(element("span", "", name), axis, element("span", "number", withError(value, (high - low) / 2, unit)), told);
+  row.append(element("span", "", name), axis, element("span", "number", withError(value, sigma, unit)), told);
   return row;
 }
 

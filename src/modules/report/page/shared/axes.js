@@ -36,7 +36,8 @@ export function axes(context, box, [xLow, xHigh], [yLow, yHigh], {title, xLabel}
   if (xLabel) {
     for (const value of ticks(xLow, xHigh, (box.right - box.left) / 70)) {
       line(x(value), box.bottom, x(value), box.bottom + 4);
-      context.fillText(number(value), x(value), box.bottom + 6);
+      const text = number(value), within = box.right + 8 - context.measureText(text).width / 2; // not cut at the edge
+      context.fillText(text, Math.min(x(value), within), box.bottom + 6);
     }
     context.fillText(xLabel, (box.left + box.right) / 2, box.bottom + 22);
   }

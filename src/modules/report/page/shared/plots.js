@@ -27,14 +27,15 @@ export function drawCorner(context, {x, y, endX, endY, doubtful}, halo) {
 // An effect's imprint on corners [u, v, du, dv, left, down]: shifted, and what is left after refitting.
 export function drawShift(context, scale, enlarged, [u, v, du, dv, left, down]) {
   const x = scale * (u + 0.5), y = scale * (v + 0.5);
-  arrow(context, colours.orange, 3, x, y, scale * enlarged * du, scale * enlarged * dv);
+  arrow(context, colours.orange, 5, x, y, scale * enlarged * du, scale * enlarged * dv);
   arrow(context, colours.blue, 1.5, x, y, scale * enlarged * left, scale * enlarged * down);
   return {x, y};
 }
 
 export const bestOf = cells => cells.reduce((a, b) => a.evidence > b.evidence ? a : b);
 const jointsOf = cells => [...new Set(cells.map(({joint}) => joint))];
-const mapTop = 112; // room for the drivers' names [px]
+const mapTop = 132; // room for the drivers' names [px]
+const shortDriver = name => ({t: "time", T: "temperature", qd: "speed"})[name] || name.replace("tau_", "torque ");
 
 export const mapHeight = cells => width => mapTop + 2 + jointsOf(cells).length * Math.max(14, Math.min(26, width / 36));
 
@@ -43,24 +44,25 @@ export function drawMap(context, width, height, cells) {
   const joints = jointsOf(cells), best = bestOf(cells);
   const rank = name => joints.includes(name) ? 0 : name.startsWith("tau_") ? 1 : 2;
   const drivers = [...new Set(cells.map(({driver}) => driver))].sort((a, b) => rank(a) - rank(b));
-  context.font = "11px system-ui, sans-serif";
-  const left = 98, wide = (width - left - 2) / drivers.length, high = (height - mapTop - 2) / joints.length;
+  context.font = "12px system-ui, sans-serif";
+  const left = 104, wide = (width - left - 2) / drivers.length, high = (height - mapTop - 2) / joints.length;
   const most = Math.max(6, best.evidence); // 6: below it nothing deserves the darkest
   context.textBaseline = "middle";
   context.textAlign = "right";
   context.fillStyle = colours.soft;
   joints.forEach((joint, row) => context.fillText(joint, left - 6, mapTop + (row + 0.5) * high));
-  const every = Math.ceil(12 / wide);
+  const every = Math.ceil(13 / wide);
   context.textAlign = "left";
   drivers.forEach((driver, column) => {
     if (column % every) return;
     context.save();
     context.translate(left + (column + 0.5) * wide, mapTop - 5);
     context.rotate(-Math.PI / 2);
-    context.fillText(driver, 0, 0);
+    context.fillText(shortDriver(driver), 0, 0);
     context.restore();
   });
   const gap = wide > 6 ? 1 : 0;
+  drawMapScale(context, most);
   return cells.map(cell => {
     const x = left + drivers.indexOf(cell.driver) * wide, y = mapTop + joints.indexOf(cell.joint) * high;
     context.fillStyle = colours.panel;
@@ -77,6 +79,26 @@ export function drawMap(context, width, height, cells) {
     return {x: x + wide / 2, y: y + high / 2, tip: () => cell.joint + " over " + driverWords(cell.driver) + "\nevidence " +
       tenths(cell.evidence) + ", alone " + chance(cell.pValue)};
   });
+}
+
+// What a cell's colour stands for, in the corner above the joints' names.
+function drawMapScale(context, most) {
+  context.fillStyle = colours.soft;
+  context.textBaseline = "alphabetic";
+  context.fillText("evidence", 0, 14);
+  [0, 0.25, 0.5, 0.75, 1].forEach((share, i) => {
+    context.fillStyle = colours.panel;
+    context.fillRect(16 * i, 20, 15, 14);
+    context.fillStyle = colours.blue;
+    context.globalAlpha = Math.sqrt(share);
+    context.fillRect(16 * i, 20, 15, 14);
+    context.globalAlpha = 1;
+  });
+  context.fillStyle = colours.soft;
+  context.fillText("≤ 0", 0, 49);
+  context.textAlign = "right";
+  context.fillText(tenths(most), 80, 49);
+  context.textAlign = "left";
 }
 
 // A joint's deflection over what it varies with, with a band of two standard errors; a few points on their own, where
