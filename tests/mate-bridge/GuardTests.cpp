@@ -11,8 +11,9 @@ const Guard guard{token, 8123};
 
 /// What the page's own script asks.
 Asked own() {
-  return {"GET", "/0123456789abcdef0123456789abcdef/live", "127.0.0.1:8123", "http://127.0.0.1:8123", "same-origin",
-          true};
+  return {
+      "GET", "/0123456789abcdef0123456789abcdef/live", "127.0.0.1:8123", "http://127.0.0.1:8123", "same-origin", true,
+      false};
 }
 unsigned refused(const Asked& asked) {
   const auto refusal = guard.refusal(asked);
@@ -25,7 +26,7 @@ TEST_CASE("the panel's own page is let in") {
   // Proves that page and live connection pass, with either name of this computer; not that browsers send these headers.
   CHECK(refused(own()) == 200);
   CHECK(guard.pathOf(own().target) == "live");
-  Asked page{"GET", "/0123456789abcdef0123456789abcdef/", "localhost:8123", "", "none", false};
+  Asked page{"GET", "/0123456789abcdef0123456789abcdef/", "localhost:8123", "", "none", false, true};
   CHECK(refused(page) == 200);
   CHECK(guard.pathOf(page.target).empty());
 }
@@ -49,6 +50,19 @@ TEST_CASE("pages of other origins and sites are refused") {
   Asked silent = own();
   silent.origin = silent.fetchSite = "";
   CHECK(refused(silent) == 403);
+}
+
+TEST_CASE("a person's browser may be led to the page, and to nothing else") {
+  // Proves that a page that knows the token may send the window there as a whole (as the private file does that
+  // mate-bridge opens), but may not load its parts, nor open a frame: that is no visit.
+  Asked visit{"GET", "/0123456789abcdef0123456789abcdef/", "127.0.0.1:8123", "", "cross-site", false, true};
+  CHECK(refused(visit) == 200);
+  visit.visits = false;
+  CHECK(refused(visit) == 403);
+  visit = {"GET", "/0123456789abcdef0123456789abcdef/panel.js", "127.0.0.1:8123", "", "cross-site", false, true};
+  CHECK(refused(visit) == 403);
+  visit = {"GET", "/0123456789abcdef0123456789abcdee/", "127.0.0.1:8123", "", "cross-site", false, true};
+  CHECK(refused(visit) == 404);
 }
 
 TEST_CASE("a name that was bent to point here is refused") {

@@ -90,15 +90,75 @@ TEST_CASE("an own effect is fitted like the built-in ones, and a broken one chan
   CHECK(bench.told["set"]["own"][0] == effect);
 }
 
+TEST_CASE("an own effect that is changed can be taken back, and one for every joint is asked for") {
+  // Proves that a changed definition belongs to its step of the history, that going back has the old one in the model
+  // again, and that an effect for every joint is among the candidates. What is refused leaves both as they were.
+  Bench bench;
+  bench.laboratory.fit();
+  Json effect{{"name", "spring"},
+              {"at", "LKneePitch"},
+              {"correction", "a*tau"},
+              {"unknowns", {{"a", {{"unit", "rad/Nm"}, {"sigma", 0.01}}}}}};
+  bench.laboratory.define(effect);
+  const Json before = bench.told["fit"]["rms"];
+  effect["correction"] = "a*sin(q)";
+  effect["unknowns"]["a"]["unit"] = "rad";
+  bench.laboratory.define(effect);
+  CHECK(bench.told["set"]["own"][0]["correction"] == "a*sin(q)");
+  CHECK(bench.told["fit"]["rms"] != before);
+  Json broken = effect;
+  broken["correction"] = "a*current"; // was not recorded
+  CHECK_THROWS_AS(bench.laboratory.define(broken), InputError);
+  CHECK(bench.told["set"]["own"][0]["correction"] == "a*sin(q)");
+  CHECK(bench.told["ladder"]["rungs"].size() == 3);
+  bench.laboratory.goTo(1);
+  CHECK(bench.told["set"]["own"][0]["correction"] == "a*tau");
+  CHECK(bench.told["fit"]["rms"] == before);
+
+  effect["name"] = "anywhere";
+  effect["at"] = "*";
+  bench.laboratory.question();
+  bench.laboratory.define(effect);
+  bench.laboratory.question();
+  const Json& candidates = bench.told["questions"]["candidates"];
+  CHECK(std::any_of(candidates.begin(), candidates.end(),
+                    [](const Json& one) { return one["label"].get<std::string>().starts_with("anywhere@"); }));
+}
+
+TEST_CASE("what is set on a robot is what its own calibration would set") {
+  // Proves that offsets that the captures hardly tell are left out, that the others are the fit's, and that every
+  // camera's mount is complete.
+  Bench bench;
+  bench.laboratory.fit();
+  const Json compensation = bench.told["fit"]["compensation"];
+  std::map<std::string, Json> rows;
+  for (const Json& group : bench.told["fit"]["groups"]) {
+    for (const Json& row : group["rows"]) {
+      rows[group["title"].get<std::string>() + " " + row["name"].get<std::string>()] = row;
+    }
+  }
+  CHECK(compensation["offsets"].size() > 5);
+  for (const Json& offset : compensation["offsets"]) {
+    const Json& row = rows.at("joint offset " + offset["joint"].get<std::string>());
+    CHECK(row["learned"] >= 0.5);
+    CHECK(offset["value"].get<double>() == Approx(row["value"].get<double>()));
+  }
+  for (const Json& joint : compensation["untold"]) {
+    CHECK(rows.at("joint offset " + joint.get<std::string>())["learned"] < 0.5);
+  }
+  REQUIRE(compensation["mounts"].size() == 2);
+  CHECK(compensation["mounts"][0]["rotation"].size() == 3);
+}
+
 TEST_CASE("of a broken expression the place is told") {
-  // Proves that the letter is where a person must look, for syntax and for names.
-  const Robot robot = loadRobot(configurationDirectory(), "V6");
-  const auto checked = [&](const std::string& correction) {
-    return checkedEffect({{"name", "mine"},
-                          {"at", "LKneePitch"},
-                          {"correction", correction},
-                          {"unknowns", {{"a", {{"unit", "rad"}, {"sigma", 0.01}}}}}},
-                         robot);
+  // Proves that the letter is where a person must look, for syntax and for names; and that what could not be added is
+  // said before one tries.
+  const Bench bench;
+  const auto checked = [&](const std::string& correction, const std::string& name = "mine") {
+    return bench.laboratory.checked({{"name", name},
+                                     {"at", "LKneePitch"},
+                                     {"correction", correction},
+                                     {"unknowns", {{"a", {{"unit", "rad"}, {"sigma", 0.01}}}}}});
   };
   CHECK(checked("a*sin(3*q)") == Json{{"ok", true}});
   CHECK(checked("a*sin(3*q) + a*tua")["letter"] == 15);
@@ -106,6 +166,8 @@ TEST_CASE("of a broken expression the place is told") {
   CHECK(checked("a*sin(3*q")["letter"] == 9);
   CHECK_FALSE(checked("1 + a").contains("letter"));
   CHECK_THAT(checked("1 + a")["sentence"].get<std::string>(), Catch::Contains("is 0 where its unknowns are 0"));
+  CHECK(checked("a*q", "elasticity")["ok"] == false); // a name that is taken
+  CHECK(checked("a*current")["ok"] == false);         // these captures have no currents
 }
 
 TEST_CASE("what cannot be done is refused with a sentence and changes nothing") {

@@ -78,6 +78,9 @@ TEST_CASE("what cannot be opened is refused with its name and what to do") {
   writeAtomically(folder.path() / "other.json", R"({"format": "naocal-poses"})");
   CHECK_THROWS_WITH(openSets({(folder.path() / "other.json").string()}),
                     Contains("opens capture sets, recordings, results and diagnoses"));
+  const std::string overlong(5000, 'x'); // no system opens it
+  CHECK_THROWS_AS(openSets({overlong}), InputError);
+  CHECK_THROWS_AS(openSets({overlong + ".json"}), InputError);
   std::filesystem::remove_all(folder.path() / "few");
   CHECK_THROWS_WITH(openSets({result}), Contains("is not there any more") && Contains("open the captures themselves"));
 }

@@ -165,6 +165,15 @@ TEST_CASE("whoever is no robot is told so, and the panel lives on") {
                   .is_null());
 }
 
+TEST_CASE("what a page takes back of a robot that has gone is no mistake") {
+  // Proves that cancelled subscriptions of a robot that was disconnected are silent, and that anything else is refused.
+  Listening panel;
+  for (const char* const verb : {"unsubscribe", "unwatch"}) {
+    CHECK(panel.robots.asked(1, {{"do", verb}, {"robot", "gone"}, {"key", "Brain.count"}}));
+  }
+  CHECK_THROWS_AS(panel.robots.asked(1, {{"do", "save"}, {"robot", "gone"}}), InputError);
+}
+
 TEST_CASE("a robot's address is a host, a host with its base port, or a folder") {
   // Proves what is taken and that everything else is refused with a sentence.
   CHECK(robotPlace("nao21").basePort == 12440);

@@ -123,6 +123,9 @@ TEST_CASE("a board that was moved is found anew, and a corner above the horizon 
   CHECK(boards.predicted(sky, eye).empty());
   sky.board = "Z";
   CHECK(boards.predicted(sky, eye).empty());
+  BoardCorners larger = view(shown, {0.9, -0.2, 0, 0, 0, 0}, eye); // of a board that was replaced meanwhile
+  larger.ids.back() = 1000;
+  CHECK(boards.predicted(larger, eye).empty());
 }
 
 TEST_CASE("what a camera sees of the floor holds the point that it looks at, and ends after three metres") {

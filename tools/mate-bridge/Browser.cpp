@@ -1,7 +1,10 @@
 #include "Browser.hpp"
 
+#include "captures/Files.hpp"
+
 #include <cstdlib>
 #include <filesystem>
+#include <fmt/format.h>
 #include <sstream>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -23,12 +26,22 @@ bool isInstalled(const std::string& program) {
   return false;
 }
 
+/// Where a program reads files: one of Ubuntu's snaps sees of others' only its own folder.
+std::filesystem::path readableFor(std::string program) {
+  const char* const home = std::getenv("HOME");
+  program = program == "chromium-browser" ? "chromium" : program;
+  const std::filesystem::path snap = std::filesystem::path{home == nullptr ? "" : home} / "snap" / program / "common";
+  std::error_code ignored;
+  return std::filesystem::is_directory(snap, ignored) ? snap : std::filesystem::temp_directory_path();
+}
+
 /// Starts a program that lives on without this one (forked twice, so that nobody must wait for it).
 void start(const std::string& program, const std::string& argument) {
   const pid_t child = ::fork();
   if (child == 0) {
     if (::fork() == 0) {
       ::setsid();
+      ::close_range(STDERR_FILENO + 1, ~0U, 0); // sockets stay with the bridge
       ::execlp(program.c_str(), program.c_str(), argument.c_str(), static_cast<char*>(nullptr));
     }
     ::_exit(0);
@@ -40,21 +53,20 @@ void start(const std::string& program, const std::string& argument) {
 
 } // namespace
 
-bool openInBrowser(const std::string& address) {
-  for (const char* const program :
-       {"chromium", "google-chrome", "chromium-browser", "brave-browser", "microsoft-edge"}) {
+std::unique_ptr<PassingFolder> openedInBrowser(const std::string& address) {
+  for (const char* const program : {"chromium", "google-chrome", "chromium-browser", "brave-browser", "microsoft-edge",
+                                    "xdg-open", "firefox", "open"}) {
     if (isInstalled(program)) {
-      start(program, "--app=" + address);
-      return true;
+      auto folder = std::make_unique<PassingFolder>(readableFor(program));
+      const std::filesystem::path page = folder->path() / "panel.html";
+      writeAtomically(page, fmt::format("<!doctype html><meta http-equiv=\"refresh\" content=\"0;url={}\">", address));
+      const bool hasWindows =
+          std::string_view{program}.find("open") == std::string_view::npos && program != std::string_view{"firefox"};
+      start(program, fmt::format("{}file://{}", hasWindows ? "--app=" : "", page.string()));
+      return folder;
     }
   }
-  for (const char* const program : {"xdg-open", "firefox", "open"}) {
-    if (isInstalled(program)) {
-      start(program, address);
-      return true;
-    }
-  }
-  return false;
+  return nullptr;
 }
 
 } // namespace naocal

@@ -47,6 +47,7 @@ pid_t started(const std::filesystem::path& program, const std::vector<std::strin
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, output, STDERR_FILENO);
+  posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1); // sockets stay with the bridge
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   sigset_t none, all; // it can be ended, whoever started the bridge and how

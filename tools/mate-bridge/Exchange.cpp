@@ -20,8 +20,15 @@ std::string_view headerOf(const http::request<http::empty_body>& request, beast:
 Asked askedBy(const Exchange& exchange) {
   const auto& request = exchange.parser.get();
   const beast::string_view method = request.method_string(), target = request.target();
-  return {{method.data(), method.size()}, {target.data(), target.size()},      headerOf(request, "Host"),
-          headerOf(request, "Origin"),    headerOf(request, "Sec-Fetch-Site"), beast::websocket::is_upgrade(request)};
+  const bool visits =
+      headerOf(request, "Sec-Fetch-Mode") == "navigate" && headerOf(request, "Sec-Fetch-Dest") == "document";
+  return {{method.data(), method.size()},
+          {target.data(), target.size()},
+          headerOf(request, "Host"),
+          headerOf(request, "Origin"),
+          headerOf(request, "Sec-Fetch-Site"),
+          beast::websocket::is_upgrade(request),
+          visits};
 }
 
 void reply(const std::shared_ptr<Exchange>& exchange, Answer answer) {

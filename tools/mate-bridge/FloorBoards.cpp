@@ -49,7 +49,8 @@ FloorBoards::Place FloorBoards::mean(const std::string& id) const {
 
 std::vector<Eigen::Vector2d> FloorBoards::predicted(const BoardCorners& seen, const Eye& eye) {
   const Board* const described = board(seen.board);
-  if (described == nullptr || seen.ids.size() < 2) {
+  const auto isOnIt = [&](int corner) { return corner >= 0 && std::size_t(corner) < described->points.size(); };
+  if (described == nullptr || seen.ids.size() < 2 || !std::all_of(seen.ids.begin(), seen.ids.end(), isOnIt)) {
     return {};
   }
   // the rotation and shift of the plane that fit best: Umeyama's, in two dimensions

@@ -26,7 +26,7 @@ public:
   explicit FloorBoards(std::vector<Board> boards) : boards_{std::move(boards)} {}
 
   /// Takes a view of a board in; afterwards `predicted` tells where these corners should have been [px]. Empty: the
-  /// picture does not tell where it lies (a corner above the horizon), or there is no such board.
+  /// picture does not tell where it lies (a corner above the horizon), or there is no such board or corner.
   std::vector<Eigen::Vector2d> predicted(const BoardCorners& seen, const Eye& eye);
 
   /// For a plan: [{"id", "columns", "rows", "square", "x", "y", "yaw"}] of those seen so far [m, rad].

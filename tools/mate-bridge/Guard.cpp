@@ -36,7 +36,9 @@ std::optional<Refusal> Guard::refusal(const Asked& asked) const {
   if (asked.live && asked.origin.empty()) {
     return Refusal{403, "A live connection must name its origin."};
   }
-  if (!asked.fetchSite.empty() && asked.fetchSite != "same-origin" && asked.fetchSite != "none") {
+  const bool isVisit =
+      asked.visits && !asked.live && pathOf(asked.target).empty(); // as of the page that mate-bridge opens
+  if (!isVisit && !asked.fetchSite.empty() && asked.fetchSite != "same-origin" && asked.fetchSite != "none") {
     return Refusal{403, "Pages of other sites may not use the panel."};
   }
   if (asked.method != "GET") {

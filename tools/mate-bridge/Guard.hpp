@@ -11,6 +11,7 @@ namespace naocal {
 struct Asked {
   std::string_view method, target, host, origin, fetchSite; // fetchSite: Sec-Fetch-Site
   bool live = false;                                        // wants a WebSocket
+  bool visits = false;                                      // a person's browser goes there as a whole
 };
 
 /// Why a request is not answered.

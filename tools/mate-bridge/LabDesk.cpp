@@ -20,11 +20,12 @@ using Json = nlohmann::json;
 std::map<std::string, std::filesystem::path> imagesOf(const OpenedSets& opened) {
   std::map<std::string, std::filesystem::path> images;
   for (const CaptureSet& set : opened.sets) {
-    const std::filesystem::path folder = std::filesystem::weakly_canonical(opened.folders.at(set.name));
+    std::error_code ignored; // what no path can be is no picture
+    const std::filesystem::path folder = std::filesystem::weakly_canonical(opened.folders.at(set.name), ignored);
     for (const Capture& capture : set.captures) {
-      const std::filesystem::path file = std::filesystem::weakly_canonical(folder / capture.image);
+      const std::filesystem::path file = std::filesystem::weakly_canonical(folder / capture.image, ignored);
       const std::string inside = file.lexically_relative(folder).string();
-      if (!capture.image.empty() && !inside.starts_with("..")) {
+      if (!capture.image.empty() && !file.empty() && !inside.starts_with("..")) {
         images[fmt::format("{}/{}", set.name, capture.id)] = file;
       }
     }
@@ -35,7 +36,7 @@ std::map<std::string, std::filesystem::path> imagesOf(const OpenedSets& opened) 
 } // namespace
 
 LabDesk::LabDesk(OpenedSets opened, Tell tell)
-    : tell_{std::move(tell)}, robot_{opened.robot}, images_{imagesOf(opened)},
+    : tell_{std::move(tell)}, images_{imagesOf(opened)},
       laboratory_{std::make_shared<Laboratory>(std::move(opened), [this](const std::string& kind, const Json& content) {
         Json message = content;
         message["kind"] = kind;
@@ -54,7 +55,7 @@ void LabDesk::work(const char* what, std::function<void(Laboratory&)> change) {
     tell_("work", wireText({{"kind", "work"}, {"what", what}}));
     try {
       change(*laboratory_);
-    } catch (const InputError& error) {
+    } catch (const std::exception& error) { // a full disk, too, must not end the bridge
       tell_("refused", wireText({{"kind", "refused"}, {"sentence", error.what()}}));
     }
     tell_("work", wireText({{"kind", "work"}, {"what", nullptr}}));
@@ -62,8 +63,9 @@ void LabDesk::work(const char* what, std::function<void(Laboratory&)> change) {
 }
 
 void LabDesk::question() {
+  ++questions_;
   work("asking every candidate", [this](Laboratory& laboratory) {
-    if (!worker_.othersWait()) {
+    if (--questions_ == 0) { // else the model has changed since: the last one answers
       laboratory.question();
     }
   });
@@ -125,15 +127,16 @@ std::optional<std::string> LabDesk::made(const std::string& name) const {
 }
 
 Json LabDesk::checked(const Json& effect) const {
-  return checkedEffect(effect, robot_);
+  return laboratory_->checked(effect);
 }
 
 std::optional<std::string> LabDesk::picture(std::string_view path) const {
   const auto found = images_.find(std::string{path});
-  if (found == images_.end() || !std::filesystem::exists(found->second)) {
+  try {
+    return found == images_.end() ? std::nullopt : std::optional{fileContent(found->second)};
+  } catch (const InputError&) { // it was taken away
     return std::nullopt;
   }
-  return fileContent(found->second);
 }
 
 } // namespace naocal

@@ -47,10 +47,10 @@ private:
   bool askedForMore(const std::string& verb, const nlohmann::json& request);
 
   Tell tell_;
-  Robot robot_;
   std::map<std::string, std::filesystem::path> images_; // "SET/CAPTURE"
   std::shared_ptr<Laboratory> laboratory_;              // of the worker's thread
   std::atomic<bool> cancelled_ = false;
+  std::atomic<int> questions_ = 0; // that wait
   mutable std::mutex mutex_;
   std::map<std::string, std::string> made_; // files by name
   Worker worker_;

@@ -7,6 +7,7 @@
 #include "effects/UserEffect.hpp"
 #include "residuals/ModelFile.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -23,14 +24,18 @@ constexpr const char* definitionsName = "your own effects";
 Laboratory::Laboratory(OpenedSets opened, Tell tell)
     : opened_{std::move(opened)}, measurements_{measurementsOf(opened_.sets, opened_.robot)}, tell_{std::move(tell)},
       rungs_{firstRung(opened_, measurements_)} {
-  tellSet();
+  tellSet(rungs_.front());
 }
 
-std::vector<Effect> Laboratory::effects() const {
-  return effectsWith(Json::parse(opened_.definitions), definitionsName, opened_.robot);
+std::vector<Effect> Laboratory::effects(const Rung& rung) const {
+  return effectsWith(Json::parse(rung.definitions), definitionsName, opened_.robot);
 }
 
-void Laboratory::tellSet() const {
+void Laboratory::tellSet(const Rung& rung) {
+  if (toldDefinitions_ == rung.definitions) {
+    return;
+  }
+  toldDefinitions_ = rung.definitions;
   Json joints = Json::array();
   for (const Joint& joint : opened_.robot.joints) {
     joints.push_back(joint.name);
@@ -41,8 +46,8 @@ void Laboratory::tellSet() const {
                 {"poses", measurements_.poses.size()},
                 {"corners", measurements_.cornerCount},
                 {"joints", std::move(joints)},
-                {"own", Json::parse(opened_.definitions)},
-                {"effects", effectsJson(effects())}});
+                {"own", Json::parse(rung.definitions)},
+                {"effects", effectsJson(effects(rung))}});
 }
 
 void Laboratory::tellLadder() const {
@@ -54,31 +59,41 @@ void Laboratory::tellLadder() const {
 }
 
 void Laboratory::fit() {
-  Rung& rung = rungs_[at_];
-  const Model model = makeModel(measurements_, rung.with, rung.without, effects());
+  stand(rungs_, at_);
+}
+
+/// Stands on one of these rungs once its fit has come out well; whatever is thrown before leaves everything as it was.
+void Laboratory::stand(std::vector<Rung> rungs, std::size_t at) {
+  Rung& rung = rungs.at(at);
+  const Model model = makeModel(measurements_, rung.with, rung.without, effects(rung));
   const CalibrationResult result = calibrate(measurements_, model);
   rung.rmsPx = result.rmsPx;
-  result_ = resultJson(opened_.sets, measurements_, model, result, opened_.inputs);
-  diagnosis_.reset();
-  next_.reset();
-  Json told = fitJson(result_, opened_, measurements_, model, result);
+  const Json document = resultJson(opened_.sets, measurements_, model, result, opened_.inputs);
+  Json told = fitJson(document, opened_, measurements_, model, result);
   told["with"] = rung.with;
   told["without"] = rung.without;
   told["labels"] = labelsOf(model);
+  result_ = document;
+  rungs_ = std::move(rungs);
+  at_ = at;
+  diagnosis_.reset();
+  next_.reset();
+  tellSet(rungs_[at_]);
   tellLadder();
   tell_("fit", told);
 }
 
+/// What was undone is forgotten.
 void Laboratory::go(Rung rung) {
-  makeModel(measurements_, rung.with, rung.without, effects()); // refuses what these captures cannot drive
-  rungs_.resize(at_ + 1);                                       // what was undone is forgotten
-  rungs_.push_back(std::move(rung));
-  ++at_;
-  fit();
+  std::vector<Rung> rungs{rungs_.begin(), rungs_.begin() + static_cast<std::ptrdiff_t>(at_) + 1};
+  rung.questioned.reset();
+  rungs.push_back(std::move(rung));
+  stand(std::move(rungs), at_ + 1);
 }
 
 void Laboratory::add(const std::string& label) {
-  Rung rung{rungs_[at_].with, rungs_[at_].without, "+ " + label, 0, {}};
+  Rung rung = rungs_[at_];
+  rung.step = "+ " + label;
   if (contains(rung.with, label)) {
     throw InputError{fmt::format("{} is in the model already", label)};
   }
@@ -89,9 +104,10 @@ void Laboratory::add(const std::string& label) {
 }
 
 void Laboratory::drop(const std::string& label) {
-  Rung rung{rungs_[at_].with, rungs_[at_].without, "− " + label, 0, {}};
+  Rung rung = rungs_[at_];
+  rung.step = "− " + label;
   if (std::erase(rung.with, label) == 0) {
-    if (!contains(labelsOf(makeModel(measurements_, rung.with, rung.without, effects())), label)) {
+    if (!contains(labelsOf(makeModel(measurements_, rung.with, rung.without, effects(rung))), label)) {
       throw InputError{fmt::format("{} is not in the model", label)};
     }
     rung.without.push_back(label);
@@ -103,15 +119,14 @@ void Laboratory::goTo(std::size_t rung) {
   if (rung >= rungs_.size()) {
     throw InputError{"there is no such step in the history"};
   }
-  at_ = rung;
-  fit();
+  stand(rungs_, rung);
 }
 
 DiagnosisOptions Laboratory::options(const Rung& rung) const {
   DiagnosisOptions result;
   result.with = rung.with;
   result.without = rung.without;
-  result.effects = effects();
+  result.effects = effects(rung);
   return result;
 }
 
@@ -138,32 +153,39 @@ void Laboratory::search(const std::function<bool()>& goesOn) {
   asked.goesOn = goesOn;
   Json found = questionsJson(diagnose(opened_.sets, measurements_, asked));
   found["stopped"] = !goesOn();
+  found["with"] = rungs_[at_].with; // of the model that it began with
   tell_("found", found);
 }
 
 void Laboratory::define(const Json& effect) {
   const Effect made = userEffect(JsonPlace{effect, definitionsName}, opened_.robot);
-  Json definitions = Json::parse(opened_.definitions), kept = Json::array();
-  for (Json& other : definitions) {
+  Rung rung = rungs_[at_];
+  Json kept = Json::array();
+  for (Json& other : Json::parse(rung.definitions)) {
     if (other["name"] != made.name) {
       kept.push_back(std::move(other));
     }
   }
   kept.push_back(effect);
-  effectsWith(kept, definitionsName, opened_.robot);
-  opened_.definitions = kept.dump();
-  tellSet();
+  rung.definitions = kept.dump();
   const std::string at = effect["at"].get<std::string>(), label = made.name + "@" + at;
-  if (contains(rungs_[at_].with, label)) {
-    go({rungs_[at_].with, rungs_[at_].without, "changed " + made.name, 0, {}});
-  } else if (at != "*") {
-    add(label);
+  const auto isIt = [&](const std::string& other) { return other.starts_with(made.name + "@"); };
+  const bool isIn = std::any_of(rung.with.begin(), rung.with.end(), isIt);
+  rung.step = isIn ? "changed " + made.name : at == "*" ? made.name + " offered at every joint" : "+ " + label;
+  if (at != "*") { // where it was before, it is no more
+    std::erase_if(rung.with, isIt);
+    rung.with.push_back(label);
   }
+  go(std::move(rung));
 }
 
-Json checkedEffect(const Json& effect, const Robot& robot) {
+Json Laboratory::checked(const Json& effect) const {
   try {
-    userEffect(JsonPlace{effect, definitionsName}, robot);
+    const Effect made = userEffect(JsonPlace{effect, definitionsName}, opened_.robot);
+    const std::vector<Effect> all = effectsWith(Json::array({effect}), definitionsName, opened_.robot);
+    if (effect["at"] != "*") {
+      makeModel(measurements_, {fmt::format("{}@{}", made.name, effect["at"].get<std::string>())}, {}, all);
+    }
     return {{"ok", true}};
   } catch (const CorrectionError& error) {
     return {{"ok", false}, {"sentence", error.what()}, {"letter", error.letter}};

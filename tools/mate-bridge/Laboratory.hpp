@@ -15,9 +15,10 @@ namespace naocal {
 /// The loop of a person with captures: add, drop, look, go back. Knows no threads and no sockets: everything that
 /// changes is told to whoever asked for it, in units that people read.
 ///
-/// Told kinds: "set" once (what was opened, the effects that there are), "ladder" (all rungs and where one stands),
-/// "fit" (estimates and residuals of the model), "questions" (its candidates, map, curves), "found" (what a search for
-/// all that is missing says), "next" (poses that would tell more), "compared" (other captures' errors).
+/// Told kinds: "set" (what was opened, the effects that there are; again when a person's own change), "ladder" (all
+/// rungs and where one stands), "fit" (estimates and residuals of the model), "questions" (its candidates, map,
+/// curves), "found" (what a search for all that is missing says), "next" (poses that would tell more), "compared"
+/// (other captures' errors).
 class Laboratory {
 public:
   using Tell = std::function<void(const std::string& kind, const nlohmann::json& content)>;
@@ -42,29 +43,32 @@ public:
   /// of the result, "diagnosis.html". Throws InputError for another name, or where nothing was proposed.
   std::string file(const std::string& name);
 
-  /// Takes a person's own effect in, in place of one of that name, and adds it to the model where it sits at a joint.
+  /// Takes a person's own effect in, in place of one of that name, as a new rung: in the model where it sits at a
+  /// joint, else as a candidate everywhere.
   void define(const nlohmann::json& effect);
 
+  /// Whether a person's own effect can be used with these captures: {"ok": true}, or {"ok": false, "sentence": ..,
+  /// "letter": place in the correction's text or absent}. May be called while another thread works with the rest.
+  nlohmann::json checked(const nlohmann::json& effect) const;
+
 private:
-  std::vector<Effect> effects() const;
-  void tellSet() const;
+  std::vector<Effect> effects(const Rung& rung) const;
+  void tellSet(const Rung& rung);
   void tellLadder() const;
   void go(Rung rung);
+  void stand(std::vector<Rung> rungs, std::size_t at);
   DiagnosisOptions options(const Rung& rung) const;
   const Diagnosis& diagnosis();
 
-  OpenedSets opened_;
-  Measurements measurements_;
+  const OpenedSets opened_;
+  const Measurements measurements_;
   Tell tell_;
   std::vector<Rung> rungs_;
   std::size_t at_ = 0;                 // the rung that one stands on
+  std::string toldDefinitions_;        // the person's own effects, as they were last told
   nlohmann::json result_;              // of that rung, as a file has it
   std::optional<Diagnosis> diagnosis_; // of it, once it was put to the question
   std::optional<NextPoses> next_;      // and proposed for
 };
-
-/// Whether a person's own effect can be used: {"ok": true}, or {"ok": false, "sentence": .., "letter": place in the
-/// correction's text or absent}.
-nlohmann::json checkedEffect(const nlohmann::json& effect, const Robot& robot);
 
 } // namespace naocal

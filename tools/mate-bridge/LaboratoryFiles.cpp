@@ -1,5 +1,7 @@
 #include "Laboratory.hpp"
 
+#include "PassingFolder.hpp"
+
 #include "calibrate/Comparison.hpp"
 #include "captures/Files.hpp"
 #include "captures/InputError.hpp"
@@ -10,7 +12,6 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <stdlib.h>
 
 /// What the laboratory shares with the terminal's commands: their files, proposed poses, other captures.
 namespace naocal {
@@ -19,32 +20,11 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A folder of its own that goes away with it: readers of files read files.
-class PassingFolder {
-public:
-  PassingFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "naocal-panel-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
-      throw InputError{"no temporary folder could be made; is the disk full?"};
-    }
-    path_ = name;
-  }
-  ~PassingFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  PassingFolder(const PassingFolder&) = delete;
-  PassingFolder& operator=(const PassingFolder&) = delete;
-
-  std::filesystem::path file(const Json& content) const {
-    std::filesystem::path file = path_ / "content.json";
-    writeAtomically(file, content.dump());
-    return file;
-  }
-
-private:
-  std::filesystem::path path_;
-};
+std::filesystem::path written(const PassingFolder& folder, const Json& content) {
+  std::filesystem::path file = folder.path() / "content.json"; // readers of files read files
+  writeAtomically(file, content.dump());
+  return file;
+}
 
 } // namespace
 
@@ -59,7 +39,7 @@ void Laboratory::propose(std::size_t count) {
 
 void Laboratory::compareWith(const OpenedSets& others) {
   const PassingFolder passing;
-  const StoredResult stored = readResult(passing.file(result_));
+  const StoredResult stored = readResult(written(passing, result_));
   Json told = comparisonJson(compare(stored, others.sets, opened_.robot, false));
   told["names"] = others.inputs.sets;
   tell_("compared", told);
@@ -71,7 +51,7 @@ std::string Laboratory::file(const std::string& name) {
     return result_.dump(2) + "\n";
   }
   if (name == "report.html") {
-    return reportPage(passing.file(result_));
+    return reportPage(written(passing, result_));
   }
   if (name == "model.json") {
     const Rung& rung = rungs_[at_];
@@ -79,7 +59,7 @@ std::string Laboratory::file(const std::string& name) {
                 {"version", 1},
                 {"with", rung.with},
                 {"without", rung.without},
-                {"define", Json::parse(opened_.definitions)}}
+                {"define", Json::parse(rung.definitions)}}
                .dump(2) +
            "\n";
   }
@@ -97,7 +77,7 @@ std::string Laboratory::file(const std::string& name) {
     document["next"] = nextJson(*next_, opened_.robot);
   }
   document["inputs"] = {{"sets", opened_.inputs.sets}, {"sha256", opened_.inputs.sha256}};
-  return name == "diagnosis.json" ? document.dump(2) + "\n" : reportPage(passing.file(document));
+  return name == "diagnosis.json" ? document.dump(2) + "\n" : reportPage(written(passing, document));
 }
 
 } // namespace naocal

@@ -1,13 +1,16 @@
 #include "LaboratoryJson.hpp"
 
+#include "calibrate/ShownOffsets.hpp"
 #include "calibrate/Verdict.hpp"
 #include "diagnose/DiagnosisFile.hpp"
 #include "diagnose/Drivers.hpp"
+#include "geometry/Angles.hpp"
+#include "geometry/Index.hpp"
+#include "geometry/ShownUnit.hpp"
 #include "report/DiagnosisData.hpp"
 #include "report/EstimatesData.hpp"
 #include "report/PictureData.hpp"
 #include "report/Sentences.hpp"
-#include "geometry/ShownUnit.hpp"
 
 #include <map>
 #include <nlohmann/json.hpp>
@@ -47,6 +50,23 @@ Json picturesJson(const OpenedSets& opened, const Measurements& measurements, co
   return list;
 }
 
+/// What a robot's own calibration would set of this fit: offsets that a constant angle can compensate and that the
+/// captures tell, and cameras' mounts.
+Json compensationJson(const Measurements& measurements, const Model& model, const CalibrationResult& result) {
+  Json offsets = Json::array(), untold = Json::array(), mounts = Json::array();
+  for (const ShownOffset& offset : shownOffsets(measurements, model, result)) {
+    isLearned(offset) ? offsets.push_back({{"joint", offset.joint}, {"value", degrees(offset.value)}})
+                      : untold.push_back(offset.joint);
+  }
+  for (const Term& term : model.terms()) {
+    if (term.effect.name == "cameraRotation") {
+      const Eigen::Vector3d rotation = result.unknowns.segment<3>(at(term.first));
+      mounts.push_back({{"camera", term.place}, {"rotation", {rotation.x(), rotation.y(), rotation.z()}}});
+    }
+  }
+  return {{"offsets", std::move(offsets)}, {"untold", std::move(untold)}, {"mounts", std::move(mounts)}};
+}
+
 } // namespace
 
 Json fitJson(const Json& document, const OpenedSets& opened, const Measurements& measurements, const Model& model,
@@ -63,6 +83,7 @@ Json fitJson(const Json& document, const OpenedSets& opened, const Measurements&
            {"seconds", result.seconds},
            {"groups", estimatesData(place.at("effects"))},
            {"terms", document["model"]["terms"]},
+           {"compensation", compensationJson(measurements, model, result)}, // [deg], mounts [rad]
            {"facts", Json::array()},
            {"pictures", picturesJson(opened, measurements, place)},
            {"drivers", driversJson(driversOf(measurements, model, result.unknowns))}};

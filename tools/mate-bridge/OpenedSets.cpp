@@ -30,12 +30,23 @@ void addSet(const std::string& folder, OpenedSets& opened) {
   opened.sets.push_back(std::move(set));
 }
 
+/// A path that cannot be looked at holds none: whose reader says what is wrong.
+bool isSet(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  return std::filesystem::exists(folder / "captures.json", ignored);
+}
+
+bool isFolder(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored);
+}
+
 /// A set as a result names it: as it is written, else beside the result.
 std::string folderOf(const std::string& written, const std::filesystem::path& result) {
   const std::filesystem::path beside =
       result.parent_path() / std::filesystem::path{written}.lexically_normal().filename();
   for (const std::filesystem::path& folder : {std::filesystem::path{written}, beside}) {
-    if (std::filesystem::exists(folder / "captures.json")) {
+    if (isSet(folder)) {
       return folder.string();
     }
   }
@@ -45,16 +56,13 @@ std::string folderOf(const std::string& written, const std::filesystem::path& re
                   result.string(), written, beside.string())};
 }
 
-bool isSet(const std::filesystem::path& folder) {
-  return std::filesystem::exists(folder / "captures.json");
-}
-
 /// A set, or the sets that lie in a folder of them, as the robot records a calibration.
 void addFolder(const std::string& folder, OpenedSets& opened) {
   std::vector<std::string> sets;
-  if (!isSet(folder) && std::filesystem::is_directory(folder)) {
-    for (const auto& entry : std::filesystem::directory_iterator{folder}) {
-      if (entry.is_directory() && isSet(entry.path())) {
+  if (!isSet(folder) && isFolder(folder)) {
+    std::error_code unreadable;
+    for (const auto& entry : std::filesystem::directory_iterator{folder, unreadable}) {
+      if (isFolder(entry.path()) && isSet(entry.path())) {
         sets.push_back(entry.path().string());
       }
     }
@@ -119,7 +127,7 @@ void addDocument(const std::string& file, bool alone, OpenedSets& opened) {
 OpenedSets openSets(const std::vector<std::string>& paths) {
   OpenedSets opened;
   for (const std::string& path : paths) {
-    if (std::filesystem::is_directory(path) || !path.ends_with(".json")) {
+    if (isFolder(path) || !path.ends_with(".json")) {
       addFolder(path, opened);
     } else {
       addDocument(path, paths.size() == 1, opened);

@@ -1,21 +1,18 @@
 #include "Panel.hpp"
 
+#include "Desks.hpp"
 #include "Errand.hpp"
 #include "Guard.hpp"
-#include "LabDesk.hpp"
 #include "Robots.hpp"
 #include "Server.hpp"
 #include "StandingRobot.hpp"
 #include "Wire.hpp"
 #include "page/Page.hpp"
 
-#include "captures/InputError.hpp"
-
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <fmt/format.h>
-#include <map>
 #include <nlohmann/json.hpp>
 
 namespace naocal {
@@ -49,32 +46,14 @@ struct Panel::Implementation {
       robots.connect(robot);
     }
     if (options.opened) {
-      open(std::move(*options.opened));
+      desks.put(std::move(*options.opened));
     }
   }
 
-  /// Puts captures on the laboratory's desk, in place of those that lie there.
-  void open(OpenedSets opened) {
-    const std::size_t number = desks + 1;
-    auto fresh =
-        std::make_unique<LabDesk>(std::move(opened), [this, number](const std::string& kind, std::string json) {
-          boost::asio::post(context, [this, number, kind, told = message(std::move(json))] {
-            if (number != desks) {
-              return; // the desk was cleared since
-            }
-            if (kind != "refused" && kind != "made") {
-              latest[kind] = told;
-            }
-            server.sendAll(told);
-          });
-        });
-    desks = number;
-    latest.clear();
-    server.sendAll(message(R"({"kind": "opened"})"));
-    desk = std::move(fresh);
+  Message hello() const {
+    const Json hello{{"kind", "hello"}, {"laboratory", desks.desk() != nullptr}, {"robots", robots.addresses()}};
+    return message(wireText(hello));
   }
-
-  Message hello() const { return message(Json{{"kind", "hello"}, {"laboratory", desk != nullptr}}.dump()); }
 
   RobotsCalls robotCalls() {
     return {[this](const std::string& json) { server.sendAll(message(json)); },
@@ -85,9 +64,18 @@ struct Panel::Implementation {
   }
 
   Answer file(std::string_view path) const {
+    try {
+      return fileThere(path);
+    } catch (const std::exception& error) {
+      return plain(500, error.what());
+    }
+  }
+
+  Answer fileThere(std::string_view path) const {
+    const LabDesk* const desk = desks.desk();
     constexpr std::string_view pictures = "picture/";
     if (path.starts_with(pictures)) {
-      auto picture = desk ? desk->picture(path.substr(pictures.size())) : std::nullopt;
+      auto picture = desk ? desk->picture(withoutPercents(path.substr(pictures.size()))) : std::nullopt;
       return picture ? Answer{200, "application/octet-stream", std::move(*picture)}
                      : plain(404, "This picture was not kept.");
     }
@@ -102,9 +90,13 @@ struct Panel::Implementation {
     return path.empty() ? plain(503, std::string{pageMissing()}) : plain(404, "The panel has no such file.");
   }
 
+  void refuse(std::size_t panel, const std::string& problem) {
+    server.send(panel, message(wireText({{"kind", "refused"}, {"sentence", problem}})));
+  }
+
   void greet(std::size_t panel) {
     server.send(panel, hello());
-    for (const auto& [kind, told] : latest) {
+    for (const auto& [kind, told] : desks.latest()) {
       server.send(panel, told);
     }
     robots.greet(panel);
@@ -114,16 +106,17 @@ struct Panel::Implementation {
   void received(std::size_t panel, const std::string& text) {
     std::string problem;
     try {
-      const Json request = Json::parse(text);
+      const Json request = wireJson(text);
+      LabDesk* const desk = desks.desk();
       if (request.at("do") == "check" && desk) {
         Json answer = desk->checked(request.at("effect"));
         answer["kind"] = "checked";
         answer["number"] = request.at("number");
-        server.send(panel, message(answer.dump()));
+        server.send(panel, message(wireText(answer)));
         return;
       }
       if (request.at("do") == "open") {
-        open(openSets(request.at("paths").get<std::vector<std::string>>()));
+        desks.open(request.at("paths"), [this, panel](const std::string& why) { refuse(panel, why); });
         return;
       }
       if (request.at("do") == "stand") {
@@ -134,13 +127,12 @@ struct Panel::Implementation {
         return;
       }
       problem = fmt::format("the bridge does not know how to do \"{}\"", request.at("do").get<std::string>());
-    } catch (const InputError& error) {
-      problem = error.what();
     } catch (const Json::exception& error) {
       problem = fmt::format("the bridge did not understand the panel: {}", error.what());
+    } catch (const std::exception& error) {
+      problem = error.what();
     }
-    const Json refused{{"kind", "refused"}, {"sentence", problem}};
-    server.send(panel, message(wireText(refused)));
+    refuse(panel, problem);
   }
 
   /// How a robot would stand: {"angles": by joint or in HULKs' order [rad]} answered with "stand" and its number.
@@ -156,12 +148,11 @@ struct Panel::Implementation {
   const Robot drawing = loadRobot(configurationDirectory(), "V6");
   boost::asio::io_context context;
   boost::asio::signal_set signals;
-  std::map<std::string, Message> latest; // what the laboratory told, by kind: for panels to come
   Robots robots;
   Server server;
   Errand errand;
-  std::size_t desks = 0;         // that there were
-  std::unique_ptr<LabDesk> desk; // ends first: its thread posts to the context
+  Desks desks{[this](std::function<void()> action) { boost::asio::post(context, std::move(action)); },
+              [this](const Message& told) { server.sendAll(told); }}; // last: its threads post to the context
 };
 
 Panel::Panel(PanelOptions options) : implementation_{std::make_unique<Implementation>(std::move(options))} {}

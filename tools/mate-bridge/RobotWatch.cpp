@@ -112,26 +112,27 @@ void RobotWatch::tellScene() {
 void RobotWatch::pictured(const std::string& key, std::uint64_t timestamp, int width, int height,
                           std::string_view file) {
   const std::string camera = key == keys[2] ? "top" : "bottom";
-  const auto after = angles_.lower_bound(timestamp);
   const auto belief = cameras_.find(camera);
   const auto now = SteadyClock::now();
+  if (angles_.empty() || belief == cameras_.end() || now - looked_[camera] < betweenLooks) {
+    return;
+  }
+  const auto after = angles_.lower_bound(timestamp);
+  const Eigen::VectorXd& angles = after == angles_.end() ? angles_.rbegin()->second : after->second;
+  const auto floorFromOptical = StandingRobot{drawing_, angles}.eye(camera, belief->second);
+  if (!floorFromOptical) {
+    return;
+  }
+  const Eye eye{*floorFromOptical, scaled(belief->second.intrinsics, width, height)};
   {
     const std::lock_guard lock{sight_->mutex};
     bool& busy = sight_->busy[camera];
-    if (angles_.empty() || belief == cameras_.end() || sight_->boards.empty() || busy ||
-        now - looked_[camera] < betweenLooks) {
+    if (sight_->boards.empty() || busy) {
       return;
     }
     busy = true;
   }
   looked_[camera] = now;
-  const Eigen::VectorXd& angles = after == angles_.end() ? angles_.rbegin()->second : after->second;
-  LiveCamera live = belief->second;
-  const auto floorFromOptical = StandingRobot{drawing_, angles}.eye(camera, live);
-  if (!floorFromOptical) {
-    return;
-  }
-  const Eye eye{*floorFromOptical, scaled(live.intrinsics, width, height)};
   worker_.add([sight = sight_, tell = tell_, robot = robot_, key, camera, timestamp, eye, bytes = std::string{file}] {
     Json boards = Json::array();
     try {
@@ -144,7 +145,7 @@ void RobotWatch::pictured(const std::string& key, std::uint64_t timestamp, int w
         lock.unlock();
         boards.push_back({{"board", seen.board}, {"measured", listOf(seen.uv)}, {"predicted", listOf(predicted)}});
       }
-    } catch (const InputError&) { // a picture that was cut short: the next one comes
+    } catch (const std::exception&) { // a picture that was cut short, or no picture: the next one comes
     }
     {
       const std::lock_guard lock{sight->mutex};
@@ -156,7 +157,7 @@ void RobotWatch::pictured(const std::string& key, std::uint64_t timestamp, int w
 
 void RobotWatch::configured(const Json& settings) {
   for (const Json& entry : settings.is_array() ? settings : Json::array()) {
-    if (entry.value("key", "") != "boards") {
+    if (entry.at("key") != "boards") {
       continue;
     }
     std::vector<Board> boards;

@@ -36,11 +36,22 @@ bool Robots::asked(std::size_t panel, const nlohmann::json& request) {
   }
   const std::string address = request.at("robot");
   const auto found = robots_.find(address);
+  if (found == robots_.end() && (verb == "unsubscribe" || verb == "unwatch")) {
+    return true; // it went with its robot
+  }
   if (found == robots_.end()) {
     throw InputError{fmt::format("there is no robot {} to {}; connect to it first", address, verb)};
   }
   verb == "disconnect" ? disconnect(address) : found->second->asked(panel, verb, request);
   return true;
+}
+
+std::vector<std::string> Robots::addresses() const {
+  std::vector<std::string> all;
+  for (const auto& [address, robot] : robots_) {
+    all.push_back(address);
+  }
+  return all;
 }
 
 void Robots::greet(std::size_t panel) const {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 namespace boost::asio {
 class io_context;
@@ -25,6 +26,8 @@ public:
   /// "unsubscribe", "robot", "key"}, {"do": "keys", "robot", "mount"}, {"do": "set", "robot", "settings"}, {"do":
   /// "save", "robot"}. False: that is nothing for robots.
   bool asked(std::size_t panel, const nlohmann::json& request);
+
+  std::vector<std::string> addresses() const;
 
   /// What a panel that has just come must know.
   void greet(std::size_t panel) const;

@@ -32,13 +32,13 @@ std::vector<std::string> labelsOf(const Model& model) {
 
 Rung firstRung(const OpenedSets& opened, const Measurements& measurements) {
   if (opened.terms.empty()) {
-    return {opened.with, {}, "", 0, {}};
+    return {opened.with, {}, opened.definitions, "", 0, {}};
   }
   const std::vector<std::string> base = labelsOf(makeModel(measurements));
   std::vector<std::string> with = without(opened.terms, base);
   // the base has every offset that can be asked for; others are along because torques depend on them
   std::erase_if(with, [](const std::string& label) { return label.starts_with("jointOffset@"); });
-  return {std::move(with), without(base, opened.terms), "", 0, {}};
+  return {std::move(with), without(base, opened.terms), opened.definitions, "", 0, {}};
 }
 
 nlohmann::json rungJson(const Rung& rung) {

@@ -14,6 +14,7 @@ namespace naocal {
 /// A model that was tried: the base with and without some effects, and how well it did.
 struct Rung {
   std::vector<std::string> with, without; // "E@P"
+  std::string definitions = "[]";         // the person's own effects: a list of JSON
   std::string step;                       // "+ elasticity@LKneePitch"; empty for the first
   double rmsPx = 0;
   std::optional<Step> questioned; // once it was put to the question

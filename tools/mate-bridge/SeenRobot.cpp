@@ -18,8 +18,11 @@ constexpr std::size_t theWatch = std::numeric_limits<std::size_t>::max(); // amo
 
 /// What a robot sent as JSON; null where it is none.
 Json parsed(const std::string& body) {
-  Json json = Json::parse(body, nullptr, false);
-  return json.is_discarded() ? Json() : json;
+  try {
+    return wireJson(body);
+  } catch (const Json::exception&) {
+    return nullptr;
+  }
 }
 
 /// Does what may fail because a robot sent something else under a key than naocal-robot does.
@@ -53,8 +56,12 @@ std::string SeenRobot::state() const {
 
 void SeenRobot::listed(const std::string& kind, const std::string& body) {
   const Json told = parsed(body);
-  if (kind == "keys" && watch_ && told.is_object() && told.value("mountPoint", "") == RobotWatch::boardsMount) {
-    whereItFits([&] { watch_->configured(told.at("keys")); });
+  if (kind == "keys" && watch_) {
+    whereItFits([&] {
+      if (told.at("mountPoint") == RobotWatch::boardsMount) {
+        watch_->configured(told.at("keys"));
+      }
+    });
   }
   const std::string message = wireText({{"kind", kind}, {"robot", address_}, {"body", told}});
   if (kind != "keys" && latest_[kind] == message) {

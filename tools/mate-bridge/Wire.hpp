@@ -2,10 +2,18 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 
 namespace naocal {
 
 /// JSON as it goes to a panel or a robot, whatever bytes its texts hold.
 std::string wireText(const nlohmann::json& json);
+
+/// What came as JSON. Throws nlohmann::json::exception; also for brackets so deep that writing them again could exhaust
+/// the stack.
+nlohmann::json wireJson(std::string_view text);
+
+/// An address' path with its %20 as letters; what is no such code stays as it is.
+std::string withoutPercents(std::string_view path);
 
 } // namespace naocal

@@ -21,11 +21,6 @@ void Worker::add(Job job) {
   changed_.notify_all();
 }
 
-bool Worker::othersWait() const {
-  const std::lock_guard lock{mutex_};
-  return !jobs_.empty();
-}
-
 void Worker::run() {
   for (;;) {
     std::unique_lock lock{mutex_};

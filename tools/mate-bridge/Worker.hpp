@@ -19,13 +19,11 @@ public:
   Worker& operator=(const Worker&) = delete;
 
   void add(Job job);
-  /// Whether more waits: work that only adds to what is there steps back for it.
-  bool othersWait() const;
 
 private:
   void run();
 
-  mutable std::mutex mutex_;
+  std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Job> jobs_;
   bool ends_ = false;

@@ -52,9 +52,11 @@ int main(int argc, char** argv) {
     naocal::Panel panel{std::move(options)};
     fmt::print("The panel is at {}\nEnd with Ctrl-C.\n", panel.address());
     std::fflush(stdout);
-    if (!naocal::pageMissing().empty()) {
+    const bool isThere = naocal::pageMissing().empty();
+    const auto opened = isThere && !noOpen ? naocal::openedInBrowser(panel.address()) : nullptr;
+    if (!isThere) {
       fmt::print(stderr, "{}\n", naocal::pageMissing());
-    } else if (!noOpen && !naocal::openInBrowser(panel.address())) {
+    } else if (!noOpen && !opened) {
       fmt::print(stderr, "No browser was found: open the address yourself.\n");
     }
     panel.run();
