@@ -34,6 +34,8 @@ await page.getByRole("button", {name: "Play", exact: true}).click();
 // The robot asks to be held between one foot and both, and to be put down before its poses.
 for (const words of [/going to stand on its .* foot/, /lies flat, let go/, /back onto both feet/]) {
   await page.getByText(words).first().waitFor({timeout: 300000});
+  if (words.test("lies flat, let go")) check(await page.getByText("Hold the robot by its trunk").count() === 0, "who is to let go is not told to hold on");
+  await page.screenshot({path: join(pictures, "calibrate-question.png"), fullPage: true});
   await page.getByRole("button", {name: "Confirm"}).click();
 }
 await page.getByRole("heading", {name: /^(Finished|Failed)$/}).waitFor({timeout: 300000});

@@ -1,36 +1,50 @@
-// A result put on a robot: it counts at once, and is written into its files only when that is confirmed too.
-import {make, button} from "./elements.js";
-import {act, notice} from "./state.js";
-import {robots, lookedAt} from "./robots.js";
+// A result put on a robot, as its own calibration would: it counts at once, and is written into its files only when
+// that is confirmed too.
+import {make, button, confirmation} from "./elements.js";
+import {act, say} from "./state.js";
+import {robots, lookedAt, needKeys} from "./robots.js";
+import {number} from "./words.js";
 import {offsetsMount, mountsMount} from "./steer.js";
 
-let confirming = null;
+let confirming = null; // {what, robot}
 
-// Offsets in degrees and mounts in radians, as HULKs' configuration has them.
-function settingsOf({groups}) {
-  const rowsOf = title => groups.filter(group => group.title === title && group.unit === "°").flatMap(({rows}) => rows), mounts = new Map();
-  for (const {name, value} of rowsOf("camera rotation")) {
-    const [camera, axis] = name.split(" ");
-    if (!mounts.has(camera)) mounts.set(camera, [0, 0, 0]);
-    mounts.get(camera)[["rx", "ry", "rz"].indexOf(axis)] = value * Math.PI / 180;
-  }
-  return [...rowsOf("joint offset").map(({name, value}) => ({mp: offsetsMount, key: name.charAt(0).toLowerCase() + name.slice(1), value})),
-    ...[...mounts].map(([camera, value]) => ({mp: mountsMount, key: camera + "_ext", value}))];
+// What is to be set, beside what the robot has: offsets in degrees, mounts in radians, as HULKs' configuration has them.
+function changesOf({compensation: {offsets, mounts}}, keys) {
+  const had = (mp, key) => (keys.get(mp) || []).find(one => one.key === key)?.value;
+  const change = (mp, key, value) => ({mp, key, value, old: had(mp, key)});
+  const keyOf = joint => joint.charAt(0).toLowerCase() + joint.slice(1);
+  return [...offsets.flatMap(({joint, value}) => [joint, ...(joint === "LHipYawPitch" ? ["RHipYawPitch"] : [])].map(one => change(offsetsMount, keyOf(one), value))), // one motor
+    ...mounts.map(({camera, rotation}) => change(mountsMount, camera + "_ext", rotation))];
 }
+
+const degrees = value => number(value.toFixed(2)) + "°";
+const shown = value => value === undefined ? "–" : Array.isArray(value) ? value.map(one => degrees(one * 180 / Math.PI)).join(" ") : degrees(value);
+
+const table = changes => make("table", {class: "narrow"}, make("thead", {}, make("tr", {}, ...["", "on it now", "will be"].map((words, i) => make("th", {scope: "col", class: i ? "number" : ""}, words)))),
+  make("tbody", {}, ...changes.map(({key, old, value}) => make("tr", {}, make("th", {scope: "row"}, key.replace("_ext", " camera (rx ry rz)")), make("td", {class: "number"}, shown(old)), make("td", {class: "number"}, shown(value))))));
 
 export function applying(fit, again) {
   const robot = lookedAt(), entry = robot && robots.get(robot);
-  if (!entry || !entry.connected) return [];
-  const settings = settingsOf(fit), others = fit.with.filter(label => !/^(jointOffset|cameraRotation)@/.test(label));
-  const ask = (question, yes, action) => make("div", {class: "confirm", role: "group", "aria-label": "confirm"}, make("p", {}, question),
-    make("p", {class: "controls"}, button(yes, () => { confirming = null; action(); again(); }, {class: "main"}), button("Not now", () => { confirming = null; again(); })));
-  const parts = [make("p", {class: "controls"}, button("Apply to " + robot + " …", () => { confirming = "apply"; again(); }, {disabled: !settings.length}),
-    button("Save …", () => { confirming = "save"; again(); }))];
-  if (confirming === "apply") {
-    parts.push(ask("Set " + settings.length + " offsets and camera mounts on " + robot + " to what stands here? They count at once, and until it ends unless they are saved." +
-      (others.length ? " What is beyond constant offsets (" + others.join(", ") + ") cannot be set on it." : "") + (fit.usable ? "" : " This result should not be used."), "Apply to " + robot,
-    () => { act({do: "set", robot, settings}); notice("Set on " + robot + ". Save writes it into its files."); }));
+  if (!entry || !entry.connected || !entry.mounts.some(({key}) => key === offsetsMount)) return [];
+  [offsetsMount, mountsMount].forEach(mount => needKeys(robot, mount));
+  const changes = changesOf(fit, entry.keys), asks = what => () => { confirming = what && {what, robot}; again(); }, waits = what => confirming && confirming.what === what && confirming.robot === robot;
+  const parts = [make("p", {class: "controls"}, button("Apply to " + robot + " …", asks("apply"), {disabled: !changes.length}), button("Save …", asks("save")))];
+  if (waits("apply")) {
+    const others = fit.with.filter(label => !/^(jointOffset|cameraRotation|backlash|hysteresis)@/.test(label)), {untold} = fit.compensation;
+    parts.push(confirmation(["Set this on " + robot + "? It counts at once, and until it ends unless it is saved." + (fit.usable ? "" : " This result should not be used."), table(changes),
+      ...(untold.length ? ["These captures hardly tell " + untold.join(", ") + ": the robot keeps what it has there."] : []),
+      ...(others.length ? ["What is beyond constant offsets (" + others.join(", ") + ") cannot be set on it."] : [])], "Apply to " + robot, () => {
+      confirming = null;
+      const settings = changes.map(({mp, key, value}) => ({mp, key, value}));
+      if (act({do: "set", robot, settings})) say("Sent to " + robot + ". Save writes it into its files.");
+      [offsetsMount, mountsMount].forEach(mount => act({do: "keys", robot, mount})); // what it took
+      again();
+    }, asks(null)));
   }
-  if (confirming === "save") parts.push(ask("Write everything that was set on " + robot + " into its own configuration files?", "Save on " + robot, () => act({do: "save", robot})));
+  if (waits("save")) parts.push(confirmation("Write everything that was set on " + robot + " into its own configuration files?", "Save on " + robot, () => {
+    confirming = null;
+    if (act({do: "save", robot})) say("Asked " + robot + " to save. (HULKs' protocol has no answer to this.)");
+    again();
+  }, asks(null)));
   return parts;
 }

@@ -6,7 +6,15 @@ import {px, rms} from "./words.js";
 
 const remembered = 4000, corners = 700, nearby = 1000; // pictures for thumbnails; how long corners stay in sight; how far a thumbnail may be off [ms]
 
-export class Camera {
+const made = new Map(); // by place
+
+// The same one for the same place: what it showed last stays when its view is drawn anew.
+export function cameraAt(place, label) {
+  if (!made.has(place)) made.set(place, new Camera(label));
+  return made.get(place);
+}
+
+class Camera {
   constructor(label) {
     this.canvas = make("canvas", {width: 640, height: 480, role: "img", "aria-label": label});
     this.caption = make("figcaption", {}, "waiting for the first picture");
@@ -37,10 +45,11 @@ export class Camera {
     context.drawImage(image, 0, 0);
     image.close();
     const words = this.drawFound(context, timestamp);
+    if (times.length && performance.now() - times[times.length - 1] > 3000) times.length = 0; // it had stopped
     times.push(performance.now());
     while (times.length > 30) times.shift();
     const rate = times.length > 1 ? 1000 * (times.length - 1) / (times[times.length - 1] - times[0]) : 0;
-    this.caption.textContent = width + " × " + height + " px, " + rate.toFixed(0) + " pictures a second" + words;
+    this.caption.textContent = width + " × " + height + " px, " + (rate.toFixed(0) === "1" ? "1 picture" : rate.toFixed(0) + " pictures") + " a second" + words;
   }
 
   drawFound(context, now) {

@@ -31,6 +31,7 @@ export function showCompare(parent) {
     make("div", {class: "split"}, scatter, make("div", {}, pictureFigure(chosen))),
     make("h2", {}, "Captures"),
     pager(pictures, again),
+    fit.pictures.some(({kept}) => kept) ? null : make("p", {class: "soft"}, "No photographs were kept with these captures: only what was found in them is drawn."),
     make("div", {class: "grid"}, ...pictures.slice(shown.first, shown.first + perPage).map(pictureFigure)));
 }
 

@@ -34,9 +34,13 @@ export function choice(label, options, chosen, changed, id) {
 // New content, without taking the focus from an element with an id that is there again.
 export function renew(parent, ...children) {
   const kept = document.activeElement && parent.contains(document.activeElement) && document.activeElement.id;
-  parent.replaceChildren(...children);
+  parent.replaceChildren(...children.filter(child => child !== null && child !== undefined));
   if (kept) document.getElementById(kept)?.focus();
 }
+
+// A question that a person answers before anything happens.
+export const confirmation = (words, yes, action, no) => make("div", {class: "confirm", role: "group", "aria-label": "confirm"}, ...[words].flat().map(line => typeof line === "string" ? make("p", {}, line) : line),
+  make("p", {class: "controls"}, button(yes, action, {class: "main"}), button("Not now", no)));
 
 export const empty = (title, ...words) => make("div", {class: "empty"}, make("h2", {}, title), make("p", {}, ...words));
 

@@ -30,7 +30,7 @@ export function showFiles(parent) {
     paths("open", "path of what to open", typed, value => { typed = value; }, list => act({do: "open", paths: list}), "Open"),
     ...(open ? [element("h2", {}, "Compare with captures that were not used"), paths("compare", "path of other captures", typedOthers, value => { typedOthers = value; }, list => act({do: "compare", paths: list}), "Compare"),
       ...(compared ? comparison(compared) : []),
-      element("h2", {}, "Save"), element("table", {}, element("tbody", {}, element("tr", {}, element("td", {}, button("session.html", saveSession)), element("td", {}, "all that this panel shows, as one page")),
+      element("h2", {}, "Save"), element("table", {class: "files"}, element("tbody", {}, element("tr", {}, element("td", {}, button("session.html", saveSession)), element("td", {}, "all that this panel shows, as one page")),
         ...Object.entries(kinds).map(([file, [words]]) => element("tr", {}, element("td", {}, button(file, () => make(file))), element("td", {}, words)))))]
       : [element("h2", {}, "Save"), element("p", {}, button("session.html", saveSession), " all that this panel shows, as one page")]));
 }

@@ -1,3 +1,8 @@
+// HULKs' order, in which robots send one number per joint.
+const arm = side => ["ShoulderPitch", "ShoulderRoll", "ElbowYaw", "ElbowRoll", "WristYaw", "Hand"].map(name => side + name);
+const leg = side => ["HipYawPitch", "HipRoll", "HipPitch", "KneePitch", "AnklePitch", "AnkleRoll"].map(name => side + name);
+const joints = ["HeadYaw", "HeadPitch", ...arm("L"), ...leg("L"), ...leg("R"), ...arm("R")];
+
 // What one key had over time: its numbers by name, as many entries as `most`.
 export class History {
   constructor(most) {
@@ -53,6 +58,6 @@ function numbersIn(value, name, found) {
   if (found.size >= 64) return;
   if (typeof value === "number") found.set(name, value);
   else if (typeof value === "boolean") found.set(name, Number(value));
-  else if (Array.isArray(value)) value.forEach((one, i) => numbersIn(one, name + "[" + i + "]", found));
+  else if (Array.isArray(value)) value.forEach((one, i) => numbersIn(one, name + (value.length === joints.length ? (name ? "." : "") + joints[i] : "[" + i + "]"), found));
   else if (value && typeof value === "object") for (const key of Object.keys(value)) numbersIn(value[key], name ? name + "." + key : key, found);
 }

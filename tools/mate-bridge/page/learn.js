@@ -28,7 +28,9 @@ export function showLearn(parent) {
 function verdict(questions) {
   const {suspicious, steps, candidates, map} = questions, step = steps[0], best = candidates[0];
   if (!step || suspicious.length || step.alarm > 0.05) {
-    return make("div", {class: "verdict " + questions.verdict}, make("h1", {}, questions.headline), make("p", {}, questions.sentence));
+    const {headline, sentence} = questions, stem = headline.replace(/\.$/, "");
+    const rest = sentence.startsWith(stem) ? sentence.slice(stem.length).replace(/^[\s:,;.]+/, "") : sentence; // it says the headline again
+    return make("div", {class: "verdict " + questions.verdict}, make("h1", {}, headline), make("p", {}, rest.charAt(0).toUpperCase() + rest.slice(1)));
   }
   const curve = map.reduce((a, b) => a.evidence > b.evidence ? a : b, {evidence: -Infinity});
   const unknown = curve.evidence - best.evidence > Math.max(6, 0.15 * best.evidence); // as naocal diagnose decides it
@@ -57,7 +59,7 @@ function table(chosen, {candidates}, looked, again) {
   return make("div", {},
     make("table", {class: "candidates"}, make("thead", {}, make("tr", {}, head("effect", "an effect at a place"),
       head("evidence", "how much better the captures are explained with it than without, its size weighed against what is plausible"),
-      head("size ± 1 sigma", "as these captures tell it"), head("what it would bring", "the error on unseen poses now and with it; the fall of chi², predicted, and after a slash as found by refitting", "number"), make("td", {}))), body),
+      head("size ± 1 sigma", "as these captures tell it"), head("what it would bring", "the error on unseen poses now and with it; and how far χ², the sum of squared misfits, would fall: of the best ones as found by refitting, of others as predicted", "number"), make("td", {}))), body),
     chosen.length > shownFirst ? button(shown.all ? "show fewer" : "show all " + chosen.length, () => { shown.all = !shown.all; again(); }) : null);
 }
 
@@ -73,7 +75,7 @@ function row(candidate, most, isLooked, again) {
     make("td", {class: "strength"}, make("span", {class: "number"}, tested && evidence !== null ? tenths(evidence) : "–"), make("span", {class: "axis"}, bar)),
     make("td", {}, ...(tested ? sizes : []).map(size => make("div", {class: "nowrap"}, sizeWords(size)))),
     make("td", {class: "number"}, make("div", {}, before === null || after === null ? "–" : before.toFixed(2) + " → " + after.toFixed(2) + " px"),
-      tested ? make("div", {class: "soft"}, "chi² −" + short(predictedDrop) + (realDrop === null ? "" : " / −" + short(realDrop))) : null),
+      tested ? make("div", {class: "soft"}, "χ² falls by " + short(realDrop ?? predictedDrop)) : null),
     make("td", {}, tested ? button("Add", () => act({do: "add", label}), {class: "add small", "aria-label": "add " + label}) : null));
 }
 

@@ -18,11 +18,11 @@ export function detail(candidate, questions, again) {
   if (candidate.why) facts.push(["why", candidate.why]);
   if (candidate.state !== "no-data") {
     facts.push(["size", candidate.sizes.map(sizeWords).join(", ") + (candidate.plausible ? "" : ": larger than plausible")]);
-    facts.push(["least seen", candidate.sizes.map(({detectable, unit}) => detectable === null ? "–" : withUnit(short(detectable), unit)).join(", ") +
-      ": noticed in 9 of 10 cases"]);
-    if (candidate.pValue !== null) facts.push(["alone", chance(candidate.pValue)]);
+    facts.push(["noticeable", candidate.sizes.map(({detectable, unit}) => detectable === null ? "–" : withUnit(short(detectable), unit)).join(", ") +
+      " and more is noticed in 9 of 10 cases"]);
+    if (candidate.pValue !== null) facts.push(["by chance", chance(candidate.pValue)]);
     facts.push(["power", Math.round(100 * candidate.power) + " % to be noticed if as large as plausible"]);
-    facts.push(["its own", Math.round(100 * candidate.kept) + " % of it is nothing that other unknowns could imitate"]);
+    facts.push(["not imitated", Math.round(100 * candidate.kept) + " % of it; the rest other unknowns could do as well"]);
   }
   if (candidate.equivalent.length) facts.push(["like it", "these captures cannot tell it from " + candidate.equivalent.join(", ")]);
   parts.push(make("dl", {class: "facts"}, ...facts.flatMap(([term, words]) => [make("dt", {}, term), make("dd", {}, words)])));

@@ -2,21 +2,21 @@
 // for and sees, stop at any moment, see what it brought, take it back.
 import {make, button, empty} from "./elements.js";
 import {send} from "./connection.js";
-import {act} from "./state.js";
-import {robots, robotBar, lookedAt, whyNothing} from "./robots.js";
+import {act, notice} from "./state.js";
+import {robots, robotBar, refreshBar, lookedAt, needKeys, whyNothing} from "./robots.js";
 import {wish} from "./subscriptions.js";
-import {Camera, cameraKeys} from "./camera.js";
+import {cameraAt, cameraKeys} from "./camera.js";
 import {of, valueOf} from "./values.js";
 import {standingFigure} from "./standing.js";
 import {floorFigure} from "./floor.js";
+import {comingPoses, markStep} from "./coming.js";
 import {capturesKey, gather, thumbnails} from "./taken.js";
-import {outcome, offsets, outcomeKey} from "./outcome.js";
-import {healthKey, refreshVitals} from "./vitals.js";
-import {steer, afterwards, runner, offsetsMount, stop} from "./steer.js";
+import {outcome, offsets, cameraMounts, outcomeKey} from "./outcome.js";
+import {refreshVitals} from "./vitals.js";
+import {stateKey, playerKey, healthKey, running} from "./follow.js";
+import {steer, afterwards, ended, runner, offsetsMount, mountsMount} from "./steer.js";
 
-export const stateKey = "Brain.calibration";
-const playerKey = "Motion.player", kindsKey = "Brain.calibrationKinds", posesKey = "Brain.calibrationPoses"; // {round, step, poses: [{name, angles}]}
-export const running = phase => !["idle", "finished", "failed"].includes(phase);
+const kindsKey = "Brain.calibrationKinds", posesKey = "Brain.calibrationPoses"; // {round, step, poses: [{name, angles}]}
 
 let parentShown = null, shownRobot = null, cameras = [], parts = null, drawings = [];
 
@@ -26,10 +26,12 @@ export function showMatch(parent) {
   shownRobot = lookedAt();
   if (before && before !== shownRobot) send({do: "unwatch", robot: before});
   const why = whyNothing();
-  parent.replaceChildren(make("h1", {}, "Calibrate"), robotBar(() => showMatch(parent)), ...(why ? [empty(...why)] : content()));
+  parent.replaceChildren(make("div", {class: "heading"}, make("h1", {}, "Calibrate"), robotBar(again)), ...(why ? [empty(...why)] : content()));
   if (why) wish("match", null, []);
   else draw();
 }
+
+const again = () => showMatch(parentShown);
 
 export function leaveMatch() {
   parentShown = null;
@@ -38,38 +40,39 @@ export function leaveMatch() {
 }
 
 function content() {
-  const {list, mounts, keys} = robots.get(shownRobot), {chosen} = cameraKeys(list);
+  const {list, mounts, connected} = robots.get(shownRobot), {chosen} = cameraKeys(list);
   const can = list.some(({key}) => key === stateKey) && mounts.some(({key}) => key === runner);
-  cameras = chosen.map((key, i) => key && {key, camera: new Camera((i ? "bottom" : "top") + " camera")}).filter(Boolean);
-  wish("match", shownRobot, [stateKey, playerKey, kindsKey, posesKey, capturesKey, outcomeKey, ...cameras.map(({key}) => key)].filter(key => list.some(one => one.key === key)));
+  cameras = chosen.map((key, i) => key && {key, camera: cameraAt(shownRobot + "\n" + key, (i ? "bottom" : "top") + " camera")}).filter(Boolean);
+  wish("match", shownRobot, [kindsKey, posesKey, capturesKey, outcomeKey, ...cameras.map(({key}) => key)].filter(key => list.some(one => one.key === key)));
   send({do: "watch", robot: shownRobot});
-  if (can && !keys.has(offsetsMount)) {
-    keys.set(offsetsMount, null);
-    act({do: "keys", robot: shownRobot, mount: offsetsMount});
-  }
-  const stance = standingFigure(() => ({now: of(shownRobot).scene, next: of(shownRobot).next}), "how the robot stands, and its next pose");
+  if (!connected) cameras.filter(({camera}) => camera.times.length).forEach(({camera}) => { camera.caption.textContent = "the last picture that came"; });
+  if (can) [offsetsMount, mountsMount].forEach(mount => needKeys(shownRobot, mount));
+  const stance = standingFigure(() => ({now: of(shownRobot).scene, next: of(shownRobot).next}), "how the robot stands, and its next pose", 215);
   const floor = floorFigure(() => of(shownRobot).scene);
   drawings = [stance, floor];
-  parts = Object.fromEntries(["steer", "progress", "after", "outcome", "offsets", "captures", "nextWords"].map(name => [name, make("div")]));
-  const left = can ? [parts.steer, parts.progress] : [empty("This robot does not calibrate itself",
+  parts = Object.fromEntries(["steer", "progress", "after", "outcome", "offsets", "captures", "nextWords", "poses"].map(name => [name, make("div")]));
+  const left = can ? [parts.steer, parts.progress, parts.poses] : [empty("This robot does not calibrate itself",
     "It serves no " + stateKey + ": naocal-robot does. Its cameras and values can be seen all the same.")];
-  return [make("div", {class: "split match"}, make("div", {}, ...left, parts.outcome, parts.after, parts.offsets, parts.captures),
+  return [make("div", {class: "split match"}, make("div", {}, ...left, parts.outcome, parts.after, parts.offsets),
     make("div", {}, make("div", {class: "cameras beside"}, ...cameras.map(({camera}) => make("figure", {class: "camera"}, make("b", {}, camera.canvas.getAttribute("aria-label")), camera.canvas, camera.caption))),
       make("p", {class: "keys soft"}, make("span", {class: "key measured"}), " corner, ", make("span", {class: "key predicted"}), " where the joints and cameras as they are believed put it"),
-      make("div", {class: "cameras beside"}, make("div", {}, make("h2", {}, "Its stance"), stance, parts.nextWords),
+      make("div", {class: "cameras beside"}, make("div", {}, make("h2", {}, "Its stance"), parts.nextWords, stance),
         make("div", {}, make("h2", {}, "The floor"), floor, make("p", {class: "keys soft"}, make("span", {class: "key topView"}), " what the top camera sees, ",
-          make("span", {class: "key bottomView"}), " the bottom one; ", make("span", {class: "key weight"}), " centre of mass")))))];
+          make("span", {class: "key bottomView"}), " the bottom one; ", make("span", {class: "key weight"}), " centre of mass"))))), parts.captures];
 }
 
 function draw() {
   if (!parentShown || !parts) return;
   const entry = robots.get(shownRobot), state = valueOf(shownRobot, stateKey), player = valueOf(shownRobot, playerKey);
   const told = valueOf(shownRobot, outcomeKey), isRunning = running(state ? state.phase : "idle");
-  const {before, captures} = of(shownRobot), now = entry.keys.get(offsetsMount);
-  steer({robot: shownRobot, entry, state, isRunning, kinds: valueOf(shownRobot, kindsKey), draw, when});
-  when("progress", [state, player && player.reason, player && player.held], () => state ? progress(state, player) : [make("p", {class: "soft"}, "Waiting for the robot's first word …")]);
+  const {before, mountsBefore, captures} = of(shownRobot), now = entry.keys.get(offsetsMount), mounts = entry.keys.get(mountsMount);
+  steer({robot: shownRobot, entry, state, player, isRunning, kinds: valueOf(shownRobot, kindsKey), draw, when});
+  when("progress", [state, player && player.reason], () => state ? progress(state, player) : [make("p", {class: "soft"}, "Waiting for the robot's first word …")]);
   when("outcome", [state && state.errorAfter, isRunning, told], () => outcome(state, isRunning, told));
-  when("offsets", [told, before, now], () => offsets(told, before, now));
+  when("offsets", [told, before, now, mountsBefore, mounts], () => [...offsets(told, before, now), ...cameraMounts(mountsBefore, mounts)]);
+  const round = valueOf(shownRobot, posesKey);
+  when("poses", round && isRunning && [round.round, round.poses.map(({name}) => name)], () => round && isRunning ? comingPoses(round) : []);
+  if (round) markStep(parts.poses, round.step);
   when("captures", captures, () => thumbnails(shownRobot));
   afterwards({robot: shownRobot, entry, state, isRunning, draw, when});
   next();
@@ -86,7 +89,7 @@ function when(name, shown, made) {
 // The pose that comes next, worked out by the bridge once it is known.
 let asked = 0;
 function next() {
-  const told = valueOf(shownRobot, posesKey), known = of(shownRobot), pose = told && told.poses[told.step];
+  const state = valueOf(shownRobot, stateKey), told = valueOf(shownRobot, posesKey), known = of(shownRobot), pose = told && state && running(state.phase) && told.poses[told.step];
   const words = JSON.stringify(pose || null);
   if (known.nextShown !== words) {
     known.nextShown = words;
@@ -94,7 +97,7 @@ function next() {
     if (pose) send({do: "stand", number: known.nextNumber = ++asked, angles: pose.angles});
   }
   when("nextWords", [pose && pose.name, told && told.step, told && told.poses.length], () => [make("p", {class: "soft"},
-    pose ? make("span", {}, make("span", {class: "key after"}), " " + pose.name + ", " + (told.step + 1) + " of " + told.poses.length + " of this round; grey: as it stands now")
+    pose ? make("span", {}, make("span", {class: "key outline"}), " " + pose.name + ", " + (told.step + 1) + " of " + told.poses.length + " of this round; grey: as it stands now")
       : "Grey: as it stands now. Each pose of a calibration is shown here before it is played.")]);
 }
 
@@ -102,11 +105,10 @@ function progress(state, player) {
   const bar = make("progress", {max: "1", "aria-label": "progress of this round"});
   bar.value = state.poses ? state.pose / state.poses : running(state.phase) ? 0 : 1;
   return [make("h2", {}, state.phase.charAt(0).toUpperCase() + state.phase.slice(1)),
-    make("p", {class: state.phase === "failed" ? "bad" : "", role: "status"}, state.sentence || "Ready."),
+    state.question ? "" : make("p", {class: state.phase === "failed" ? "bad" : "", role: "status"}, state.sentence || "Ready."),
     state.phase === "idle" ? "" : make("div", {class: "progress"}, bar, make("span", {class: "number"}, state.poses ? "pose " + state.pose + " of " + state.poses : ""),
       make("span", {class: "number"}, state.captures + " pictures"), make("span", {class: "number"}, state.secondsLeft === null ? "" : "about " + Math.ceil(state.secondsLeft) + " s left")),
-    player && player.held ? make("p", {class: "hold"}, make("span", {class: "eyes"}), "Hold the robot by its trunk: its eyes are yellow.") : "",
-    player && player.reason ? make("p", {class: "bad"}, player.reason) : ""];
+    player && player.reason && !(state.sentence || "").includes(player.reason) ? make("p", {class: "bad"}, player.reason) : ""];
 }
 
 export function matchTold(message, file, isShown) {
@@ -127,18 +129,25 @@ export function matchTold(message, file, isShown) {
       if (parentShown) drawings[0].redraw();
     }
   } else if (kind === "update") {
-    updated(robot, message.values);
+    updated(robot, message.values, here);
     if (here) drawSoon();
-  } else if (isShown && parentShown) kind === "keys" ? draw() : showMatch(parentShown);
+  } else if (isShown && parentShown) {
+    if (robot !== shownRobot && shownRobot && robots.has(shownRobot)) refreshBar(parentShown, again);
+    else kind === "keys" ? draw() : again();
+  }
 }
 
-function updated(robot, values) {
+function updated(robot, values, isShown) {
   for (const {key, value, timestamp} of values) {
     const old = valueOf(robot, key);
     of(robot).values.set(key, value);
     if (key === healthKey) refreshVitals(robot);
     if (key === capturesKey && robot === shownRobot) gather(robot, cameras, timestamp);
-    if (key === stateKey && old && old.sentence !== value.sentence && !running(value.phase)) act({do: "keys", robot, mount: offsetsMount}); // what it has now
+    if (key === stateKey) {
+      ended(robot, old, value, running);
+      if (old && old.sentence !== value.sentence && !running(value.phase)) [offsetsMount, mountsMount].forEach(mount => act({do: "keys", robot, mount})); // what it has now
+    }
+    if (key === playerKey && value.held && !(old && old.held) && !isShown) notice("Hold " + robot + " by its trunk: its eyes are yellow. " + (value.reason || ""));
   }
 }
 
@@ -152,17 +161,13 @@ function drawSoon() {
   });
 }
 
-document.addEventListener("keydown", event => {
-  if (event.key === "s" && parentShown && !/^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName)) stop(shownRobot, draw);
-});
-
 // Of every robot that calibrated: for the session's page.
 const calibrated = () => [...robots.keys()].filter(robot => valueOf(robot, stateKey) && valueOf(robot, stateKey).phase !== "idle");
 export const hasMatch = () => calibrated().length > 0;
 export function matchSummary(parent) {
   for (const robot of calibrated()) {
-    const state = valueOf(robot, stateKey), told = valueOf(robot, outcomeKey), {before, scene} = of(robot);
+    const state = valueOf(robot, stateKey), told = valueOf(robot, outcomeKey), {before, mountsBefore, scene} = of(robot), {keys} = robots.get(robot);
     parent.append(make("h1", {}, "Calibration of " + robot), ...progress(state, null), ...outcome(state, running(state.phase), told),
-      ...offsets(told, before, robots.get(robot).keys.get(offsetsMount)), standingFigure(() => ({now: scene, next: null}), "how the robot stands"), floorFigure(() => scene), ...thumbnails(robot));
+      ...offsets(told, before, keys.get(offsetsMount)), ...cameraMounts(mountsBefore, keys.get(mountsMount)), standingFigure(() => ({now: scene, next: null}), "how the robot stands"), floorFigure(() => scene), ...thumbnails(robot));
   }
 }

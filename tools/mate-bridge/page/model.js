@@ -1,7 +1,6 @@
 // The model beside every laboratory view: the ladder of errors, what is in the model, undo, and the search.
-import {make, button} from "./elements.js";
+import {make, button, csv, download} from "./elements.js";
 import {px3, chance} from "./words.js";
-import {send} from "./connection.js";
 import {state, act} from "./state.js";
 
 export function showModel(parent) {
@@ -10,7 +9,7 @@ export function showModel(parent) {
     parent.replaceChildren(make("p", {class: "soft"}, "Fitting the first model …"));
     return;
   }
-  parent.replaceChildren(make("h2", {}, "Ladder of errors"), ladderOf(ladder), historyButtons(ladder), modelOf(fit), search());
+  parent.replaceChildren(make("h2", {}, "Ladder of errors ", button("CSV", () => saveLadder(ladder), {class: "small", "aria-label": "save as CSV: ladder of errors"})), ladderOf(ladder), historyButtons(ladder), modelOf(fit), search());
 }
 
 // A bar per model: the error on poses it has not seen, hollow while only the error of the fit is known; the grey band
@@ -22,22 +21,28 @@ function ladderOf({at, rungs}) {
   const most = 1.04 * Math.max(floor, ...rungs.map(error));
   const list = make("ol", {class: "ladder"});
   rungs.forEach((rung, i) => {
-    const bar = make("span", {class: "bar" + (rung.heldOut === undefined ? " open" : "")});
+    const isKnown = rung.heldOut !== undefined;
+    const bar = make("span", {class: "bar" + (isKnown ? "" : " open")});
     const band = make("span", {class: "band"});
     bar.style.width = 100 * error(rung) / most + "%";
     band.style.width = 100 * (rung.floor === undefined ? floor : rung.floor) / most + "%";
-    const words = rung.heldOut === undefined ? "fitted poses: " + px3(rung.rms) + "; unseen poses: not known yet"
+    const words = !isKnown ? "fitted poses: " + px3(rung.rms) + "; unseen poses: not known yet"
       : "unseen poses: " + px3(rung.heldOut) + "\nfitted poses: " + px3(rung.rms) + "\nnoise alone: " + px3(rung.floor) +
         "\nthat something is missing may be chance: " + chance(rung.alarm);
     list.append(make("li", {}, make("button", {
       type: "button", class: "rung", title: words, "aria-current": i === at ? "step" : null,
-      onclick: () => act({do: "goTo", rung: i}),
-    }, make("span", {class: "name"}, rung.step || "the model to begin with"), make("span", {class: "number"}, px3(error(rung))),
+      onclick: () => { act({do: "goTo", rung: i}); },
+    }, make("span", {class: "name"}, ...(rung.step || "the model to begin with").split(/(?<=@)/).flatMap((part, at) => at ? [make("wbr"), part] : [part])), make("span", {class: "number" + (isKnown ? "" : " soft")}, isKnown ? px3(rung.heldOut) : px3(rung.rms) + " fitted"),
       make("span", {class: "axis"}, band, bar))));
   });
   list.append(make("li", {class: "floor soft"}, make("span", {}, "noise alone"), make("span", {class: "number"},
     floor ? px3(floor) : "…")));
   return list;
+}
+
+function saveLadder({rungs}) {
+  const rows = rungs.map(({step, rms, heldOut, floor, alarm}) => [step || "the model to begin with", rms, heldOut, floor, alarm]);
+  download("ladder.csv", csv([["model", "fitted poses [px]", "unseen poses [px]", "noise alone [px]", "p that it is chance"], ...rows]), "text/csv");
 }
 
 function historyButtons({at, rungs}) {
@@ -67,13 +72,17 @@ function modelOf(fit) {
 }
 let openBase = false;
 
+// What was found is still worth reading while only that was added.
+const stillTrue = ({with: began, suggested}) => began.every(label => state.fit.with.includes(label)) &&
+  state.fit.with.every(label => began.includes(label) || suggested.includes(label));
+
 // Everything that is missing, found by the bridge; added only when the person says so.
 function search() {
   const searching = Boolean(state.work && state.work.startsWith("searching"));
   const part = make("div", {class: "search"}, make("h2", {}, "Let it search"), make("p", {class: "controls"},
-    button("Find what is missing", () => send({do: "search"}), {disabled: searching}),
-    searching ? button("Stop searching", () => send({do: "cancel"}), {title: "after the addition that it is at; what it has found so far is kept"}) : null));
-  if (state.found) {
+    button("Find what is missing", () => act({do: "search"}), {disabled: searching}),
+    searching ? button("Stop searching", () => act({do: "cancel"}), {title: "after the addition that it is at; what it has found so far is kept"}) : null));
+  if (state.found && stillTrue(state.found)) {
     part.append(make("p", {}, (state.found.stopped ? "Stopped before its end. " : "") + state.found.sentence));
     for (const label of state.found.suggested) {
       const has = state.fit.with.includes(label);

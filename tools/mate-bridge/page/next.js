@@ -1,13 +1,13 @@
 // Next: poses that would best tell what these captures leave open, seen, and played on a robot.
-import {make, button, empty, choice} from "./elements.js";
+import {make, button, empty, choice, confirmation} from "./elements.js";
 import {send, on} from "./connection.js";
-import {state, act, notice} from "./state.js";
+import {state, act, say} from "./state.js";
 import {standingFigure} from "./standing.js";
-import {robots, lookedAt} from "./robots.js";
+import {robots, lookedAt, needKeys} from "./robots.js";
 import {runner, begin} from "./steer.js";
 import {make as ask} from "./files.js";
 
-let count = 4, shown = null, confirming = false, asked = 1e6;
+let count = 4, shown = null, confirming = null, asked = 1e6;
 const stands = new Map(); // by number asked for
 
 on("stand", message => {
@@ -24,7 +24,7 @@ export function showNext(parent) {
     make("p", {class: "controls"}, wanted, button("Suggest poses", () => act({do: "propose", count}), {class: "main", disabled: Boolean(state.work)}))];
   if (!next) parent.replaceChildren(...head, empty("No poses were asked for yet", "This takes some seconds."));
   else if (!next.poses.length) parent.replaceChildren(...head, empty("There are none to suggest", next.whyNone || "Nothing is open: these captures answer what can be asked."));
-  else parent.replaceChildren(...head, make("p", {}, "Taking them ", make("b", {}, next.why), "."), ...playing(next, again),
+  else parent.replaceChildren(...head, make("p", {}, "Why these: taking pictures in them ", make("b", {}, next.why), "."), ...playing(next, again),
     make("div", {class: "grid"}, ...next.poses.map(pose => poseFigure(pose, next))));
 }
 
@@ -37,24 +37,25 @@ function poseFigure(pose, next) {
     send({do: "stand", number: known.number, angles: pose.joints});
   }
   known.drawn = standingFigure(() => ({now: null, next: known.hull ? known : null}), "pose " + pose.id);
-  return make("figure", {}, known.drawn, make("figcaption", {}, make("b", {}, pose.id), " on the " + pose.supportFoot + " foot, sees " + (pose.observes.length ? "board " + pose.observes.join(", ") : "no board") +
+  return make("figure", {}, known.drawn, make("figcaption", {}, make("b", {}, pose.id), " on the " + pose.supportFoot + " foot, sees " + (pose.observes.length ? (pose.observes.length > 1 ? "boards " : "board ") + pose.observes.join(", ") : "no board") +
     (pose.secondsToReach ? ", reached in " + pose.secondsToReach.toFixed(1) + " s" : "")));
 }
 
 // A robot that takes poses by its socket plays them and records what it sees.
 function playing(next, again) {
-  const robot = lookedAt(), entry = robot && robots.get(robot), can = entry && entry.connected && (entry.keys.get(runner) || []).some(({key}) => key === "poses"); // not every robot takes them
+  const robot = lookedAt(), entry = robot && robots.get(robot);
+  if (entry && entry.mounts.some(({key}) => key === runner)) needKeys(robot, runner);
+  const can = entry && entry.connected && (entry.keys.get(runner) || []).some(({key}) => key === "poses"); // not every robot takes them
   const save = button("Save poses.json", () => ask("poses.json"));
-  if (!can) return [make("p", {class: "controls"}, save, make("span", {class: "soft"}, "A robot that takes poses by its socket plays them once it was looked at in Calibrate; or play the file."))];
-  if (!confirming) return [make("p", {class: "controls"}, button("Play on " + robot + " …", () => { confirming = true; again(); }, {class: "main"}), save)];
-  return [make("div", {class: "confirm", role: "group", "aria-label": "confirm"},
-    make("p", {}, robot + " will take these " + next.poses.length + " poses on one foot before its boards, and record what it sees. They are safe for joint offsets that are known to " + Math.round(180 / Math.PI * 10 * next.assumptions.jointError) / 10 + "°: calibrate its legs first. Is everybody's hand ready to catch it?"),
-    make("p", {class: "controls"}, button("Play", () => {
-      confirming = false;
+  if (!can) return [make("p", {class: "controls"}, save, make("span", {class: "soft"}, "A robot that takes poses by its socket plays them: connect to one in Calibrate. Or take the file to it."))];
+  if (confirming !== robot) return [make("p", {class: "controls"}, button("Play on " + robot + " …", () => { confirming = robot; again(); }, {class: "main"}), save)];
+  return [confirmation(
+    robot + " will take these " + next.poses.length + " poses on one foot before its boards, and record what it sees. They are safe for joint offsets that are known to " + Math.round(180 / Math.PI * 10 * next.assumptions.jointError) / 10 + "°: calibrate its legs first. Is everybody's hand ready to catch it?",
+    "Play", () => {
+      confirming = null;
       const poses = {format: "naocal-poses", version: 1, robot: state.set.robot, poses: next.poses, assumptions: next.assumptions};
-      act({do: "set", robot, settings: [{mp: runner, key: "poses", value: poses}]});
-      begin(robot, "poses");
-      notice("Asked " + robot + " to take these poses: Calibrate shows how it fares.");
+      if (!act({do: "set", robot, settings: [{mp: runner, key: "poses", value: poses}]}) || !begin(robot, "poses")) return again();
+      say("Asked " + robot + " to take these poses: Calibrate shows how it fares.");
       location.hash = "match";
-    }, {class: "main"}), button("Not now", () => { confirming = false; again(); })))];
+    }, () => { confirming = null; again(); })];
 }

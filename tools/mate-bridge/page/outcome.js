@@ -39,6 +39,16 @@ export function offsets(told, before, now) {
     csvTable(table, "offsets")];
 }
 
+// How the cameras sit in the head, beside the drawing, before and now.
+export function cameraMounts(before, now) {
+  const rows = (now || []).filter(({key, value}) => key.endsWith("_ext") && Array.isArray(value)).map(({key, value}) => ({camera: key.replace("_ext", ""), after: value, before: (before || []).find(one => one.key === key)?.value}))
+    .filter(({before: was, after}) => after.some(angle => angle !== 0) || (was && was.some(angle => angle !== 0)));
+  if (!rows.length) return [];
+  const angles = list => list ? list.flatMap(angle => [make("span", {}, degrees(angle * 180 / Math.PI)), " "]) : ["–"], column = words => make("th", {scope: "col", class: "number"}, words);
+  return [make("h2", {}, "Camera mounts on the robot"), csvTable(make("table", {}, make("thead", {}, make("tr", {}, make("th", {scope: "col"}, "camera (rx ry rz)"), column("before"), column("now"))),
+    make("tbody", {}, ...rows.map(row => make("tr", {}, make("th", {scope: "row"}, row.camera), make("td", {class: "number wrap"}, ...angles(row.before)), make("td", {class: "number wrap"}, ...angles(row.after)))))), "camera-mounts")];
+}
+
 function draw(context, width, height, rows) {
   const reach = 1.1 * Math.max(0.1, ...rows.flatMap(({before, after, sigma}) => [Math.abs(before || 0), Math.abs(after) + 2 * (sigma || 0)]));
   const box = {left: Math.min(120, 0.3 * width), right: width - 10, top: 6, bottom: height - 26};
@@ -59,7 +69,7 @@ function draw(context, width, height, rows) {
     context.fillText(row.joint, box.left - 8, y);
     context.strokeStyle = colours.soft;
     context.lineWidth = 1;
-    if (row.before !== undefined && row.before !== null) context.strokeRect(Math.min(place(0), place(row.before)), y - 8, Math.abs(place(row.before) - place(0)) || 1, 7);
+    if (row.before !== undefined && row.before !== null) context.strokeRect(Math.min(place(0), place(row.before)), y - 8, Math.max(3, Math.abs(place(row.before) - place(0))), 7);
     context.fillStyle = colours.blue;
     context.fillRect(Math.min(place(0), place(row.after)), y + 1, Math.abs(place(row.after) - place(0)) || 1, 7);
     if (row.sigma !== null) {

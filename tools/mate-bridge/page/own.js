@@ -22,6 +22,13 @@ function unknownsOf(text) {
 }
 const effectOf = () => ({name: draft.name, at: draft.at, correction: draft.correction, unknowns: unknownsOf(draft.unknowns)});
 
+// Whether that is the draft as it stands.
+function isDraft({name, at, correction, unknowns}) {
+  const typed = effectOf(), wanted = Object.entries(typed.unknowns);
+  return name === typed.name && at === typed.at && correction === typed.correction && wanted.length === Object.keys(unknowns).length &&
+    wanted.every(([key, {unit, sigma}]) => unknowns[key] && unknowns[key].unit === unit && unknowns[key].sigma === sigma);
+}
+
 on("checked", answer => { if (answer.number === number) showAnswer(answer); });
 
 export function showOwn(parent) {
@@ -36,11 +43,11 @@ export function showOwn(parent) {
   };
   const correction = make("input", {type: "text", spellcheck: "false", autocomplete: "off", class: "code", "aria-describedby": "ownVerdict"});
   showAnswer = ({ok, sentence, letter}) => {
-    const wrongHere = !ok && letter !== undefined;
-    add.disabled = !ok;
+    const wrongHere = !ok && letter !== undefined, isIn = ok && state.set.own.some(isDraft) && (draft.at === "*" || state.fit.with.includes(draft.name + "@" + draft.at));
+    add.disabled = !ok || isIn;
     correction.setAttribute("aria-invalid", String(wrongHere));
     verdict.className = ok ? "good" : "bad";
-    verdict.textContent = ok ? "✓ This can be added." : "✗ " + sentence;
+    verdict.textContent = isIn ? "✓ This is there already." : ok ? "✓ This can be added." : "✗ " + sentence;
     pointer.replaceChildren(...(wrongHere ? [" ".repeat(letter), make("mark", {}, "^"), " letter " + (letter + 1)] : [" "]));
   };
   const joints = choice("", [{value: "*", text: "every joint (*)"}, ...state.set.joints.map(value => ({value, text: value}))], draft.at,

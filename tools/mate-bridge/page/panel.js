@@ -14,7 +14,9 @@ import {showMatch, leaveMatch, matchTold, matchSummary, hasMatch} from "./match.
 import {showNext} from "./next.js";
 import {showFiles} from "./files.js";
 import {offerViews} from "./session.js";
-import {told} from "./robots.js";
+import {told, bridgeLost, lookedAt} from "./robots.js";
+import {followAll, stateKey} from "./follow.js";
+import {refreshStop} from "./stop.js";
 import {showKeys, keysTold} from "./keys.js";
 import {showTools} from "./tools.js";
 
@@ -25,9 +27,9 @@ const views = [
   {id: "compare", name: "Compare", show: showCompare, kinds: ["fit"], laboratory: true},
   {id: "learn", name: "Learn", show: showLearn, kinds: ["fit", "questions"], laboratory: true},
   {id: "map", name: "Map", show: parent => showMap(parent, go), kinds: ["fit", "questions"], laboratory: true},
-  {id: "own", name: "Own effect", show: showOwn, kinds: ["set"], laboratory: true},
-  {id: "result", name: "Result", show: showResult, kinds: ["fit"], laboratory: true},
-  {id: "next", name: "Next poses", show: showNext, kinds: ["fit", "next", "work"], laboratory: true},
+  {id: "own", name: "Own effect", show: showOwn, kinds: ["set", "fit"], laboratory: true},
+  {id: "result", name: "Result", show: showResult, kinds: ["fit", "keys", "robot"], laboratory: true},
+  {id: "next", name: "Next poses", show: showNext, kinds: ["fit", "next", "work", "keys", "robot"], laboratory: true},
   {id: "files", name: "Files", show: showFiles, kinds: ["set", "compared", "work"]},
   {id: "match", name: "Calibrate", show: showMatch, leave: leaveMatch, kinds: []},
   {id: "live", name: "Live", show: showLive, leave: leaveLive, kinds: []},
@@ -48,8 +50,10 @@ function open() {
   const arrived = current !== wanted;
   current = wanted;
   for (const tab of at("tabs").querySelectorAll("button")) {
-    if (tab.dataset.view === current.id) tab.setAttribute("aria-current", "page");
-    else tab.removeAttribute("aria-current");
+    if (tab.dataset.view === current.id) {
+      tab.setAttribute("aria-current", "page");
+      if (arrived) tab.scrollIntoView({block: "nearest", inline: "center"});
+    } else tab.removeAttribute("aria-current");
   }
   document.title = current.name + " – naocal panel";
   at("model").hidden = !(current.laboratory && state.laboratory);
@@ -76,7 +80,7 @@ const forget = kinds => kinds.forEach(kind => { state[kind] = null; });
 for (const kind of laboratoryKinds) {
   on(kind, message => {
     state[kind] = message;
-    if (kind === "fit") forget(["questions", "next", "compared"]);
+    if (kind === "fit") forget(["questions", "next", "compared"]); // they were said of another
     redraw(kind);
   });
 }
@@ -85,7 +89,11 @@ function redraw(kind) {
   if (current.kinds.includes(kind) || (current.laboratory && !complete)) draw();
   else if (!at("model").hidden) showModel(at("model"));
 }
-on("hello", ({laboratory}) => { state.laboratory = laboratory; open(); });
+on("hello", ({laboratory}) => { // what it knows of the laboratory follows
+  forget(laboratoryKinds);
+  state.laboratory = laboratory;
+  open();
+});
 on("opened", () => { // other captures lie on the desk
   forget(laboratoryKinds);
   state.laboratory = true;
@@ -102,15 +110,22 @@ on("work", ({what}) => {
 for (const kind of ["robot", "robotGone", "list", "mounts", "keys", "update", "picture", "scene", "seen", "stand"]) {
   on(kind, (message, more) => {
     if (!told(message)) return;
+    if (["robot", "robotGone", "list"].includes(kind)) { followAll(); refreshStop(); }
+    if (message.robot === lookedAt() && current && current.kinds.includes(kind)) redraw(kind);
     liveTold(message, more, current && current.id === "live");
     matchTold(message, more, current && current.id === "match");
     keysTold(message, current && current.id === "keys");
+    if (kind === "update" && message.values.some(({key}) => key === stateKey)) refreshStop();
   });
 }
 
-onNotice(sentence => {
+let fading = 0;
+onNotice((sentence, kind) => {
   at("notice").hidden = false;
+  at("notice").className = kind;
   at("notice").replaceChildren(make("span", {}, sentence), button("OK", () => { at("notice").hidden = true; }, {class: "small"}));
+  clearTimeout(fading);
+  if (kind === "news") fading = setTimeout(() => { at("notice").hidden = true; }, 8000);
 });
 
 function showLink(connected) {
@@ -120,7 +135,13 @@ function showLink(connected) {
   else lostAt ??= Date.now();
   if (lostAt && Date.now() - lostAt > 5000) otherBridge();
   at("link").title = connected ? "The panel is connected to mate-bridge." : "mate-bridge does not answer; it is tried again by itself. What is shown is the last that it told.";
-  if (!connected) { state.work = null; at("work").textContent = ""; at("work").classList.remove("busy"); }
+  if (connected) return;
+  Object.assign(state, {work: null});
+  at("work").textContent = "";
+  at("work").classList.remove("busy");
+  bridgeLost();
+  refreshStop();
+  if (current && !current.laboratory) draw();
 }
 
 // A bridge that was started anew has another token, and mostly another port: this page cannot reach it any more.
@@ -133,11 +154,14 @@ async function otherBridge() {
     : "mate-bridge has been away for some seconds. If it was started anew, open the address that it prints; what stands here is the last that was told.");
 }
 
+// Remembered as a cookie: other ports of this computer, as the next bridge has one, find it, too.
 function setTheme(theme) {
-  if (theme) document.documentElement.dataset.theme = theme;
-  else delete document.documentElement.dataset.theme;
+  document.documentElement.dataset.theme = theme;
+  document.cookie = "naocal-theme=" + theme + "; path=/; max-age=31536000; samesite=strict";
   readColours();
 }
+const [, remembered] = document.cookie.match(/naocal-theme=(light|dark)/) || [];
+if (remembered) document.documentElement.dataset.theme = remembered;
 at("theme").addEventListener("click", () => {
   const dark = document.documentElement.dataset.theme ? document.documentElement.dataset.theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
   setTheme(dark ? "light" : "dark");
@@ -149,8 +173,9 @@ document.addEventListener("keydown", event => {
   if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName)) return;
   const place = keyed.indexOf(event.key) + 1;
   if (place >= 1) go(views[place - 1].id);
-  else if (event.key === "u" && state.ladder && state.ladder.at > 0) act({do: "goTo", rung: state.ladder.at - 1});
-  else if (event.key === "r" && state.ladder && state.ladder.at + 1 < state.ladder.rungs.length) act({do: "goTo", rung: state.ladder.at + 1});
+  else if (!current || at("model").hidden || !state.ladder) return;
+  else if (event.key === "u" && state.ladder.at > 0) act({do: "goTo", rung: state.ladder.at - 1});
+  else if (event.key === "r" && state.ladder.at + 1 < state.ladder.rungs.length) act({do: "goTo", rung: state.ladder.at + 1});
 });
 
 views.forEach((view, i) => {

@@ -13,7 +13,7 @@ export function showResult(parent) {
       fit.warnings.length ? make("ul", {class: "warnings"}, ...fit.warnings.map(warning => make("li", {}, warning))) : null),
     ...applying(fit, () => showResult(parent)),
     make("div", {class: "controls"}, button("CSV", () => save(fit), {class: "small"}),
-      make("span", {class: "soft"}, "bars: 95 % intervals; at the right how much these captures taught, from what was plausible before")),
+      make("span", {class: "soft"}, "bars: 95 % intervals, ±: one standard error; at the right how much these captures taught, from what was plausible before")),
     ...fit.groups.flatMap(group));
 }
 
@@ -27,7 +27,7 @@ function group({title, unit, rows}) {
     make("div", {class: "estimates"}, ...rows.map(row => estimate(row, unit, place, marks)), make("div", {class: "estimate"}, make("span"), scale))];
 }
 
-function estimate({name, value, low, high, learned}, unit, place, marks) {
+function estimate({name, value, sigma, low, high, learned}, unit, place, marks) {
   const axis = make("div", {class: "axis"}), share = Math.round(100 * Math.max(0, learned));
   for (const mark of marks) axis.appendChild(make("i", {class: mark === 0 ? "zero" : ""})).style.left = place(mark);
   const bar = axis.appendChild(make("span", {class: "bar"}));
@@ -36,13 +36,13 @@ function estimate({name, value, low, high, learned}, unit, place, marks) {
   axis.appendChild(make("span", {class: "dot"})).style.left = place(value);
   const told = make("span", {class: "learned number" + (learned < 0.5 ? " little" : "")}, make("span", {}, share + " %"));
   told.style.setProperty("--share", share + "%");
-  return make("div", {class: "estimate"}, make("span", {}, name), axis, make("span", {class: "number"}, withError(value, (high - low) / 2, unit)), told);
+  return make("div", {class: "estimate"}, make("span", {}, name), axis, make("span", {class: "number"}, withError(value, sigma, unit)), told);
 }
 
 function save({groups}) {
-  const rows = [["effect", "at", "unit", "value", "lower end of 95 %", "upper end of 95 %", "learned"]];
+  const rows = [["effect", "at", "unit", "value", "standard error", "lower end of 95 %", "upper end of 95 %", "learned"]];
   for (const {title, unit, rows: estimates} of groups) {
-    for (const {name, value, low, high, learned} of estimates) rows.push([title, name, unit, value, low, high, learned]);
+    for (const {name, value, sigma, low, high, learned} of estimates) rows.push([title, name, unit, value, sigma, low, high, learned]);
   }
   download("estimates.csv", csv(rows), "text/csv");
 }

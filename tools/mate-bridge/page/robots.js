@@ -1,13 +1,20 @@
 // The robots: connecting, how each stands, and which one is looked at.
-import {make, button} from "./elements.js";
+import {make, button, confirmation} from "./elements.js";
 import {on} from "./connection.js";
 import {state, act} from "./state.js";
-import {followVitals, vitals} from "./vitals.js";
+import {vitals} from "./vitals.js";
+import {of, valueOf} from "./values.js";
+import {stateKey, running} from "./follow.js";
 
 export const robots = state.robots; // by address: {connected, sentence, list, mounts, keys: Map by mount}
-let looked = null, typed = "";
+let looked = null, typed = "", leaving = null; // the robot that is to be left while it calibrates
 
-on("hello", () => robots.clear()); // those that there still are follow
+// A bridge that is back says which robots it still has; how each stands follows.
+on("hello", ({robots: there}) => { for (const name of [...robots.keys()]) if (!there.includes(name)) robots.delete(name); });
+
+export function bridgeLost() {
+  for (const entry of robots.values()) Object.assign(entry, {connected: false, sentence: "is out of sight: the bridge is away"});
+}
 
 export const lookedAt = () => robots.get(looked) ? looked : (robots.keys().next().value ?? null);
 
@@ -18,7 +25,14 @@ export function told(message) {
   if (kind === "robotGone") return robots.delete(robot);
   if (!robots.has(robot)) robots.set(robot, {connected: false, sentence: "connecting", list: [], mounts: [], keys: new Map()});
   const entry = robots.get(robot);
-  if (kind === "robot") Object.assign(entry, {connected: message.connected, sentence: message.sentence});
+  if (kind === "robot") {
+    if (message.connected && !entry.connected) { // what it had before may be true no more
+      entry.keys.clear();
+      of(robot).values.clear();
+    }
+    if (robot === typed.trim()) typed = "";
+    Object.assign(entry, {connected: message.connected, sentence: message.sentence});
+  }
   if (kind === "keys" && message.body && message.body.mountPoint) entry.keys.set(message.body.mountPoint, keysOf(message.body));
   if (kind === "list" || kind === "mounts") {
     const names = JSON.stringify(entry[kind].map(({key}) => key));
@@ -30,24 +44,43 @@ export function told(message) {
 
 const keysOf = body => body && Array.isArray(body.keys) ? body.keys.filter(({key}) => typeof key === "string").sort((a, b) => a.key < b.key ? -1 : 1) : [];
 
-// The row on top of every robot view.
+// Asks a robot for a mount's keys unless they are known, or were asked for.
+export function needKeys(robot, mount) {
+  const {keys, connected} = robots.get(robot);
+  if (connected && !keys.has(mount) && act({do: "keys", robot, mount})) keys.set(mount, null);
+}
+
+// The row on top of every robot view; `changed` draws the view anew.
 export function robotBar(changed) {
-  followVitals();
-  const address = make("input", {type: "text", placeholder: "nao21, HOST:PORT or /sockets", "aria-label": "robot to connect to", spellcheck: "false", autocomplete: "off"});
+  const address = make("input", {type: "text", id: "address", placeholder: "nao21, HOST:PORT or /sockets", "aria-label": "robot to connect to", spellcheck: "false", autocomplete: "off"});
   address.value = typed;
   address.addEventListener("input", () => { typed = address.value; });
   const form = make("form", {class: "controls", onsubmit: event => {
     event.preventDefault();
-    if (!address.value.trim()) return;
-    act({do: "connect", robot: address.value.trim()});
-    looked = address.value.trim();
-    typed = address.value = "";
+    if (typed.trim() && act({do: "connect", robot: typed.trim()})) looked = typed.trim(); // it stays there until the bridge has taken it
   }}, address, make("button", {type: "submit"}, "Connect"));
-  const chips = [...robots].map(([name, {connected, sentence}]) => make("span", {class: "robot" + (connected ? " connected" : "") + (name === lookedAt() ? " is-looked" : "")},
+  const chips = [...robots].map(([name, {connected, sentence, list}]) => make("span", {class: "robot" + (connected ? " connected" : "") + (connected && !list.length ? " silent" : "") + (name === lookedAt() ? " is-looked" : "")},
     button(name, () => { looked = name; changed(); }, {class: "plain", "aria-pressed": String(name === lookedAt())}),
-    make("span", {class: "soft"}, sentence), vitals(name), button("×", () => act({do: "disconnect", robot: name}), {class: "small", "aria-label": "disconnect from " + name})));
+    make("span", {class: "soft"}, sentence), vitals(name), button("×", () => leave(name, changed), {class: "small", "aria-label": "disconnect from " + name})));
   const name = lookedAt();
-  return make("div", {class: "robots"}, ...chips, form, name && robots.get(name).connected && !robots.get(name).list.length ? secretForm(name) : null);
+  return make("div", {class: "robots"}, ...chips, form, name && robots.get(name).connected && !robots.get(name).list.length ? secretForm(name) : null,
+    leaving && robots.has(leaving) ? confirmation(leaving + " calibrates. Without its panel it ends that and goes back to its stand. Disconnect?", "Disconnect", () => {
+      act({do: "disconnect", robot: leaving});
+      leaving = null;
+    }, () => { leaving = null; changed(); }) : null);
+}
+
+function leave(robot, changed) {
+  if (!robots.get(robot).connected || !running(valueOf(robot, stateKey)?.phase ?? "idle")) return act({do: "disconnect", robot});
+  leaving = robot;
+  changed();
+}
+
+// Only that row: another robot has news.
+export function refreshBar(parent, changed) {
+  const bar = parent.querySelector(".robots"), focused = document.activeElement?.id;
+  bar?.replaceWith(robotBar(changed));
+  if (focused === "address") document.getElementById("address").focus();
 }
 
 // A robot that listens beyond its own computer shows nothing before it is told its secret (access.json).
@@ -55,8 +88,7 @@ function secretForm(robot) {
   const secret = make("input", {type: "password", placeholder: "its secret", "aria-label": "secret of " + robot, autocomplete: "off"});
   return make("form", {class: "controls", onsubmit: event => {
     event.preventDefault();
-    act({do: "set", robot, settings: [{mp: "naocal.access", key: "secret", value: secret.value}]});
-    secret.value = "";
+    if (act({do: "set", robot, settings: [{mp: "naocal.access", key: "secret", value: secret.value}]})) secret.value = "";
   }}, secret, make("button", {type: "submit"}, "Tell it"));
 }
 
@@ -65,7 +97,7 @@ export function whyNothing() {
   const name = lookedAt();
   if (!name) return ["No robot yet", "Type a robot's name or address above: HOST, HOST:PORT with its base port (12440 unless it was changed), or the folder of its UNIX sockets."];
   const {connected, sentence, list} = robots.get(name);
-  if (connected && !list.length) return [name + " shows nothing", "It lists no values. A robot that is reached over the network may want its secret first: type it above."];
+  if (connected && !list.length) return [name + " shows nothing yet", "It lists no values. A robot that is reached over the network wants its secret first: type it above."];
   if (!connected && !list.length) return [name + " is not connected", name + " " + (sentence === "connecting" ? "is being connected to …" : sentence + ". It is tried again every second.")];
   return null;
 }

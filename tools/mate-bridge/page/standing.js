@@ -1,10 +1,10 @@
-// A robot as it stands: from its left and from the front; another pose as an outline over it.
+// A robot as it stands: from its right and from the front; the pose that comes next as an outline over it.
 import {figure, colours} from "./canvas.js";
 
 // `now` and `next`: what the bridge works out of angles ({hull: [[from, to, radius]], feet, ..}), or null.
-export const standingFigure = (of, label) => figure({height: 230, label, className: "standing", draw: (context, width, height) => {
+export const standingFigure = (of, label, height = 230) => figure({height, label, className: "standing", draw: (context, width, height) => {
   const {now, next} = of();
-  const scale = (height - 26) / 0.62, floor = height - 14;
+  const scale = (height - 26) / 0.62, floor = height - 20;
   context.strokeStyle = colours.line;
   context.lineWidth = 1;
   context.beginPath();
@@ -12,32 +12,40 @@ export const standingFigure = (of, label) => figure({height: 230, label, classNa
   context.lineTo(width, floor + 0.5);
   context.stroke();
   context.textAlign = "center";
-  context.textBaseline = "top";
+  context.textBaseline = "bottom";
   context.fillStyle = colours.soft;
   for (const [middle, across, words] of [[0.27 * width, 0, "from its right"], [0.76 * width, 1, "from the front"]]) {
-    context.fillText(words, middle, 2);
+    context.fillText(words, middle, height);
     const place = point => [middle + scale * (across ? point[1] : point[0]), floor - scale * point[2]];
-    if (now) body(context, now.hull, place, scale, colours.soft, 0.55);
-    if (next) body(context, next.hull, place, scale, colours.blue, 0.5);
+    if (now) body(context, now.hull, place, scale, {colour: colours.soft, alpha: 0.5});
+    if (next) body(context, next.hull, place, scale, {colour: colours.blue, alpha: now ? 1 : 0.65, outlined: Boolean(now)});
   }
   return [];
 }});
 
-// Parts as strokes as broad as they are, on a sheet of their own so that overlapping ones do not darken each other.
-function body(context, hull, place, scale, colour, alpha) {
+// Parts as strokes as broad as they are, on a sheet of their own so that overlapping ones do not darken each other; as
+// an outline their inside is taken away again. Vectors know no such sheets.
+function body(context, hull, place, scale, {colour, alpha, outlined}) {
   const own = context.isVector ? context : sheetOver(context);
-  if (context.isVector) own.globalAlpha = alpha;
+  if (context.isVector) own.globalAlpha = outlined ? 0.4 : alpha;
   own.strokeStyle = colour;
   own.lineCap = "round";
-  for (const [from, to, radius] of hull) {
-    own.lineWidth = 2 * radius * scale;
-    own.beginPath();
-    own.moveTo(...place(from));
-    own.lineTo(...place(to).map((value, i) => i ? value : value + 0.01)); // a ball is a short stroke
-    own.stroke();
-  }
+  const strokes = thinner => {
+    for (const [from, to, radius] of hull) {
+      own.lineWidth = Math.max(0.5, 2 * radius * scale - thinner);
+      own.beginPath();
+      own.moveTo(...place(from));
+      own.lineTo(...place(to).map((value, i) => i ? value : value + 0.01)); // a ball is a short stroke
+      own.stroke();
+    }
+  };
+  strokes(0);
   own.globalAlpha = 1;
   if (context.isVector) return;
+  if (outlined) {
+    own.globalCompositeOperation = "destination-out";
+    strokes(4);
+  }
   context.save();
   context.setTransform(1, 0, 0, 1, 0, 0);
   context.globalAlpha = alpha;

@@ -9,9 +9,12 @@ export const state = {
 
 let notify = () => {};
 export const onNotice = listener => { notify = listener; };
-export const notice = (sentence, kind) => notify(sentence, kind);
+export const notice = sentence => notify(sentence, "problem");
+export const say = sentence => notify(sentence, "news");
 
-// Asks the bridge, and says so when it is away.
+// Asks the bridge; false when it is away, which it says.
 export function act(request) {
-  if (!send(request)) notice("The bridge is not connected: nothing was changed. It is tried again by itself.");
+  const sent = send(request);
+  if (!sent) notice("The bridge is not connected: nothing was changed. It is tried again by itself.");
+  return sent;
 }

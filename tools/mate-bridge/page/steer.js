@@ -1,79 +1,87 @@
-// What a person tells the robot: start one of its calibrations, answer what it asks, stop, take back, save, export.
-import {make, button} from "./elements.js";
-import {act, notice} from "./state.js";
+// What a person tells the robot: start one of its calibrations, answer what it asks, take back, save, export.
+import {make, button, confirmation} from "./elements.js";
+import {act, say} from "./state.js";
 import {of} from "./values.js";
 import {saveSession} from "./session.js";
 
 export const runner = "Brain.CalibrationRunner", offsetsMount = "Motion.JointCalibrationProvider", mountsMount = "Brain.Projection";
-let chosen = null, confirming = null; // the kind of calibration; what waits for the person's yes
+let confirming = null; // what waits for the person's yes, and of which robot: {what, robot}
 
-const set = (robot, mp, key, value) => act({do: "set", robot, settings: [{mp, key, value}]});
+export const set = (robot, mp, key, value) => act({do: "set", robot, settings: [{mp, key, value}]});
+const waits = (what, robot) => Boolean(confirming) && confirming.what === what && confirming.robot === robot;
 
-export function steer({robot, entry, state, isRunning, kinds, draw, when}) {
-  const {connected, sentence} = entry, question = state && state.question;
-  if (kinds && kinds.length && !kinds.some(({run}) => run === chosen)) chosen = kinds[0].run;
-  when("steer", [connected, isRunning, confirming, sentence, kinds, chosen, question, state && state.kind], () => [
-    isRunning ? make("p", {}, make("b", {}, titleOf(kinds, state.kind)), " is under way.") : choice(kinds, isRunning, draw),
+export function steer({robot, entry, state, player, isRunning, kinds, draw, when}) {
+  const {connected, sentence} = entry, question = state && state.question, known = of(robot);
+  const asks = what => () => { confirming = what && {what, robot}; draw(); };
+  if (kinds && kinds.length && !kinds.some(({run}) => run === known.chosen)) known.chosen = kinds[0].run;
+  const {chosen} = known, held = Boolean(player && player.held) && !question;
+  when("steer", [robot, connected, isRunning, confirming, sentence, kinds, chosen, question, held, state && state.kind], () => [
+    held ? make("div", {class: "confirm asks", role: "alert"}, make("p", {class: "hold"}, make("span", {class: "eyes"}), "Hold the robot by its trunk: its eyes are yellow.")) : "",
+    isRunning ? make("p", {}, make("b", {}, titleOf(kinds, state.kind)), " is under way. Stop is at the top, or the key s.") : choice(kinds, known, asks(null)),
     question ? ask(robot, state) : "",
-    make("p", {class: "controls big"},
-      button("Calibrate …", () => { confirming = "start"; draw(); }, {class: "main", disabled: !connected || isRunning || !chosen || confirming === "start"}),
-      button("Stop", () => stop(robot, draw), {class: "stop", disabled: !connected, title: "key s: the robot goes back to its stand"})),
-    confirming === "start" ? confirm("The robot will move: " + titleOf(kinds, chosen) + ". Is everybody's hand off it?", "Start", () => start(robot, entry), draw) : "",
+    isRunning || waits("start", robot) ? "" : make("p", {class: "controls big"}, button("Calibrate …", asks("start"), {class: "main", disabled: !connected || !chosen})),
+    waits("start", robot) && !isRunning ? confirmation(["Calibrate " + robot + ": " + titleOf(kinds, chosen) + "?", ...whatHappens(chosen)], "Start", () => { confirming = null; start(robot, entry); draw(); }, asks(null)) : "",
     connected ? "" : make("p", {class: "bad"}, robot + " " + sentence + ". It is tried again every second; a robot that was started from here ends what it does and goes to its stand, one that loses power holds nothing.")]);
 }
 
 const titleOf = (kinds, run) => (kinds || []).find(one => one.run === run)?.title || run || "";
 
-function choice(kinds, isRunning, draw) {
+const whatHappens = run => [/leg/.test(run) ? "It will stand on one foot and may fall: somebody must stay beside it, hold it by its trunk whenever it asks or its eyes are yellow, and be ready to catch it."
+  : "It stands on both feet and turns its head. Is everybody's hand off it?",
+"If a second round of pictures shows that it is better, its joint offsets and camera mounts are saved on it (Undo takes that back); else it keeps what it has."];
+
+function choice(kinds, known, changed) {
   if (!kinds) return make("p", {class: "soft"}, "Asking the robot what it can calibrate …");
   return make("fieldset", {class: "kinds"}, make("legend", {}, "What to calibrate"), ...kinds.map(({run, title, sentence}) => {
-    const dot = make("input", {type: "radio", name: "kind", value: run, onchange: () => { chosen = run; confirming = null; draw(); }});
-    dot.checked = run === chosen;
-    return make("label", {class: run === chosen ? "is-looked" : ""}, dot, make("span", {}, make("b", {}, title), make("span", {class: "soft"}, sentence)));
+    const dot = make("input", {type: "radio", name: "kind", value: run, onchange: () => { known.chosen = run; changed(); }});
+    dot.checked = run === known.chosen;
+    return make("label", {class: dot.checked ? "is-looked" : ""}, dot, make("span", {}, make("b", {}, title), make("span", {class: "soft"}, sentence)));
   }));
 }
 
 // What the robot waits for.
 const ask = (robot, {question, questionNumber}) => make("div", {class: "confirm asks", role: "alert"}, make("p", {}, make("b", {}, "The robot asks: "), question),
-  make("p", {class: "controls"}, button("Confirm", () => set(robot, runner, "confirmed", questionNumber), {class: "main"})));
+  make("p", {class: "controls"}, button("Confirm", () => set(robot, runner, "confirmed", questionNumber), {class: "main"}), make("span", {class: "soft"}, "or press its chest button")));
 
-function confirm(question, yes, action, draw) {
-  return make("div", {class: "confirm", role: "group", "aria-label": "confirm"}, make("p", {}, question), make("p", {class: "controls"},
-    button(yes, () => { confirming = null; action(); draw(); }, {class: "main"}), button("Not now", () => { confirming = null; draw(); })));
+// Has a robot begin, and end what it does when it loses its panel: no stop would reach it. False: nothing was sent.
+export function begin(robot, run) {
+  of(robot).begun = {sentence: of(robot).values.get("Brain.calibration")?.sentence};
+  return set(robot, runner, "run", "") // only a change counts
+    && set(robot, "naocal.configuration", "lastWill", [{mp: runner, key: "run", value: ""}]) && set(robot, runner, "run", run);
 }
 
-// Has a robot begin, and end what it does when it loses its panel: no stop would reach it.
-export function begin(robot, run) {
-  set(robot, runner, "run", ""); // only a change counts
-  set(robot, "naocal.configuration", "lastWill", [{mp: runner, key: "run", value: ""}]);
-  set(robot, runner, "run", run);
+// The last will ends with what it was made for: once that has run, or was refused.
+export function ended(robot, old, now, running) {
+  const {begun} = of(robot);
+  if (running(now.phase) || !((old && running(old.phase)) || (begun && now.sentence !== begun.sentence))) return;
+  of(robot).begun = null;
+  set(robot, "naocal.configuration", "lastWill", []);
 }
 
 function start(robot, entry) {
   of(robot).before = entry.keys.get(offsetsMount);
-  begin(robot, chosen);
+  of(robot).mountsBefore = entry.keys.get(mountsMount);
+  begin(robot, of(robot).chosen);
 }
 
-// Whatever runs ends: a value that differs from the one before, then none.
-export function stop(robot, draw) {
-  confirming = null;
-  set(robot, runner, "run", "");
-  draw();
-}
+// What a calibration saved can be taken back once: the robot says when. Before the first one it may be an older one's.
+const canUndo = ({phase, sentence}) => phase === "idle" || (phase === "finished" && /can be undone/.test(sentence));
 
 export function afterwards({robot, entry, state, isRunning, draw, when}) {
-  const can = entry.connected && state && !isRunning;
-  when("after", [can, confirming, state && state.phase], () => [
+  const can = entry.connected && Boolean(state) && !isRunning, undoable = can && canUndo(state), asks = what => () => { confirming = what && {what, robot}; draw(); };
+  when("after", [robot, can, undoable, confirming], () => [
     make("p", {class: "controls"},
-      button("Undo …", () => { confirming = "undo"; draw(); }, {disabled: !can, title: "takes back what the last calibration saved"}),
-      button("Save …", () => { confirming = "save"; draw(); }, {disabled: !can, title: "writes what was set by hand into the robot's files"}),
+      button("Undo …", asks("undo"), {disabled: !undoable, title: "takes back what the last calibration saved"}),
+      button("Save …", asks("save"), {disabled: !can, title: "writes what was set by hand into the robot's files"}),
       button("Export", saveSession, {title: "all that is shown, as one HTML file"})),
-    confirming === "undo" ? confirm("Take back what the last calibration saved, offsets and cameras?", "Undo on " + robot, () => {
-      set(robot, runner, "run", "");
-      set(robot, runner, "run", "undo");
-    }, draw) : "",
-    confirming === "save" ? confirm("Write everything that was set on " + robot + " into its own configuration files? (What a calibration found is saved already.)", "Save on " + robot, () => {
-      act({do: "save", robot});
-      notice("Asked " + robot + " to save. (HULKs' protocol has no answer to this.)");
-    }, draw) : ""]);
+    waits("undo", robot) && undoable ? confirmation("Take back what the last calibration saved on " + robot + ", offsets and cameras?", "Undo on " + robot, () => {
+      confirming = null;
+      if (set(robot, runner, "run", "")) set(robot, runner, "run", "undo");
+      draw();
+    }, asks(null)) : "",
+    waits("save", robot) && can ? confirmation("Write everything that was set on " + robot + " into its own configuration files? (What a calibration found is saved already.)", "Save on " + robot, () => {
+      confirming = null;
+      if (act({do: "save", robot})) say("Asked " + robot + " to save. (HULKs' protocol has no answer to this.)");
+      draw();
+    }, asks(null)) : ""]);
 }

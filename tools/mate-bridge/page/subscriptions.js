@@ -20,4 +20,8 @@ function follow() {
 
 // A bridge that came back knows nothing; the robots that it has are told right after.
 on("robot", ({connected}) => { if (connected) follow(); });
+on("robotGone", ({robot}) => {
+  for (const [view, one] of wishes) if (one.robot === robot) wishes.delete(view);
+  for (const [id, one] of subscribed) if (one.robot === robot) subscribed.delete(id);
+});
 on("hello", () => { subscribed = new Map(); });

@@ -22,10 +22,18 @@ export function gather(robot, cameras, now) {
 export const worth = ({corners, boards}) => corners === null ? "being looked at"
   : corners < fewCorners ? "no board seen" : corners + " corners on " + (boards.length === 1 ? "board " : "boards ") + boards.join(", ");
 
+// A pose's pictures of one camera stand for each other: the last that there is, and what each is worth.
 export function thumbnails(robot) {
-  const {captures} = of(robot);
-  if (!captures.length) return [];
-  return [make("h2", {}, "Captures"), make("ol", {class: "thumbnails", tabindex: "0", "aria-label": "captures, the latest first"}, ...[...captures].reverse().map(capture => make("li", {class: capture.corners !== null && capture.corners < fewCorners ? "poor" : ""},
-    capture.url ? make("img", {src: capture.url, alt: "", width: "160", height: "120"}) : make("span", {class: "blank soft"}, "no picture here"),
-    make("b", {}, "pose " + capture.pose + ", " + capture.camera), make("span", {class: "soft"}, worth(capture)))))];
+  const groups = new Map();
+  for (const capture of of(robot).captures) {
+    const name = [capture.round, capture.pose, capture.camera].join("\n");
+    groups.set(name, [...(groups.get(name) || []), capture]);
+  }
+  if (!groups.size) return [];
+  return [make("h2", {}, "Captures"), make("ol", {class: "thumbnails", "aria-label": "captures, the latest first"}, ...[...groups.values()].reverse().map(captures => {
+    const {url} = captures.findLast(one => one.url) || {}, [{round, pose, camera}] = captures, worths = [...new Set(captures.map(worth))];
+    return make("li", {class: captures.some(({corners}) => corners !== null && corners < fewCorners) ? "poor" : ""},
+      url ? make("img", {src: url, alt: "", width: "160", height: "120"}) : make("span", {class: "blank soft"}, "no picture here"),
+      make("b", {}, "pose " + pose + ", " + camera), make("span", {class: "soft"}, (round ? "second round, " : "") + (captures.length > 1 ? captures.length + " pictures: " : "") + worths.join("; ")));
+  }))];
 }

@@ -1,15 +1,10 @@
 // Battery and temperature of every connected robot, in words that fit beside its name.
 import {make} from "./elements.js";
-import {wish} from "./subscriptions.js";
-import {robots} from "./robots.js";
+import {state} from "./state.js";
 import {valueOf} from "./values.js";
+import {healthKey} from "./follow.js";
 
-export const healthKey = "Motion.health"; // {battery: 0..1, charging, joint: the hottest, temperature [°C]}
 const low = 0.2, hot = 70;
-
-export function followVitals() {
-  for (const [robot, {list, connected}] of robots) wish("vitals " + robot, connected ? robot : null, list.some(({key}) => key === healthKey) ? [healthKey] : []);
-}
 
 export function vitals(robot) {
   const part = make("span", {class: "vitals number", "data-robot": robot});
@@ -22,7 +17,7 @@ export function refreshVitals(robot) {
 }
 
 function fill(part, robot) {
-  const health = valueOf(robot, healthKey);
+  const health = state.robots.get(robot)?.connected && valueOf(robot, healthKey);
   if (!health) return;
   const percent = Math.round(100 * health.battery) + " %", heat = Math.round(health.temperature) + " °C";
   const words = percent + heat + health.charging;

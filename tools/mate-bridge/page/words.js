@@ -7,7 +7,7 @@ export const px3 = value => value.toFixed(3) + " px";
 export const rms = values => Math.sqrt(values.reduce((sum, value) => sum + value * value, 0) / Math.max(1, values.length));
 
 export const stateWords = {...concluded, present: "added to this model, it would explain more than chance does"};
-export const stateName = name => name === "present" ? "would help" : name.replace("-", " ");
+export const stateName = name => ({present: "would help", absorbed: "not testable", aliased: "look-alike"})[name] || name.replace("-", " ");
 
 export const pictureName = ({capture, camera, pose}) =>
   "capture " + capture + (pose ? ", pose " + pose : "") + ", " + camera + " camera";
