@@ -68,6 +68,31 @@ TEST_CASE("a recording is opened with all its sets, a diagnosis with what it sug
   CHECK(openSets({file}).sets.size() == 1);
 }
 
+TEST_CASE("a model that was saved is opened with captures") {
+  // Proves that its effects are in, or out, and that its own definitions come along; alone it is refused.
+  const TemporaryFolder folder;
+  writeSetAndResult(folder.path());
+  const std::string model = (folder.path() / "model.json").string(), set = (folder.path() / "few").string();
+  const Json spring{{"name", "spring"},
+                    {"at", "LKneePitch"},
+                    {"correction", "a*tau"},
+                    {"unknowns", {{"a", {{"unit", "rad/Nm"}, {"sigma", 0.01}}}}}};
+  writeAtomically(model, Json{{"format", "naocal-model"},
+                              {"version", 1},
+                              {"with", {"spring@LKneePitch"}},
+                              {"without", {"jointOffset@HeadYaw"}},
+                              {"define", {spring}}}
+                             .dump());
+  std::map<std::string, Json> told;
+  Laboratory laboratory{openSets({model, set}),
+                        [&](const std::string& kind, const Json& content) { told[kind] = content; }};
+  laboratory.fit();
+  CHECK(told["fit"]["with"] == Json::array({"spring@LKneePitch"}));
+  CHECK(told["fit"]["without"] == Json::array({"jointOffset@HeadYaw"}));
+  CHECK(told["set"]["own"][0] == spring);
+  CHECK_THROWS_WITH(openSets({model}), Contains("name them behind it"));
+}
+
 TEST_CASE("what cannot be opened is refused with its name and what to do") {
   // Proves the sentences for what is neither a set nor a result, and for a result without its captures.
   const TemporaryFolder folder;
@@ -77,7 +102,7 @@ TEST_CASE("what cannot be opened is refused with its name and what to do") {
   CHECK_THROWS_WITH(openSets({result, result}), Contains("opened by itself"));
   writeAtomically(folder.path() / "other.json", R"({"format": "naocal-poses"})");
   CHECK_THROWS_WITH(openSets({(folder.path() / "other.json").string()}),
-                    Contains("opens capture sets, recordings, results and diagnoses"));
+                    Contains("opens capture sets, recordings, results, diagnoses and models"));
   const std::string overlong(5000, 'x'); // no system opens it
   CHECK_THROWS_AS(openSets({overlong}), InputError);
   CHECK_THROWS_AS(openSets({overlong + ".json"}), InputError);

@@ -83,6 +83,8 @@ for (let x = 0.2; x < 0.95 && !left; x += 0.03) {
 check(left, "a click on a deflection shows its capture");
 await tab("Result");
 await portrait(page, axe, pictures, "result");
+const bars = await saved(() => page.getByRole("button", {name: "save as SVG: joint offset", exact: true}).click());
+check(bars.content.includes("LKneePitch") && bars.content.includes("±"), "estimates are saved as a drawing");
 const rows = (await saved(() => page.getByRole("button", {name: "CSV", exact: true}).click())).content.toString().split("\n");
 check(rows[0].startsWith("effect,at,unit,value") && rows.some(row => row.startsWith("joint offset,LKneePitch,°,")), "estimates are saved as a table");
 
@@ -169,6 +171,45 @@ check(JSON.stringify(tried) === '{"live":"closed","read":"refused","image":"refu
 const unknown = await fetch(panel.address.replace(/[0-9a-f]{32}/, "0".repeat(32)));
 check(unknown.status === 404, "another token finds nothing");
 stranger.close();
+
+// Whatever is asked to be opened, the bridge lives; and it answers while it opens.
+const answers = await page.evaluate(async path => {
+  const socket = new WebSocket(location.href.replace(/^http/, "ws").replace(/#.*$/, "") + "live"), kinds = [];
+  await new Promise(resolve => { socket.onopen = resolve; });
+  const until = kind => new Promise(resolve => { socket.onmessage = ({data}) => { const told = JSON.parse(data); if (["stand", "refused", "opened"].includes(told.kind)) kinds.push(told.kind); if (told.kind === kind) resolve(); }; });
+  const ask = request => socket.send(JSON.stringify(request));
+  ask({do: "open", paths: ["x".repeat(5000)]});
+  await until("refused");
+  ask({do: "open", paths: [path]});
+  ask({do: "stand", number: 1, angles: {}});
+  await until("opened");
+  socket.close();
+  return kinds.join();
+}, join(here, "flawed"));
+check(answers === "refused,stand,opened", "a path that cannot be is refused, and the bridge answers while it opens captures: " + answers);
+await rungs.first().waitFor();
+await idle();
+
+// The theme is remembered, keys are listed, and u does nothing where the model is not shown.
+await page.locator("#theme").click();
+const theme = () => page.evaluate(() => document.documentElement.dataset.theme), chosen = await theme();
+await page.reload();
+await rungs.first().waitFor();
+check(await theme() === chosen, "the theme is remembered: " + chosen);
+await page.keyboard.press("?");
+await page.getByRole("dialog").getByText("Stop: whatever robot").waitFor();
+await page.screenshot({path: join(pictures, "keys.png")});
+await page.getByRole("button", {name: "Close", exact: true}).click();
+await tab("Own effect");
+await page.getByText("This can be added").waitFor();
+await page.locator("#ownAdd").click();
+await page.getByText("This is there already").waitFor();
+await idle();
+await tab("Live");
+await page.keyboard.press("u");
+await page.waitForTimeout(300);
+await tab("Learn");
+check(await page.locator(".ladder li:nth-child(2) .rung[aria-current=step]").count() === 1, "u leaves a model alone that is not shown");
 
 // The bridge ends: the panel says so, and keeps what it shows.
 await panel.stop("SIGKILL");

@@ -52,6 +52,28 @@ await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor({t
 await tab("Files");
 await page.getByText("Open now: " + sessions.at(-1)).waitFor({timeout: 60000});
 check(true, "and the recording is opened");
+
+// A result is put on the robot: what its own calibration would set, beside what is on it now.
+await page.getByLabel("path of what to open").fill(join(here, "few"));
+await page.getByRole("button", {name: "Open", exact: true}).click();
+await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor({timeout: 60000});
+await tab("Result");
+await page.getByRole("button", {name: /^Apply to .* …/}).click();
+const changes = page.locator(".confirm tbody tr");
+await page.waitForFunction(() => !/–/.test(document.querySelector(".confirm table").innerText));
+const told = await changes.allInnerTexts();
+check(told.some(row => row.startsWith("lKneePitch")) && told.some(row => row.startsWith("top camera")), "what would be set is listed beside what is there: " + told.join("; "));
+check(told.some(row => row.startsWith("lHipYawPitch")) === told.some(row => row.startsWith("rHipYawPitch")), "one motor, one offset");
+await portrait(page, axe, pictures, "apply");
+await page.getByRole("button", {name: /^Apply to/}).last().click();
+await page.getByText(/^Sent to/).waitFor();
+await tab("Configuration");
+await page.getByLabel("filter modules").fill("JointCalibrationProvider");
+await page.getByRole("button", {name: "Motion.JointCalibrationProvider", exact: true}).click();
+await page.getByLabel("lKneePitch", {exact: true}).waitFor();
+const knee = Number(told.find(row => row.startsWith("lKneePitch")).split("\t").at(-1).replace("−", "-").replace("°", ""));
+await page.waitForFunction(wanted => Math.abs(Number(document.getElementById("parameter-lKneePitch").value) - wanted) < 0.006, knee);
+check(knee !== 0, "and is on the robot then: " + knee + "°");
 await browser.close();
 await panel.stop("SIGTERM");
 robot.kill();

@@ -20,6 +20,7 @@ await page.waitForTimeout(3000);
 console.log("measured: cameras: " + (await page.locator(".camera figcaption").allInnerTexts()).join("; "));
 
 await page.getByRole("button", {name: "Calibrate …"}).click();
+check((await page.locator(".confirm").innerText()).includes(address), "the question names the robot: " + (await page.locator(".confirm").innerText()).replaceAll("\n", " "));
 await portrait(page, axe, pictures, "calibrate-confirm");
 await page.getByRole("button", {name: "Start", exact: true}).click();
 await page.getByText(/pose [1-9] of/).waitFor({timeout: 180000});
@@ -44,14 +45,50 @@ await page.getByRole("button", {name: "Undo …"}).click();
 await page.getByRole("button", {name: /^Undo on/}).click();
 await page.getByText("None: every joint counts as it reads.").waitFor();
 check(true, "undo takes the offsets back");
+await page.waitForFunction(() => [...document.querySelectorAll("button")].find(one => one.textContent === "Undo …").disabled);
+check(true, "what was taken back cannot be taken back again");
 
-// Stop ends a calibration at once.
-await page.getByRole("button", {name: "Calibrate …"}).click();
-await page.getByRole("button", {name: "Start", exact: true}).click();
-await page.getByRole("heading", {name: /^(Moving|Collecting|Going home)$/}).waitFor();
-await page.getByRole("button", {name: "Stop"}).click();
-await page.getByText("The calibration was ended").waitFor();
+// Stop ends a calibration at once, from any view, when it is pressed; so does s, but not the browser's own Ctrl+S.
+const begun = async () => {
+  await tab("Calibrate");
+  await page.getByRole("button", {name: "Calibrate …"}).click();
+  await page.getByRole("button", {name: "Start", exact: true}).click();
+  await page.getByRole("heading", {name: /^(Moving|Collecting|Going home)$/}).waitFor();
+};
+const wasEnded = async () => {
+  await tab("Calibrate");
+  await page.getByText("The calibration was ended").waitFor();
+  await page.waitForFunction(() => !document.getElementById("stop").classList.contains("moving"));
+};
+await begun();
+await tab("Compare");
+const stop = await page.getByRole("button", {name: "Stop", exact: true}).boundingBox();
+await page.mouse.move(stop.x + 5, stop.y + 5);
+await page.mouse.down();
+await wasEnded();
+await page.mouse.up();
 check(true, "stop ends the calibration");
+await begun();
+await page.keyboard.press("Control+s");
+await page.waitForTimeout(500);
+check(await page.locator("#stop.moving").count() === 1, "Ctrl+S does not stop the robot");
+await page.keyboard.press("S"); // as with Caps Lock
+await wasEnded();
+check(true, "s stops it, whatever the state of Caps Lock");
+check(await page.getByRole("button", {name: "Undo …"}).isDisabled(), "a calibration that was ended has nothing to take back");
+
+// A robot that is told off while it calibrates is asked about; an address that is none stays to be mended.
+await begun();
+await page.getByLabel("disconnect from " + address).click();
+await page.getByText("Without its panel it ends that").waitFor();
+await page.getByRole("button", {name: "Not now"}).click();
+await page.getByRole("button", {name: "Stop", exact: true}).click();
+await wasEnded();
+await page.getByLabel("robot to connect to").fill("nao 21");
+await page.getByRole("button", {name: "Connect", exact: true}).click();
+await page.locator("#notice").getByRole("button", {name: "OK"}).click();
+check(await page.getByLabel("robot to connect to").inputValue() === "nao 21", "a mistyped address stays where it was typed");
+await page.getByLabel("robot to connect to").fill("");
 
 // Values over time.
 await tab("Live");
@@ -65,9 +102,12 @@ const downloaded = async name => {
   const [file] = await Promise.all([page.waitForEvent("download"), page.getByLabel(name, {exact: true}).click()]);
   return readFileSync(await file.path());
 };
+await page.getByRole("button", {name: "LKneePitch", exact: true}).click();
+check(await page.getByRole("button", {name: "LKneePitch", exact: true}).getAttribute("aria-pressed") === "true", "which numbers are drawn is chosen by name");
+check((await downloaded("save as SVG: Motion.angles")).toString().includes("LKneePitch"), "a plot over time is saved as strokes");
 check((await downloaded("save as PNG: Motion.angles")).subarray(1, 4).toString() === "PNG", "a plot over time is saved as a picture");
 const rows = (await downloaded("save as CSV: Motion.angles")).toString().trim().split("\n");
-check(rows[0].startsWith("time [s],") && rows.length > 50 && rows.every(row => row.split(",").length === rows[0].split(",").length), "and as a table");
+check(rows[0].startsWith("time [s],HeadYaw,") && rows.length > 50 && rows.every(row => row.split(",").length === rows[0].split(",").length), "and as a table");
 
 // Parameters: nothing is written before the person says so.
 await tab("Configuration");
@@ -77,6 +117,12 @@ await page.getByLabel("repeats", {exact: true}).fill("3");
 await page.getByRole("button", {name: "set repeats"}).click();
 await page.waitForFunction(() => document.getElementById("parameter-repeats").value === "3" && !document.querySelector(".edited"));
 await portrait(page, axe, pictures, "configuration");
+check(await page.locator("#parameter-run").count() === 0, "nothing moves the robot from its parameters");
+await page.getByLabel("checkPoses", {exact: true}).fill('"many"');
+await page.getByRole("button", {name: "set checkPoses"}).click();
+await page.getByText(/did not take checkPoses = "many"/).waitFor();
+check(true, "a value that the robot refuses is said to be refused");
+await page.locator("#notice").getByRole("button", {name: "OK"}).click();
 const saved = () => readdirSync(join(here, "configuration/location"), {recursive: true}).filter(name => name.endsWith("CalibrationRunner.json"))
   .some(name => /"repeats": 3/.test(readFileSync(join(here, "configuration/location", name), "utf8")));
 check(!saved(), "a value that is set is not written into files");

@@ -1,7 +1,8 @@
 // Drives the panel's tools in a real browser: a simulated robot's captures are made and opened, poses planned, a slip
 // is told in the program's own words, a long command is ended; and nothing but naocal's commands can be run.
 // Usage: node tools.mjs MATE-BRIDGE NODE_MODULES PICTURES
-import {existsSync, readFileSync} from "node:fs";
+import {chmodSync, existsSync, readFileSync, readdirSync, readlinkSync, writeFileSync} from "node:fs";
+import {spawn} from "node:child_process";
 import {join} from "node:path";
 import {tools, check, panelOf, folder, quietPage, portrait, end} from "./browser.mjs";
 
@@ -12,6 +13,8 @@ const browser = await launch(), page = await quietPage(browser, panel.address);
 const click = name => page.getByRole("button", {name, exact: true}).click();
 const status = page.locator("#toolStatus"), line = page.locator("#toolLine"), output = page.locator("#toolOutput");
 const ended = () => page.waitForFunction(() => /finished|ended with/.test(document.getElementById("toolStatus").textContent), null, {timeout: 120000});
+
+const statOf = pid => { try { return readFileSync("/proc/" + pid + "/stat", "utf8").replace(/^.*\) \S+ /s, ""); } catch { return null; } };
 
 await click("Tools");
 await click("Simulate");
@@ -50,6 +53,9 @@ await click("Run");
 await page.locator("#toolEnd").waitFor();
 check(await page.locator("#toolRun").isDisabled(), "one command at a time");
 await page.waitForTimeout(1000);
+const child = readdirSync("/proc").find(pid => /^\d+$/.test(pid) && statOf(pid)?.startsWith(panel.pid + " "));
+const open = readdirSync("/proc/" + child + "/fd").map(one => { try { return readlinkSync("/proc/" + child + "/fd/" + one); } catch { return ""; } });
+check(child && !open.some(one => one.startsWith("socket:")), "a command holds none of the bridge's sockets: " + open.join(" "));
 await click("End it");
 await page.getByText("finishes what it has begun").waitFor();
 await click("End it");
@@ -62,5 +68,23 @@ const refused = await page.evaluate(words => new Promise(resolve => {
   socket.onmessage = ({data}) => { if (typeof data === "string" && JSON.parse(data).kind === "refused") resolve(JSON.parse(data).sentence); };
 }), ["explore; touch x", "/etc"]);
 check(refused.includes("expected one of naocal's commands"), "nothing else is run: " + refused);
+
+// What the bridge starts a browser with can be read by everybody here: no secret is in it, and it leads to the panel.
+const fake = join(here, "chromium");
+writeFileSync(fake, "#!/bin/sh\necho \"$@\" > '" + join(here, "arguments") + "'\n");
+chmodSync(fake, 0o755);
+const opening = spawn(bridge, [], {stdio: ["ignore", "pipe", "inherit"], env: {...process.env, PATH: here + ":/usr/bin:/bin", HOME: here}});
+const line2 = await new Promise(resolve => opening.stdout.once("data", data => resolve(String(data))));
+for (let i = 0; i < 100 && !existsSync(join(here, "arguments")); ++i) await page.waitForTimeout(50);
+await page.waitForTimeout(200);
+const words = readFileSync(join(here, "arguments"), "utf8").trim(), [, token] = line2.match(/:\d+\/([0-9a-f]{32})\//);
+check(words.startsWith("--app=file://") && !words.includes(token), "the secret is not in the browser's command line: " + words);
+const led = await browser.newPage();
+await led.goto(words.replace("--app=", ""));
+await led.getByText("No captures are open").or(led.getByText("No robot yet")).first().waitFor({timeout: 20000});
+check(led.url().includes(token), "its page leads to the panel");
+opening.kill("SIGTERM");
+await new Promise(resolve => opening.on("exit", resolve));
+check(!existsSync(words.replace("--app=file://", "")), "and goes with the bridge");
 await browser.close();
 end();

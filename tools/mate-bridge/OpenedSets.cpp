@@ -104,7 +104,24 @@ void addResult(const JsonPlace& result, const std::string& file, OpenedSets& ope
   addInputs(result, file, opened);
 }
 
-/// A result, or a diagnosis, which may stand with its sets.
+/// A model: what was added, taken out and defined; of which captures is for others to say.
+void addModel(const JsonPlace& model, const std::string& file, bool alone, OpenedSets& opened) {
+  if (alone) {
+    throw InputError{fmt::format("{}: a model is opened together with captures; name them behind it", file)};
+  }
+  for (const auto& [key, list] : {std::pair{"with", &opened.with}, std::pair{"without", &opened.without}}) {
+    if (const auto labels = model.find(key)) {
+      for (const JsonPlace& label : labels->elements()) {
+        list->push_back(label.text());
+      }
+    }
+  }
+  if (const auto define = model.find("define")) {
+    opened.definitions = define->value().dump();
+  }
+}
+
+/// A result, or a diagnosis or a model, which may stand with its sets.
 void addDocument(const std::string& file, bool alone, OpenedSets& opened) {
   const nlohmann::json document = parseJson(fileContent(file), file);
   const JsonPlace place{document, file};
@@ -112,9 +129,12 @@ void addDocument(const std::string& file, bool alone, OpenedSets& opened) {
   if (format == "naocal-diagnosis") {
     return addDiagnosis(place, file, !alone, opened);
   }
+  if (format == "naocal-model") {
+    return addModel(place, file, alone, opened);
+  }
   if (format != "naocal-result") {
-    place.at("format").refuse("\"naocal-result\" or \"naocal-diagnosis\": mate-bridge opens capture sets, recordings, "
-                              "results and diagnoses");
+    place.at("format").refuse("\"naocal-result\", \"naocal-diagnosis\" or \"naocal-model\": mate-bridge opens capture "
+                              "sets, recordings, results, diagnoses and models");
   }
   if (!alone) {
     throw InputError{fmt::format("{}: a result is opened by itself, with the sets that it was made from", file)};

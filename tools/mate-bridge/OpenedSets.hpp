@@ -18,14 +18,15 @@ struct OpenedSets {
   std::map<std::string, std::filesystem::path> folders; // by the set's name
   Robot robot;
   std::vector<std::string> terms; // of the result that was opened; empty: the base model
-  std::vector<std::string> with;  // what a diagnosis that was opened added to the base model
+  std::vector<std::string> with,
+      without;                    // what a diagnosis or a model that was opened adds to the base model, and lacks
   std::string definitions = "[]"; // the person's own effects: a list of JSON
 };
 
 /// Opens capture sets (folders with captures.json), recordings of the robot (folders of sets), or one RESULT.json or
 /// DIAGNOSIS.json together with the sets that it was made from (as they are written there, or beside it; behind an
-/// older diagnosis they are named). Pictures whose corners were not looked for are searched, and nothing is written.
-/// Throws InputError that names file, what was expected and found.
+/// older diagnosis they are named), or a MODEL.json with sets behind it. Pictures whose corners were not looked for are
+/// searched, and nothing is written. Throws InputError that names file, what was expected and found.
 OpenedSets openSets(const std::vector<std::string>& paths);
 
 } // namespace naocal

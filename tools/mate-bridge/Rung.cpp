@@ -32,7 +32,7 @@ std::vector<std::string> labelsOf(const Model& model) {
 
 Rung firstRung(const OpenedSets& opened, const Measurements& measurements) {
   if (opened.terms.empty()) {
-    return {opened.with, {}, opened.definitions, "", 0, {}};
+    return {opened.with, opened.without, opened.definitions, "", 0, {}};
   }
   const std::vector<std::string> base = labelsOf(makeModel(measurements));
   std::vector<std::string> with = without(opened.terms, base);

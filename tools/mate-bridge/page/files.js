@@ -26,7 +26,7 @@ on("made", async ({file}) => {
 export function showFiles(parent) {
   const {set, compared} = state, open = state.laboratory;
   parent.replaceChildren(element("h1", {}, "Files"),
-    element("h2", {}, "Open"), element("p", {class: "soft"}, open && set ? "Open now: " + set.names.join(", ") + "." : "Nothing is open.", " A capture set, a recording of the robot, a result or a diagnosis; nothing in them is changed. Several sets stand one a line."),
+    element("h2", {}, "Open"), element("p", {class: "soft"}, open && set ? "Open now: " + set.names.join(", ") + "." : "Nothing is open.", " A capture set, a recording of the robot, a result, a diagnosis, or a saved model.json with its captures; nothing in them is changed. Several stand one a line."),
     paths("open", "path of what to open", typed, value => { typed = value; }, list => act({do: "open", paths: list}), "Open"),
     ...(open ? [element("h2", {}, "Compare with captures that were not used"), paths("compare", "path of other captures", typedOthers, value => { typedOthers = value; }, list => act({do: "compare", paths: list}), "Compare"),
       ...(compared ? comparison(compared) : []),

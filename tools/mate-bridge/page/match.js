@@ -98,7 +98,7 @@ function next() {
   }
   when("nextWords", [pose && pose.name, told && told.step, told && told.poses.length], () => [make("p", {class: "soft"},
     pose ? make("span", {}, make("span", {class: "key outline"}), " " + pose.name + ", " + (told.step + 1) + " of " + told.poses.length + " of this round; grey: as it stands now")
-      : "Grey: as it stands now. Each pose of a calibration is shown here before it is played.")]);
+      : "Grey: as it stands now.")]);
 }
 
 function progress(state, player) {

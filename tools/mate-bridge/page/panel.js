@@ -171,12 +171,22 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", readColour
 
 document.addEventListener("keydown", event => {
   if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName)) return;
+  if (event.key === "?") showHelp();
   const place = keyed.indexOf(event.key) + 1;
   if (place >= 1) go(views[place - 1].id);
   else if (!current || at("model").hidden || !state.ladder) return;
   else if (event.key === "u" && state.ladder.at > 0) act({do: "goTo", rung: state.ladder.at - 1});
   else if (event.key === "r" && state.ladder.at + 1 < state.ladder.rungs.length) act({do: "goTo", rung: state.ladder.at + 1});
 });
+
+function showHelp() {
+  const row = (key, words) => make("tr", {}, make("td", {}, make("kbd", {}, key)), make("td", {}, words));
+  at("keys").replaceChildren(make("h2", {}, "Keys"), make("table", {class: "files"}, make("tbody", {}, row("s", "Stop: whatever robot calibrates ends that and goes back to its stand"), ...views.map(({name}, i) => row(keyed[i], name)),
+    row("u", "undo the last change of the model, beside it"), row("r", "redo it"), row("?", "this list"), row("Esc", "closes it, and takes a typed parameter back"))),
+    make("p", {class: "controls"}, button("Close", () => at("keys").close(), {class: "main"})));
+  at("keys").showModal();
+}
+at("help").addEventListener("click", showHelp);
 
 views.forEach((view, i) => {
   if (view.id === "match") at("tabs").append(make("span", {class: "gap"}));

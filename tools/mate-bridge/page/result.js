@@ -2,6 +2,7 @@
 import {applying} from "./apply.js";
 import {make, button, csv, download} from "./elements.js";
 import {ticks} from "./canvas.js";
+import {savers} from "./bars.js";
 import {withError, number} from "./words.js";
 import {state} from "./state.js";
 
@@ -23,7 +24,7 @@ function group({title, unit, rows}) {
   const marks = ticks(low - margin, high + margin, 6);
   const scale = make("div", {class: "ticks"});
   for (const mark of marks) scale.appendChild(make("span", {}, number(mark))).style.left = place(mark);
-  return [make("h2", {}, title.charAt(0).toUpperCase() + title.slice(1) + (unit ? " [" + unit + "]" : "")),
+  return [make("h2", {class: "controls"}, title.charAt(0).toUpperCase() + title.slice(1) + (unit ? " [" + unit + "]" : ""), make("span", {class: "savers"}, ...savers({title, unit, rows}))),
     make("div", {class: "estimates"}, ...rows.map(row => estimate(row, unit, place, marks)), make("div", {class: "estimate"}, make("span"), scale))];
 }
 

@@ -4,7 +4,7 @@ import {figure, colours} from "./canvas.js";
 // `now` and `next`: what the bridge works out of angles ({hull: [[from, to, radius]], feet, ..}), or null.
 export const standingFigure = (of, label, height = 230) => figure({height, label, className: "standing", draw: (context, width, height) => {
   const {now, next} = of();
-  const scale = (height - 26) / 0.62, floor = height - 20;
+  const scale = (height - 26) / 0.62, floor = height - (height > 150 ? 20 : 4);
   context.strokeStyle = colours.line;
   context.lineWidth = 1;
   context.beginPath();
@@ -15,7 +15,7 @@ export const standingFigure = (of, label, height = 230) => figure({height, label
   context.textBaseline = "bottom";
   context.fillStyle = colours.soft;
   for (const [middle, across, words] of [[0.27 * width, 0, "from its right"], [0.76 * width, 1, "from the front"]]) {
-    context.fillText(words, middle, height);
+    if (height > 150) context.fillText(words, middle, height);
     const place = point => [middle + scale * (across ? point[1] : point[0]), floor - scale * point[2]];
     if (now) body(context, now.hull, place, scale, {colour: colours.soft, alpha: 0.5});
     if (next) body(context, next.hull, place, scale, {colour: colours.blue, alpha: now ? 1 : 0.65, outlined: Boolean(now)});

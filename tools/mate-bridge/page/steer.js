@@ -24,7 +24,7 @@ export function steer({robot, entry, state, player, isRunning, kinds, draw, when
     connected ? "" : make("p", {class: "bad"}, robot + " " + sentence + ". It is tried again every second; a robot that was started from here ends what it does and goes to its stand, one that loses power holds nothing.")]);
 }
 
-const titleOf = (kinds, run) => (kinds || []).find(one => one.run === run)?.title || run || "";
+const titleOf = (kinds, run) => (kinds || []).find(one => one.run === run)?.title || (run === "poses" ? "Playing the poses that were asked for" : run || "");
 
 const whatHappens = run => [/leg/.test(run) ? "It will stand on one foot and may fall: somebody must stay beside it, hold it by its trunk whenever it asks or its eyes are yellow, and be ready to catch it."
   : "It stands on both feet and turns its head. Is everybody's hand off it?",
