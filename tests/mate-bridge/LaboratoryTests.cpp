@@ -38,11 +38,21 @@ struct FlawedSet {
   std::string flaw;
 };
 
+/// As of a robot that records none.
+OpenedSets withoutCurrents(OpenedSets opened) {
+  for (CaptureSet& set : opened.sets) {
+    for (Capture& capture : set.captures) {
+      capture.joints.current.clear();
+    }
+  }
+  return opened;
+}
+
 /// A laboratory and the last that it told of each kind.
 struct Bench {
   FlawedSet set;
   std::map<std::string, Json> told;
-  Laboratory laboratory{openSets({(set.folder.path() / "flawed").string()}),
+  Laboratory laboratory{withoutCurrents(openSets({(set.folder.path() / "flawed").string()})),
                         [this](const std::string& kind, const Json& content) { told[kind] = content; }};
 };
 

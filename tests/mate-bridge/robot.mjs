@@ -22,6 +22,12 @@ console.log("measured: cameras: " + (await page.locator(".camera figcaption").al
 await page.getByRole("button", {name: "Calibrate …"}).click();
 check((await page.locator(".confirm").innerText()).includes(address), "the question names the robot: " + (await page.locator(".confirm").innerText()).replaceAll("\n", " "));
 await portrait(page, axe, pictures, "calibrate-confirm");
+await page.evaluate(() => { // what the page asks the bridge for from here on
+  const {send} = WebSocket.prototype;
+  window.sent = [];
+  WebSocket.prototype.send = function (text) { window.sent.push(JSON.parse(text)); send.call(this, text); };
+});
+const wills = () => page.evaluate(() => window.sent.filter(({settings}) => settings?.[0].key === "lastWill").map(({settings}) => settings[0].value.length).join());
 await page.getByRole("button", {name: "Start", exact: true}).click();
 await page.getByText(/pose [1-9] of/).waitFor({timeout: 180000});
 await page.getByText(/, [1-9] of 6 of this round/).waitFor({timeout: 60000});
@@ -34,6 +40,7 @@ await page.screenshot({path: join(pictures, "calibrate-running.png")});
 await page.getByRole("heading", {name: /^(Finished|Failed)$/}).waitFor({timeout: 480000});
 const bars = page.locator(".rung.flat"), before = px(await bars.nth(0).innerText()), after = px(await bars.nth(1).innerText());
 check(await page.getByRole("heading", {name: "Finished"}).count() === 1 && after < 0.5 * before, "the robot is calibrated: " + before + " px before, " + after + " px after");
+check(await wills() === "1,0", "a last will is made for the calibration, and ends with it: " + await wills());
 await page.getByRole("rowheader", {name: "headPitch"}).waitFor();
 const thumbnails = page.locator(".thumbnails li");
 check(await thumbnails.count() > 20 && /corners on board/.test((await thumbnails.allInnerTexts()).join()), "captures are shown with what they are worth: " + await thumbnails.count());
@@ -140,6 +147,12 @@ await robot.start();
 await page.locator(".robot.connected").waitFor();
 await page.getByText("pictures a second").first().waitFor();
 check(true, "a robot that comes back is seen again");
+
+// The bridge ends: nothing looks as if it could still be reached.
+await panel.stop("SIGKILL");
+await page.getByText("is out of sight: the bridge is away").first().waitFor();
+check(await page.locator(".robot.connected").count() === 0 && !await page.locator("#stop").isVisible(), "with the bridge away no robot seems connected, and no Stop seems to work");
+await page.screenshot({path: join(pictures, "robot-bridge-away.png")});
 await browser.close();
-await panel.stop("SIGTERM");
+robot.kill();
 end();

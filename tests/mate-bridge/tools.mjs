@@ -27,9 +27,15 @@ await click("Run");
 await ended();
 check((await status.innerText()).endsWith("has finished."), "captures are simulated: " + await status.innerText());
 check(existsSync(join(here, "a robot", "captures.json")), "they are there");
+const setFile = join(here, "a robot", "captures.json"), set = JSON.parse(readFileSync(setFile));
+await page.screenshot({path: join(here, "a robot", "kept.png")}); // a picture that was kept
+set.captures[0].image = "kept.png";
+writeFileSync(setFile, JSON.stringify(set));
 await page.getByRole("button", {name: /^Open /}).click();
 await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor({timeout: 60000});
 check(true, "they are opened by a click");
+const kept = await page.evaluate(id => fetch("picture/" + encodeURIComponent("a robot") + "/" + id).then(answer => answer.status), set.captures[0].id);
+check(kept === 200, "pictures of a set whose name has a space are shown: " + kept);
 
 await click("Tools");
 await click("Plan poses");

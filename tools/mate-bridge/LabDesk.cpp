@@ -64,7 +64,7 @@ void LabDesk::work(const char* what, std::function<void(Laboratory&)> change) {
 
 void LabDesk::question() {
   ++questions_;
-  work("asking every candidate", [this](Laboratory& laboratory) {
+  work("asking candidates", [this](Laboratory& laboratory) {
     if (--questions_ == 0) { // else the model has changed since: the last one answers
       laboratory.question();
     }
@@ -94,7 +94,7 @@ bool LabDesk::asked(const Json& request) {
 bool LabDesk::askedForMore(const std::string& verb, const Json& request) {
   if (verb == "search") {
     cancelled_ = false;
-    work("searching for all that is missing",
+    work("searching",
          [this](Laboratory& laboratory) { laboratory.search([this] { return !cancelled_; }); });
   } else if (verb == "cancel") {
     cancelled_ = true;
@@ -103,7 +103,7 @@ bool LabDesk::askedForMore(const std::string& verb, const Json& request) {
     work("choosing poses", [count](Laboratory& laboratory) { laboratory.propose(count); });
   } else if (verb == "compare") {
     const std::vector<std::string> paths = request.at("paths");
-    work("comparing with other captures", [paths](Laboratory& laboratory) { laboratory.compareWith(openSets(paths)); });
+    work("comparing", [paths](Laboratory& laboratory) { laboratory.compareWith(openSets(paths)); });
   } else if (verb == "make") {
     const std::string name = request.at("file");
     work("writing", [this, name](Laboratory& laboratory) {

@@ -90,7 +90,7 @@ std::optional<RigidTransform> StandingRobot::eye(const std::string& camera, cons
 }
 
 Json StandingRobot::drawn(const LiveCameras& cameras) const {
-  Json hull = Json::array(), feet = Json::object(), views = Json::object();
+  Json hull = Json::array(), feet = Json::object(), views = Json::object(), gaze;
   for (const Capsule& part : drawing_.hull) {
     const RigidTransform& link = floorFromLink_[part.link];
     hull.push_back({rounded(link * part.from), rounded(link * part.to), part.radius});
@@ -112,10 +112,15 @@ Json StandingRobot::drawn(const LiveCameras& cameras) const {
       views[name] = viewOnFloor(*eyeHere, belief.intrinsics);
     }
   }
+  if (const auto eyeHere = eye("top", {})) {
+    const Eigen::Vector3d from = eyeHere->translation, ahead = eyeHere->rotation * Eigen::Vector3d{0, 0, 0.12};
+    gaze = {rounded(from), rounded(Eigen::Vector3d{from + ahead})};
+  }
   const Posture torsoFromLink = posture(drawing_, angles_);
   return {{"hull", std::move(hull)},
           {"feet", std::move(feet)},
           {"views", std::move(views)},
+          {"gaze", std::move(gaze)},
           {"carries", carries_},
           {"centre", rounded(floorFromLink_.front() * centreOfMass(drawing_, torsoFromLink).inTorso)}};
 }

@@ -32,7 +32,8 @@ public:
   std::optional<RigidTransform> eye(const std::string& camera, const LiveCamera& belief) const;
 
   /// For a drawing: `hull` [[from, to, radius]] of its parts, `feet` {left, right} their outlines, `centre` of mass,
-  /// `carries` "left" | "right" | "both", `views` by camera: what it sees of the floor up to 3 m, as a polygon [m].
+  /// `gaze` [from, to] from the top camera ahead, `carries` "left" | "right" | "both", `views` by camera: what it sees
+  /// of the floor up to 3 m, as a polygon [m].
   nlohmann::json drawn(const LiveCameras& cameras) const;
 
 private:

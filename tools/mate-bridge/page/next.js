@@ -13,7 +13,7 @@ const stands = new Map(); // by number asked for
 on("stand", message => {
   const waiting = stands.get(message.number);
   if (!waiting) return;
-  waiting.hull = message.hull;
+  Object.assign(waiting, {hull: message.hull, gaze: message.gaze});
   waiting.drawn?.redraw();
 });
 

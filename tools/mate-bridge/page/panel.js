@@ -50,17 +50,20 @@ function open() {
   const arrived = current !== wanted;
   current = wanted;
   for (const tab of at("tabs").querySelectorAll("button")) {
-    if (tab.dataset.view === current.id) {
-      tab.setAttribute("aria-current", "page");
-      if (arrived) tab.scrollIntoView({block: "nearest", inline: "center"});
-    } else tab.removeAttribute("aria-current");
+    if (tab.dataset.view === current.id) tab.setAttribute("aria-current", "page");
+    else tab.removeAttribute("aria-current");
   }
   document.title = current.name + " – naocal panel";
   at("model").hidden = !(current.laboratory && state.laboratory);
   document.querySelector("main").classList.toggle("wide", at("model").hidden);
   draw();
-  if (arrived) scrollTo(0, 0);
+  if (!arrived) return;
+  showTab();
+  scrollTo(0, 0);
 }
+
+const showTab = () => at("tabs").querySelector("[aria-current]")?.scrollIntoView({block: "nearest", inline: "center"});
+addEventListener("resize", showTab);
 
 function draw() {
   const view = at("view");

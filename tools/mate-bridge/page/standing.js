@@ -18,10 +18,23 @@ export const standingFigure = (of, label, height = 230) => figure({height, label
     if (height > 150) context.fillText(words, middle, height);
     const place = point => [middle + scale * (across ? point[1] : point[0]), floor - scale * point[2]];
     if (now) body(context, now.hull, place, scale, {colour: colours.soft, alpha: 0.5});
+    if (now) gaze(context, now, place, colours.soft);
     if (next) body(context, next.hull, place, scale, {colour: colours.blue, alpha: now ? 1 : 0.65, outlined: Boolean(now)});
+    if (next) gaze(context, next, place, colours.blue);
   }
   return [];
 }});
+
+// Where the head looks.
+function gaze(context, {gaze: line}, place, colour) {
+  if (!line) return;
+  context.strokeStyle = colour;
+  context.lineWidth = 2;
+  context.beginPath();
+  context.moveTo(...place(line[0]));
+  context.lineTo(...place(line[1]));
+  context.stroke();
+}
 
 // Parts as strokes as broad as they are, on a sheet of their own so that overlapping ones do not darken each other; as
 // an outline their inside is taken away again. Vectors know no such sheets.
