@@ -30,7 +30,7 @@ await page.evaluate(() => { // what the page asks the bridge for from here on
 const wills = () => page.evaluate(() => window.sent.filter(({settings}) => settings?.[0].key === "lastWill").map(({settings}) => settings[0].value.length).join());
 await page.getByRole("button", {name: "Start", exact: true}).click();
 await page.getByText(/pose [1-9] of/).waitFor({timeout: 180000});
-await page.getByText(/, [1-9] of 6 of this round/).waitFor({timeout: 60000});
+await page.getByText(/, \d+ of \d+ of this round/).waitFor({timeout: 60000});
 check(true, "each pose is shown before it is played: " + await page.getByText(/of this round/).innerText());
 await page.locator(".thumbnails img").first().waitFor({timeout: 120000});
 const found = page.locator(".camera figcaption").filter({hasText: "corners, predicted"}).first(); // not in every pose

@@ -18,10 +18,10 @@ function changesOf({compensation: {offsets, mounts}}, keys) {
 }
 
 const degrees = value => number(value.toFixed(2)) + "°";
-const shown = value => value === undefined ? "–" : Array.isArray(value) ? value.map(one => degrees(one * 180 / Math.PI)).join(" ") : degrees(value);
+const shown = value => value === undefined ? ["–"] : Array.isArray(value) ? value.flatMap(one => [make("span", {}, degrees(one * 180 / Math.PI)), " "]) : [degrees(value)];
 
 const table = changes => make("table", {class: "narrow"}, make("thead", {}, make("tr", {}, ...["", "on it now", "will be"].map((words, i) => make("th", {scope: "col", class: i ? "number" : ""}, words)))),
-  make("tbody", {}, ...changes.map(({key, old, value}) => make("tr", {}, make("th", {scope: "row"}, key.replace("_ext", " camera (rx ry rz)")), make("td", {class: "number"}, shown(old)), make("td", {class: "number"}, shown(value))))));
+  make("tbody", {}, ...changes.map(({key, old, value}) => make("tr", {}, make("th", {scope: "row"}, key.replace("_ext", " camera (rx ry rz)")), make("td", {class: "number wrap"}, ...shown(old)), make("td", {class: "number wrap"}, ...shown(value))))));
 
 export function applying(fit, again) {
   const robot = lookedAt(), entry = robot && robots.get(robot);

@@ -67,7 +67,7 @@ function draw() {
   const told = valueOf(shownRobot, outcomeKey), isRunning = running(state ? state.phase : "idle");
   const {before, mountsBefore, captures} = of(shownRobot), now = entry.keys.get(offsetsMount), mounts = entry.keys.get(mountsMount);
   steer({robot: shownRobot, entry, state, player, isRunning, kinds: valueOf(shownRobot, kindsKey), draw, when});
-  when("progress", [state, player && player.reason], () => state ? progress(state, player) : [make("p", {class: "soft"}, "Waiting for the robot's first word …")]);
+  when("progress", [state, player && player.reason, player && player.held], () => state ? progress(state, player) : [make("p", {class: "soft"}, "Waiting for the robot's first word …")]);
   when("outcome", [state && state.errorAfter, isRunning, told], () => outcome(state, isRunning, told));
   when("offsets", [told, before, now, mountsBefore, mounts], () => [...offsets(told, before, now), ...cameraMounts(mountsBefore, mounts)]);
   const round = valueOf(shownRobot, posesKey);
@@ -108,7 +108,7 @@ function progress(state, player) {
     state.question ? "" : make("p", {class: state.phase === "failed" ? "bad" : "", role: "status"}, state.sentence || "Ready."),
     state.phase === "idle" ? "" : make("div", {class: "progress"}, bar, make("span", {class: "number"}, state.poses ? "pose " + state.pose + " of " + state.poses : ""),
       make("span", {class: "number"}, state.captures + " pictures"), make("span", {class: "number"}, state.secondsLeft === null ? "" : "about " + Math.ceil(state.secondsLeft) + " s left")),
-    player && player.reason && !(state.sentence || "").includes(player.reason) ? make("p", {class: "bad"}, player.reason) : ""];
+    player && player.reason && !player.held && !(state.sentence || "").includes(player.reason) ? make("p", {class: "bad"}, player.reason) : ""];
 }
 
 export function matchTold(message, file, isShown) {

@@ -3,7 +3,7 @@ import {make, csvTable} from "./elements.js";
 import {figure, ticks, colours} from "./canvas.js";
 import {px, number, withError} from "./words.js";
 
-export const outcomeKey = "Brain.calibrationOutcome"; // {joints: [{joint, before, after, sigma, learned}] [°], warnings: [sentence]}
+export const outcomeKey = "Brain.calibrationOutcome"; // {joints: [{joint, before, after, sigma, learned}] [°], warnings: [sentence], diagnosis: sentence}
 const degrees = value => value === undefined || value === null ? "–" : number(value.toFixed(2)) + "°";
 
 export function outcome(state, isRunning, told) {
@@ -17,6 +17,7 @@ export function outcome(state, isRunning, told) {
     };
     shown.push(make("h2", {}, "Error on pictures that were not used"), row("before", state.errorBefore), row("after", state.errorAfter));
   }
+  if (told && told.diagnosis) shown.push(make("h2", {}, "How well the robot's model fits"), make("p", {}, told.diagnosis));
   if (told && told.warnings.length) shown.push(make("h2", {}, "Beware"), make("ul", {class: "warnings"}, ...told.warnings.map(warning => make("li", {}, warning))));
   return shown;
 }

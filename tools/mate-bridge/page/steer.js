@@ -14,24 +14,25 @@ export function steer({robot, entry, state, player, isRunning, kinds, draw, when
   const {connected, sentence} = entry, question = state && state.question, known = of(robot);
   const asks = what => () => { confirming = what && {what, robot}; draw(); };
   if (kinds && kinds.length && !kinds.some(({run}) => run === known.chosen)) known.chosen = kinds[0].run;
-  const {chosen} = known, held = Boolean(player && player.held) && !question;
+  const {chosen} = known, held = player && player.held && !question && (player.reason || "Hold the robot by its trunk: its eyes are yellow.");
   when("steer", [robot, connected, isRunning, confirming, sentence, kinds, chosen, question, held, state && state.kind], () => [
-    held ? make("div", {class: "confirm asks", role: "alert"}, make("p", {class: "hold"}, make("span", {class: "eyes"}), "Hold the robot by its trunk: its eyes are yellow.")) : "",
-    isRunning ? make("p", {}, make("b", {}, titleOf(kinds, state.kind)), " is under way. Stop is at the top, or the key s.") : choice(kinds, known, asks(null)),
+    held ? make("div", {class: "confirm asks", role: "alert"}, make("p", {class: "hold"}, make("span", {class: "eyes"}), held)) : "",
+    isRunning ? make("p", {}, make("b", {}, titleOf(kinds, state.kind)), " is under way. Stop is at the top, or the key s.") : choice(kinds, known, connected, asks(null)),
     question ? ask(robot, state) : "",
     isRunning || waits("start", robot) ? "" : make("p", {class: "controls big"}, button("Calibrate …", asks("start"), {class: "main", disabled: !connected || !chosen})),
     waits("start", robot) && !isRunning ? confirmation(["Calibrate " + robot + ": " + titleOf(kinds, chosen) + "?", ...whatHappens(chosen)], "Start", () => { confirming = null; start(robot, entry); draw(); }, asks(null)) : "",
     connected ? "" : make("p", {class: "bad"}, robot + " " + sentence + ". It is tried again every second; a robot that was started from here ends what it does and goes to its stand, one that loses power holds nothing.")]);
 }
 
-const titleOf = (kinds, run) => (kinds || []).find(one => one.run === run)?.title || (run === "poses" ? "Playing the poses that were asked for" : run || "");
+const others = {poses: "Playing the poses that were asked for", undo: "Taking back what was saved"};
+const titleOf = (kinds, run) => (kinds || []).find(one => one.run === run)?.title || others[run] || run || "";
 
 const whatHappens = run => [/leg/.test(run) ? "It will stand on one foot and may fall: somebody must stay beside it, hold it by its trunk whenever it asks or its eyes are yellow, and be ready to catch it."
   : "It stands on both feet and turns its head. Is everybody's hand off it?",
 "If a second round of pictures shows that it is better, its joint offsets and camera mounts are saved on it (Undo takes that back); else it keeps what it has."];
 
-function choice(kinds, known, changed) {
-  if (!kinds) return make("p", {class: "soft"}, "Asking the robot what it can calibrate …");
+function choice(kinds, known, connected, changed) {
+  if (!kinds) return connected ? make("p", {class: "soft"}, "Asking the robot what it can calibrate …") : "";
   return make("fieldset", {class: "kinds"}, make("legend", {}, "What to calibrate"), ...kinds.map(({run, title, sentence}) => {
     const dot = make("input", {type: "radio", name: "kind", value: run, onchange: () => { known.chosen = run; changed(); }});
     dot.checked = run === known.chosen;
