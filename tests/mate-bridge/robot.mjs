@@ -37,6 +37,9 @@ const found = page.locator(".camera figcaption").filter({hasText: "corners, pred
 await found.waitFor({timeout: 120000});
 check(true, "corners are found in the live pictures: " + await found.innerText());
 await page.screenshot({path: join(pictures, "calibrate-running.png")});
+await tab("Configuration"); // its captures are followed all the same
+await page.waitForTimeout(6000);
+await tab("Calibrate");
 await page.getByRole("heading", {name: /^(Finished|Failed)$/}).waitFor({timeout: 480000});
 const bars = page.locator(".rung.flat"), before = px(await bars.nth(0).innerText()), after = px(await bars.nth(1).innerText());
 check(await page.getByRole("heading", {name: "Finished"}).count() === 1 && after < 0.5 * before, "the robot is calibrated: " + before + " px before, " + after + " px after");

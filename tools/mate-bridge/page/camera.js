@@ -24,10 +24,14 @@ class Camera {
     this.decoding = false;
   }
 
+  remember(file, {timestamp}) {
+    this.files.push({timestamp, file});
+    while (this.files[0].timestamp < timestamp - remembered || this.files[0].timestamp > timestamp) this.files.shift();
+  }
+
   // With a timestamp the picture is remembered for a while.
   async show(file, {width, height, timestamp}) {
-    if (timestamp !== undefined) this.files.push({timestamp, file});
-    while (this.files.length && (this.files[0].timestamp < timestamp - remembered || this.files[0].timestamp > timestamp)) this.files.shift();
+    if (timestamp !== undefined) this.remember(file, {timestamp});
     if (this.decoding) return; // the next one comes
     this.decoding = true;
     let image;

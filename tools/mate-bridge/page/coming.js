@@ -14,24 +14,30 @@ on("stand", message => {
   pose.drawn.redraw();
 });
 
+// Poses that follow each other under one name are one pose, come into from several sides.
 export function comingPoses({round, poses}) {
   waiting.clear();
-  if (!poses.length) return [];
+  const groups = [];
+  poses.forEach(({name, angles}, i) => {
+    if (groups.length && groups.at(-1).name === name) groups.at(-1).count += 1;
+    else groups.push({name, angles, first: i, count: 1, stand: null});
+  });
+  if (!groups.length) return [];
   return [make("h2", {}, round ? "Poses of the second round, which checks" : "Poses of the first round"),
-    make("ol", {class: "thumbnails poses", "aria-label": "poses in the order in which they are played"}, ...poses.map(({name, angles}) => {
-      const pose = {stand: null};
-      pose.drawn = standingFigure(() => ({now: null, next: pose.stand}), "pose " + name, 120);
+    make("ol", {class: "thumbnails poses", "aria-label": "poses in the order in which they are played"}, ...groups.map(pose => {
+      pose.drawn = standingFigure(() => ({now: null, next: pose.stand}), "pose " + pose.name, 120);
       waiting.set(++asked, pose);
-      send({do: "stand", number: asked, angles});
-      return make("li", {}, pose.drawn, make("b", {}, name), make("span", {class: "soft"}));
+      send({do: "stand", number: asked, angles: pose.angles});
+      return make("li", {"data-first": String(pose.first), "data-count": String(pose.count)}, pose.drawn, make("b", {}, pose.name), make("span", {class: "soft"}));
     }))];
 }
 
 export function markStep(part, step) {
-  part.querySelectorAll("li").forEach((item, i) => {
-    const words = i < step ? "taken" : i === step ? "now" : "to come";
-    if (item.className === words.replace(" ", "-")) return;
-    item.className = words.replace(" ", "-");
+  for (const item of part.querySelectorAll("li")) {
+    const first = Number(item.dataset.first), count = Number(item.dataset.count);
+    const state = step >= first + count ? "taken" : step >= first ? "now" : "to-come", words = state.replace("-", " ") + (count > 1 ? ", from " + count + " sides" : "");
+    if (item.className === state) continue;
+    item.className = state;
     item.lastChild.textContent = words;
-  });
+  }
 }

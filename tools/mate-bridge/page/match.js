@@ -35,8 +35,13 @@ const again = () => showMatch(parentShown);
 
 export function leaveMatch() {
   parentShown = null;
-  wish("match", null, []);
   if (shownRobot) send({do: "unwatch", robot: shownRobot});
+  restWhenDone();
+}
+
+// While it calibrates, its captures and their pictures are followed from other views, too.
+function restWhenDone() {
+  if (!parentShown && !running(valueOf(shownRobot, stateKey)?.phase ?? "idle")) wish("match", null, []);
 }
 
 function content() {
@@ -114,8 +119,9 @@ function progress(state, player) {
 export function matchTold(message, file, isShown) {
   const {kind, robot} = message, here = isShown && parentShown && robot === shownRobot;
   if (kind === "picture") {
-    const seen = here && cameras.find(({key}) => key === message.key);
-    if (seen) seen.camera.show(file, message);
+    const seen = robot === shownRobot && cameras.find(({key}) => key === message.key);
+    if (seen && here) seen.camera.show(file, message);
+    else if (seen) seen.camera.remember(file, message);
   } else if (kind === "seen") {
     const seen = here && cameras.find(({key}) => key === message.key);
     if (seen) seen.camera.found = message;
@@ -145,9 +151,10 @@ function updated(robot, values, isShown) {
     if (key === capturesKey && robot === shownRobot) gather(robot, cameras, timestamp);
     if (key === stateKey) {
       ended(robot, old, value, running);
+      if (robot === shownRobot && old && running(old.phase)) restWhenDone();
       if (old && old.sentence !== value.sentence && !running(value.phase)) [offsetsMount, mountsMount].forEach(mount => act({do: "keys", robot, mount})); // what it has now
     }
-    if (key === playerKey && value.held && !(old && old.held) && !isShown) notice("Hold " + robot + " by its trunk: its eyes are yellow. " + (value.reason || ""));
+    if (key === playerKey && value.held && !(old && old.held) && !isShown) notice(robot + ": " + (value.reason || "Hold it by its trunk: its eyes are yellow."));
   }
 }
 
