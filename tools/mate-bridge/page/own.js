@@ -4,7 +4,7 @@ import {send, on} from "./connection.js";
 import {state, act} from "./state.js";
 
 const draft = {name: "kneeCable", at: "LKneePitch", correction: "a*sin(3*q) + b*abs(tau)", unknowns: "a rad 0.01\nb rad/Nm 0.005"};
-let number = 0, showAnswer = () => {};
+let number = 0, showAnswer = () => {}, recheck = () => {};
 
 export function ownFrom(effect) {
   Object.assign(draft, {name: effect.name, at: effect.at, correction: effect.correction,
@@ -29,12 +29,14 @@ function isDraft({name, at, correction, unknowns}) {
     wanted.every(([key, {unit, sigma}]) => unknowns[key] && unknowns[key].unit === unit && unknowns[key].sigma === sigma);
 }
 
+on("fit", () => recheck()); // it may be in the model now
 on("checked", answer => { if (answer.number === number) showAnswer(answer); });
 
 export function showOwn(parent) {
   const verdict = make("p", {id: "ownVerdict", role: "status"}), pointer = make("pre", {id: "ownPointer", "aria-hidden": "true"});
   const add = button("Add to the model", () => act({do: "define", effect: effectOf()}), {class: "main", disabled: true, id: "ownAdd"});
   const check = () => { send({do: "check", number: ++number, effect: effectOf()}); };
+  recheck = () => { if (add.isConnected) check(); };
   const field = (label, key, element) => {
     element.value = draft[key];
     element.id = "own-" + key;

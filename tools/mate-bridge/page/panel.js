@@ -27,7 +27,7 @@ const views = [
   {id: "compare", name: "Compare", show: showCompare, kinds: ["fit"], laboratory: true},
   {id: "learn", name: "Learn", show: showLearn, kinds: ["fit", "questions"], laboratory: true},
   {id: "map", name: "Map", show: parent => showMap(parent, go), kinds: ["fit", "questions"], laboratory: true},
-  {id: "own", name: "Own effect", show: showOwn, kinds: ["set", "fit"], laboratory: true},
+  {id: "own", name: "Own effect", show: showOwn, kinds: ["set"], laboratory: true},
   {id: "result", name: "Result", show: showResult, kinds: ["fit", "keys", "robot"], laboratory: true},
   {id: "next", name: "Next poses", show: showNext, kinds: ["fit", "next", "work", "keys", "robot"], laboratory: true},
   {id: "files", name: "Files", show: showFiles, kinds: ["set", "compared", "work"]},
@@ -131,6 +131,7 @@ onNotice((sentence, kind) => {
   if (kind === "news") fading = setTimeout(() => { at("notice").hidden = true; }, 8000);
 });
 
+let wasConnected = false;
 function showLink(connected) {
   at("link").textContent = connected ? "bridge" : "bridge away";
   at("link").className = connected ? "" : "gone";
@@ -138,10 +139,13 @@ function showLink(connected) {
   else lostAt ??= Date.now();
   if (lostAt && Date.now() - lostAt > 5000) otherBridge();
   at("link").title = connected ? "The panel is connected to mate-bridge." : "mate-bridge does not answer; it is tried again by itself. What is shown is the last that it told.";
+  if (connected) wasConnected = true;
   if (connected) return;
-  Object.assign(state, {work: null});
+  state.work = null;
   at("work").textContent = "";
   at("work").classList.remove("busy");
+  if (!wasConnected) return;
+  wasConnected = false;
   bridgeLost();
   refreshStop();
   if (current && !current.laboratory) draw();

@@ -20,8 +20,12 @@ function follow() {
 
 // A bridge that came back knows nothing; the robots that it has are told right after.
 on("robot", ({connected}) => { if (connected) follow(); });
-on("robotGone", ({robot}) => {
-  for (const [view, one] of wishes) if (one.robot === robot) wishes.delete(view);
-  for (const [id, one] of subscribed) if (one.robot === robot) subscribed.delete(id);
+const forget = isGone => {
+  for (const [view, {robot}] of wishes) if (isGone(robot)) wishes.delete(view);
+  for (const [id, {robot}] of subscribed) if (isGone(robot)) subscribed.delete(id);
+};
+on("robotGone", ({robot}) => forget(one => one === robot));
+on("hello", ({robots}) => {
+  subscribed = new Map();
+  forget(one => !robots.includes(one));
 });
-on("hello", () => { subscribed = new Map(); });
