@@ -13,25 +13,35 @@ function changesOf({compensation: {offsets, mounts}}, keys) {
   const had = (mp, key) => (keys.get(mp) || []).find(one => one.key === key)?.value;
   const change = (mp, key, value) => ({mp, key, value, old: had(mp, key)});
   const keyOf = joint => joint.charAt(0).toLowerCase() + joint.slice(1);
-  return [...offsets.flatMap(({joint, value}) => [joint, ...(joint === "LHipYawPitch" ? ["RHipYawPitch"] : [])].map(one => change(offsetsMount, keyOf(one), value))), // one motor
+  const joints = joint => joint === "LHipYawPitch" ? [joint, "RHipYawPitch"] : [joint]; // these have one motor
+  return [...offsets.flatMap(({joint, value}) => joints(joint).map(one => change(offsetsMount, keyOf(one), value))),
     ...mounts.map(({camera, rotation}) => change(mountsMount, camera + "_ext", rotation))];
 }
 
 const degrees = value => number(value.toFixed(2)) + "°";
-const shown = value => value === undefined ? ["–"] : Array.isArray(value) ? value.flatMap(one => [make("span", {}, degrees(one * 180 / Math.PI)), " "]) : [degrees(value)];
+function cell(value) {
+  const words = value === undefined ? ["–"] : Array.isArray(value) ? value.map(one => degrees(one * 180 / Math.PI)) : [degrees(value)];
+  return make("td", {class: "number wrap"}, ...words.flatMap(one => [make("span", {}, one), " "]));
+}
 
-const table = changes => make("table", {class: "narrow"}, make("thead", {}, make("tr", {}, ...["", "on it now", "will be"].map((words, i) => make("th", {scope: "col", class: i ? "number" : ""}, words)))),
-  make("tbody", {}, ...changes.map(({key, old, value}) => make("tr", {}, make("th", {scope: "row"}, key.replace("_ext", " camera (rx ry rz)")), make("td", {class: "number wrap"}, ...shown(old)), make("td", {class: "number wrap"}, ...shown(value))))));
+function table(changes) {
+  const head = ["", "on it now", "will be"].map((words, i) => make("th", {scope: "col", class: i ? "number" : ""}, words));
+  return make("table", {class: "narrow"}, make("thead", {}, make("tr", {}, ...head)), make("tbody", {}, ...changes.map(({key, old, value}) =>
+    make("tr", {}, make("th", {scope: "row"}, key.replace("_ext", " camera (rx ry rz)")), cell(old), cell(value)))));
+}
 
 export function applying(fit, again) {
   const robot = lookedAt(), entry = robot && robots.get(robot);
   if (!entry || !entry.connected || !entry.mounts.some(({key}) => key === offsetsMount)) return [];
   [offsetsMount, mountsMount].forEach(mount => needKeys(robot, mount));
-  const changes = changesOf(fit, entry.keys), asks = what => () => { confirming = what && {what, robot}; again(); }, waits = what => confirming && confirming.what === what && confirming.robot === robot;
-  const parts = [make("p", {class: "controls"}, button("Apply to " + robot + " …", asks("apply"), {disabled: !changes.length}), button("Save …", asks("save")))];
+  const changes = changesOf(fit, entry.keys), asks = what => () => { confirming = what && {what, robot}; again(); };
+  const waits = what => confirming && confirming.what === what && confirming.robot === robot;
+  const parts = [make("p", {class: "controls"}, button("Apply to " + robot + " …", asks("apply"), {disabled: !changes.length}),
+    button("Save …", asks("save")))];
   if (waits("apply")) {
     const others = fit.with.filter(label => !/^(jointOffset|cameraRotation|backlash|hysteresis)@/.test(label)), {untold} = fit.compensation;
-    parts.push(confirmation(["Set this on " + robot + "? It counts at once, and until it ends unless it is saved." + (fit.usable ? "" : " This result should not be used."), table(changes),
+    parts.push(confirmation(["Set this on " + robot + "? It counts at once, and until it ends unless it is saved." +
+      (fit.usable ? "" : " This result should not be used."), table(changes),
       ...(untold.length ? ["These captures hardly tell " + untold.join(", ") + ": the robot keeps what it has there."] : []),
       ...(others.length ? ["What is beyond constant offsets (" + others.join(", ") + ") cannot be set on it."] : [])], "Apply to " + robot, () => {
       confirming = null;

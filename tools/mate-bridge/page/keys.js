@@ -67,11 +67,15 @@ const textOf = value => JSON.stringify(value), long = 60; // letters
 const isCommand = key => mount === runner && commands.includes(key);
 
 function parameter(robot, entry, {key, value}) {
-  if (isCommand(key)) return make("tr", {}, make("th", {scope: "row"}, key), make("td", {class: "soft", colspan: "2"}, "A command, not a setting: Calibrate and Next poses give it."));
+  if (isCommand(key)) {
+    return make("tr", {}, make("th", {scope: "row"}, key), make("td", {class: "soft", colspan: "2"}, "A command, not a setting: Calibrate and Next poses give it."));
+  }
   const place = robot + "\n" + mount + "\n" + key, here = mount, id = "parameter-" + key, isLong = textOf(value).length > long;
   const before = isLong ? JSON.stringify(value, null, 1) : textOf(value);
-  const input = isLong ? make("textarea", {class: "code", spellcheck: "false", rows: "6", id}) : make("input", {type: "text", class: "code", spellcheck: "false", autocomplete: "off", id});
-  const set = button("Set", change, {class: "small", "aria-label": "set " + key}), back = button("Back", () => { edits.delete(place); show(); }, {class: "small", "aria-label": "take the change of " + key + " back"});
+  const input = isLong ? make("textarea", {class: "code", spellcheck: "false", rows: "6", id})
+    : make("input", {type: "text", class: "code", spellcheck: "false", autocomplete: "off", id});
+  const set = button("Set", change, {class: "small", "aria-label": "set " + key});
+  const back = button("Back", () => { edits.delete(place); show(); }, {class: "small", "aria-label": "take the change of " + key + " back"});
   const row = make("tr", {}, make("th", {scope: "row"}, make("label", {for: id}, key)), make("td", {}, input), make("td", {class: "nowrap"}, set, " ", back));
   function show() {
     input.value = edits.get(place) ?? before;
@@ -100,7 +104,8 @@ function saving(robot, {connected}) {
   const again = () => showKeys(parentShown), here = [...changed].filter(([place]) => place.startsWith(robot + "\n"));
   if (confirming !== robot) return make("p", {class: "controls"}, button("Save …", () => { confirming = robot; again(); }, {disabled: !connected}));
   return confirmation(["Write everything that was set on " + robot + " into its own configuration files?",
-    here.length ? make("ul", {}, ...here.map(([place, {text}]) => make("li", {}, make("code", {}, place.split("\n").slice(1).join(" ") + " = " + text)))) : "Nothing was set from this page since it was opened."],
+    here.length ? make("ul", {}, ...here.map(([place, {text}]) => make("li", {}, make("code", {}, place.split("\n").slice(1).join(" ") + " = " + text))))
+      : "Nothing was set from this page since it was opened."],
   "Save on " + robot, () => {
     confirming = null;
     if (act({do: "save", robot})) {

@@ -42,12 +42,14 @@ export function offsets(told, before, now) {
 
 // How the cameras sit in the head, beside the drawing, before and now.
 export function cameraMounts(before, now) {
-  const rows = (now || []).filter(({key, value}) => key.endsWith("_ext") && Array.isArray(value)).map(({key, value}) => ({camera: key.replace("_ext", ""), after: value, before: (before || []).find(one => one.key === key)?.value}))
+  const rows = (now || []).filter(({key, value}) => key.endsWith("_ext") && Array.isArray(value))
+    .map(({key, value}) => ({camera: key.replace("_ext", ""), after: value, before: (before || []).find(one => one.key === key)?.value}))
     .filter(({before: was, after}) => after.some(angle => angle !== 0) || (was && was.some(angle => angle !== 0)));
   if (!rows.length) return [];
-  const angles = list => list ? list.flatMap(angle => [make("span", {}, degrees(angle * 180 / Math.PI)), " "]) : ["–"], column = words => make("th", {scope: "col", class: "number"}, words);
-  return [make("h2", {}, "Camera mounts on the robot"), csvTable(make("table", {}, make("thead", {}, make("tr", {}, make("th", {scope: "col"}, "camera (rx ry rz)"), column("before"), column("now"))),
-    make("tbody", {}, ...rows.map(row => make("tr", {}, make("th", {scope: "row"}, row.camera), make("td", {class: "number wrap"}, ...angles(row.before)), make("td", {class: "number wrap"}, ...angles(row.after)))))), "camera-mounts")];
+  const angles = list => make("td", {class: "number wrap"}, ...(list ? list.flatMap(angle => [make("span", {}, degrees(angle * 180 / Math.PI)), " "]) : ["–"]));
+  const head = ["camera (rx ry rz)", "before", "now"].map((words, i) => make("th", {scope: "col", class: i ? "number" : ""}, words));
+  return [make("h2", {}, "Camera mounts on the robot"), csvTable(make("table", {}, make("thead", {}, make("tr", {}, ...head)),
+    make("tbody", {}, ...rows.map(row => make("tr", {}, make("th", {scope: "row"}, row.camera), angles(row.before), angles(row.after))))), "camera-mounts")];
 }
 
 function draw(context, width, height, rows) {

@@ -13,8 +13,10 @@ const styleOf = i => ({stroke: strokes()[i % 6], dash: i >= 6 ? [6, 4] : undefin
 
 export class Plotted {
   constructor(key, stop) {
-    Object.assign(this, {key, history: null, plot: null, drawn: make("div", {class: "plot"}), chips: make("div", {class: "chips"}), words: make("pre", {class: "value"}, "waiting for its first value")});
-    this.figure = make("figure", {}, make("figcaption", {}, make("b", {}, key + unitOf(key)), ...this.savers(), button("×", stop, {class: "small", "aria-label": "stop plotting " + key})), this.drawn, this.chips, this.words);
+    Object.assign(this, {key, history: null, plot: null, drawn: make("div", {class: "plot"}), chips: make("div", {class: "chips"})});
+    this.words = make("pre", {class: "value"}, "waiting for its first value");
+    this.figure = make("figure", {}, make("figcaption", {}, make("b", {}, key + unitOf(key)), ...this.savers(),
+      button("×", stop, {class: "small", "aria-label": "stop plotting " + key})), this.drawn, this.chips, this.words);
   }
 
   names() {

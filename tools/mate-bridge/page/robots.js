@@ -59,9 +59,11 @@ export function robotBar(changed) {
     event.preventDefault();
     if (typed.trim() && act({do: "connect", robot: typed.trim()})) looked = typed.trim(); // it stays there until the bridge has taken it
   }}, address, make("button", {type: "submit"}, "Connect"));
-  const chips = [...robots].map(([name, {connected, sentence, list}]) => make("span", {class: "robot" + (connected ? " connected" : "") + (connected && !list.length ? " silent" : "") + (name === lookedAt() ? " is-looked" : "")},
+  const classOf = (name, {connected, list}) => ["robot", connected && "connected", connected && !list.length && "silent", name === lookedAt() && "is-looked"].filter(Boolean).join(" ");
+  const chips = [...robots].map(([name, entry]) => make("span", {class: classOf(name, entry)},
     button(name, () => { looked = name; changed(); }, {class: "plain", "aria-pressed": String(name === lookedAt())}),
-    make("span", {class: "soft"}, sentence), vitals(name), button("×", () => leave(name, changed), {class: "small", "aria-label": "disconnect from " + name})));
+    make("span", {class: "soft"}, entry.sentence), vitals(name),
+    button("×", () => leave(name, changed), {class: "small", "aria-label": "disconnect from " + name})));
   const name = lookedAt();
   return make("div", {class: "robots"}, ...chips, form, name && robots.get(name).connected && !robots.get(name).list.length ? secretForm(name) : null,
     leaving && robots.has(leaving) ? confirmation(leaving + " calibrates. Without its panel it ends that and goes back to its stand. Disconnect?", "Disconnect", () => {

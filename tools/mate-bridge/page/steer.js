@@ -17,19 +17,28 @@ export function steer({robot, entry, state, player, isRunning, kinds, draw, when
   const {chosen} = known, held = player && player.held && !question && (player.reason || "Hold the robot by its trunk: its eyes are yellow.");
   when("steer", [robot, connected, isRunning, confirming, sentence, kinds, chosen, question, held, state && state.kind], () => [
     held ? make("div", {class: "confirm asks", role: "alert"}, make("p", {class: "hold"}, make("span", {class: "eyes"}), held)) : "",
-    isRunning ? make("p", {}, make("b", {}, titleOf(kinds, state.kind)), " is under way. Stop is at the top, or the key s.") : choice(kinds, known, connected, asks(null)),
+    isRunning ? make("p", {}, make("b", {}, titleOf(kinds, state.kind)), " is under way. Stop is at the top, or the key s.")
+      : choice(kinds, known, connected, asks(null)),
     question ? ask(robot, state) : "",
-    isRunning || waits("start", robot) ? "" : make("p", {class: "controls big"}, button("Calibrate …", asks("start"), {class: "main", disabled: !connected || !chosen})),
-    waits("start", robot) && !isRunning ? confirmation(["Calibrate " + robot + ": " + titleOf(kinds, chosen) + "?", ...whatHappens(chosen)], "Start", () => { confirming = null; start(robot, entry); draw(); }, asks(null)) : "",
-    connected ? "" : make("p", {class: "bad"}, robot + " " + sentence + ". It is tried again every second; a robot that was started from here ends what it does and goes to its stand, one that loses power holds nothing.")]);
+    isRunning || waits("start", robot) ? ""
+      : make("p", {class: "controls big"}, button("Calibrate …", asks("start"), {class: "main", disabled: !connected || !chosen})),
+    waits("start", robot) && !isRunning ? confirmation(["Calibrate " + robot + ": " + titleOf(kinds, chosen) + "?", ...whatHappens(chosen)], "Start", () => {
+      confirming = null;
+      start(robot, entry);
+      draw();
+    }, asks(null)) : "",
+    connected ? "" : make("p", {class: "bad"}, robot + " " + sentence + ". It is tried again every second; a robot that was started " +
+      "from here ends what it does and goes to its stand, one that loses power holds nothing.")]);
 }
 
 const others = {poses: "Playing the poses that were asked for", undo: "Taking back what was saved"};
 const titleOf = (kinds, run) => (kinds || []).find(one => one.run === run)?.title || others[run] || run || "";
 
-const whatHappens = run => [/leg/.test(run) ? "It will stand on one foot and may fall: somebody must stay beside it, hold it by its trunk whenever it asks or its eyes are yellow, and be ready to catch it."
-  : "It stands on both feet and turns its head. Is everybody's hand off it?",
-"If a second round of pictures shows that it is better, its joint offsets and camera mounts are saved on it (Undo takes that back); else it keeps what it has."];
+const whatHappens = run => [
+  /leg/.test(run) ? "It will stand on one foot and may fall: somebody must stay beside it, hold it by its trunk whenever it asks or its " +
+    "eyes are yellow, and be ready to catch it." : "It stands on both feet and turns its head. Is everybody's hand off it?",
+  "If a second round of pictures shows that it is better, its joint offsets and camera mounts are saved on it (Undo takes that back); " +
+    "else it keeps what it has."];
 
 function choice(kinds, known, connected, changed) {
   if (!kinds) return connected ? make("p", {class: "soft"}, "Asking the robot what it can calibrate …") : "";
@@ -41,8 +50,10 @@ function choice(kinds, known, connected, changed) {
 }
 
 // What the robot waits for.
-const ask = (robot, {question, questionNumber}) => make("div", {class: "confirm asks", role: "alert"}, make("p", {}, make("b", {}, "The robot asks: "), question),
-  make("p", {class: "controls"}, button("Confirm", () => set(robot, runner, "confirmed", questionNumber), {class: "main"}), make("span", {class: "soft"}, "or press its chest button")));
+const ask = (robot, {question, questionNumber}) => make("div", {class: "confirm asks", role: "alert"},
+  make("p", {}, make("b", {}, "The robot asks: "), question),
+  make("p", {class: "controls"}, button("Confirm", () => set(robot, runner, "confirmed", questionNumber), {class: "main"}),
+    make("span", {class: "soft"}, "or press its chest button")));
 
 // Has a robot begin, and end what it does when it loses its panel: no stop would reach it. False: nothing was sent.
 export function begin(robot, run) {
@@ -69,7 +80,8 @@ function start(robot, entry) {
 const canUndo = ({phase, sentence}) => phase === "idle" || (phase === "finished" && /can be undone/.test(sentence));
 
 export function afterwards({robot, entry, state, isRunning, draw, when}) {
-  const can = entry.connected && Boolean(state) && !isRunning, undoable = can && canUndo(state), asks = what => () => { confirming = what && {what, robot}; draw(); };
+  const can = entry.connected && Boolean(state) && !isRunning, undoable = can && canUndo(state);
+  const asks = what => () => { confirming = what && {what, robot}; draw(); };
   when("after", [robot, can, undoable, confirming], () => [
     make("p", {class: "controls"},
       button("Undo …", asks("undo"), {disabled: !undoable, title: "takes back what the last calibration saved"}),
@@ -80,7 +92,8 @@ export function afterwards({robot, entry, state, isRunning, draw, when}) {
       if (set(robot, runner, "run", "")) set(robot, runner, "run", "undo");
       draw();
     }, asks(null)) : "",
-    waits("save", robot) && can ? confirmation("Write everything that was set on " + robot + " into its own configuration files? (What a calibration found is saved already.)", "Save on " + robot, () => {
+    waits("save", robot) && can ? confirmation("Write everything that was set on " + robot + " into its own configuration files? " +
+      "(What a calibration found is saved already.)", "Save on " + robot, () => {
       confirming = null;
       if (act({do: "save", robot})) say("Asked " + robot + " to save. (HULKs' protocol has no answer to this.)");
       draw();
