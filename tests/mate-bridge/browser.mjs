@@ -68,6 +68,7 @@ export async function portrait(page, axe, pictures, name) {
   mkdirSync(pictures, {recursive: true});
   for (const colorScheme of ["light", "dark"]) {
     await page.emulateMedia({colorScheme, reducedMotion: "reduce"});
+    await page.evaluate(() => scrollTo(0, 0)); // the header stays at the top of what is in sight
     await page.waitForTimeout(150);
     await page.screenshot({path: join(pictures, name + "-" + colorScheme + ".png"), fullPage: true});
     await page.evaluate(axe);
@@ -78,6 +79,7 @@ export async function portrait(page, axe, pictures, name) {
   }
   await page.emulateMedia({colorScheme: "light"});
   await page.setViewportSize({width: 420, height: 800});
+  await page.evaluate(() => scrollTo(0, 0));
   await page.waitForTimeout(150);
   await page.screenshot({path: join(pictures, name + "-narrow.png")});
   const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
