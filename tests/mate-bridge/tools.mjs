@@ -43,7 +43,7 @@ await page.getByLabel("write the plan to").fill(join(here, "poses.json"));
 await page.getByLabel("chosen among").fill("20000");
 await page.getByLabel("poses", {exact: true}).fill("5");
 await click("Run");
-await page.waitForFunction(() => /poses .*finished/.test(document.getElementById("toolStatus").textContent), null, {timeout: 120000});
+await page.waitForFunction(() => /^naocal poses .*finished/.test(document.getElementById("toolStatus").textContent), null, {timeout: 120000});
 check(JSON.parse(readFileSync(join(here, "poses.json"))).poses.length === 5, "five poses are planned");
 await portrait(page, axe, pictures, "tools-finished");
 
