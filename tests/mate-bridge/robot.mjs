@@ -20,7 +20,7 @@ await page.waitForTimeout(3000);
 console.log("measured: cameras: " + (await page.locator(".camera figcaption").allInnerTexts()).join("; "));
 
 await page.getByRole("button", {name: "Calibrate …"}).click();
-check((await page.locator(".confirm").innerText()).includes(address), "the question names the robot: " + (await page.locator(".confirm").innerText()).replaceAll("\n", " "));
+check((await page.locator(".confirm").innerText()).includes("synthetic-1 (" + address + ")"), "the question names the robot: " + (await page.locator(".confirm").innerText()).replaceAll("\n", " "));
 await portrait(page, axe, pictures, "calibrate-confirm");
 await page.evaluate(() => { // what the page asks the bridge for from here on
   const {send} = WebSocket.prototype;

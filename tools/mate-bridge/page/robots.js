@@ -16,6 +16,12 @@ export function bridgeLost() {
   for (const entry of robots.values()) Object.assign(entry, {connected: false, sentence: "is out of sight: the bridge is away"});
 }
 
+// "Ada (10.1.24.13)": its head's name, as its own configuration has it, and where it is reached.
+export function calledBy(robot) {
+  const name = (robots.get(robot)?.keys.get("tuhhSDK.base") || []).find(({key}) => key === "NaoInfo.headName")?.value;
+  return typeof name === "string" && name && name !== robot ? name + " (" + robot + ")" : robot;
+}
+
 export const lookedAt = () => robots.get(looked) ? looked : (robots.keys().next().value ?? null);
 
 // False: nothing that views show has changed; a list that only repeats itself says that the robot is alive.
@@ -32,6 +38,7 @@ export function told(message) {
     }
     if (robot === typed.trim()) typed = "";
     Object.assign(entry, {connected: message.connected, sentence: message.sentence});
+    needKeys(robot, "tuhhSDK.base");
   }
   if (kind === "keys" && message.body && message.body.mountPoint) entry.keys.set(message.body.mountPoint, keysOf(message.body));
   if (kind === "list" || kind === "mounts") {
@@ -61,7 +68,7 @@ export function robotBar(changed) {
   }}, address, make("button", {type: "submit"}, "Connect"));
   const classOf = (name, {connected, list}) => ["robot", connected && "connected", connected && !list.length && "silent", name === lookedAt() && "is-looked"].filter(Boolean).join(" ");
   const chips = [...robots].map(([name, entry]) => make("span", {class: classOf(name, entry)},
-    button(name, () => { looked = name; changed(); }, {class: "plain", "aria-pressed": String(name === lookedAt())}),
+    button(calledBy(name), () => { looked = name; changed(); }, {class: "plain", "aria-pressed": String(name === lookedAt())}),
     make("span", {class: "soft"}, entry.sentence), vitals(name),
     button("×", () => leave(name, changed), {class: "small", "aria-label": "disconnect from " + name})));
   const name = lookedAt();

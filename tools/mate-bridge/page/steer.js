@@ -2,6 +2,7 @@
 import {make, button, confirmation} from "./elements.js";
 import {act, say} from "./state.js";
 import {of} from "./values.js";
+import {calledBy} from "./robots.js";
 import {saveSession} from "./session.js";
 
 export const runner = "Brain.CalibrationRunner", offsetsMount = "Motion.JointCalibrationProvider", mountsMount = "Brain.Projection";
@@ -22,7 +23,7 @@ export function steer({robot, entry, state, player, isRunning, kinds, draw, when
     question ? ask(robot, state) : "",
     isRunning || waits("start", robot) ? ""
       : make("p", {class: "controls big"}, button("Calibrate …", asks("start"), {class: "main", disabled: !connected || !chosen})),
-    waits("start", robot) && !isRunning ? confirmation(["Calibrate " + robot + ": " + titleOf(kinds, chosen) + "?", ...whatHappens(chosen)], "Start", () => {
+    waits("start", robot) && !isRunning ? confirmation(["Calibrate " + calledBy(robot) + ": " + titleOf(kinds, chosen) + "?", ...whatHappens(chosen)], "Start", () => {
       confirming = null;
       start(robot, entry);
       draw();
