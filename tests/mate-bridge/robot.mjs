@@ -21,6 +21,7 @@ console.log("measured: cameras: " + (await page.locator(".camera figcaption").al
 
 await page.getByRole("button", {name: "Calibrate …"}).click();
 check((await page.locator(".confirm").innerText()).includes("synthetic-1 (" + address + ")"), "the question names the robot: " + (await page.locator(".confirm").innerText()).replaceAll("\n", " "));
+check(await page.locator(".robots").getByRole("button", {name: "synthetic-1 (" + address + ")"}).count() === 1, "so does the row of robots");
 await portrait(page, axe, pictures, "calibrate-confirm");
 await page.evaluate(() => { // what the page asks the bridge for from here on
   const {send} = WebSocket.prototype;

@@ -40,7 +40,10 @@ export function told(message) {
     Object.assign(entry, {connected: message.connected, sentence: message.sentence});
     needKeys(robot, "tuhhSDK.base");
   }
-  if (kind === "keys" && message.body && message.body.mountPoint) entry.keys.set(message.body.mountPoint, keysOf(message.body));
+  if (kind === "keys" && message.body && message.body.mountPoint) {
+    entry.keys.set(message.body.mountPoint, keysOf(message.body));
+    for (const chip of document.querySelectorAll("[data-called]")) chip.textContent = calledBy(chip.dataset.called);
+  }
   if (kind === "list" || kind === "mounts") {
     const names = JSON.stringify(entry[kind].map(({key}) => key));
     entry[kind] = keysOf(message.body);
@@ -68,7 +71,7 @@ export function robotBar(changed) {
   }}, address, make("button", {type: "submit"}, "Connect"));
   const classOf = (name, {connected, list}) => ["robot", connected && "connected", connected && !list.length && "silent", name === lookedAt() && "is-looked"].filter(Boolean).join(" ");
   const chips = [...robots].map(([name, entry]) => make("span", {class: classOf(name, entry)},
-    button(calledBy(name), () => { looked = name; changed(); }, {class: "plain", "aria-pressed": String(name === lookedAt())}),
+    button(calledBy(name), () => { looked = name; changed(); }, {class: "plain", "data-called": name, "aria-pressed": String(name === lookedAt())}),
     make("span", {class: "soft"}, entry.sentence), vitals(name),
     button("×", () => leave(name, changed), {class: "small", "aria-label": "disconnect from " + name})));
   const name = lookedAt();
