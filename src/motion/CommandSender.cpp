@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <utility>
 
 namespace naocal {
 
@@ -13,11 +14,8 @@ void CommandSender::cycle() {
   if (!measured_->isNew) {
     return;
   }
-  const TimePoint now = measured_->state.time;
-  constexpr double longestStep = 0.03; // [s]; silence is no reason to jump
-  const double most = last_ ? radians(*offsetSpeed_) * std::min(seconds(now - *last_), longestStep)
-                            : 2 * std::numbers::pi; // first: at once
-  last_ = now;
+  const double most =
+      std::exchange(isFirst_, false) ? 2 * std::numbers::pi : radians(*offsetSpeed_) * measured_->step();
   for (std::size_t joint = 0; joint < jointCount; ++joint) {
     added_.values[joint] += std::clamp(offsets_->values[joint] - added_.values[joint], -most, most);
   }

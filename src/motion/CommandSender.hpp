@@ -22,7 +22,7 @@ private:
   RobotInterface& robot_;
   JointLimits limits_;
   JointOffsets added_;
-  std::optional<TimePoint> last_;
+  bool isFirst_ = true;                                                // offsets are added at once
   Parameter<double> offsetSpeed_{*this, "offsetSpeed", within<1, 90>}; // [deg/s]
   Dependency<Measured> measured_{*this, "measured"};
   Dependency<JointOffsets> offsets_{*this, "JointCalibrationData"};

@@ -24,7 +24,7 @@ public:
 private:
   bool isStill(const JointMoment& moment) const;
 
-  Parameter<double> window_{*this, "window", share};             // [s]
+  Parameter<double> window_{*this, "window", share};                     // [s]
   Parameter<double> fastestJoint_{*this, "fastestJoint", within<0, 10>}; // that counts as still [rad/s]
   Parameter<double> fastestTurn_{*this, "fastestTurn", within<0, 10>};   // of the torso, that counts as still [rad/s]
   Dependency<Measured> measured_{*this, "measured"};

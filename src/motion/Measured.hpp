@@ -2,6 +2,7 @@
 
 #include "hardware/RobotInterface.hpp"
 
+#include <algorithm>
 #include <nlohmann/json_fwd.hpp>
 
 namespace naocal {
@@ -10,6 +11,10 @@ namespace naocal {
 struct Measured {
   bool isNew = false;
   RobotState state;
+  double since = 0; // the state before [s]; 0 of the first
+
+  /// How far what moves may go on in this cycle [s]: silence is no reason to jump.
+  double step() const { return std::min(since, 0.03); }
 };
 void to_json(nlohmann::json& out, const Measured& measured);
 

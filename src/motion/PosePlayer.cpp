@@ -11,8 +11,6 @@ namespace {
 
 using Phase = PlayerState::Phase;
 
-constexpr double longestStep = 0.03; // of a motion's time from one state to the next, however long that was [s]
-
 } // namespace
 
 std::string PosePlayer::joints(const std::map<std::string, double>& stand) {
@@ -37,10 +35,9 @@ void PosePlayer::parametersChanged() {
 void PosePlayer::cycle() {
   state_.edit();
   if (measured_->isNew) {
-    const double since = seconds(measured_->state.time - now_);
     now_ = measured_->state.time;
-    motionTime_ += std::min(since, longestStep);
-    afterSilence(since);
+    motionTime_ += measured_->step();
+    afterSilence(measured_->since);
     if (const PoseRequest* request = request_->take()) {
       look(*request);
     }

@@ -17,6 +17,7 @@ void SensorProvider::cycle() {
   auto state = robot_.waitForState(std::chrono::milliseconds{100});
   measured.isNew = state.has_value();
   if (state) {
+    measured.since = measured.state.time == TimePoint{} ? 0 : seconds(state->time - measured.state.time);
     measured.state = *std::move(state);
     setCycleTime(measured.state.time);
     health_ = healthOf(measured.state);
