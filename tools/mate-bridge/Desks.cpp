@@ -9,18 +9,10 @@
 
 namespace naocal {
 
-namespace {
-
-Message textMessage(std::string text) {
-  return {std::make_shared<const std::string>(std::move(text)), false, false};
-}
-
-} // namespace
-
 void Desks::put(OpenedSets opened) {
   const std::size_t number = number_ + 1;
   auto fresh = std::make_unique<LabDesk>(std::move(opened), [this, number](const std::string& kind, std::string json) {
-    later_([this, number, kind, told = textMessage(std::move(json))] {
+    later_([this, number, kind, told = message(std::move(json))] {
       if (number == number_) { // else the desk was cleared since
         remember(kind, told);
         all_(told);
@@ -29,7 +21,7 @@ void Desks::put(OpenedSets opened) {
   });
   number_ = number;
   latest_.clear();
-  all_(textMessage(R"({"kind": "opened"})"));
+  all_(message(R"({"kind": "opened"})"));
   if (desk_) { // it ends what it is at, which may take seconds
     leaving_.add([old = std::shared_ptr<LabDesk>{std::move(desk_)}] {});
   }
@@ -72,7 +64,7 @@ void Desks::remember(const std::string& kind, const Message& told) {
 
 void Desks::tellWork(const char* what) {
   const nlohmann::json work{{"kind", "work"}, {"what", what ? nlohmann::json(what) : nlohmann::json()}};
-  all_(textMessage(work.dump()));
+  all_(message(work.dump()));
 }
 
 } // namespace naocal

@@ -21,10 +21,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-Message message(std::string bytes, bool binary = false, bool skippable = false) {
-  return {std::make_shared<const std::string>(std::move(bytes)), binary, skippable};
-}
-
 Answer plain(unsigned status, std::string sentence) {
   return {status, "text/plain; charset=utf-8", std::move(sentence) + "\n"};
 }

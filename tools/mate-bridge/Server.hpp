@@ -27,6 +27,9 @@ struct Message {
   bool binary = false;
   bool skippable = false; // newer ones follow: whoever is slow does without
 };
+inline Message message(std::string bytes, bool binary = false, bool skippable = false) {
+  return {std::make_shared<const std::string>(std::move(bytes)), binary, skippable};
+}
 
 /// What the server calls, all on the thread that runs the context. Panels are numbered as they come.
 struct ServerCalls {
