@@ -93,6 +93,37 @@ TEST_CASE("a model that was saved is opened with captures") {
   CHECK_THROWS_WITH(openSets({model}), Contains("name them behind it"));
 }
 
+TEST_CASE("a session is kept as it goes, and gone on from") {
+  // Proves that the file holds the ladder after each change, that it is opened alone, with its captures, and by a
+  // panel that keeps it, with where one stood and what was found; and that captures that changed since are refused.
+  const TemporaryFolder folder;
+  writeSetAndResult(folder.path());
+  const std::string set = (folder.path() / "few").string(), file = (folder.path() / "kept").string();
+  std::map<std::string, Json> told;
+  const auto tell = [&](const std::string& kind, const Json& content) { told[kind] = content; };
+  {
+    Laboratory laboratory{openSession({set}, file), tell};
+    laboratory.fit();
+    laboratory.add("elasticity@LKneePitch");
+    laboratory.question();
+    laboratory.add("focalLength@top");
+    laboratory.goTo(1);
+  }
+  const Json ladder = told["ladder"];
+  for (const OpenedSets& opened : {openSets({file}), openSets({file, set}), openSession({set}, file)}) {
+    told.clear();
+    Laboratory laboratory{opened, tell};
+    laboratory.fit();
+    CHECK(told["fit"]["with"] == Json::array({"elasticity@LKneePitch"}));
+    CHECK(told["ladder"] == ladder);
+    CHECK(ladder["rungs"][1].contains("heldOut"));
+    CHECK(Json::parse(laboratory.file("session.json")) == Json::parse(fileContent(file)));
+  }
+  writeAtomically(std::filesystem::path{set} / "captures.json",
+                  fileContent(std::filesystem::path{set} / "captures.json") + "\n");
+  CHECK_THROWS_WITH(openSession({set}, file), Contains("expected a session of these captures"));
+}
+
 TEST_CASE("what cannot be opened is refused with its name and what to do") {
   // Proves the sentences for what is neither a set nor a result, and for a result without its captures.
   const TemporaryFolder folder;
@@ -102,7 +133,7 @@ TEST_CASE("what cannot be opened is refused with its name and what to do") {
   CHECK_THROWS_WITH(openSets({result, result}), Contains("opened by itself"));
   writeAtomically(folder.path() / "other.json", R"({"format": "naocal-poses"})");
   CHECK_THROWS_WITH(openSets({(folder.path() / "other.json").string()}),
-                    Contains("opens capture sets, recordings, results, diagnoses and models"));
+                    Contains("opens capture sets, recordings, results, diagnoses, sessions and models"));
   const std::string overlong(5000, 'x'); // no system opens it
   CHECK_THROWS_AS(openSets({overlong}), InputError);
   CHECK_THROWS_AS(openSets({overlong + ".json"}), InputError);

@@ -109,6 +109,8 @@ check(result.format === "naocal-result" && result.effects.some(one => one.effect
 const session = (await saved(() => page.getByRole("button", {name: "session.html"}).click())).content.toString();
 check(!session.includes("<script") && (session.match(/<img /g) || []).length >= 8 && session.includes("Where the prediction fails"), "the session is one page: " + Math.round(session.length / 1e5) / 10 + " MB");
 writeFileSync(join(pictures, "session.html"), session);
+const kept = JSON.parse((await saved(() => page.getByRole("button", {name: "session.json"}).click())).content);
+check(kept.format === "naocal-session" && kept.ladder.length > 1 && kept.ladder.some(one => one.with.includes(effect + "@" + at)), "and a file to go on from, with all models that were tried");
 const alone = await browser.newPage({viewport: {width: 1200, height: 900}});
 await alone.goto("file://" + join(pictures, "session.html"));
 await alone.screenshot({path: join(pictures, "session.png"), fullPage: true});

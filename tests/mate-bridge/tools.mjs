@@ -53,6 +53,18 @@ await click("Run");
 await page.waitForFunction(() => /ended with/.test(document.getElementById("toolStatus").textContent), null, {timeout: 60000});
 check((await output.innerText()).includes("--sellect"), "a slip is told in the program's words: " + (await output.innerText()).trim());
 
+await click("Solve");
+await page.getByLabel("captures", {exact: true}).fill(join(here, "a robot"));
+await page.getByLabel("write the result to").fill(join(here, "result.json"));
+await page.getByLabel("add effects").fill("focalLength@top");
+await click("Run");
+await page.waitForFunction(() => /^naocal solve .*finished/.test(document.getElementById("toolStatus").textContent), null, {timeout: 120000});
+await portrait(page, axe, pictures, "tools-solve");
+await click("Open " + join(here, "result.json"));
+await page.getByRole("button", {name: "remove focalLength@top"}).waitFor({timeout: 60000});
+check(true, "a result that was solved for is opened by a click, with its model");
+
+await click("Tools");
 await click("Evaluate: next poses");
 await page.getByLabel("robots").fill("5000");
 await click("Run");

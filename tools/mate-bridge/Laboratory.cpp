@@ -3,6 +3,7 @@
 #include "LaboratoryJson.hpp"
 
 #include "calibrate/ResultFile.hpp"
+#include "captures/Files.hpp"
 #include "captures/InputError.hpp"
 #include "effects/UserEffect.hpp"
 #include "residuals/ModelFile.hpp"
@@ -23,8 +24,9 @@ constexpr const char* definitionsName = "your own effects";
 
 Laboratory::Laboratory(OpenedSets opened, Tell tell)
     : opened_{std::move(opened)}, measurements_{measurementsOf(opened_.sets, opened_.robot)}, tell_{std::move(tell)},
-      rungs_{firstRung(opened_, measurements_)} {
-  tellSet(rungs_.front());
+      rungs_{opened_.ladder.empty() ? std::vector{firstRung(opened_, measurements_)} : opened_.ladder},
+      at_{opened_.at} {
+  tellSet(rungs_[at_]);
 }
 
 std::vector<Effect> Laboratory::effects(const Rung& rung) const {
@@ -53,9 +55,19 @@ void Laboratory::tellSet(const Rung& rung) {
 void Laboratory::tellLadder() const {
   Json rungs = Json::array();
   for (const Rung& rung : rungs_) {
-    rungs.push_back(rungJson(rung));
+    rungs.push_back(rungForPanel(rung));
   }
   tell_("ladder", {{"at", at_}, {"rungs", std::move(rungs)}});
+}
+
+Session Laboratory::session() const {
+  return {rungs_, at_, opened_.inputs};
+}
+
+void Laboratory::keepSession() const {
+  if (!opened_.sessionFile.empty()) {
+    writeAtomically(opened_.sessionFile, sessionJson(session()).dump(2) + "\n");
+  }
 }
 
 void Laboratory::fit() {
@@ -81,12 +93,14 @@ void Laboratory::stand(std::vector<Rung> rungs, std::size_t at) {
   tellSet(rungs_[at_]);
   tellLadder();
   tell_("fit", told);
+  keepSession();
 }
 
 /// What was undone is forgotten.
 void Laboratory::go(Rung rung) {
   std::vector<Rung> rungs{rungs_.begin(), rungs_.begin() + static_cast<std::ptrdiff_t>(at_) + 1};
   rung.questioned.reset();
+  rung.from = at_;
   rungs.push_back(std::move(rung));
   stand(std::move(rungs), at_ + 1);
 }
@@ -146,6 +160,7 @@ void Laboratory::question() {
     tellLadder();
   }
   tell_("questions", questionsJson(here));
+  keepSession();
 }
 
 void Laboratory::search(const std::function<bool()>& goesOn) {

@@ -40,7 +40,7 @@ public:
   /// How well the fit predicts captures that it has not seen.
   void compareWith(const OpenedSets& others);
   /// What naocal would write of the model: "result.json", "diagnosis.json", "poses.json", "model.json", "report.html"
-  /// of the result, "diagnosis.html". Throws InputError for another name, or where nothing was proposed.
+  /// of the result, "diagnosis.html", "session.json". Throws InputError for another name, or where nothing was proposed.
   std::string file(const std::string& name);
 
   /// Takes a person's own effect in, in place of one of that name, as a new rung: in the model where it sits at a
@@ -55,6 +55,8 @@ private:
   std::vector<Effect> effects(const Rung& rung) const;
   void tellSet(const Rung& rung);
   void tellLadder() const;
+  void keepSession() const;
+  Session session() const;
   void go(Rung rung);
   void stand(std::vector<Rung> rungs, std::size_t at);
   DiagnosisOptions options(const Rung& rung) const;

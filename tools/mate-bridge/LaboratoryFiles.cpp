@@ -50,6 +50,9 @@ std::string Laboratory::file(const std::string& name) {
   if (name == "result.json") {
     return result_.dump(2) + "\n";
   }
+  if (name == "session.json") {
+    return sessionJson(session()).dump(2) + "\n";
+  }
   if (name == "report.html") {
     return reportPage(written(passing, result_));
   }

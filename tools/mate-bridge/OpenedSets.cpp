@@ -41,6 +41,11 @@ bool isFolder(const std::filesystem::path& path) {
   return std::filesystem::is_directory(path, ignored);
 }
 
+bool isDocument(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored) || (!isFolder(path) && path.ends_with(".json"));
+}
+
 /// A set as a result names it: as it is written, else beside the result.
 std::string folderOf(const std::string& written, const std::filesystem::path& result) {
   const std::filesystem::path beside =
@@ -76,9 +81,9 @@ void addFolder(const std::string& folder, OpenedSets& opened) {
   }
 }
 
-/// The sets that a result or a diagnosis was made from.
-void addInputs(const JsonPlace& document, const std::string& file, OpenedSets& opened) {
-  for (const JsonPlace& set : document.at("inputs").at("sets").elements()) {
+/// The sets that a document was made from.
+void addInputs(const JsonPlace& inputs, const std::string& file, OpenedSets& opened) {
+  for (const JsonPlace& set : inputs.at("sets").elements()) {
     addSet(folderOf(set.text(), file), opened);
   }
 }
@@ -93,7 +98,7 @@ void addDiagnosis(const JsonPlace& diagnosis, const std::string& file, bool sets
       throw InputError{
           fmt::format("{}: this diagnosis does not say of which captures it is; name them behind it", file)};
     }
-    addInputs(diagnosis, file, opened);
+    addInputs(diagnosis.at("inputs"), file, opened);
   }
 }
 
@@ -101,7 +106,7 @@ void addResult(const JsonPlace& result, const std::string& file, OpenedSets& ope
   const StoredResult stored = readResult(file);
   opened.terms = stored.terms;
   opened.definitions = stored.definitions;
-  addInputs(result, file, opened);
+  addInputs(result.at("inputs"), file, opened);
 }
 
 /// A model: what was added, taken out and defined; of which captures is for others to say.
@@ -121,7 +126,18 @@ void addModel(const JsonPlace& model, const std::string& file, bool alone, Opene
   }
 }
 
-/// A result, or a diagnosis or a model, which may stand with its sets.
+/// A session: its ladder, and its sets unless they are named.
+void addSession(const JsonPlace& document, const std::string& file, bool alone, OpenedSets& opened) {
+  Session session = readSession(file);
+  if (alone) {
+    addInputs(document, file, opened);
+  }
+  requireSameCaptures(session, opened.inputs, file);
+  opened.ladder = std::move(session.ladder);
+  opened.at = session.at;
+}
+
+/// A result, a diagnosis, a session or a model, which may stand with its sets.
 void addDocument(const std::string& file, bool alone, OpenedSets& opened) {
   const nlohmann::json document = parseJson(fileContent(file), file);
   const JsonPlace place{document, file};
@@ -132,9 +148,12 @@ void addDocument(const std::string& file, bool alone, OpenedSets& opened) {
   if (format == "naocal-model") {
     return addModel(place, file, alone, opened);
   }
+  if (format == "naocal-session") {
+    return addSession(place, file, alone, opened);
+  }
   if (format != "naocal-result") {
-    place.at("format").refuse("\"naocal-result\", \"naocal-diagnosis\" or \"naocal-model\": mate-bridge opens capture "
-                              "sets, recordings, results, diagnoses and models");
+    place.at("format").refuse("\"naocal-result\", \"naocal-diagnosis\", \"naocal-session\" or \"naocal-model\": "
+                              "mate-bridge opens capture sets, recordings, results, diagnoses, sessions and models");
   }
   if (!alone) {
     throw InputError{fmt::format("{}: a result is opened by itself, with the sets that it was made from", file)};
@@ -147,9 +166,12 @@ void addDocument(const std::string& file, bool alone, OpenedSets& opened) {
 OpenedSets openSets(const std::vector<std::string>& paths) {
   OpenedSets opened;
   for (const std::string& path : paths) {
-    if (isFolder(path) || !path.ends_with(".json")) {
+    if (!isDocument(path)) {
       addFolder(path, opened);
-    } else {
+    }
+  }
+  for (const std::string& path : paths) {
+    if (isDocument(path)) {
       addDocument(path, paths.size() == 1, opened);
     }
   }
@@ -157,6 +179,15 @@ OpenedSets openSets(const std::vector<std::string>& paths) {
     throw InputError{"expected a folder with captures.json, a result or a diagnosis; found none"};
   }
   opened.robot = loadRobot(configurationDirectory(), opened.sets.front().model);
+  return opened;
+}
+
+OpenedSets openSession(std::vector<std::string> paths, const std::string& file) {
+  if (std::filesystem::exists(file)) {
+    paths.push_back(file);
+  }
+  OpenedSets opened = openSets(paths);
+  opened.sessionFile = file;
   return opened;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "calibrate/ResultFile.hpp"
 #include "captures/Capture.hpp"
+#include "diagnose/SessionFile.hpp"
 #include "model/Robot.hpp"
 
 #include <filesystem>
@@ -21,12 +21,18 @@ struct OpenedSets {
   std::vector<std::string> with,
       without;                    // what a diagnosis or a model that was opened adds to the base model, and lacks
   std::string definitions = "[]"; // the person's own effects: a list of JSON
+  std::vector<Rung> ladder;       // of a session that goes on, in place of all these
+  std::size_t at = 0;             // where one stands on it
+  std::string sessionFile;        // that keeps the ladder from now on; may be empty
 };
 
-/// Opens capture sets (folders with captures.json), recordings of the robot (folders of sets), or one RESULT.json or
-/// DIAGNOSIS.json together with the sets that it was made from (as they are written there, or beside it; behind an
-/// older diagnosis they are named), or a MODEL.json with sets behind it. Pictures whose corners were not looked for are
-/// searched, and nothing is written. Throws InputError that names file, what was expected and found.
+/// Opens capture sets (folders with captures.json), recordings of the robot (folders of sets), or one RESULT.json,
+/// DIAGNOSIS.json or session together with the sets that it was made from (as they are written there, or beside it;
+/// behind an older diagnosis they are named), or a MODEL.json with sets behind it. Pictures whose corners were not
+/// looked for are searched, and nothing is written. Throws InputError that names file, what was expected and found.
 OpenedSets openSets(const std::vector<std::string>& paths);
+
+/// The same, and keeps a session of it in a file: goes on from it where it is there already.
+OpenedSets openSession(std::vector<std::string> paths, const std::string& file);
 
 } // namespace naocal

@@ -32,16 +32,16 @@ std::vector<std::string> labelsOf(const Model& model) {
 
 Rung firstRung(const OpenedSets& opened, const Measurements& measurements) {
   if (opened.terms.empty()) {
-    return {opened.with, opened.without, opened.definitions, "", 0, {}};
+    return {.with = opened.with, .without = opened.without, .definitions = opened.definitions};
   }
   const std::vector<std::string> base = labelsOf(makeModel(measurements));
   std::vector<std::string> with = without(opened.terms, base);
   // the base has every offset that can be asked for; others are along because torques depend on them
   std::erase_if(with, [](const std::string& label) { return label.starts_with("jointOffset@"); });
-  return {std::move(with), without(base, opened.terms), opened.definitions, "", 0, {}};
+  return {.with = std::move(with), .without = without(base, opened.terms), .definitions = opened.definitions};
 }
 
-nlohmann::json rungJson(const Rung& rung) {
+nlohmann::json rungForPanel(const Rung& rung) {
   nlohmann::json json{{"with", rung.with}, {"without", rung.without}, {"step", rung.step}, {"rms", rung.rmsPx}};
   if (rung.questioned) {
     if (rung.questioned->heldOutPx) {

@@ -32,11 +32,18 @@ std::uint16_t portOf(const std::string& address) {
 int main(int argc, char** argv) {
   naocal::keepMemory();
   CLI::App app{"The panel: look at a calibration and at robots in a browser of this computer."};
-  app.footer("Examples: mate-bridge captures/\n          mate-bridge result.json\n          mate-bridge diagnosis.json\n          mate-bridge --robot nao21");
+  app.footer("Examples: mate-bridge captures/\n          mate-bridge result.json\n          mate-bridge "
+             "diagnosis.json\n          mate-bridge --robot nao21");
   std::vector<std::string> sets, robots;
+  std::string session;
   std::string listen = "127.0.0.1:0";
   bool noOpen = false;
-  app.add_option("SET", sets, "capture sets, a recording of the robot, or a result or diagnosis together with its captures");
+  app.add_option(
+      "SET", sets,
+      "capture sets, a recording of the robot, or a result, diagnosis or session together with its captures");
+  app.add_option("--session", session,
+                 "keeps the models that are tried with these captures in this file, and goes on from it; so does "
+                 "'naocal explore'");
   app.add_option("--robot", robots, "a robot: HOST, HOST:PORT (its base port), or the folder of its UNIX sockets")
       ->allow_extra_args(false);
   app.add_option("--listen", listen, "127.0.0.1:PORT where the panel is served; 0 takes any port")
@@ -46,7 +53,9 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     naocal::PanelOptions options{std::nullopt, robots, portOf(listen)};
-    if (!sets.empty()) {
+    if (!session.empty()) {
+      options.opened = naocal::openSession(sets, session);
+    } else if (!sets.empty()) {
       options.opened = naocal::openSets(sets);
     }
     naocal::Panel panel{std::move(options)};

@@ -2,8 +2,8 @@
 
 #include "DiagnosisStory.hpp"
 
-#include "captures/Files.hpp"
 #include "captures/InputError.hpp"
+#include "residuals/ModelFile.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -17,76 +17,103 @@ namespace {
 
 using Json = nlohmann::json;
 
-Json orNull(const auto& value) {
-  return value ? Json(*value) : Json(nullptr);
+/// These definitions, and the others whose names they have not.
+std::string joined(const std::string& definitions, const std::string& others) {
+  Json all = Json::parse(definitions);
+  const Json further = Json::parse(others);
+  for (const Json& one : further) {
+    if (std::none_of(all.begin(), all.end(), [&](const Json& has) { return has["name"] == one["name"]; })) {
+      all.push_back(one);
+    }
+  }
+  return all.dump();
+}
+
+std::string modelWords(const Rung& rung) {
+  std::string words = rung.with.empty() ? "base" : fmt::format("+ {}", fmt::join(rung.with, " + "));
+  return rung.without.empty() ? words : fmt::format("{}, without {}", words, fmt::join(rung.without, ", "));
 }
 
 } // namespace
 
-Exploration::Exploration(const GivenSets& given, DiagnosisOptions asked, std::string file)
-    : given_{given}, asked_{std::move(asked)}, measurements_{measurementsOf(given.sets, given.robot)}, file_{std::move(
-                                                                                                           file)} {
-  asked_.grow = false;
+Exploration::Exploration(const GivenSets& given, Rung first, std::string file)
+    : given_{given}, measurements_{measurementsOf(given.sets, given.robot)}, file_{std::move(file)} {
   if (!file_.empty() && std::filesystem::exists(file_)) {
-    load();
-    rungs_[here_].step = questioned(rungs_[here_].with);
+    session_ = readSession(file_);
+    requireSameCaptures(session_, given_.inputs, file_);
+    for (Rung& rung : session_.ladder) {
+      effectsWith(Json::parse(rung.definitions), file_, given_.robot); // refuses what is none
+      rung.definitions = joined(rung.definitions, first.definitions);
+    }
+    here() = questioned(here());
   } else {
-    tryOut(asked_.with, std::nullopt);
+    session_.inputs = given_.inputs;
+    session_.ladder.push_back(questioned(std::move(first)));
   }
+  save();
 }
 
-Step Exploration::questioned(const std::vector<std::string>& with) {
-  DiagnosisOptions options = asked_;
-  options.with = with;
+Rung Exploration::questioned(Rung rung) {
+  DiagnosisOptions options{.with = rung.with, .without = rung.without};
+  options.effects = effectsWith(Json::parse(rung.definitions), "the person's own effects", given_.robot);
+  options.grow = false;
   Diagnosis diagnosis = diagnose(given_.sets, measurements_, options);
   if (diagnosis.steps.empty()) {
     throw InputError{diagnosis.sentence};
   }
   latest_ = std::move(diagnosis);
-  return latest_.steps.front();
+  rung.rmsPx = latest_.steps.front().rmsPx;
+  rung.questioned = latest_.steps.front();
+  return rung;
 }
 
-void Exploration::tryOut(std::vector<std::string> with, std::optional<std::size_t> from) {
-  Step step = questioned(with);
-  here_ = rungs_.size();
-  rungs_.push_back({std::move(with), from, std::move(step)});
+void Exploration::tryOut(Rung rung, const std::string& step) {
+  rung.step = step;
+  rung.from = session_.at;
+  rung = questioned(std::move(rung));
+  session_.at = session_.ladder.size();
+  session_.ladder.push_back(std::move(rung));
   save();
 }
 
 void Exploration::add(const std::string& label) {
-  std::vector<std::string> with = rungs_[here_].with;
-  with.push_back(label);
-  tryOut(std::move(with), here_);
+  Rung rung = here();
+  if (std::erase(rung.without, label) == 0) {
+    rung.with.push_back(label);
+  }
+  tryOut(std::move(rung), "+ " + label);
 }
 
 void Exploration::drop(const std::string& label) {
-  std::vector<std::string> with = rungs_[here_].with;
-  if (std::erase(with, label) == 0) {
-    throw InputError{fmt::format("{} is not in the model; it has {}", label,
-                                 with.empty() ? "no more than the base" : fmt::format("{}", fmt::join(with, ", ")))};
+  Rung rung = here();
+  if (std::erase(rung.with, label) == 0) {
+    throw InputError{
+        fmt::format("{} is not in the model; it has {}", label,
+                    rung.with.empty() ? "no more than the base" : fmt::format("{}", fmt::join(rung.with, ", ")))};
   }
-  tryOut(std::move(with), here_);
+  tryOut(std::move(rung), "− " + label);
 }
 
 void Exploration::undo() {
-  const std::optional<std::size_t> before = rungs_[here_].from;
+  const std::optional<std::size_t> before = here().from;
   if (!before) {
     throw InputError{"there is nothing to undo"};
   }
-  questioned(rungs_[*before].with);
-  here_ = *before;
+  session_.ladder[*before] = questioned(session_.ladder[*before]);
+  session_.at = *before;
   save();
 }
 
 void Exploration::printLadder() const {
   fmt::print("  {:>3}  {:>9}  {:>9}  {:>9}  {:>7}  model (*: the one you are at)\n", "", "rms", "unseen", "noise",
              "alarm p");
-  for (std::size_t i = 0; i < rungs_.size(); ++i) {
-    const Step& step = rungs_[i].step;
-    const std::string unseen = step.heldOutPx ? fmt::format("{:6.3f} px", *step.heldOutPx) : "-";
-    fmt::print("{} {:>3}  {:6.3f} px  {:>9}  {:6.3f} px  {:7.3f}  {}\n", i == here_ ? '*' : ' ', i, step.rmsPx, unseen,
-               step.noiseFloorPx, step.alarm,
-               rungs_[i].with.empty() ? "base" : fmt::format("+ {}", fmt::join(rungs_[i].with, " + ")));
+  for (std::size_t i = 0; i < session_.ladder.size(); ++i) {
+    const Rung& rung = session_.ladder[i];
+    const auto& step = rung.questioned;
+    const std::string unseen = step && step->heldOutPx ? fmt::format("{:6.3f} px", *step->heldOutPx) : "-";
+    fmt::print("{} {:>3}  {:6.3f} px  {:>9}  {:>9}  {:>7}  {}\n", i == session_.at ? '*' : ' ', i, rung.rmsPx, unseen,
+               step ? fmt::format("{:6.3f} px", step->noiseFloorPx) : "-",
+               step ? fmt::format("{:7.3f}", step->alarm) : "-", modelWords(rung));
   }
 }
 
@@ -94,60 +121,10 @@ void Exploration::printCandidates() const {
   naocal::printCandidates(latest_);
 }
 
-void Exploration::load() {
-  try {
-    const Json session = Json::parse(fileContent(file_));
-    if (session.at("format") == "naocal-session" && !session.at("ladder").empty()) {
-      if (session.at("sets") != Json(given_.inputs.sets) ||
-          session.value("sha256", given_.inputs.sha256) != given_.inputs.sha256) {
-        throw InputError{fmt::format("{}: expected a session of these captures, found one of {}; name another file",
-                                     file_, session.at("sets").dump())};
-      }
-      for (const Json& rung : session.at("ladder")) {
-        Step step{.rmsPx = rung.at("rmsPx"), .noiseFloorPx = rung.at("noiseFloorPx")};
-        step.alarm = rung.at("alarm");
-        if (rung.at("heldOutPx").is_number()) {
-          step.heldOutPx = rung.at("heldOutPx").get<double>();
-        }
-        std::optional<std::size_t> from;
-        if (rung.contains("from") ? rung.at("from").is_number_unsigned() : !rungs_.empty()) {
-          from = rung.value("from", rungs_.size() - 1);
-        }
-        if (from && *from >= rungs_.size()) {
-          break; // told below
-        }
-        rungs_.push_back({rung.at("with").get<std::vector<std::string>>(), from, std::move(step)});
-      }
-      here_ = session.value("at", rungs_.size() - 1);
-      if (rungs_.size() == session.at("ladder").size() && here_ < rungs_.size()) {
-        return;
-      }
-    }
-  } catch (const Json::exception&) { // told below
-  }
-  throw InputError{fmt::format("{}: expected a session that 'naocal explore' wrote; name another file", file_)};
-}
-
 void Exploration::save() const {
-  if (file_.empty()) {
-    return;
+  if (!file_.empty()) {
+    writeJson(sessionJson(session_), file_);
   }
-  Json ladder = Json::array();
-  for (const Rung& rung : rungs_) {
-    ladder.push_back({{"with", rung.with},
-                      {"from", orNull(rung.from)},
-                      {"rmsPx", rung.step.rmsPx},
-                      {"heldOutPx", orNull(rung.step.heldOutPx)},
-                      {"noiseFloorPx", rung.step.noiseFloorPx},
-                      {"alarm", rung.step.alarm}});
-  }
-  writeJson({{"format", "naocal-session"},
-             {"version", 1},
-             {"sets", given_.inputs.sets},
-             {"sha256", given_.inputs.sha256},
-             {"ladder", ladder},
-             {"at", here_}},
-            file_);
 }
 
 } // namespace naocal

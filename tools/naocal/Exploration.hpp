@@ -3,9 +3,8 @@
 #include "Sets.hpp"
 
 #include "diagnose/Diagnosis.hpp"
+#include "diagnose/SessionFile.hpp"
 
-#include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,9 +14,9 @@ namespace naocal {
 /// session's file, from which the same loop goes on another day.
 class Exploration {
 public:
-  /// `asked`: what the model has from the start, and all effects that may be named. `file`: the session's; may be
-  /// empty.
-  Exploration(const GivenSets& given, DiagnosisOptions asked, std::string file);
+  /// `first`: the model to begin with; of a session that goes on, only its own effects are new. `file`: the session's;
+  /// may be empty.
+  Exploration(const GivenSets& given, Rung first, std::string file);
 
   void add(const std::string& label);
   void drop(const std::string& label);
@@ -28,25 +27,16 @@ public:
   void printCandidates() const;
 
 private:
-  /// A model that was tried: what it had beyond the base, how well it did, and which one it was made from.
-  struct Rung {
-    std::vector<std::string> with;
-    std::optional<std::size_t> from;
-    Step step;
-  };
-
+  Rung& here() { return session_.ladder[session_.at]; }
   /// Puts a model to the question. Throws InputError where no fit can start.
-  Step questioned(const std::vector<std::string>& with);
-  void tryOut(std::vector<std::string> with, std::optional<std::size_t> from);
-  void load();
+  Rung questioned(Rung rung);
+  void tryOut(Rung rung, const std::string& step);
   void save() const;
 
   const GivenSets& given_;
-  DiagnosisOptions asked_;
   Measurements measurements_;
   std::string file_;
-  std::vector<Rung> rungs_;
-  std::size_t here_ = 0; // which of them the model is
+  Session session_;
   Diagnosis latest_;
 };
 

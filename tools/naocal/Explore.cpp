@@ -58,14 +58,12 @@ struct ExploreCommand {
 
 void explore(const ExploreCommand& command) {
   const GivenSets given = readSets(command.sets, false);
-  DiagnosisOptions asked;
+  Rung first;
   if (!command.model.empty()) {
     ModelFile file = readModelFile(command.model, given.robot);
-    asked.with = std::move(file.with);
-    asked.without = std::move(file.without);
-    asked.effects = std::move(file.effects);
+    first = {.with = std::move(file.with), .without = std::move(file.without), .definitions = file.definitions};
   }
-  Exploration exploration{given, std::move(asked), command.session};
+  Exploration exploration{given, std::move(first), command.session};
   exploration.printLadder();
   exploration.printCandidates();
   fmt::print("type 'help' for what you can do\n> ");
@@ -92,7 +90,8 @@ void addExplore(CLI::App& app) {
       app.add_subcommand("explore", "add and remove effects by hand and watch the error fall, with history");
   explorer->footer("Example: naocal explore captures/ --session captures.session.json");
   explorer->add_option("SET", command->sets, "folders with captures.json")->required();
-  explorer->add_option("--session", command->session, "keeps the ladder in this file, and goes on from it");
+  explorer->add_option("--session", command->session,
+                       "keeps the ladder in this file, and goes on from it; so does mate-bridge");
   explorer->add_option("--model", command->model, "a model file: terms to begin with, and effects of your own");
   explorer->callback([command] { explore(*command); });
 }

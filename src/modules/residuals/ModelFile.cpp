@@ -38,6 +38,7 @@ ModelFile readModelFile(const std::filesystem::path& file, const Robot& robot) {
   }
   const auto define = all.find("define");
   result.effects = withBuiltIn(define ? userEffects(*define, robot) : std::vector<Effect>{});
+  result.definitions = define ? define->value().dump() : "[]";
   return result;
 }
 

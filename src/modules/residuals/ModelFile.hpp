@@ -12,7 +12,8 @@ namespace naocal {
 /// A model as people write it down: effects at places to add and to leave out, and effects of their own.
 struct ModelFile {
   std::vector<std::string> with, without; // "E@P"
-  std::vector<Effect> effects;            // the built-in ones, then those that the file defines
+  std::string definitions = "[]";         // effects of their own: a list of JSON
+  std::vector<Effect> effects;            // the built-in ones, then those
 };
 
 /// Reads {"format": "naocal-model", "version": 1, "with": ["E@P"], "without": [], "define": [user effects]}.

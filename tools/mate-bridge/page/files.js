@@ -7,12 +7,13 @@ import {saveSession} from "./session.js";
 
 let typed = "", typedOthers = "";
 const kinds = {
-  "result.json": ["the fit, as naocal solve writes it", "result.json"],
-  "report.html": ["the report of that result, one page", "report.html"],
-  "diagnosis.json": ["candidates, map and curves, as naocal diagnose writes them", "diagnosis.json"],
-  "diagnosis.html": ["the report of that diagnosis", "diagnosis.html"],
-  "model.json": ["what is in the model, for --model", "model.json"],
-  "poses.json": ["the poses suggested in Next poses", "poses.json"],
+  "result.json": "the fit, as naocal solve writes it",
+  "report.html": "the report of that result, one page",
+  "diagnosis.json": "candidates, map and curves, as naocal diagnose writes them",
+  "diagnosis.html": "the report of that diagnosis",
+  "model.json": "what is in the model, for --model",
+  "session.json": "the ladder with all its models, to go on another day: here, or in naocal explore --session",
+  "poses.json": "the poses suggested in Next poses",
 };
 
 export const make = file => act({do: "make", file});
@@ -26,12 +27,12 @@ on("made", async ({file}) => {
 export function showFiles(parent) {
   const {set, compared} = state, open = state.laboratory;
   parent.replaceChildren(element("h1", {}, "Files"),
-    element("h2", {}, "Open"), element("p", {class: "soft"}, open && set ? "Open now: " + set.names.join(", ") + "." : "Nothing is open.", " A capture set, a recording of the robot, a result, a diagnosis, or a saved model.json with its captures; nothing in them is changed. Several stand one a line."),
+    element("h2", {}, "Open"), element("p", {class: "soft"}, open && set ? "Open now: " + set.names.join(", ") + "." : "Nothing is open.", " A capture set, a recording of the robot, a result, a diagnosis, a session.json, or a saved model.json with its captures; nothing in them is changed. Several stand one a line."),
     paths("open", "path of what to open", typed, value => { typed = value; }, list => act({do: "open", paths: list}), "Open"),
     ...(open ? [element("h2", {}, "Compare with captures that were not used"), paths("compare", "path of other captures", typedOthers, value => { typedOthers = value; }, list => act({do: "compare", paths: list}), "Compare"),
       ...(compared ? comparison(compared) : []),
       element("h2", {}, "Save"), element("table", {class: "files"}, element("tbody", {}, element("tr", {}, element("td", {}, button("session.html", saveSession)), element("td", {}, "all that this panel shows, as one page")),
-        ...Object.entries(kinds).map(([file, [words]]) => element("tr", {}, element("td", {}, button(file, () => make(file))), element("td", {}, words)))))]
+        ...Object.entries(kinds).map(([file, words]) => element("tr", {}, element("td", {}, button(file, () => make(file))), element("td", {}, words)))))]
       : [element("h2", {}, "Save"), element("p", {}, button("session.html", saveSession), " all that this panel shows, as one page")]));
 }
 

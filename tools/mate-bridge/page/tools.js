@@ -1,9 +1,11 @@
-// Tools: the terminal's commands that need no captures on the desk, with the words that one would type there.
+// Tools: the terminal's commands, with the words that one would type there.
 import {make, button, empty} from "./elements.js";
 import {on} from "./connection.js";
 import {act} from "./state.js";
 
 // A field: `flag` before it (none: it stands alone), `value` to begin with; `options` to choose from, `check`: with or without.
+const modelFields = [{flag: "--with", label: "add effects", value: ""}, {flag: "--without", label: "leave effects out", value: ""}, {flag: "--model", label: "a model's file", value: ""},
+  {flag: "--same-place", label: "boards and stances of equal names lie at the same place in all sets", check: true}, {flag: "--skip-bad", label: "leave out captures that cannot be used", check: true}];
 const commands = [
   {words: ["poses"], name: "Plan poses", what: "Poses worth taking, and where to lay the boards: a plan for the whole robot before it has seen anything.",
     fields: [{flag: "-o", label: "write the plan to", value: "poses.json"}, {flag: "--support", label: "stand on", options: ["left", "right", "both"]},
@@ -15,6 +17,17 @@ const commands = [
       {flag: "--hidden-flaw", label: "hide a flaw in it", check: true}, {flag: "--images", label: "with pictures", check: true}]},
   {words: ["detect"], name: "Find corners", what: "Finds the boards' corners in pictures that were taken without looking for them.",
     fields: [{label: "captures", value: "simulated", opens: true}, {flag: "--dry-run", label: "leave the captures as they are", check: true}]},
+  {words: ["solve"], name: "Solve", what: "Calibrates joints and cameras from captures, with whatever options; what is on the desk here is left alone.",
+    fields: [{label: "captures", value: "simulated"}, {flag: "-o", label: "write the result to", value: "result.json", opens: true}, ...modelFields,
+      {flag: "--restarts", label: "random starts beside the ordinary one", value: "0"}]},
+  {words: ["diagnose"], name: "Diagnose", what: "Says where and why the model fails, and which effect is missing.",
+    fields: [{label: "captures", value: "simulated"}, {flag: "--json", label: "write the diagnosis to", value: "diagnosis.json", opens: true}, ...modelFields,
+      {flag: "--next", label: "write poses to take next to", value: ""}, {flag: "--draws", label: "draws of pure noise", value: "199"}]},
+  {words: ["compare"], name: "Compare a result", what: "How well a result predicts captures that it has not seen.",
+    fields: [{label: "result", value: "result.json"}, {label: "captures", value: "simulated"}, {flag: "--against", label: "beside another result", value: ""},
+      {flag: "--same-place", label: "boards and feet are where the result found them", check: true}]},
+  {words: ["report"], name: "Report", what: "One page of a result, a diagnosis or an evaluation, readable without a network.",
+    fields: [{label: "result, diagnosis or evaluation", value: "result.json"}, {flag: "-o", label: "write the page to", value: "report.html"}]},
   {words: ["evaluate", "thesis"], name: "Evaluate: solver", what: "How often joint offsets are found, beside plain Levenberg-Marquardt, the Cramer-Rao limit and the thesis's tables.",
     fields: [{flag: "--sets", label: "error sets in a cell", value: "100"}, {flag: "--seed", label: "seed", value: "1"}, {flag: "--json", label: "write to", value: "thesis.json"}]},
   {words: ["evaluate", "effects"], name: "Evaluate: diagnosis", what: "A blind benchmark: robots with hidden effects, whose truth is sealed until the answers are written. Ended, it goes on where it was.",
@@ -71,7 +84,7 @@ export function showTools(parent) {
     opened.replaceChildren(...(place ? [button("Open " + place, () => act({do: "open", paths: [place.startsWith("/") ? place : told.folder + "/" + place]}))] : []));
   };
   parent.replaceChildren(make("h1", {}, "Tools"),
-    make("p", {class: "soft"}, "What the terminal can do besides: plan, simulate, evaluate. The line below is what one would type there."),
+    make("p", {class: "soft"}, "What the terminal can do, with every option. The line below is what one would type there."),
     make("div", {class: "controls", role: "group", "aria-label": "commands"}, ...commands.map(command => button(command.name, () => { chosen = command; further = ""; showTools(parent); },
       {class: "small", "aria-pressed": String(command === chosen)}))),
     make("p", {}, chosen.what),
@@ -82,10 +95,10 @@ export function showTools(parent) {
   fresh();
 }
 
-// Captures that the last command wrote or filled, and that can be opened here.
+// What the last command wrote or filled, and that can be opened here.
 function placeWritten(words) {
-  const command = commands.find(one => one.words.every((word, i) => words[i] === word) && one.fields.some(({opens}) => opens));
-  return command && words[command.words.length];
+  const command = commands.find(one => one.words.every((word, i) => words[i] === word)), field = command?.fields.find(({opens}) => opens);
+  return field && (field.flag ? words[words.indexOf(field.flag) + 1] : words[command.words.length]);
 }
 
 function fieldOf(field) {
