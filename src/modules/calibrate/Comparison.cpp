@@ -90,16 +90,19 @@ Prediction prediction(const StoredResult& result, const Measurements& measuremen
   return all;
 }
 
-/// The least cost over the free placements.
-template <typename Problem> auto predicted(Problem& residuals, const Prediction& from) {
+/// The least cost over the free placements, from `start` on.
+auto predicted(Residuals& residuals, const Prediction& from, const Residuals::State& start) {
   residuals.freeOnly(from.free);
-  auto minimum = levenbergMarquardt(residuals, residuals.start(from.unknowns));
+  auto minimum = levenbergMarquardt(residuals, start);
   if (!minimum) {
     throw InputError{
         "these captures cannot be predicted: a corner that was seen would lie behind the camera; is it the "
         "robot that the result was made for?"};
   }
   return *std::move(minimum);
+}
+auto predicted(Residuals& residuals, const Prediction& from) {
+  return predicted(residuals, from, residuals.start(from.unknowns));
 }
 
 /// As they are seen: nothing of them is put down to the joints.
@@ -173,10 +176,14 @@ double weightedError(const StoredResult& result, const std::vector<CaptureSet>& 
   const Measurements measurements = measurementsOf(sets, robot, samePlace);
   std::vector<std::string> ignored;
   const Model model = modelOf(result, measurements, ignored);
-  Loss loss;
-  loss.scale = 1;
-  Residuals residuals{measurements, model, noise, loss};
-  const double chi2 = 2 * predicted(residuals, prediction(result, measurements, model, samePlace)).linear.cost;
+  const Prediction from = prediction(result, measurements, model, samePlace);
+  Residuals quadratic{measurements, model, noise}, robust{measurements, model, noise, Loss{.scale = 1}};
+  // where the joints rest is found first: before that, all corners of a pose look false
+  const auto minimum = predicted(robust, from, predicted(quadratic, from).state);
+  double chi2 = 0; // without what the result's own numbers cost
+  for (const Eliminated& pose : minimum.linear.eliminated) {
+    chi2 += 2 * pose.cost;
+  }
   return noise.pixel * std::sqrt(chi2 / static_cast<double>(measurements.cornerCount));
 }
 
