@@ -42,6 +42,10 @@ CalibrationRound legRound(const std::deque<LegPoses>& legs, RoundOptions options
 
 } // namespace
 
+CalibrationWork::CalibrationWork(CalibrationSurroundings surroundings) : surroundings_{std::move(surroundings)} {
+  keepCalibrationTogether(surroundings_.configuration);
+}
+
 void CalibrationWork::begin(std::filesystem::path folder) {
   folder_ = std::move(folder);
   sessions_ = {};

@@ -37,7 +37,7 @@ class CalibrationWork {
 public:
   using Rounds = std::array<CalibrationRound, 2>; // to calibrate, to check
 
-  explicit CalibrationWork(CalibrationSurroundings surroundings) : surroundings_{std::move(surroundings)} {}
+  explicit CalibrationWork(CalibrationSurroundings surroundings);
   const CalibrationSurroundings& surroundings() const { return surroundings_; }
 
   /// A calibration whose files go into `folder`, the configuration as it is now first.

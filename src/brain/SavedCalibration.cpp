@@ -99,17 +99,21 @@ void apply(const std::vector<ShownOffset>& offsets, const StoredResult& mounts, 
   }
 }
 
+void keepCalibrationTogether(Configuration& configuration) {
+  configuration.keepTogether(calibrationMounts);
+}
+
 bool isCalibrationSaved(const Configuration& configuration) {
   return std::all_of(calibrationMounts.begin(), calibrationMounts.end(),
                      [&](const std::string& mount) { return configuration.isSaved(mount); });
 }
 
 void saveCalibration(Configuration& configuration) {
-  configuration.save(calibrationMounts);
+  configuration.save(offsetsMount);
 }
 
 void undoCalibration(Configuration& configuration) {
-  configuration.undo(calibrationMounts);
+  configuration.undo(offsetsMount);
 }
 
 } // namespace naocal

@@ -21,6 +21,9 @@ std::string calibrationKeys(const Configuration& configuration);
 void apply(const std::vector<ShownOffset>& offsets, const StoredResult& mounts, Configuration& configuration);
 void putBack(const std::string& calibrationKeys, Configuration& configuration);
 
+/// From now on neither is saved or undone without the other, whoever asks for it.
+void keepCalibrationTogether(Configuration& configuration);
+
 /// Saves both, and undoes what was saved last. Throw ConfigurationError where that cannot be.
 bool isCalibrationSaved(const Configuration& configuration); // as it is now
 void saveCalibration(Configuration& configuration);

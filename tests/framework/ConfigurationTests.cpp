@@ -119,20 +119,43 @@ TEST_CASE("a save is undone once, comments included") {
   const std::string before = "// by hand\n{\"headYaw\": 1.0}";
   robot.file("default/body/Bob/Offsets.json", before);
   robot.configuration.mount("Motion.Offsets", "Offsets.json", Part::body);
-  CHECK(refusal([&] { robot.configuration.undo({"Motion.Offsets"}); }) ==
+  CHECK(refusal([&] { robot.configuration.undo("Motion.Offsets"); }) ==
         "Motion.Offsets: nothing was saved that could be undone");
   robot.configuration.set("Motion.Offsets", "headYaw", 2.0);
   robot.configuration.save();
-  robot.configuration.undo({"Motion.Offsets"});
+  robot.configuration.undo("Motion.Offsets");
   CHECK(fileContent(robot.path("default/body/Bob/Offsets.json")) == before);
   CHECK(robot.keys("Motion.Offsets")["headYaw"] == 1.0);
-  CHECK(refusal([&] { robot.configuration.undo({"Motion.Offsets"}); }) ==
+  CHECK(refusal([&] { robot.configuration.undo("Motion.Offsets"); }) ==
         "Motion.Offsets: nothing was saved that could be undone");
   CHECK(robot.keys("Motion.Offsets")["headYaw"] == 1.0);
   robot.configuration.set("Motion.Offsets", "headYaw", 3.0);
   robot.configuration.save();
-  robot.configuration.undo({"Motion.Offsets"});
+  robot.configuration.undo("Motion.Offsets");
   CHECK(robot.keys("Motion.Offsets")["headYaw"] == 1.0);
+}
+
+TEST_CASE("what is kept together goes back together, whoever saved one of it in between") {
+  // Proves that a save of one mount alone, by its name or as what has changed, is one of its partner too, so that an
+  // undo of either takes back that save and nothing of the one before; others are left alone.
+  for (const bool byName : {true, false}) {
+    ConfiguredRobot robot;
+    for (const std::string name : {"Offsets", "Cameras", "Other"}) {
+      robot.file("default/head/default/" + name + ".json", R"({"value": 0})");
+      robot.configuration.mount(name, name + ".json", Part::head);
+    }
+    robot.configuration.keepTogether({"Offsets", "Cameras", "Absent"});
+    robot.configuration.set("Offsets", "value", 1);
+    robot.configuration.set("Cameras", "value", 1);
+    robot.configuration.save("Offsets"); // a calibration
+    robot.configuration.set("Cameras", "value", 2);
+    byName ? robot.configuration.save("Cameras") : robot.configuration.save(); // somebody in between
+    robot.configuration.undo("Offsets");
+    CHECK(robot.keys("Cameras")["value"] == 1);
+    CHECK(robot.keys("Offsets")["value"] == 1);
+    CHECK_THROWS_AS(robot.configuration.undo("Cameras"), ConfigurationError);
+    CHECK_THROWS_AS(robot.configuration.undo("Other"), ConfigurationError);
+  }
 }
 
 TEST_CASE("orders are never saved, and all else is written elsewhere as it would be saved") {
@@ -177,18 +200,18 @@ TEST_CASE("what is saved together is old or new together, wherever the program e
         configuration->mount("Offsets", "Offsets.json", Part::body);
         configuration->mount("Cameras", "Cameras.json", Part::head);
         configuration->mount("Other", "Other.json", Part::head);
+        configuration->keepTogether({"Offsets", "Cameras", "Other"});
         return configuration;
       };
       auto configuration = open();
-      const std::vector<std::string> together{"Offsets", "Cameras", "Other"};
       const auto change = [&](int value) {
         configuration->set("Offsets", "knee", value);
         configuration->set("Cameras", "pitch", value);
-        configuration->save(together);
+        configuration->save("Offsets");
       };
       change(1);
       left = writes;
-      CHECK_THROWS_AS(undone ? configuration->undo(together) : change(2), std::runtime_error);
+      CHECK_THROWS_AS(undone ? configuration->undo("Cameras") : change(2), std::runtime_error);
       left = 1000;
       configuration = open();
       json offsets, cameras, other;

@@ -33,7 +33,7 @@ json allEqual(int value) {
     }
     configuration.save();
     if (value % 3 == 0) {
-      configuration.undo({mountName});
+      configuration.undo(mountName);
     }
     if (value == first && ::write(pipe, "r", 1) != 1) {
       ::_exit(1);

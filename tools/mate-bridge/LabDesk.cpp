@@ -94,8 +94,7 @@ bool LabDesk::asked(const Json& request) {
 bool LabDesk::askedForMore(const std::string& verb, const Json& request) {
   if (verb == "search") {
     cancelled_ = false;
-    work("searching",
-         [this](Laboratory& laboratory) { laboratory.search([this] { return !cancelled_; }); });
+    work("searching", [this](Laboratory& laboratory) { laboratory.search([this] { return !cancelled_; }); });
   } else if (verb == "cancel") {
     cancelled_ = true;
   } else if (verb == "propose") {

@@ -40,7 +40,8 @@ public:
   /// How well the fit predicts captures that it has not seen.
   void compareWith(const OpenedSets& others);
   /// What naocal would write of the model: "result.json", "diagnosis.json", "poses.json", "model.json", "report.html"
-  /// of the result, "diagnosis.html", "session.json". Throws InputError for another name, or where nothing was proposed.
+  /// of the result, "diagnosis.html", "session.json". Throws InputError for another name, or where nothing was
+  /// proposed.
   std::string file(const std::string& name);
 
   /// Takes a person's own effect in, in place of one of that name, as a new rung: in the model where it sits at a
@@ -52,6 +53,8 @@ public:
   nlohmann::json checked(const nlohmann::json& effect) const;
 
 private:
+  static constexpr const char* definitionsName = "your own effects"; // in refusals, for a file
+
   std::vector<Effect> effects(const Rung& rung) const;
   void tellSet(const Rung& rung);
   void tellLadder() const;

@@ -3,6 +3,7 @@
 #include "Desks.hpp"
 #include "Errand.hpp"
 #include "Guard.hpp"
+#include "Programs.hpp"
 #include "Robots.hpp"
 #include "Server.hpp"
 #include "StandingRobot.hpp"

@@ -107,7 +107,7 @@ void ConfigServer::setOne(Peer& peer, const std::string& mount, const std::strin
   }
   change(peer, fmt::format("setting {} of {}", key, mount), [&] {
     if (mount == "naocal.configuration" && key == "undo" && value.is_string()) {
-      configuration_.undo({value.get<std::string>()});
+      configuration_.undo(value.get<std::string>());
     } else if (mount == "naocal.configuration" && key == "lastWill") {
       keepWill(peer, value);
     } else {

@@ -49,8 +49,12 @@ public:
   /// the file as it was is kept beside it as `<file>.previous`. Whatever ends the program, all files are old or all
   /// new.
   void save();
-  /// Only these mounts, which `undo` is to undo together: changed or not, each has a previous file afterwards.
-  void save(const std::vector<std::string>& mounts);
+  /// Only this mount.
+  void save(const std::string& mount);
+
+  /// From now on a save or an undo of one of these mounts is one of all of them, changed or not: what belongs together
+  /// goes back together.
+  void keepTogether(std::vector<std::string> mounts);
 
   /// Nothing was set since the last save.
   bool isSaved(std::string_view mount) const;
@@ -58,9 +62,9 @@ public:
   /// Writes all files as they would be if everything was saved now into another, empty root, without the secret.
   void writeTo(const std::filesystem::path& root) const;
 
-  /// Puts mounts' saved files back to what they were before their last save, and their keys with them. Changes that are
-  /// not saved are lost. Throws ConfigurationError when nothing was saved of one of them since the last undo.
-  void undo(const std::vector<std::string>& mounts);
+  /// Puts a mount's saved file back to what it was before its last save, and its keys with it. Changes that are not
+  /// saved are lost. Throws ConfigurationError when nothing was saved since the last undo.
+  void undo(const std::string& mount);
 
   /// Where a mount's changes are saved: the robot's own file of the default location, so that a robot keeps them
   /// wherever it plays; its file of the present location when that location sets keys of this mount already.
@@ -73,6 +77,7 @@ private:
   std::filesystem::path target(const Mounted& mounted) const;
   std::filesystem::path journal() const;
   nlohmann::json toSave(const Mounted& mounted) const; // its file's content
+  std::vector<Mounted*> keptTogether(const std::string& mount);
   void save(const std::vector<Mounted*>& mounts);
 
   std::filesystem::path root_;
@@ -80,6 +85,7 @@ private:
   FileWriter writer_;
   mutable std::mutex mutex_;
   std::map<std::string, std::unique_ptr<Mounted>, std::less<>> mounts_;
+  std::vector<std::vector<std::string>> together_; // mounts
 };
 
 } // namespace naocal

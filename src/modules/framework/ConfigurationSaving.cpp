@@ -2,6 +2,7 @@
 #include "framework/Errors.hpp"
 #include "framework/Mounted.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
 #include <sstream>
@@ -79,24 +80,42 @@ void Configuration::save(const std::vector<Mounted*>& mounts) {
   }
 }
 
-void Configuration::save() {
+void Configuration::keepTogether(std::vector<std::string> mounts) {
   const std::lock_guard lock{mutex_};
-  std::vector<Mounted*> changed;
-  for (const auto& [name, entry] : mounts_) {
-    if (!entry->changed.empty()) {
-      changed.push_back(entry.get());
-    }
-  }
-  save(changed);
+  together_.push_back(std::move(mounts));
 }
 
-void Configuration::save(const std::vector<std::string>& mounts) {
-  const std::lock_guard lock{mutex_};
-  std::vector<Mounted*> entries;
-  for (const std::string& mount : mounts) {
-    entries.push_back(&mounted(mount));
+std::vector<Configuration::Mounted*> Configuration::keptTogether(const std::string& mount) {
+  const auto group = std::find_if(together_.begin(), together_.end(), [&](const auto& mounts) {
+    return std::find(mounts.begin(), mounts.end(), mount) != mounts.end();
+  });
+  if (group == together_.end()) {
+    return {&mounted(mount)};
   }
-  save(entries);
+  std::vector<Mounted*> entries;
+  for (const std::string& member : *group) {
+    if (mounts_.contains(member)) {
+      entries.push_back(&mounted(member));
+    }
+  }
+  return entries;
+}
+
+void Configuration::save() {
+  const std::lock_guard lock{mutex_};
+  std::set<Mounted*> entries;
+  for (const auto& [name, entry] : mounts_) {
+    if (!entry->changed.empty()) {
+      const auto group = keptTogether(name);
+      entries.insert(group.begin(), group.end());
+    }
+  }
+  save(std::vector<Mounted*>{entries.begin(), entries.end()});
+}
+
+void Configuration::save(const std::string& mount) {
+  const std::lock_guard lock{mutex_};
+  save(keptTogether(mount));
 }
 
 bool Configuration::isSaved(std::string_view mount) const {
@@ -130,28 +149,28 @@ void Configuration::writeTo(const std::filesystem::path& root) const {
   }
 }
 
-void Configuration::undo(const std::vector<std::string>& mounts) {
+void Configuration::undo(const std::string& mount) {
   const std::lock_guard lock{mutex_};
+  const std::vector<Mounted*> entries = keptTogether(mount);
   std::vector<FileContent> files;
-  for (const std::string& mount : mounts) {
-    const auto file = target(mounted(mount));
+  for (const Mounted* entry : entries) {
+    const auto file = target(*entry);
     if (!readConfiguration(previousOf(file))) {
-      throw ConfigurationError{fmt::format("{}: nothing was saved that could be undone", mount)};
+      throw ConfigurationError{fmt::format("{}: nothing was saved that could be undone", entry->name)};
     }
     files.push_back({file, textOf(previousOf(file))});
   }
   writeTogether(journal(), files, writer_);
-  for (const std::string& mount : mounts) {
-    Mounted& entry = mounted(mount);
-    std::filesystem::remove(previousOf(target(entry)));
-    Overlay overlay{layersOf(root_, entry.file, entry.part, names_)};
-    if (entry.listener) {
+  for (Mounted* entry : entries) {
+    std::filesystem::remove(previousOf(target(*entry)));
+    Overlay overlay{layersOf(root_, entry->file, entry->part, names_)};
+    if (entry->listener) {
       for (const auto& [key, value] : overlay.merged->items()) {
-        entry.listener(key, value);
+        entry->listener(key, value);
       }
     }
-    entry.overlay = std::move(overlay);
-    entry.changed.clear();
+    entry->overlay = std::move(overlay);
+    entry->changed.clear();
   }
 }
 
