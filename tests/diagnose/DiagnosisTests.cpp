@@ -4,6 +4,7 @@
 #include "diagnose/Diagnosis.hpp"
 #include "diagnose/DiagnosisFile.hpp"
 #include "geometry/Angles.hpp"
+#include "residuals/ModelFile.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -164,15 +165,27 @@ TEST_CASE("corners that err together by less than the noise are no misfit") {
 
 TEST_CASE("a ripple that no effect describes is located and drawn") {
   // Proves the joint x driver map: the knee's reading is off by 0.5 degrees times sin 6q, which no effect of the
-  // catalogue is. Joint, driver and amplitude are told.
-  const Diagnosis diagnosis = diagnosed(
-      withReadings(simulatedSet(24, 5), "LKneePitch", [](double q) { return q + radians(0.5) * std::sin(6 * q); }));
+  // catalogue is. Joint, driver and amplitude are told; and the expression, taken over as an effect of one's own,
+  // explains it.
+  const CaptureSet set =
+      withReadings(simulatedSet(24, 5), "LKneePitch", [](double q) { return q + radians(0.5) * std::sin(6 * q); });
+  const Diagnosis diagnosis = diagnosed(set);
   CHECK(diagnosis.verdict == Verdict::unknownEffect);
   REQUIRE(!diagnosis.drivers.empty());
   CHECK(diagnosis.drivers.front().place == "LKneePitch");
   CHECK(diagnosis.drivers.front().driver == "q");
   CHECK(diagnosis.drivers.front().amplitude == Approx(radians(0.5)).epsilon(0.4));
   CHECK(diagnosis.sentence.find("unknown") != std::string::npos);
+
+  const nlohmann::json own = curveEffect(diagnosis.drivers.front());
+  CHECK(own["unknowns"]["a"]["unit"] == "rad");
+  const Robot robot = loadRobot(configurationDirectory(), set.model);
+  DiagnosisOptions withIt;
+  withIt.effects = effectsWith(nlohmann::json::array({own}), "own", robot);
+  withIt.with = {own["name"].get<std::string>() + "@LKneePitch"};
+  const Diagnosis explained = diagnose({set}, measurementsOf({set}, robot), withIt);
+  CHECK(explained.verdict == Verdict::adequate);
+  CHECK(explained.steps.front().heldOutPx < diagnosis.steps.front().heldOutPx);
 }
 
 TEST_CASE("a joint that slips once is located, and when") {

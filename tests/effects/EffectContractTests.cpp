@@ -56,7 +56,7 @@ TEST_CASE("every effect keeps the contract of effects") {
     for (std::size_t i = 0; i < values.size(); ++i) {
       const Unknown& unknown = effect.unknowns[i];
       CHECK(unknowns.insert(unknown.name).second);
-      CHECK(isUnit(unknown.unit));
+      CHECK(unitOf(unknown.unit));
       CHECK(unknown.sigma > 0);
       values[i] = unknown.sigma;
       const Eigen::VectorXd once = instance.corrected(effect, values) - atZero;

@@ -171,7 +171,10 @@ TEST_CASE("the expression that a page proposes is a model that can be calibrated
   file["drivers"][0]["at"] = "LKneePitch";
   file["drivers"][0]["driver"] = "q";
   file["drivers"][0]["expression"] = "a*sin(6*q) + b*cos(6*q)";
-  file["drivers"][0]["coefficients"] = {{"a", 0.008}, {"b", -0.001}};
+  file["drivers"][0]["effect"] = curveEffect({.place = "LKneePitch",
+                                              .driver = "q",
+                                              .expression = "a*sin(6*q) + b*cos(6*q)",
+                                              .coefficients = {{"a", 0.008}, {"b", -0.001}}});
   const json model = shown(pageOf(file))["curves"][0]["model"];
   const TemporaryFolder folder;
   writeAtomically(folder.path() / "model.json", model.dump());
@@ -257,7 +260,7 @@ TEST_CASE("a page about a diagnosis draws curves of mounts, of boards and of len
       table<std::string, std::string, double>({{"rad", "°", degrees(1.0)}, {"m", "mm", 1000.0}, {"px", "px", 1.0}}));
   json& curve = file["drivers"][0];
   curve["expression"] = "";
-  curve["coefficients"] = json::object();
+  curve.erase("effect");
   curve["about"] = "y";
   curve["unit"] = unit;
   const json data = shown(pageOf(file)), &drawn = data["curves"][0];

@@ -20,7 +20,8 @@ namespace {
 
 struct DiagnoseCommand {
   std::vector<std::string> sets;
-  std::string json, model, poses;
+  std::string json, model, poses, own;
+  std::string definitions = "[]"; // of the model's file
   bool skipBad = false;
   DiagnosisOptions options;
   NextOptions next;
@@ -36,6 +37,7 @@ void readModel(DiagnoseCommand& command, const Robot& robot) {
   options.with.insert(options.with.end(), file.with.begin(), file.with.end());
   options.without.insert(options.without.end(), file.without.begin(), file.without.end());
   options.effects = std::move(file.effects);
+  command.definitions = file.definitions;
 }
 
 /// What to measure next; only what is open where nobody asked for poses.
@@ -51,6 +53,28 @@ NextPoses asked(const DiagnoseCommand& command, const GivenSets& given, const Me
     none.whyNone = error.what();
     return none;
   }
+}
+
+/// The curve that no effect of the catalogue explains; nullptr: there is none that an expression follows.
+const DriverFinding* beyondTheCatalogue(const Diagnosis& diagnosis) {
+  return diagnosis.verdict == Verdict::unknownEffect && !diagnosis.drivers.empty() &&
+                 !diagnosis.drivers.front().coefficients.empty()
+             ? &diagnosis.drivers.front()
+             : nullptr;
+}
+
+/// The model as it was asked for, with what was suggested and that curve as an effect of the person's own.
+nlohmann::json modelWith(const DriverFinding& curve, const DiagnoseCommand& command, const Diagnosis& diagnosis) {
+  std::vector<std::string> with = command.options.with;
+  with.insert(with.end(), diagnosis.suggested.begin(), diagnosis.suggested.end());
+  nlohmann::json effect = curveEffect(curve), define = nlohmann::json::parse(command.definitions);
+  with.push_back(fmt::format("{}@{}", effect["name"].get<std::string>(), curve.place));
+  define.push_back(std::move(effect));
+  return {{"format", "naocal-model"},
+          {"version", 1},
+          {"with", with},
+          {"without", command.options.without},
+          {"define", define}};
 }
 
 /// Ctrl-C ends it with what it has found so far.
@@ -81,8 +105,13 @@ int diagnose(DiagnoseCommand& command) {
   if (!command.poses.empty() && !next.poses.empty()) {
     writeJson(posesJson(next, given.robot), command.poses);
   }
+  const DriverFinding* beyond = beyondTheCatalogue(diagnosis);
+  if (beyond && !command.own.empty()) {
+    writeJson(modelWith(*beyond, command, diagnosis), command.own);
+  }
   if (command.json != "-") {
     printDiagnosis(diagnosis, asIs);
+    printOwn(beyond != nullptr, asIs, command.own);
     printNext(next, asIs, command.poses);
   }
   return diagnosis.verdict == Verdict::badCaptures ? 3 : 0;
@@ -101,6 +130,8 @@ void addDiagnose(CLI::App& app, int& exitCode) {
       ->delimiter(',');
   diagnoser->add_option("--without", command->options.without, "leave effects out")->delimiter(',');
   diagnoser->add_option("--model", command->model, "a model file: further terms, and effects of your own");
+  diagnoser->add_option("--own", command->own,
+                        "a model file for what is beyond the catalogue, as an effect of your own to go on with");
   diagnoser->add_option("--next", command->poses, "a file for the poses that would best tell what is left open");
   diagnoser->add_option("--next-count", command->next.count, "how many of them")
       ->check(CLI::Range(0, 100))

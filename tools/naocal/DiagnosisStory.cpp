@@ -51,8 +51,9 @@ void printCurves(const Diagnosis& diagnosis) {
   fmt::print("\nwhat is left over, by joint and what it varies with\n");
   for (const DriverFinding& curve : diagnosis.drivers) {
     std::string coefficients;
-    for (const auto& [name, value] : curve.coefficients) {
-      coefficients += fmt::format("{}{} = {:.4g}", coefficients.empty() ? "" : ", ", name, value);
+    for (const auto& [name, value, unit] : curve.coefficients) {
+      coefficients +=
+          fmt::format("{}{} = {:.4g}{}", coefficients.empty() ? "" : ", ", name, value, unit == "1" ? "" : " " + unit);
     }
     const std::string like = curve.about.empty() ? fmt::format("{}  ({})", curve.expression, coefficients)
                              : curve.unit == "rad"
@@ -110,6 +111,18 @@ void printDiagnosis(const Diagnosis& diagnosis, const AsAsked& asked) {
     fmt::print("\nadd it:  naocal solve {} -o result.json\n", asked.words(diagnosis.suggested));
   }
   fmt::print("({:.2f} s)\n", diagnosis.seconds);
+}
+
+void printOwn(bool isThere, const AsAsked& asked, const std::string& file) {
+  if (isThere && file.empty()) {
+    fmt::print("try its expression as an effect of your own:  naocal diagnose {} --own own.json\n", asked.words());
+  } else if (isThere) {
+    const AsAsked withIt{asked.sets, {}, {}, file, asked.samePlace, asked.skipBad};
+    fmt::print("{} has its expression as an effect of your own; see what it explains:  naocal diagnose {}\n", file,
+               withIt.words());
+  } else if (!file.empty()) {
+    fmt::print("nothing beyond the catalogue was found that an expression follows, so {} was not written\n", file);
+  }
 }
 
 } // namespace naocal

@@ -46,6 +46,13 @@ struct CandidateFinding {
   std::optional<Imprint> imprint;                    // of the first few, in the model as given
 };
 
+/// Of a small expression that follows a curve.
+struct Coefficient {
+  std::string name;
+  double value = 0;
+  std::string unit = "rad"; // of the value: rad over what it multiplies
+};
+
 /// A curve of a joint, of a camera's mount or within pictures over a driver that would explain what is left over.
 struct DriverFinding {
   std::string place, driver; // as in a user's effect: "LKneePitch", "q"; of a mount the camera: "top", "t"; of a lens
@@ -54,10 +61,10 @@ struct DriverFinding {
   std::string about;         // of a mount: the axis that its curve turns about, "y"; within pictures: the direction
   std::string unit = "rad";  // of the curve; "m" of a board's shape, "px" of a lens
   double share = 0;          // of the scatter (variance) of this joint or mount, or within pictures, that it explains
-  double likelihoodRatio = 0, bayes = 0, amplitude = 0;     // amplitude: half of the curve's range
-  std::vector<std::array<double, 3>> curve;                 // driver, deflection, its standard error
-  std::string expression;                                   // of a joint: a small one that follows the curve
-  std::vector<std::pair<std::string, double>> coefficients; // of that expression
+  double likelihoodRatio = 0, bayes = 0, amplitude = 0; // amplitude: half of the curve's range
+  std::vector<std::array<double, 3>> curve;             // driver, deflection, its standard error
+  std::string expression;                               // of a joint: a small one that follows the curve
+  std::vector<Coefficient> coefficients;                // of that expression
 };
 
 /// A cell of the map: how well a curve of this joint or mount over this driver would explain what is left over.

@@ -3,7 +3,9 @@
 #include "diagnose/FiguresJson.hpp"
 #include "diagnose/Sentences.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace naocal {
@@ -63,8 +65,8 @@ Json rankingEntry(const CandidateFinding& finding) {
 
 Json driver(const DriverFinding& finding) {
   Json coefficients = Json::object();
-  for (const auto& [name, value] : finding.coefficients) {
-    coefficients[name] = value;
+  for (const Coefficient& coefficient : finding.coefficients) {
+    coefficients[coefficient.name] = coefficient.value;
   }
   Json result{{"at", finding.place},         {"driver", finding.driver},  {"what", finding.what},
               {"share", finding.share},      {"evidence", finding.bayes}, {"amplitude", finding.amplitude},
@@ -73,10 +75,25 @@ Json driver(const DriverFinding& finding) {
   if (!finding.about.empty()) {
     result["about"] = finding.about;
   }
+  if (!finding.coefficients.empty()) {
+    result["effect"] = curveEffect(finding);
+  }
   return result;
 }
 
 } // namespace
+
+Json curveEffect(const DriverFinding& curve) {
+  Json unknowns = Json::object();
+  for (const Coefficient& coefficient : curve.coefficients) {
+    const double size = std::max(1e-6, 2 * std::abs(coefficient.value));
+    unknowns[coefficient.name] = {{"unit", coefficient.unit}, {"sigma", std::stod(fmt::format("{:.2g}", size))}};
+  }
+  return {{"name", fmt::format("found_{}_over_{}", curve.place, curve.driver)},
+          {"at", curve.place},
+          {"correction", curve.expression},
+          {"unknowns", unknowns}};
+}
 
 Json diagnosisJson(const Diagnosis& diagnosis) {
   Json result{{"format", "naocal-diagnosis"},

@@ -1,6 +1,7 @@
 #include "diagnose/Shapes.hpp"
 
 #include "diagnose/Drivers.hpp"
+#include "effects/Units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +13,10 @@ namespace naocal {
 namespace {
 
 /// Values of the driver transformed, as a driver of its own named by its expression.
-DriverValues shaped(const DriverValues& driver, std::size_t motor, const std::string& expression,
+DriverValues shaped(const DriverValues& driver, std::size_t motor, const std::string& expression, const Unit& unit,
                     const std::function<double(std::size_t)>& value) {
-  DriverValues result{.kind = driver.kind, .joint = driver.joint, .name = expression, .motor = motor};
+  DriverValues result{
+      .kind = driver.kind, .joint = driver.joint, .name = expression, .unit = textOf(unit), .motor = motor};
   for (std::size_t i = 0; i < driver.atPicture.size(); ++i) {
     result.atPicture.push_back(value(i));
   }
@@ -26,22 +28,24 @@ std::vector<DriverValues> shapes(const DriverValues& driver, std::size_t motor,
                                  const std::vector<DriverValues>& drivers) {
   const std::vector<double>& x = driver.atPicture;
   const std::string name = nameAt(driver, motor);
+  const Unit number, own = unitOf(driver.unit).value_or(Unit{{"K", 1}}), root = product({}, own, 0.5); // °C counts K
   std::vector<DriverValues> result;
-  const auto add = [&](const std::string& expression, const std::function<double(std::size_t)>& value) {
-    result.push_back(shaped(driver, motor, expression, value));
+  const auto add = [&](const std::string& expression, const Unit& unit,
+                       const std::function<double(std::size_t)>& value) {
+    result.push_back(shaped(driver, motor, expression, unit, value));
   };
-  add(name, [&](std::size_t i) { return x[i]; });
-  add(fmt::format("{}^2", name), [&](std::size_t i) { return x[i] * x[i]; });
-  add(fmt::format("abs({})", name), [&](std::size_t i) { return std::abs(x[i]); });
-  add(fmt::format("sign({})", name), [&](std::size_t i) { return x[i] > 0 ? 1 : x[i] < 0 ? -1 : 0; });
-  add(fmt::format("sign({0})*sqrt(abs({0}))", name),
+  add(name, own, [&](std::size_t i) { return x[i]; });
+  add(fmt::format("{}^2", name), product(own, own), [&](std::size_t i) { return x[i] * x[i]; });
+  add(fmt::format("abs({})", name), own, [&](std::size_t i) { return std::abs(x[i]); });
+  add(fmt::format("sign({})", name), number, [&](std::size_t i) { return x[i] > 0 ? 1 : x[i] < 0 ? -1 : 0; });
+  add(fmt::format("sign({0})*sqrt(abs({0}))", name), root,
       [&](std::size_t i) { return std::copysign(std::sqrt(std::abs(x[i])), x[i]); });
-  add(fmt::format("sqrt(abs({}))", name), [&](std::size_t i) { return std::sqrt(std::abs(x[i])); });
+  add(fmt::format("sqrt(abs({}))", name), root, [&](std::size_t i) { return std::sqrt(std::abs(x[i])); });
   if (driver.kind == Driver::angle) {
     for (int k = 1; k <= 8; ++k) {
       const std::string angle = k == 1 ? name : fmt::format("{}*{}", k, name);
-      add(fmt::format("sin({})", angle), [&](std::size_t i) { return std::sin(k * x[i]); });
-      add(fmt::format("cos({})", angle), [&](std::size_t i) { return std::cos(k * x[i]); });
+      add(fmt::format("sin({})", angle), number, [&](std::size_t i) { return std::sin(k * x[i]); });
+      add(fmt::format("cos({})", angle), number, [&](std::size_t i) { return std::cos(k * x[i]); });
     }
   }
   if (driver.kind == Driver::time) {
@@ -50,12 +54,13 @@ std::vector<DriverValues> shapes(const DriverValues& driver, std::size_t motor,
     times.erase(std::unique(times.begin(), times.end()), times.end());
     for (std::size_t i = 1; i < times.size(); ++i) {
       const double at = (times[i - 1] + times[i]) / 2;
-      add(fmt::format("({} > {:.6g} ? 1 : 0)", name, at), [&, at](std::size_t j) { return x[j] > at ? 1 : 0; });
+      add(fmt::format("({} > {:.6g} ? 1 : 0)", name, at), number, [&, at](std::size_t j) { return x[j] > at ? 1 : 0; });
     }
   }
   for (const DriverValues& other : drivers) {
     if (other.kind == Driver::torque && other.joint == motor && driver.kind != Driver::torque) {
-      add(fmt::format("{}*tau", name), [&](std::size_t i) { return x[i] * other.atPicture[i]; });
+      add(fmt::format("{}*tau", name), product(own, {{"Nm", 1}}),
+          [&](std::size_t i) { return x[i] * other.atPicture[i]; });
     }
   }
   return result;
@@ -96,7 +101,8 @@ void express(const Inquiry& inquiry, const Measurements& measurements, const Dri
     if (column >= 0 && column < shape.count) {
       const std::string coefficient = finding.coefficients.empty() ? "a" : "b";
       finding.expression += (finding.expression.empty() ? "" : " + ") + coefficient + "*" + nameOf(i);
-      finding.coefficients.emplace_back(coefficient, best->estimate[column] / single[i].half);
+      const Unit unit = product({{"rad", 1}}, *unitOf(columns.drivers[single[i].driver].unit), -1);
+      finding.coefficients.push_back({coefficient, best->estimate[column] / single[i].half, textOf(unit)});
     }
   }
 }

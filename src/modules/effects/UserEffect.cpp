@@ -59,8 +59,11 @@ std::vector<Unknown> unknownsOf(const JsonPlace& place, Names& names) {
       unknown.refuse("a name of its own", fmt::format("\"{}\", which already stands for something else", name));
     }
     names[name] = {ExpressionName::Kind::unknown, Driver::angle, unknowns.size()};
-    unknowns.push_back({name, std::string{units()[unknown.at("unit").oneOf(units())]},
-                        unknown.at("sigma").number({1e-12, 1e6, "of the unknown's unit, above 0"})});
+    const JsonPlace unit = unknown.at("unit");
+    if (!unitOf(unit.text())) {
+      unit.refuse(fmt::format("\"1\" or a product of powers of {}, such as rad/Nm^2", unitBases));
+    }
+    unknowns.push_back({name, unit.text(), unknown.at("sigma").number({1e-12, 1e6, "of the unknown's unit, above 0"})});
   }
   if (unknowns.empty()) {
     place.refuse("at least one unknown");

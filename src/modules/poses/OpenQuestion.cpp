@@ -82,9 +82,9 @@ void askAboutCurve(const Diagnosis& diagnosis, const Robot& robot, OpenQuestion&
   nlohmann::json definition{{"name", "curve"}, {"at", curve.place}, {"correction", curve.expression}};
   Eigen::VectorXd size(static_cast<Eigen::Index>(curve.coefficients.size()));
   for (Eigen::Index i = 0; i < size.size(); ++i) {
-    const auto& [name, value] = curve.coefficients[static_cast<std::size_t>(i)];
+    const auto& [name, value, unit] = curve.coefficients[static_cast<std::size_t>(i)];
     size[i] = value;
-    definition["unknowns"][name] = {{"unit", "rad"}, {"sigma", std::max(std::abs(value), 1e-6)}};
+    definition["unknowns"][name] = {{"unit", unit}, {"sigma", std::max(std::abs(value), 1e-6)}};
   }
   question.effects.push_back(userEffect(JsonPlace{definition, "the curve"}, robot));
   const Eigen::VectorXd plausible = Term{question.effects.back()}.sigmas();

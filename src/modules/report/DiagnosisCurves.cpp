@@ -23,24 +23,14 @@ std::string driverUnit(const std::string& driver) {
   return known != own.end() ? known->second : driver.starts_with("tau_") ? "Nm" : "rad";
 }
 
-/// The curve's proposed expression as a model file. Every sigma is twice what was found, so that captures decide;
-/// coefficients count in rad, what they multiply as a plain number.
-json modelFile(const JsonPlace& curve, json with) {
-  const std::string joint = curve.at("at").text();
-  const std::string name = fmt::format("found_{}_over_{}", joint, curve.at("driver").text());
-  json unknowns = json::object();
-  for (const auto& [coefficient, value] : curve.at("coefficients").members()) {
-    const double size = std::max(1e-6, 2 * std::abs(value.number(anyNumber)));
-    unknowns[coefficient] = {{"unit", "rad"}, {"sigma", std::stod(fmt::format("{:.2g}", size))}};
-  }
-  const json effect{
-      {"name", name}, {"at", joint}, {"correction", curve.at("expression").text()}, {"unknowns", unknowns}};
-  with.push_back(name + "@" + joint);
+/// The curve's proposed expression as a model file, beside what else was suggested.
+json modelFile(const JsonPlace& effect, json with) {
+  with.push_back(fmt::format("{}@{}", effect.at("name").text(), effect.at("at").text()));
   return {{"format", "naocal-model"},
           {"version", 1},
           {"with", std::move(with)},
           {"without", json::array()},
-          {"define", json::array({effect})}};
+          {"define", json::array({effect.value()})}};
 }
 
 } // namespace
@@ -52,7 +42,7 @@ json curveJson(const JsonPlace& curve, const json& suggested) {
   const auto [shown, size] = shownUnit(valueUnit ? valueUnit->text() : "rad"); // of what varies
   const bool within = shown != "°"; // pictures: a board's shape or a lens, over places there
   const auto [unit, scale] = shownUnit(within ? (shown == "px" ? "px" : "m") : driverUnit(driver));
-  const bool written = !curve.at("coefficients").members().empty(); // as an expression: only joints' curves are
+  const auto effect = curve.find("effect"); // only joints' curves are written as one
   json points = json::array();
   for (const JsonPlace& point : curve.at("curve").elements()) {
     const std::vector<double> values = point.numbers(3, anyNumber, "driver, deflection, standard error");
@@ -69,12 +59,12 @@ json curveJson(const JsonPlace& curve, const json& suggested) {
           {"valueUnit", shown},
           {"amplitude", size * curve.at("amplitude").number(anyNumber)},
           {"evidence", curve.at("evidence").number(anyNumber)},
-          {"expression", written ? curve.at("expression").text() : ""},
+          {"expression", effect ? curve.at("expression").text() : ""},
           {"title", shown == "mm"   ? fmt::format("corners of board {} off along {}", joint, about->text())
                     : shown == "px" ? fmt::format("errors of camera {} along {}", joint, about->text())
                     : about         ? fmt::format("turn of camera {} about its {} axis", joint, about->text())
                                     : fmt::format("deflection of {}", joint)},
-          {"model", written ? modelFile(curve, suggested) : json(nullptr)}};
+          {"model", effect ? modelFile(*effect, suggested) : json(nullptr)}};
 }
 
 json mapJson(const JsonPlace& diagnosis) {

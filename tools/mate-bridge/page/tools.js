@@ -22,7 +22,7 @@ const commands = [
       {flag: "--restarts", label: "random starts beside the ordinary one", value: "0"}]},
   {words: ["diagnose"], name: "Diagnose", what: "Says where and why the model fails, and which effect is missing.",
     fields: [{label: "captures", value: "simulated"}, {flag: "--json", label: "write the diagnosis to", value: "diagnosis.json", opens: true}, ...modelFields,
-      {flag: "--next", label: "write poses to take next to", value: ""}, {flag: "--draws", label: "draws of pure noise", value: "199"}]},
+      {flag: "--next", label: "write poses to take next to", value: ""}, {flag: "--own", label: "write what no effect explains to", value: ""}, {flag: "--draws", label: "draws of pure noise", value: "199"}]},
   {words: ["compare"], name: "Compare a result", what: "How well a result predicts captures that it has not seen.",
     fields: [{label: "result", value: "result.json"}, {label: "captures", value: "simulated"}, {flag: "--against", label: "beside another result", value: ""},
       {flag: "--same-place", label: "boards and feet are where the result found them", check: true}]},
