@@ -4,6 +4,7 @@ import {make, button, confirmation} from "./elements.js";
 import {act, say} from "./state.js";
 import {robots, lookedAt, needKeys} from "./robots.js";
 import {number} from "./words.js";
+import {savingOn} from "./save.js";
 import {offsetsMount, mountsMount} from "./steer.js";
 
 let confirming = null; // {what, robot}
@@ -51,10 +52,6 @@ export function applying(fit, again) {
       again();
     }, asks(null)));
   }
-  if (waits("save")) parts.push(confirmation("Write everything that was set on " + robot + " into its own configuration files?", "Save on " + robot, () => {
-    confirming = null;
-    if (act({do: "save", robot})) say("Asked " + robot + " to save. (HULKs' protocol has no answer to this.)");
-    again();
-  }, asks(null)));
+  if (waits("save")) parts.push(savingOn(robot, [], asks(null)));
   return parts;
 }

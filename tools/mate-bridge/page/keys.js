@@ -1,7 +1,8 @@
 // Configuration: every mount's parameters; each is set by itself, and saved only when the person confirms it.
-import {make, button, empty, renew, confirmation} from "./elements.js";
-import {act, notice, say} from "./state.js";
+import {make, button, empty, renew} from "./elements.js";
+import {act, notice} from "./state.js";
 import {robots, robotBar, refreshBar, lookedAt, needKeys, whyNothing} from "./robots.js";
+import {savingOn} from "./save.js";
 import {runner} from "./steer.js";
 
 let mount = null, parentShown = null, filter = "", confirming = null; // the robot that is to save
@@ -103,15 +104,6 @@ function parameter(robot, entry, {key, value}) {
 function saving(robot, {connected}) {
   const again = () => showKeys(parentShown), here = [...changed].filter(([place]) => place.startsWith(robot + "\n"));
   if (confirming !== robot) return make("p", {class: "controls"}, button("Save …", () => { confirming = robot; again(); }, {disabled: !connected}));
-  return confirmation(["Write everything that was set on " + robot + " into its own configuration files?",
-    here.length ? make("ul", {}, ...here.map(([place, {text}]) => make("li", {}, make("code", {}, place.split("\n").slice(1).join(" ") + " = " + text))))
-      : "Nothing was set from this page since it was opened."],
-  "Save on " + robot, () => {
-    confirming = null;
-    if (act({do: "save", robot})) {
-      here.forEach(([place]) => changed.delete(place));
-      say("Asked " + robot + " to save. (HULKs' protocol has no answer to this.)");
-    }
-    again();
-  }, () => { confirming = null; again(); });
+  return savingOn(robot, [here.length ? make("ul", {}, ...here.map(([place, {text}]) => make("li", {}, make("code", {}, place.split("\n").slice(1).join(" ") + " = " + text))))
+    : "Nothing was set from this page since it was opened."], () => { confirming = null; again(); }, () => here.forEach(([place]) => changed.delete(place)));
 }

@@ -1,8 +1,9 @@
 // What a person tells the robot: start one of its calibrations, answer what it asks, take back, save, export.
 import {make, button, confirmation} from "./elements.js";
-import {act, say} from "./state.js";
+import {act} from "./state.js";
 import {of} from "./values.js";
 import {calledBy} from "./robots.js";
+import {savingOn} from "./save.js";
 import {saveSession} from "./session.js";
 
 export const runner = "Brain.CalibrationRunner", offsetsMount = "Motion.JointCalibrationProvider", mountsMount = "Brain.Projection";
@@ -93,10 +94,5 @@ export function afterwards({robot, entry, state, isRunning, draw, when}) {
       if (set(robot, runner, "run", "")) set(robot, runner, "run", "undo");
       draw();
     }, asks(null)) : "",
-    waits("save", robot) && can ? confirmation("Write everything that was set on " + robot + " into its own configuration files? " +
-      "(What a calibration found is saved already.)", "Save on " + robot, () => {
-      confirming = null;
-      if (act({do: "save", robot})) say("Asked " + robot + " to save. (HULKs' protocol has no answer to this.)");
-      draw();
-    }, asks(null)) : ""]);
+    waits("save", robot) && can ? savingOn(robot, ["What a calibration found is saved already."], asks(null)) : ""]);
 }
