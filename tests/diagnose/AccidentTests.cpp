@@ -38,6 +38,68 @@ TEST_CASE("a bad capture is found although an effect hides more") {
   CHECK(diagnosis.suspicious.front().capture == bad.id);
 }
 
+TEST_CASE("angles that were wrong for a moment are an accident and no physics") {
+  // Proves it of one picture's angles, of both cameras' in one approach, and of all of a pose, each by 2 degrees at the
+  // knee: these captures are named, and no others.
+  const CaptureSet good = simulatedSet(16, 4);
+  const std::string pose = good.captures[42].pose;
+  const int repeat = good.captures[42].repeat;
+  const std::vector<std::function<bool(const Capture&)>> wrong{
+      [&](const Capture& one) { return one.id == good.captures[42].id; },
+      [&](const Capture& one) { return one.pose == pose && one.repeat == repeat; },
+      [&](const Capture& one) { return one.pose == pose; }};
+  for (const auto& isWrong : wrong) {
+    CaptureSet set = good;
+    std::vector<int> ids, named;
+    for (Capture& capture : set.captures) {
+      if (isWrong(capture)) {
+        angle(set, capture, "LKneePitch") += radians(2);
+        ids.push_back(capture.id);
+      }
+    }
+    const Diagnosis diagnosis = asked(set);
+    CAPTURE(diagnosis.sentence);
+    CHECK(diagnosis.verdict == Verdict::badCaptures);
+    for (const Suspicion& suspicion : diagnosis.suspicious) {
+      named.push_back(suspicion.capture.value_or(-1));
+    }
+    CHECK(named == ids);
+  }
+}
+
+TEST_CASE("two pictures that were swapped are named, and not the set-up") {
+  // Proves that a few pictures with errors of hundreds of pixels do not speak for all others.
+  CaptureSet set = simulatedSet(16, 4);
+  Capture &one = set.captures[10], &other = set.captures[60];
+  std::swap(one.corners, other.corners);
+  const Diagnosis diagnosis = asked(set);
+  CAPTURE(diagnosis.sentence);
+  CHECK(diagnosis.verdict == Verdict::badCaptures);
+  REQUIRE(!diagnosis.suspicious.empty());
+  for (const Suspicion& suspicion : diagnosis.suspicious) {
+    CHECK((suspicion.capture == one.id || suspicion.capture == other.id));
+  }
+}
+
+TEST_CASE("squares of another size are told with their size, and nothing else") {
+  // Proves the size where the linearised estimate falls short of it: the file says 11 % more than was printed.
+  CaptureSet set = simulatedSet(16, 4);
+  for (Board& board : set.boards) {
+    for (Eigen::Vector3d& point : board.points) {
+      point /= 0.9;
+    }
+  }
+  const Diagnosis diagnosis = asked(set);
+  CAPTURE(diagnosis.sentence);
+  CHECK(diagnosis.verdict == Verdict::badCaptures);
+  REQUIRE(diagnosis.suspicious.size() == 1);
+  const std::string& why = diagnosis.suspicious.front().why;
+  const std::size_t size = why.find(" are ");
+  REQUIRE(size != std::string::npos);
+  CHECK(std::stod(why.substr(size + 5)) == Approx(10).margin(0.5));
+  CHECK(why.find("smaller") != std::string::npos);
+}
+
 TEST_CASE("where the alarm stands but nothing is likely, a diagnosis does not call the model adequate") {
   // Proves that the best candidate is named instead, with the verdict inconclusive. (An alarm of 100 % always stands;
   // of few candidates rarely one is likely where nothing is hidden.)

@@ -135,6 +135,28 @@ TEST_CASE("a resting joint keeps its rounding error, an approach gives it a new 
   }
 }
 
+TEST_CASE("a reading that no flip explains is one of its own") {
+  // Proves that angles which differ by more than two steps within a rest are left as they were read, and that no
+  // joint's error is shared between them.
+  Problem problem{3, RepeatKind::rest};
+  CaptureSet set = problem.set;
+  const int odd = set.captures[2].id;
+  set.captures[2].joints.measured[0] += 0.05;
+  const double read = set.captures[2].joints.measured[0];
+  const Measurements measurements = measurementsOf({set}, problem.measurements.robot);
+  for (const PoseGroup& pose : measurements.poses) {
+    for (const Reading& a : pose.readings) {
+      for (const Reading& b : pose.readings) {
+        const auto isOdd = [&](const Reading& reading) {
+          return set.captures[measurements.pictures[reading.pictures.front()].capture].id == odd;
+        };
+        CHECK((a.encoderError[5] == b.encoderError[5]) == (isOdd(a) == isOdd(b)));
+        CHECK((!isOdd(a) || measurements.pictures[a.pictures.front()].instant.q[0] == read));
+      }
+    }
+  }
+}
+
 TEST_CASE("no order of captures changes a digit") {
   // Proves that sums are formed in an order of their own: bitwise equality of the linearisation.
   Problem problem;

@@ -1,84 +1,22 @@
 #include "OpenedSets.hpp"
 
-#include "captures/CaptureSetFile.hpp"
+#include "CaptureFolders.hpp"
+
 #include "captures/Files.hpp"
 #include "captures/InputError.hpp"
 #include "captures/JsonPlace.hpp"
 #include "captures/JsonText.hpp"
-#include "detect/SetDetection.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 namespace naocal {
 
 namespace {
 
-void addSet(const std::string& folder, OpenedSets& opened) {
-  CaptureSet set = readCaptureSet(folder, BadCaptures::refuse).set;
-  if (std::any_of(set.captures.begin(), set.captures.end(), [](const Capture& one) { return !one.corners; })) {
-    detectInSet(set, folder, std::max(1U, std::thread::hardware_concurrency()),
-                [](std::size_t, std::size_t) { return true; });
-  }
-  if (!opened.folders.emplace(set.name, folder).second) {
-    throw InputError{fmt::format("two sets are called \"{}\"; rename the folder of one", set.name)};
-  }
-  opened.inputs.sets.push_back(std::filesystem::weakly_canonical(folder).string());
-  opened.inputs.sha256.push_back(sha256(fileContent(std::filesystem::path{folder} / "captures.json")));
-  opened.sets.push_back(std::move(set));
-}
-
-/// A path that cannot be looked at holds none: whose reader says what is wrong.
-bool isSet(const std::filesystem::path& folder) {
-  std::error_code ignored;
-  return std::filesystem::exists(folder / "captures.json", ignored);
-}
-
-bool isFolder(const std::filesystem::path& path) {
-  std::error_code ignored;
-  return std::filesystem::is_directory(path, ignored);
-}
-
 bool isDocument(const std::string& path) {
   std::error_code ignored;
   return std::filesystem::is_regular_file(path, ignored) || (!isFolder(path) && path.ends_with(".json"));
-}
-
-/// A set as a result names it: as it is written, else beside the result.
-std::string folderOf(const std::string& written, const std::filesystem::path& result) {
-  const std::filesystem::path beside =
-      result.parent_path() / std::filesystem::path{written}.lexically_normal().filename();
-  for (const std::filesystem::path& folder : {std::filesystem::path{written}, beside}) {
-    if (isSet(folder)) {
-      return folder.string();
-    }
-  }
-  throw InputError{
-      fmt::format("{}: the capture set {} that it was made from is not there any more, nor is {}; open the "
-                  "captures themselves",
-                  result.string(), written, beside.string())};
-}
-
-/// A set, or the sets that lie in a folder of them, as the robot records a calibration.
-void addFolder(const std::string& folder, OpenedSets& opened) {
-  std::vector<std::string> sets;
-  if (!isSet(folder) && isFolder(folder)) {
-    std::error_code unreadable;
-    for (const auto& entry : std::filesystem::directory_iterator{folder, unreadable}) {
-      if (isFolder(entry.path()) && isSet(entry.path())) {
-        sets.push_back(entry.path().string());
-      }
-    }
-    std::sort(sets.begin(), sets.end());
-  }
-  if (sets.empty()) {
-    sets.push_back(folder); // whose reader says what is wrong
-  }
-  for (const std::string& set : sets) {
-    addSet(set, opened);
-  }
 }
 
 /// The sets that a document was made from.

@@ -1,115 +1,20 @@
 #include "calibrate/Comparison.hpp"
 
-#include "calibrate/Fit.hpp"
-#include "calibrate/StartingPlacements.hpp"
+#include "calibrate/Prediction.hpp"
 #include "captures/InputError.hpp"
-#include "residuals/ModelFile.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <set>
 
 namespace naocal {
 
 namespace {
 
-/// The model of a result on other captures: its terms as far as they are touched there, and the placements.
-Model modelOf(const StoredResult& result, const Measurements& measurements, std::vector<std::string>& ignored) {
-  const std::vector<Effect> effects =
-      effectsWith(nlohmann::json::parse(result.definitions), "model.define", measurements.robot);
-  const Model base = makeModel(measurements);
-  std::vector<std::string> with, without;
-  for (const Term& term : base.terms()) {
-    if (!term.isPlacement && std::find(result.terms.begin(), result.terms.end(), term.label()) == result.terms.end()) {
-      without.push_back(term.label());
-    }
-  }
-  for (const std::string& term : result.terms) {
-    try {
-      makeModel(measurements, {term}, {}, effects);
-      with.push_back(term);
-    } catch (const InputError&) {
-      ignored.push_back(term);
-    }
-  }
-  Model model = makeModel(measurements, with, without, effects);
-  std::erase_if(ignored, [&](const std::string& label) { // offsets that come along with effects of weight
-    return std::any_of(model.terms().begin(), model.terms().end(),
-                       [&](const Term& term) { return term.label() == label; });
-  });
-  return model;
-}
-
-/// A placement's unknowns, so that start + unknowns = `placement`.
-void placeAt(const Term& term, const Eigen::Matrix<double, 6, 1>& start, const Placement& placement,
-             Eigen::VectorXd& unknowns) {
-  const std::map<std::string, std::pair<int, double>> numbers{
-      {"x", {0, placement.x}},       {"y", {1, placement.y}},         {"z", {2, placement.z}},
-      {"roll", {3, placement.roll}}, {"pitch", {4, placement.pitch}}, {"yaw", {5, placement.yaw}}};
-  for (std::size_t i = 0; i < term.effect.unknowns.size(); ++i) {
-    const auto& [number, value] = numbers.at(term.effect.unknowns[i].name);
-    unknowns[static_cast<Eigen::Index>(term.first + i)] = value - start[number];
-  }
-}
-
-struct Prediction {
-  Eigen::VectorXd unknowns;
-  std::vector<bool> free;
-};
-
-/// The result's numbers on this model; floor placements are free unless the boards lie where they lay.
-Prediction prediction(const StoredResult& result, const Measurements& measurements, const Model& model,
-                      bool samePlace) {
-  const auto count = static_cast<Eigen::Index>(model.unknownCount());
-  Prediction all{Eigen::VectorXd::Zero(count), std::vector<bool>(model.unknownCount(), false)};
-  const std::vector<std::string> names = model.names();
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto value = result.values.find(names[i]);
-    all.unknowns[static_cast<Eigen::Index>(i)] = value == result.values.end() ? 0 : value->second;
-  }
-  all.unknowns = startingUnknowns(measurements, model, all.unknowns);
-  for (const Term& term : model.terms()) {
-    if (!term.isPlacement) {
-      continue;
-    }
-    const bool isBoard = term.effect.place == Place::board;
-    const bool onFloor = !isBoard || measurements.targets[term.at].onFloor;
-    const auto& known = isBoard ? result.boards : result.stances;
-    const auto placement = known.find(term.place);
-    if (placement != known.end() && (samePlace || !onFloor)) {
-      const Belief& drawn = measurements.pictures.front().drawn;
-      const Eigen::Matrix<double, 6, 1> start =
-          isBoard ? Eigen::Matrix<double, 6, 1>{drawn.boardPlacement(term.at)} : Eigen::Matrix<double, 6, 1>::Zero();
-      placeAt(term, start, placement->second, all.unknowns);
-    } else {
-      std::fill_n(all.free.begin() + static_cast<std::ptrdiff_t>(term.first), term.effect.unknowns.size(), onFloor);
-    }
-  }
-  return all;
-}
-
-/// The least cost over the free placements, from `start` on.
-auto predicted(Residuals& residuals, const Prediction& from, const Residuals::State& start) {
-  residuals.freeOnly(from.free);
-  auto minimum = levenbergMarquardt(residuals, start);
-  if (!minimum) {
-    throw InputError{
-        "these captures cannot be predicted: a corner that was seen would lie behind the camera; is it the "
-        "robot that the result was made for?"};
-  }
-  return *std::move(minimum);
-}
-auto predicted(Residuals& residuals, const Prediction& from) {
-  return predicted(residuals, from, residuals.start(from.unknowns));
-}
-
 /// As they are seen: nothing of them is put down to the joints.
-std::vector<SightingResidual> plainResiduals(const Measurements& measurements, const Model& model,
-                                             const Prediction& from) {
-  Residuals residuals{measurements, model, Noise{.pixel = 0.3, .encoder = 0, .pose = 0}};
-  return residuals.sightings(predicted(residuals, from).state);
+std::vector<SightingResidual> plainResiduals(const Measurements& measurements, const Prediction& prediction) {
+  Residuals residuals{measurements, prediction.model, Noise{.pixel = 0.3, .encoder = 0, .pose = 0}};
+  return residuals.sightings(predicted(residuals, prediction).state);
 }
 
 Distances distances(std::vector<double> all) {
@@ -142,12 +47,12 @@ Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& se
   if (measurements.cornerCount == 0) {
     throw InputError{"these captures show no corner to compare with"};
   }
+  const Prediction prediction = predictionOf(result, measurements, samePlace);
   Comparison comparison;
-  const Model model = modelOf(result, measurements, comparison.ignored);
+  comparison.ignored = prediction.ignored;
   std::vector<double> all, nominal;
   std::map<std::string, std::vector<double>> byBoard, byCamera, byPose;
-  for (const SightingResidual& seen :
-       plainResiduals(measurements, model, prediction(result, measurements, model, samePlace))) {
+  for (const SightingResidual& seen : plainResiduals(measurements, prediction)) {
     const Picture& picture = measurements.pictures[seen.picture];
     for (Eigen::Index i = 0; i < seen.residual.cols(); ++i) {
       const double distance = seen.residual.col(i).norm();
@@ -157,8 +62,8 @@ Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& se
       byPose[sets[picture.set].captures[picture.capture].pose].push_back(distance);
     }
   }
-  for (const SightingResidual& seen :
-       plainResiduals(measurements, model, prediction(StoredResult{}, measurements, model, samePlace))) {
+  const Prediction drawn = predictionOf(prediction.model, StoredResult{}, measurements, samePlace);
+  for (const SightingResidual& seen : plainResiduals(measurements, drawn)) {
     for (Eigen::Index i = 0; i < seen.residual.cols(); ++i) {
       nominal.push_back(seen.residual.col(i).norm());
     }
@@ -174,12 +79,10 @@ Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& se
 double weightedError(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot,
                      bool samePlace, const Noise& noise) {
   const Measurements measurements = measurementsOf(sets, robot, samePlace);
-  std::vector<std::string> ignored;
-  const Model model = modelOf(result, measurements, ignored);
-  const Prediction from = prediction(result, measurements, model, samePlace);
-  Residuals quadratic{measurements, model, noise}, robust{measurements, model, noise, Loss{.scale = 1}};
+  const Prediction from = predictionOf(result, measurements, samePlace);
+  Residuals quadratic{measurements, from.model, noise}, robust{measurements, from.model, noise, Loss{.scale = 1}};
   // where the joints rest is found first: before that, all corners of a pose look false
-  const auto minimum = predicted(robust, from, predicted(quadratic, from).state);
+  const FitMinimum minimum = predicted(robust, from, predicted(quadratic, from).state);
   double chi2 = 0; // without what the result's own numbers cost
   for (const Eliminated& pose : minimum.linear.eliminated) {
     chi2 += 2 * pose.cost;

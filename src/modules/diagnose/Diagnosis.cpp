@@ -12,7 +12,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
+#include <iterator>
 #include <list>
 
 namespace naocal {
@@ -70,12 +70,20 @@ Verdict verdictOf(const Diagnosis& diagnosis, const Inquiry& last, bool missing,
   return (significant && matters) || diagnosis.unexplained ? Verdict::inconclusive : Verdict::adequate;
 }
 
+/// Of captures that nothing was said of yet.
+void addNew(const std::vector<Suspicion>& further, std::vector<Suspicion>& suspicious) {
+  const std::vector<Suspicion> before = suspicious;
+  std::copy_if(further.begin(), further.end(), std::back_inserter(suspicious), [&](const Suspicion& one) {
+    return std::none_of(before.begin(), before.end(),
+                        [&](const Suspicion& other) { return other.capture == one.capture; });
+  });
+}
+
 /// What is left to say where no search can start.
 Diagnosis withoutFit(const std::vector<CaptureSet>& sets, const Measurements& measurements, const InputError& error) {
   Diagnosis result;
   result.verdict = Verdict::badCaptures;
-  const auto setUp =
-      wrongSetUp(sets, measurements, std::numeric_limits<double>::infinity(), [](std::size_t) { return true; });
+  const auto setUp = wrongSetUp(sets, measurements, {}, [](std::size_t) { return true; });
   result.suspicious.push_back(setUp.value_or(Suspicion{{}, error.what()}));
   result.sentence = sentence(result);
   return result;
@@ -120,9 +128,9 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
       }
       result.scatter = inquiry.evidence().level;
       const bool silent = inquiry.evidence().pValue > options.alarm;
-      if (!unknown && (result.suggested.empty() || silent)) {
-        const std::vector<Suspicion> moved = movedBoards(sets, measurements, ladder.withoutMovedBoards());
-        result.suspicious.insert(result.suspicious.end(), moved.begin(), moved.end());
+      const bool setUp = !result.suspicious.empty() && result.suspicious.front().setUp; // else all would seem moved
+      if (!unknown && !setUp && (result.suggested.empty() || silent)) {
+        addNew(movedBoards(sets, measurements, ladder.withoutMovedBoards()), result.suspicious);
       }
       const bool missing = !result.suggested.empty() || (!grows && candidate);
       result.unexplained = alarm && !candidate && !unknown && !missing;

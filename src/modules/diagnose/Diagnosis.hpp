@@ -77,6 +77,7 @@ struct MapCell {
 struct Suspicion {
   std::optional<int> capture; // its id
   std::string why;
+  bool setUp = false; // all captures are wrong in that way
 };
 
 /// One rung of the ladder: the model with one more effect.

@@ -36,6 +36,24 @@ Eigen::VectorXd priorsOf(const Model& model, const CalibrationResult& fit) {
   return sigmas;
 }
 
+/// Poses in which whole boards do not belong to the rest: only the loss tells where their joints are.
+std::vector<std::size_t> posesInDoubt(const Measurements& measurements, const CalibrationResult& fit) {
+  std::vector<std::size_t> result;
+  for (std::size_t pose = 0; pose < measurements.poses.size(); ++pose) {
+    const auto holds = [&](const Doubt& doubt) {
+      const std::vector<Reading>& readings = measurements.poses[pose].readings;
+      return doubt.whole && std::any_of(readings.begin(), readings.end(), [&](const Reading& reading) {
+               return std::find(reading.pictures.begin(), reading.pictures.end(), doubt.picture) !=
+                      reading.pictures.end();
+             });
+    };
+    if (std::any_of(fit.doubts.begin(), fit.doubts.end(), holds)) {
+      result.push_back(pose);
+    }
+  }
+  return result;
+}
+
 /// The sums of model and candidates at the fit, candidates at zero.
 Residuals::Linear linearisedAt(const Measurements& measurements, const Model& model, const CalibrationResult& fit) {
   Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.unknownCount()));
@@ -46,9 +64,16 @@ Residuals::Linear linearisedAt(const Measurements& measurements, const Model& mo
   const Residuals residuals{measurements, model, fit.noise, loss}, quadratic{measurements, model, fit.noise};
   const Eigen::VectorXd still = Eigen::VectorXd::Zero(unknowns.size());
   Residuals::State state = residuals.start(unknowns);
+  const auto asFitted = [&, poses = posesInDoubt(measurements, fit)] { // deflections count in sigmas
+    for (const std::size_t pose : poses) {
+      state.deflections[pose] = fit.sigmaScale * fit.state.deflections[pose];
+    }
+  };
+  asFitted();
   for (int step = 0; step < 3; ++step) {
     if (const auto linear = quadratic.linearised(state)) {
       state = quadratic.moved(state, *linear, still);
+      asFitted();
     }
   }
   auto linear = residuals.linearised(state);

@@ -43,12 +43,14 @@ CalibrationResult Ladder::calibrated(const Model& model, std::optional<Eigen::Ve
   options.setAside = false;
   options.largestCornerError = knownLens;
   CalibrationResult result = calibrate(measurements_, model, options);
-  std::size_t doubted = 0;
+  std::size_t doubted = 0, elsewhere = 0;
+  constexpr double impossible = 25; // [px]: of a whole board no physics does it: another picture, or other angles
   for (const Doubt& doubt : result.doubts) {
-    doubted += doubt.corners.size();
+    (doubt.whole && doubt.distance > impossible ? elsewhere : doubted) += doubt.corners.size();
   }
   constexpr std::size_t few = 20;
-  if (few * doubted > measurements_.cornerCount) { // so many are not false: the model is, and must see them
+  const auto many = [&](std::size_t corners) { return few * corners > measurements_.cornerCount; };
+  if (many(doubted) || many(elsewhere / 2)) { // so many are not false: the model is, and must see them
     options.robust = false;
     result = calibrate(measurements_, model, options);
   }

@@ -1,7 +1,9 @@
 #include "diagnose/SetUps.hpp"
 
 #include "captures/InputError.hpp"
+#include "geometry/Angles.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -9,11 +11,13 @@ namespace naocal {
 
 namespace {
 
-constexpr double impossible = 25; // [px]: counts for a fit that could not start
-constexpr double nonsense = 100;  // [px]: neither physics nor an accident does this
-constexpr double good = 5;        // [px]: of a set that is right but for its physics
-constexpr double gross = 3;       // [px] rms: physics of a robot that still walks is smaller
-constexpr double mends = 0.4;     // of the misfit must be left at most
+constexpr double impossible = 25;          // [px]: counts for a fit that could not start
+constexpr double nonsense = 100;           // [px]: neither physics nor an accident does this
+constexpr double good = 5;                 // [px]: of a set that is right but for its physics
+constexpr double gross = 3;                // [px] rms: physics of a robot that still walks is smaller
+constexpr double mends = 0.4;              // of the misfit must be left at most
+constexpr double mostOffset = radians(15); // of a robot that still stands
+constexpr double some = 0.1;               // of all corners: more than a few pictures that belong elsewhere
 
 /// rms distance of corners when these sets are fitted [px]; absent when they cannot be.
 std::optional<double> misfitOf(const std::vector<CaptureSet>& sets, const Measurements& asTheyAre) {
@@ -52,33 +56,46 @@ std::vector<CaptureSet> camerasSwapped(std::vector<CaptureSet> sets) {
 
 } // namespace
 
-std::optional<Suspicion> wrongSetUp(const std::vector<CaptureSet>& sets, const Measurements& measurements, double rmsPx,
-                                    const std::function<bool(std::size_t)>& mayBeMirrored) {
-  if (rmsPx < gross) {
+GrossMisfit GrossMisfit::of(const CalibrationResult& fit, const Model& model) {
+  double all = 0, far = 0;
+  for (const SightingResidual& sighting : fit.asReported) {
+    all += static_cast<double>(sighting.residual.cols());
+    far += static_cast<double>((sighting.residual.colwise().norm().array() > impossible).count());
+  }
+  const bool absurd = std::any_of(model.terms().begin(), model.terms().end(), [&](const Term& term) {
+    return term.effect.name == "jointOffset" &&
+           std::abs(fit.unknowns[static_cast<Eigen::Index>(term.first)]) > mostOffset;
+  });
+  return {fit.rmsPx, far / std::max(1.0, all), absurd || fit.rmsPx > impossible};
+}
+
+std::optional<Suspicion> wrongSetUp(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                    const GrossMisfit& misfit, const std::function<bool(std::size_t)>& mayBeMirrored) {
+  if (misfit.rmsPx < gross) {
     return std::nullopt;
   }
   std::optional<Suspicion> best;
-  double least = std::min(mends * std::min(rmsPx, impossible), good);
+  double least = std::min(mends * std::min(misfit.rmsPx, impossible), good);
   const auto consider = [&](const std::vector<CaptureSet>& corrected, const std::string& why) {
-    if (const auto misfit = misfitOf(corrected, measurements); misfit && *misfit < least) {
-      least = *misfit;
-      best = Suspicion{{}, fmt::format("{} (so corrected the error is {:.1f} px)", why, *misfit)};
+    if (const auto left = misfitOf(corrected, measurements); left && *left < least) {
+      least = *left;
+      best = Suspicion{{}, fmt::format("{} (so corrected the error is {:.1f} px)", why, *left)};
     }
   };
   for (std::size_t joint : measurements.joints) {
     const std::string& name = measurements.robot.joints[joint].name;
-    if (mayBeMirrored(joint)) {
+    if (misfit.absurd || mayBeMirrored(joint)) {
       consider(mirrored(sets, name), fmt::format("{}'s angles have the wrong sign", name));
     }
   }
   if (sets.front().cameras.size() == 2) {
     consider(camerasSwapped(sets), "the cameras' names are swapped");
   }
-  if (!best && rmsPx > nonsense && std::isfinite(rmsPx)) {
+  if (!best && misfit.rmsPx > nonsense && misfit.farShare > some && std::isfinite(misfit.rmsPx)) {
     best = Suspicion{{},
                      fmt::format("predictions are {:.0f} px off and no robot is so wrong: a board of another pattern "
                                  "(legacyPattern), other boards or another robot than the file says",
-                                 rmsPx)};
+                                 misfit.rmsPx)};
   }
   return best;
 }

@@ -3,14 +3,25 @@
 #include "diagnose/Diagnosis.hpp"
 
 #include <functional>
+#include <limits>
 #include <optional>
 
 namespace naocal {
 
+/// How far a fit is off.
+struct GrossMisfit {
+  double rmsPx = std::numeric_limits<double>::infinity(); // infinite where no fit was possible
+  double farShare = 1;                                    // of the corners lies where no physics puts them
+  bool absurd = true;                                     // offsets that no robot has
+
+  static GrossMisfit of(const CalibrationResult& fit, const Model& model);
+};
+
 /// Where the fit is grossly off: a joint whose angles have the wrong sign, or cameras whose names are swapped, tried by
 /// fitting the sets so corrected. Absent where the misfit is small or no such correction mends it.
-/// `rmsPx`: of the fit as the sets are; infinite where none was possible [px]. `mayBeMirrored`: motors worth a fit.
-std::optional<Suspicion> wrongSetUp(const std::vector<CaptureSet>& sets, const Measurements& measurements, double rmsPx,
-                                    const std::function<bool(std::size_t)>& mayBeMirrored);
+/// `misfit`: of the sets as they are. `mayBeMirrored`: motors worth a fit where the one as they are still
+/// tells.
+std::optional<Suspicion> wrongSetUp(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                    const GrossMisfit& misfit, const std::function<bool(std::size_t)>& mayBeMirrored);
 
 } // namespace naocal

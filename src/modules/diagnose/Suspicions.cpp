@@ -1,8 +1,11 @@
 #include "diagnose/Suspicions.hpp"
 
+#include "captures/InputError.hpp"
 #include "diagnose/Events.hpp"
 #include "diagnose/SetUps.hpp"
+#include "diagnose/WrongAngles.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -10,8 +13,21 @@ namespace naocal {
 
 namespace {
 
+/// An effect's first unknown by a fit with it: far from zero the linearised estimate is short of it. Absent where there
+/// is no such fit.
+std::optional<double> fitted(const Term& term, const Measurements& measurements) {
+  try {
+    const Model model = makeModel(measurements, {term.label()});
+    const auto found = std::find_if(model.terms().begin(), model.terms().end(),
+                                    [&](const Term& other) { return other.label() == term.label(); });
+    return calibrate(measurements, model).unknowns[static_cast<Eigen::Index>(found->first)];
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
 /// An effect of a size that no robot has but a wrong set-up does.
-std::optional<Suspicion> setUpFrom(const Inquiry& inquiry) {
+std::optional<Suspicion> setUpFrom(const Inquiry& inquiry, const Measurements& measurements) {
   constexpr double boardScale = 0.03, mirrored = -1.5;
   std::size_t best = 0;
   for (std::size_t i = 1; i < inquiry.candidates().size(); ++i) {
@@ -29,12 +45,12 @@ std::optional<Suspicion> setUpFrom(const Inquiry& inquiry) {
     return std::nullopt;
   }
   if (term.effect.name == "boardScale" && std::abs(evidence.estimate[0]) > boardScale) {
+    const double size = fitted(term, measurements).value_or(evidence.estimate[0]);
     return Suspicion{{},
                      fmt::format("the squares of {} are {:.1f} % {} than the file says: measure the print and "
                                  "correct squareLength",
-                                 term.at == everywhere ? "all boards" : "board " + term.place,
-                                 100 * std::abs(evidence.estimate[0]),
-                                 evidence.estimate[0] > 0 ? "larger" : "smaller")};
+                                 term.at == everywhere ? "all boards" : "board " + term.place, 100 * std::abs(size),
+                                 size > 0 ? "larger" : "smaller")};
   }
   if (term.effect.name == "encoderGain" && evidence.estimate[0] < mirrored) {
     return Suspicion{{}, fmt::format("{} seems to turn the other way: its angles have the wrong sign", term.place)};
@@ -60,10 +76,12 @@ bool mayBeMirrored(const Inquiry& inquiry, std::size_t motor) {
 std::vector<Suspicion> suspicions(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                                   const Model& model, const CalibrationResult& fit, const Inquiry& inquiry) {
   const auto mirrored = [&](std::size_t motor) { return mayBeMirrored(inquiry, motor); };
-  if (const auto setUp = wrongSetUp(sets, measurements, fit.rmsPx, mirrored)) {
-    return {*setUp};
+  auto setUp = wrongSetUp(sets, measurements, GrossMisfit::of(fit, model), mirrored);
+  if (!setUp) {
+    setUp = setUpFrom(inquiry, measurements);
   }
-  if (const auto setUp = setUpFrom(inquiry)) {
+  if (setUp) {
+    setUp->setUp = true;
     return {*setUp};
   }
   return accidents(sets, measurements, model, fit, inquiry);
@@ -71,12 +89,21 @@ std::vector<Suspicion> suspicions(const std::vector<CaptureSet>& sets, const Mea
 
 std::vector<Suspicion> accidents(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                                  const Model& model, const CalibrationResult& fit, const Inquiry& inquiry) {
-  const std::vector<Event> events = possibleEvents(sets, measurements);
+  std::vector<Event> events = possibleEvents(sets, measurements);
+  const std::vector<Event> angles = wrongAngles(sets, measurements, fit);
+  events.insert(events.end(), angles.begin(), angles.end());
   const auto event = events.empty() ? std::nullopt : likeliestEvent(events, measurements, model, fit, inquiry);
   if (!event) {
     return {};
   }
-  return {{event->captures.empty() ? std::nullopt : std::optional{event->captures.front()}, event->sentence}};
+  if (event->captures.empty()) {
+    return {{std::nullopt, event->sentence}};
+  }
+  std::vector<Suspicion> result{{event->captures.front(), event->sentence}};
+  for (auto id = event->captures.begin() + 1; id != event->captures.end(); ++id) {
+    result.push_back({*id, fmt::format("capture {} was taken with it", *id)});
+  }
+  return result;
 }
 
 std::vector<Suspicion> movedBoards(const std::vector<CaptureSet>& sets, const Measurements& measurements,

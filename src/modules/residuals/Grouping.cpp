@@ -1,6 +1,9 @@
 #include "residuals/Grouping.hpp"
 
+#include "residuals/Noise.hpp"
+
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -10,14 +13,29 @@ namespace naocal {
 
 namespace {
 
+/// Which part of a rest has these angles [rad]: where the robot stood, as it was read first; a new one where it did
+/// not.
+std::size_t partOf(const Eigen::VectorXd& angles, std::vector<Eigen::VectorXd>& parts) {
+  constexpr double flip = 1.5 * encoderStep; // between two steps
+  const auto found = std::find_if(parts.begin(), parts.end(), [&](const Eigen::VectorXd& first) {
+    return (first - angles).cwiseAbs().maxCoeff() < flip;
+  });
+  const auto part = static_cast<std::size_t>(found - parts.begin());
+  if (found == parts.end()) {
+    parts.push_back(angles);
+  }
+  return part;
+}
+
 /// Pictures of one pose: those with the same stance, repeat and measured angles share a reading. As long as the robot
 /// rests, a joint keeps its rounding error, and readings that flip between two steps tell that it stands at the edge
-/// between them; every approach gives every joint a new error.
+/// between them; every approach gives every joint a new error, and so does a reading that no flip explains.
 void groupPose(const std::vector<CaptureSet>& sets, const std::vector<std::size_t>& members, const Robot& robot,
                std::vector<Picture>& pictures, PoseGroup& pose) {
   constexpr double atEdge = 0.3; // of the rounding error's size: what the encoder's dither leaves
-  std::map<std::tuple<std::size_t, int, int>, std::size_t> known; // motor, stance, approach -> error
-  std::map<std::size_t, std::set<double>> angles;                 // per error, the readings seen
+  std::map<std::tuple<std::size_t, int, int, std::size_t>, std::size_t> known; // motor, stance, approach, part -> error
+  std::map<std::pair<int, int>, std::vector<Eigen::VectorXd>> rests;           // per stance and approach
+  std::map<std::size_t, std::set<double>> angles;                              // per error, the readings seen
   std::set<int> stances;
   std::size_t approaches = 0;
   const Picture* previous = nullptr;
@@ -35,13 +53,14 @@ void groupPose(const std::vector<CaptureSet>& sets, const std::vector<std::size_
     pose.repeated |= last && last->repeat != capture.repeat && capture.repeatKind != RepeatKind::rest;
     stances.insert(capture.stance);
     approaches += !last || (last->repeat != capture.repeat && capture.repeatKind != RepeatKind::rest) ? 1 : 0;
+    // Rest after an approach has an error of its own, though the encoder's is that approach's: it stands for what
+    // corners of one picture have in common. Shared, it makes twice as many false alarms where pictures are biased.
+    const int approach = capture.repeatKind == RepeatKind::rest ? -1 : capture.repeat;
+    const std::size_t part = partOf(picture.instant.q, rests[{capture.stance, approach}]);
     Reading reading{.pictures = {index}, .encoderError = std::vector<std::size_t>(robot.joints.size())};
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-      // Rest after an approach has an error of its own, though the encoder's is that approach's: it stands for what
-      // corners of one picture have in common. Shared, it makes twice as many false alarms where pictures are biased.
-      const int approach = capture.repeatKind == RepeatKind::rest ? -1 : capture.repeat;
       const auto [entry, isNew] =
-          known.try_emplace({robot.joints[joint].motor, capture.stance, approach}, pose.encoderErrors.size());
+          known.try_emplace({robot.joints[joint].motor, capture.stance, approach, part}, pose.encoderErrors.size());
       if (isNew) {
         pose.encoderErrors.push_back({1, picture.stance});
       }

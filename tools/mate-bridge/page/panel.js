@@ -1,7 +1,8 @@
 // Puts the panel together: views, tabs, keys, what the bridge tells.
 import {make, button, empty} from "./elements.js";
 import {on, connect} from "./connection.js";
-import {readColours} from "./canvas.js";
+import "./theme.js";
+import {showLink} from "./link.js";
 import {state, act, notice, onNotice} from "./state.js";
 import {showModel} from "./model.js";
 import {showCompare} from "./compare.js";
@@ -14,7 +15,7 @@ import {showMatch, leaveMatch, matchTold, matchSummary, hasMatch} from "./match.
 import {showNext} from "./next.js";
 import {showFiles} from "./files.js";
 import {offerViews} from "./session.js";
-import {told, bridgeLost, lookedAt} from "./robots.js";
+import {told, lookedAt} from "./robots.js";
 import {followAll, stateKey} from "./follow.js";
 import {refreshStop} from "./stop.js";
 import {showKeys, keysTold} from "./keys.js";
@@ -131,51 +132,6 @@ onNotice((sentence, kind) => {
   if (kind === "news") fading = setTimeout(() => { at("notice").hidden = true; }, 8000);
 });
 
-let wasConnected = false;
-function showLink(connected) {
-  at("link").textContent = connected ? "bridge" : "bridge away";
-  at("link").className = connected ? "" : "gone";
-  if (connected) lostAt = null;
-  else lostAt ??= Date.now();
-  if (lostAt && Date.now() - lostAt > 5000) otherBridge();
-  at("link").title = connected ? "The panel is connected to mate-bridge." : "mate-bridge does not answer; it is tried again by itself. What is shown is the last that it told.";
-  if (connected) wasConnected = true;
-  if (connected) return;
-  state.work = null;
-  at("work").textContent = "";
-  at("work").classList.remove("busy");
-  if (!wasConnected) return;
-  wasConnected = false;
-  bridgeLost();
-  refreshStop();
-  if (current && !current.laboratory) draw();
-}
-
-// A bridge that was started anew has another token, and mostly another port: this page cannot reach it any more.
-let lostAt = null, saidSo = false;
-async function otherBridge() {
-  const answer = await fetch(location.pathname).catch(() => null);
-  if (saidSo || (answer && answer.ok)) return;
-  saidSo = true;
-  notice(answer ? "mate-bridge was started anew and has another address: open the one that it prints. What stands here is the last that was told."
-    : "mate-bridge has been away for some seconds. If it was started anew, open the address that it prints; what stands here is the last that was told.");
-}
-
-// Remembered as a cookie: other ports of this computer, as the next bridge has one, find it, too.
-function setTheme(theme) {
-  document.documentElement.dataset.theme = theme;
-  document.cookie = "naocal-theme=" + theme + "; path=/; max-age=31536000; samesite=strict";
-  readColours();
-}
-const [, remembered] = document.cookie.match(/naocal-theme=(light|dark)/) || [];
-if (remembered) document.documentElement.dataset.theme = remembered;
-at("theme").addEventListener("click", () => {
-  const dark = document.documentElement.dataset.theme ? document.documentElement.dataset.theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
-  setTheme(dark ? "light" : "dark");
-});
-at("theme").title = "light or dark";
-matchMedia("(prefers-color-scheme: dark)").addEventListener("change", readColours);
-
 document.addEventListener("keydown", event => {
   if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName)) return;
   if (event.key === "?") showHelp();
@@ -204,6 +160,6 @@ views.forEach((view, i) => {
 offerViews([...views.filter(({laboratory}) => laboratory).map(({name, show}) => ({name, show, shows: () => Boolean(state.laboratory && state.fit && state.set && state.ladder)})),
   {name: "Model", show: showModel, shows: () => Boolean(state.fit && state.ladder)}, {name: "Calibrate", show: matchSummary, shows: hasMatch}]);
 addEventListener("hashchange", open);
-readColours();
-showLink(false);
-connect(showLink);
+const linked = connected => showLink(connected, () => { if (current && !current.laboratory) draw(); });
+linked(false);
+connect(linked);
