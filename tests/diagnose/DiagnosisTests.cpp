@@ -188,6 +188,29 @@ TEST_CASE("a ripple that no effect describes is located and drawn") {
   CHECK(explained.steps.front().heldOutPx < diagnosis.steps.front().heldOutPx);
 }
 
+TEST_CASE("a drift that goes as the motor's warmth is named with it, however large it is") {
+  // Proves that a size beyond what is plausible (0.6 degrees in two minutes) does not make one of two effects certain
+  // that these captures cannot tell apart: the motors warm nearly evenly by 4.5 K meanwhile.
+  CaptureSet set = simulatedSet(24, 7);
+  const auto [first, last] = span(set);
+  const auto ankle = std::find(set.jointNames.begin(), set.jointNames.end(), "LAnklePitch") - set.jointNames.begin();
+  for (Capture& capture : set.captures) {
+    const double passed = (capture.time.count() - first) / (last - first);
+    capture.joints.measured[static_cast<std::size_t>(ankle)] -= radians(0.6) * passed;
+    capture.joints.temperature.assign(set.jointNames.size(), 32 + 4.5 * passed + 0.1 * std::sin(6 * passed));
+  }
+  const Diagnosis diagnosis = diagnosed(set);
+  CAPTURE(diagnosis.sentence);
+  REQUIRE(diagnosis.suggested.size() == 1);
+  const CandidateFinding& found = diagnosis.ranking.front();
+  std::vector<std::string> named = found.equivalent;
+  named.push_back(found.term.label());
+  for (const char* one : {"timeDrift@LAnklePitch", "thermalDrift@LAnklePitch"}) {
+    CHECK(std::find(named.begin(), named.end(), one) != named.end());
+  }
+  CHECK_FALSE(found.plausible);
+}
+
 TEST_CASE("a joint that slips once is located, and when") {
   // Proves the map's steps: from half time on the ankle's reading is off by 0.4 degrees. Joint, driver and a moment
   // within the two poses around it are told.

@@ -1,5 +1,7 @@
 #include "diagnose/Alternatives.hpp"
 
+#include "diagnose/Power.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <algorithm>
@@ -40,12 +42,14 @@ std::vector<std::size_t> equivalents(const Inquiry& inquiry, std::size_t chosen)
   std::vector<std::size_t> result;
   const GroupEvidence& best = inquiry.ofCandidate(chosen);
   const std::vector<ColumnGroup>& groups = inquiry.problem().groups;
+  const bool onlyData = !isPlausible(best, inquiry.candidates()[chosen].sigmas()); // no size was expected then
   for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
     const GroupEvidence& other = inquiry.ofCandidate(i);
     if (i == chosen || other.freedom < 1 || other.bayes <= 0) {
       continue;
     }
-    const double behind = best.bayes - other.bayes;
+    const double byData = best.likelihoodRatio - other.likelihoodRatio;
+    const double behind = onlyData ? std::min(best.bayes - other.bayes, byData) : best.bayes - other.bayes;
     if (behind >= hardlyLess) {
       continue;
     }

@@ -16,8 +16,9 @@ double correlation(const Eigen::MatrixXd& information, const ColumnGroup& one, c
 double evidenceToTell(double correlation);
 
 /// Candidates that these captures cannot tell from `chosen`: almost as likely, or so correlated that chance may have
-/// put them behind: the evidence does not suffice to tell (`evidenceToTell`). One that is evident and does something
-/// else to the pictures is there as well, and is no other explanation of the same.
+/// put them behind: the evidence does not suffice to tell (`evidenceToTell`). What sizes are plausible counts, unless
+/// the chosen one's is not. One that is evident and does something else to the pictures is there as well, and is no
+/// other explanation of the same.
 std::vector<std::size_t> equivalents(const Inquiry& inquiry, std::size_t chosen);
 
 } // namespace naocal
