@@ -189,15 +189,15 @@ TEST_CASE("a ripple that no effect describes is located and drawn") {
 }
 
 TEST_CASE("a drift that goes as the motor's warmth is named with it, however large it is") {
-  // Proves that a size beyond what is plausible (0.6 degrees in two minutes) does not make one of two effects certain
-  // that these captures cannot tell apart: the motors warm nearly evenly by 4.5 K meanwhile.
+  // Proves that a size beyond what is plausible (1.5 degrees in four minutes) does not make one of two effects certain
+  // that these captures cannot tell apart: the motors warm nearly evenly by 9 K meanwhile.
   CaptureSet set = simulatedSet(24, 7);
   const auto [first, last] = span(set);
   const auto ankle = std::find(set.jointNames.begin(), set.jointNames.end(), "LAnklePitch") - set.jointNames.begin();
   for (Capture& capture : set.captures) {
     const double passed = (capture.time.count() - first) / (last - first);
-    capture.joints.measured[static_cast<std::size_t>(ankle)] -= radians(0.6) * passed;
-    capture.joints.temperature.assign(set.jointNames.size(), 32 + 4.5 * passed + 0.1 * std::sin(6 * passed));
+    capture.joints.measured[static_cast<std::size_t>(ankle)] -= radians(1.5) * passed;
+    capture.joints.temperature.assign(set.jointNames.size(), 32 + 9 * passed + 0.1 * std::sin(6 * passed));
   }
   const Diagnosis diagnosis = diagnosed(set);
   CAPTURE(diagnosis.sentence);
