@@ -8,6 +8,7 @@
 #include "diagnose/DiagnosisFile.hpp"
 #include "poses/PoseFile.hpp"
 #include "report/Report.hpp"
+#include "residuals/ModelFile.hpp"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -58,13 +59,7 @@ std::string Laboratory::file(const std::string& name) {
   }
   if (name == "model.json") {
     const Rung& rung = rungs_[at_];
-    return Json{{"format", "naocal-model"},
-                {"version", 1},
-                {"with", rung.with},
-                {"without", rung.without},
-                {"define", Json::parse(rung.definitions)}}
-               .dump(2) +
-           "\n";
+    return modelJson(rung.with, rung.without, Json::parse(rung.definitions)).dump(2) + "\n";
   }
   if (name == "poses.json") {
     if (!next_ || next_->poses.empty()) {

@@ -70,11 +70,7 @@ nlohmann::json modelWith(const DriverFinding& curve, const DiagnoseCommand& comm
   nlohmann::json effect = curveEffect(curve), define = nlohmann::json::parse(command.definitions);
   with.push_back(fmt::format("{}@{}", effect["name"].get<std::string>(), curve.place));
   define.push_back(std::move(effect));
-  return {{"format", "naocal-model"},
-          {"version", 1},
-          {"with", with},
-          {"without", command.options.without},
-          {"define", define}};
+  return modelJson(with, command.options.without, std::move(define));
 }
 
 /// Ctrl-C ends it with what it has found so far.

@@ -2,6 +2,7 @@
 
 #include "diagnose/HeldOut.hpp"
 #include "diagnose/Power.hpp"
+#include "diagnose/SetUps.hpp"
 #include "residuals/Candidates.hpp"
 
 #include <algorithm>
@@ -44,7 +45,6 @@ CalibrationResult Ladder::calibrated(const Model& model, std::optional<Eigen::Ve
   options.largestCornerError = knownLens;
   CalibrationResult result = calibrate(measurements_, model, options);
   std::size_t doubted = 0, elsewhere = 0;
-  constexpr double impossible = 25; // [px]: of a whole board no physics does it: another picture, or other angles
   for (const Doubt& doubt : result.doubts) {
     (doubt.whole && doubt.distance > impossible ? elsewhere : doubted) += doubt.corners.size();
   }

@@ -11,7 +11,6 @@ namespace naocal {
 
 namespace {
 
-constexpr double impossible = 25;          // [px]: counts for a fit that could not start
 constexpr double nonsense = 100;           // [px]: neither physics nor an accident does this
 constexpr double good = 5;                 // [px]: of a set that is right but for its physics
 constexpr double gross = 3;                // [px] rms: physics of a robot that still walks is smaller

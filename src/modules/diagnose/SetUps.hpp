@@ -8,6 +8,9 @@
 
 namespace naocal {
 
+/// What lies farther from its prediction is there by no physics of a robot that still walks [px].
+inline constexpr double impossible = 25;
+
 /// How far a fit is off.
 struct GrossMisfit {
   double rmsPx = std::numeric_limits<double>::infinity(); // infinite where no fit was possible

@@ -56,17 +56,14 @@ Effect displaced(std::size_t set, std::set<double> times) {
   return effect;
 }
 
-void add(const Picture& picture, const Capture& capture, const std::vector<const SightingResidual*>& seen,
-         Together& together) {
-  together.set = picture.set;
-  together.pose = capture.pose;
-  together.times.insert(picture.instant.time.count());
-  together.captures.push_back(capture.id);
+Together alone(const Picture& picture, const Capture& capture, const std::vector<const SightingResidual*>& seen) {
+  Together together{picture.set, capture.pose, {picture.instant.time.count()}, {capture.id}};
   for (const SightingResidual* sighting : seen) {
     const auto count = static_cast<double>(sighting->residual.cols());
     together.squares += count * sighting->residual.rowwise().mean().squaredNorm();
     together.corners += count;
   }
+  return together;
 }
 
 /// Those with the largest errors, the worst first.
@@ -93,7 +90,7 @@ std::vector<Event> wrongAngles(const std::vector<CaptureSet>& sets, const Measur
     for (const Reading& reading : pose.readings) {
       for (const std::size_t index : reading.pictures) {
         const Picture& picture = measurements.pictures[index];
-        add(picture, sets[picture.set].captures[picture.capture], byPicture[index], rests[reading.encoderError]);
+        rests[reading.encoderError] += alone(picture, sets[picture.set].captures[picture.capture], byPicture[index]);
       }
     }
     poses.emplace_back();

@@ -1,9 +1,8 @@
 #include "report/DiagnosisCurves.hpp"
 
 #include "geometry/ShownUnit.hpp"
+#include "residuals/ModelFile.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -24,13 +23,9 @@ std::string driverUnit(const std::string& driver) {
 }
 
 /// The curve's proposed expression as a model file, beside what else was suggested.
-json modelFile(const JsonPlace& effect, json with) {
+json modelFile(const JsonPlace& effect, std::vector<std::string> with) {
   with.push_back(fmt::format("{}@{}", effect.at("name").text(), effect.at("at").text()));
-  return {{"format", "naocal-model"},
-          {"version", 1},
-          {"with", std::move(with)},
-          {"without", json::array()},
-          {"define", json::array({effect.value()})}};
+  return modelJson(with, {}, json::array({effect.value()}));
 }
 
 } // namespace
@@ -64,7 +59,7 @@ json curveJson(const JsonPlace& curve, const json& suggested) {
                     : shown == "px" ? fmt::format("errors of camera {} along {}", joint, about->text())
                     : about         ? fmt::format("turn of camera {} about its {} axis", joint, about->text())
                                     : fmt::format("deflection of {}", joint)},
-          {"model", effect ? modelFile(*effect, suggested) : json(nullptr)}};
+          {"model", effect ? modelFile(*effect, suggested.get<std::vector<std::string>>()) : json(nullptr)}};
 }
 
 json mapJson(const JsonPlace& diagnosis) {

@@ -23,6 +23,12 @@ std::vector<Effect> effectsWith(const nlohmann::json& definitions, const std::st
   return withBuiltIn(userEffects(JsonPlace{definitions, file}, robot));
 }
 
+nlohmann::json modelJson(const std::vector<std::string>& with, const std::vector<std::string>& without,
+                         nlohmann::json define) {
+  return {
+      {"format", "naocal-model"}, {"version", 1}, {"with", with}, {"without", without}, {"define", std::move(define)}};
+}
+
 ModelFile readModelFile(const std::filesystem::path& file, const Robot& robot) {
   const nlohmann::json document = parseJson(fileContent(file), file.string());
   const JsonPlace all{document, file.string()};
