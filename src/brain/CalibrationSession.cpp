@@ -1,5 +1,6 @@
 #include "brain/CalibrationSession.hpp"
 
+#include "brain/CalibrationModel.hpp"
 #include "calibrate/Comparison.hpp"
 #include "captures/CaptureSetFile.hpp"
 #include "captures/Files.hpp"
@@ -13,8 +14,9 @@
 
 namespace naocal {
 
-CalibrationSession::CalibrationSession(const Robot& drawing, CaptureSet header, std::filesystem::path folder)
-    : drawing_{drawing}, set_{std::move(header)}, folder_{std::move(folder)} {
+CalibrationSession::CalibrationSession(const Robot& drawing, CaptureSet header, std::filesystem::path folder,
+                                       ModelFile model)
+    : drawing_{drawing}, set_{std::move(header)}, folder_{std::move(folder)}, model_{std::move(model)} {
   if (std::filesystem::exists(folder_ / "captures.json")) {
     throw InputError{fmt::format("{}: expected an empty folder for a new recording, found captures; move them away",
                                  folder_.string())};
@@ -42,7 +44,8 @@ std::vector<BoardCorners> CalibrationSession::add(Capture capture, const CameraF
 CalibrationSession::Solved CalibrationSession::solved() const {
   const std::vector<CaptureSet> sets{set_};
   const Measurements measurements = measurementsOf(sets, drawing_);
-  const Model model = makeModel(measurements, gearGaps(measurements));
+  const ModelFile asked = modelFor(measurements, model_);
+  const Model model = makeModel(measurements, asked.with, asked.without, asked.effects);
   const CalibrationResult result = calibrate(measurements, model);
   const ResultInputs inputs{{folder_.string()}, {sha256(fileContent(folder_ / "captures.json"))}};
   writeAtomically(folder_ / "result.json", resultJson(sets, measurements, model, result, inputs).dump(2) + "\n");
@@ -63,8 +66,11 @@ CalibrationSession::Solved CalibrationSession::solved() const {
 std::string CalibrationSession::diagnosed() const {
   const std::vector<CaptureSet> sets{set_};
   const Measurements measurements = measurementsOf(sets, drawing_);
+  const ModelFile asked = modelFor(measurements, model_);
   DiagnosisOptions options;
-  options.with = gearGaps(measurements);
+  options.with = asked.with;
+  options.without = asked.without;
+  options.effects = asked.effects;
   const Diagnosis diagnosis = diagnose(sets, measurements, options);
   writeAtomically(folder_ / "diagnosis.json", diagnosisJson(diagnosis).dump(2) + "\n");
   return diagnosis.sentence;

@@ -1,10 +1,11 @@
 #pragma once
 
-#include "brain/GearPlay.hpp"
 #include "calibrate/ResultFile.hpp"
+#include "calibrate/ShownOffsets.hpp"
 #include "captures/Capture.hpp"
 #include "hardware/CameraFrame.hpp"
 #include "model/Robot.hpp"
+#include "residuals/ModelFile.hpp"
 
 #include <filesystem>
 #include <string>
@@ -16,8 +17,9 @@ namespace naocal {
 /// is readable up to the last capture whatever happens.
 class CalibrationSession {
 public:
-  /// `header`: robot, cameras, boards and stances of the set. Its folder must not hold a set yet.
-  CalibrationSession(const Robot& drawing, CaptureSet header, std::filesystem::path folder);
+  /// `header`: robot, cameras, boards and stances of the set. Its folder must not hold a set yet. `model`: what is
+  /// estimated beside offsets and mounts.
+  CalibrationSession(const Robot& drawing, CaptureSet header, std::filesystem::path folder, ModelFile model);
 
   /// Finds the boards in a picture, writes it with its capture, and says what was found. Throws InputError where it
   /// cannot be written.
@@ -26,7 +28,7 @@ public:
   std::size_t captures() const { return set_.captures.size(); }
   std::size_t corners() const { return corners_; }
 
-  /// Joints' offsets and cameras' mounts, on one foot the gears' gaps too.
+  /// Joints' offsets and cameras' mounts, on one foot the model's effects too.
   struct Solved {
     StoredResult result; // as in its file
     std::vector<ShownOffset> offsets;
@@ -49,6 +51,7 @@ private:
   const Robot& drawing_;
   CaptureSet set_;
   std::filesystem::path folder_;
+  ModelFile model_;
   std::size_t corners_ = 0;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "brain/CalibrationStep.hpp"
-#include "brain/GearPlay.hpp"
+#include "calibrate/ShownOffsets.hpp"
 #include "calibrate/ResultFile.hpp"
 #include "captures/Capture.hpp"
 

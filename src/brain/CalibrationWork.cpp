@@ -1,5 +1,6 @@
 #include "brain/CalibrationWork.hpp"
 
+#include "brain/CalibrationModel.hpp"
 #include "brain/LegPoses.hpp"
 #include "brain/SavedCalibration.hpp"
 #include "captures/Files.hpp"
@@ -78,8 +79,8 @@ void CalibrationWork::plan(Legs legs) {
 void CalibrationWork::open(std::size_t round, CaptureSet header) {
   sessions_[round] = std::make_shared<Round>();
   give([session = sessions_[round], &drawing = surroundings_.drawing, header = std::move(header),
-        folder = folder_ / (round == 0 ? "first" : "second")](Finding&) {
-    session->session.emplace(drawing, header, folder);
+        folder = folder_ / (round == 0 ? "first" : "second"), files = surroundings_.files](Finding&) {
+    session->session.emplace(drawing, header, folder, calibrationModel(files, drawing));
   });
 }
 

@@ -26,7 +26,7 @@ struct CalibrationSurroundings {
   const Robot& drawing;
   RobotIdentity identity;
   Configuration& configuration;     // where results are applied and saved
-  std::filesystem::path files;      // the configuration's folder, copied into recordings; poses/V6.json and so on
+  std::filesystem::path files;      // the configuration's folder, copied into recordings; poses/V6.json, models/V6.json
   std::filesystem::path recordings; // folder that gets one folder per calibration
 };
 

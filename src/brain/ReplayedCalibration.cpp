@@ -5,12 +5,13 @@
 
 namespace naocal {
 
-ReplayedCalibration::ReplayedCalibration(const Robot& drawing, const ReplayWorld& world, std::filesystem::path folder)
+ReplayedCalibration::ReplayedCalibration(const Robot& drawing, const ReplayWorld& world, std::filesystem::path folder,
+                                         ModelFile model)
     : Module{"ReplayedCalibration"}, world_{world} {
   CaptureSet header = world.set();
   header.captures.clear();
   header.source = nullptr;
-  session_.emplace(drawing, std::move(header), std::move(folder));
+  session_.emplace(drawing, std::move(header), std::move(folder), std::move(model));
 }
 
 void ReplayedCalibration::cycle() {

@@ -15,8 +15,8 @@ namespace naocal {
 /// replay tells (which pose it was, what was commanded, how joints moved) is taken from the recording.
 class ReplayedCalibration final : public Module {
 public:
-  /// `folder`: for the new recording. Everything must outlive it.
-  ReplayedCalibration(const Robot& drawing, const ReplayWorld& world, std::filesystem::path folder);
+  /// `folder`: for the new recording; `model`: what is estimated beside offsets and mounts. Everything must outlive it.
+  ReplayedCalibration(const Robot& drawing, const ReplayWorld& world, std::filesystem::path folder, ModelFile model);
   void cycle() override;
 
   /// Once the replay is over and its thread has ended: solves, and says in a sentence how the estimates compare with a

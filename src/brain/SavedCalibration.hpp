@@ -1,6 +1,6 @@
 #pragma once
 
-#include "brain/GearPlay.hpp"
+#include "calibrate/ShownOffsets.hpp"
 #include "calibrate/ResultFile.hpp"
 #include "framework/Configuration.hpp"
 

@@ -43,7 +43,7 @@ int killCount() {
 
 // The victim of the case below, in a process of its own: records until it is killed.
 TEST_CASE("records until it is killed", "[.victim]") {
-  CalibrationSession session{v6(), header(), std::getenv("NAOCAL_RECORDING")};
+  CalibrationSession session{v6(), header(), std::getenv("NAOCAL_RECORDING"), {}};
   std::ofstream progress{std::string{std::getenv("NAOCAL_RECORDING")} + ".progress"};
   for (int i = 0; i < 100'000; ++i) {
     Capture capture;

@@ -21,27 +21,25 @@ const char* orElse(const char* variable, const char* otherwise) {
 
 } // namespace
 
-// Measures; proves nothing. KIND, FIRST and LAST seed, PLAY in degrees and a folder to KEEP recordings in are
-// taken from the environment.
+// Measures; proves nothing. KIND, FIRST and LAST seed, PLAY in degrees, the gears' FRICTION in Nm and a folder to KEEP
+// recordings in are taken from the environment.
 TEST_CASE("how well simulated robots calibrate their legs", "[.measure]") {
   const std::string kind = orElse("KIND", "left leg");
   std::vector<double> before, after, seconds;
   std::map<std::string, std::pair<int, int>> within; // by joint: of how many
   int ended = 0, robots = 0;
   for (int seed = std::atoi(orElse("FIRST", "1")); seed <= std::atoi(orElse("LAST", "20")); ++seed) {
-    const SimulatedPlan plan =
+    SimulatedPlan plan =
         SimulatedProcess::plan(std::uint64_t(seed), radians(5), radians(std::atof(orElse("PLAY", "0.5"))));
+    plan.servos.gearFriction = std::atof(orElse("FRICTION", "0.1"));
     SimulatedProcess simulated{plan};
     const auto state = simulated.calibrated(kind);
     ++robots;
     fmt::print("{:3} {} after {:.0f} s: {}\n", seed, state["phase"].get<std::string>(),
                state.value("robotSeconds", 0.0), state.value("sentence", ""));
-    if (!std::filesystem::exists(simulated.folder.path() / "recordings") ||
-        !std::filesystem::exists(simulated.recording() / "offsets.json")) {
+    if (!std::filesystem::exists(simulated.folder.path() / "recordings")) {
       continue;
     }
-    const auto offsets = SimulatedProcess::Json::parse(fileContent(simulated.recording() / "offsets.json"));
-    const CaptureSet set = readCaptureSet(simulated.recording()).set;
     if (const char* keep = std::getenv("KEEP")) {
       const auto kept = std::filesystem::path{keep} / std::to_string(seed);
       std::filesystem::copy(simulated.recording(), kept, std::filesystem::copy_options::recursive);
@@ -53,6 +51,11 @@ TEST_CASE("how well simulated robots calibrate their legs", "[.measure]") {
       }
       writeAtomically(kept / "errors.json", errors.dump(1));
     }
+    if (!std::filesystem::exists(simulated.recording() / "offsets.json")) {
+      continue;
+    }
+    const auto offsets = SimulatedProcess::Json::parse(fileContent(simulated.recording() / "offsets.json"));
+    const CaptureSet set = readCaptureSet(simulated.recording()).set;
     const LegCalibrationTruth truth{simulated.drawing, simulated.world.errors(), plan.servos};
     for (const SupportFoot foot : {SupportFoot::left, SupportFoot::right}) {
       if (kind != (foot == SupportFoot::left ? "right leg" : "left leg")) {

@@ -26,6 +26,18 @@ struct Valley {
   Eigen::VectorXd scale = Eigen::Vector2d{1, 1};
 };
 
+/// r = (sqrt |y - x^2| + 1, (x - 1) / 1000): a fold along the valley's floor, where no slope tells the way.
+struct Fold : Valley {
+  bool linearise(const Eigen::VectorXd& p, Linear& linear) const {
+    const double side = p[1] < p[0] * p[0] ? -1 : 1;
+    const Eigen::Vector2d r{std::sqrt(std::abs(p[1] - p[0] * p[0])) + 1, 1e-3 * (p[0] - 1)};
+    const double slope = side / (2 * std::max(1e-9, r[0] - 1));
+    const Eigen::Matrix2d j = (Eigen::Matrix2d{} << -2 * p[0] * slope, slope, 1e-3, 0).finished();
+    linear = {0.5 * r.squaredNorm(), j.transpose() * r, j.transpose() * j};
+    return true;
+  }
+};
+
 } // namespace
 
 TEST_CASE("the search finds the bottom of a curved valley") {
@@ -34,6 +46,14 @@ TEST_CASE("the search finds the bottom of a curved valley") {
   REQUIRE(minimum);
   CHECK(minimum->converged);
   CHECK((minimum->state - Eigen::Vector2d{1, 1}).norm() < 1e-4);
+}
+
+TEST_CASE("a search that is stuck at a kink has arrived") {
+  // Proves that a cost without a slope at its minimum is not called unsolved, and that the minimum is there.
+  const auto minimum = levenbergMarquardt(Fold{}, Eigen::VectorXd{Eigen::Vector2d{0.5, 1}});
+  REQUIRE(minimum);
+  CHECK(minimum->converged);
+  CHECK(std::abs(minimum->state[1] - minimum->state[0] * minimum->state[0]) < 1e-3);
 }
 
 TEST_CASE("an impossible start is absent and an impossible step is refused") {

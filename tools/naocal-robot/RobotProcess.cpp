@@ -1,5 +1,6 @@
 #include "RobotProcess.hpp"
 
+#include "brain/CalibrationModel.hpp"
 #include "captures/Files.hpp"
 #include "framework/Errors.hpp"
 #include "motion/MotionModules.hpp"
@@ -41,7 +42,8 @@ RobotProcess::RobotProcess(RobotInterface& robot, CameraInterface& cameras, cons
   addMotionModules(motion_, robot, drawing, ending_);
   addBrainModules(brain_, cameras, {drawing, identity, configuration_, options.configuration, options.recordings});
   if (options.replay != nullptr) {
-    replayed_ = &brain_.add<ReplayedCalibration>(drawing, *options.replay, options.recordings);
+    replayed_ = &brain_.add<ReplayedCalibration>(drawing, *options.replay, options.recordings,
+                                                  calibrationModel(options.configuration, drawing));
   }
   database_.emplace(std::vector<Thread*>{&motion_, &brain_});
   configuration_.mount("tuhhSDK.base", "sdk.json", Part::none);

@@ -8,7 +8,7 @@
 namespace naocal {
 
 /// What a joint's encoder shows too much with its gear where load and motion leave it: o with the corrections of
-/// backlash and hysteresis, the mean over the pictures in which it lies between board and camera. That much a constant
+/// the model's other effects, the mean over the pictures in which it lies between board and camera. That much a constant
 /// angle can compensate.
 struct ShownOffset {
   std::string joint;

@@ -5,14 +5,16 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace naocal {
 
 struct LevenbergMarquardtOptions {
-  int maxIterations = 100;
+  int maxIterations = 300;
   double firstDamping = 1e-3; // in units of 1 / scale^2
   double smallestFall =
       1e-9; // stop when the quadratic model predicts a smaller fall of the cost [1 = half a chi2 unit]
+  double settled = 1e-3; // a fall over the last ten iterations below which a search that could not go on has arrived
 };
 
 /// Where the search ended.
@@ -32,6 +34,8 @@ template <typename State, typename Linear> struct Minimum {
 ///   State moved(const State&, const Linear&, const Eigen::VectorXd& step)
 ///   const Eigen::VectorXd& scales()                    how far each number plausibly moves
 /// `linearise` gets one of two `Linear`s, filled before by itself or empty, so that it may use their memory again.
+/// Where the cost has a kink or a narrow bent valley (a gear's gap), steps never bring what is predicted: such a search
+/// has converged when it hardly fell any more.
 /// An impossible state is never rewarded: the step that led there is refused. Absent: already the start is impossible.
 template <typename Problem, typename State>
 auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarquardtOptions& options = {})
@@ -43,6 +47,7 @@ auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarq
   typename Problem::Linear there;
   double damping = options.firstDamping, growth = 2;
   bool arrived = false; // by a step, not by the start
+  std::vector<double> costs;
   while (minimum.iterations < options.maxIterations && !minimum.converged) {
     ++minimum.iterations;
     const auto& here = minimum.linear;
@@ -51,8 +56,9 @@ auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarq
     const Eigen::VectorXd step = damped.ldlt().solve(-here.gradient);
     const double predictedFall = -step.dot(here.gradient) - 0.5 * step.dot(here.hessian * step);
     if (!std::isfinite(predictedFall)) {
-      break;
+      return minimum;
     }
+    costs.push_back(here.cost);
     // A step whose predicted fall is nothing, or drowns in the cost's rounding, ends the search, taken or not.
     minimum.converged = predictedFall < options.smallestFall + 1e-12 * here.cost && damping < 1e3;
     if (minimum.converged && arrived) {
@@ -76,6 +82,8 @@ auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarq
       }
     }
   }
+  constexpr std::size_t some = 10;
+  minimum.converged |= costs.size() > some && costs[costs.size() - 1 - some] - minimum.linear.cost < options.settled;
   return minimum;
 }
 
