@@ -1,19 +1,48 @@
 #include "brain/CalibrationModel.hpp"
 
+#include "captures/InputError.hpp"
+#include "residuals/Model.hpp"
+
 #include <algorithm>
 
 namespace naocal {
+namespace {
+
+bool isAccepted(const Measurements& measurements, const std::vector<std::string>& with,
+                const std::vector<std::string>& without, const std::vector<Effect>& effects) {
+  try {
+    makeModel(measurements, with, without, effects);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+} // namespace
 
 ModelFile calibrationModel(const std::filesystem::path& configuration, const Robot& drawing) {
   return readModelFile(configuration / "models" / (drawing.model + ".json"), drawing);
 }
 
-ModelFile modelFor(const Measurements& measurements, const ModelFile& model) {
+FittingModel modelFor(const Measurements& measurements, const ModelFile& model) {
+  FittingModel fitting{{.effects = model.effects}, {}};
   const bool onOneFoot =
       std::all_of(measurements.standings.begin(), measurements.standings.end(), [](const Standing& standing) {
         return standing.supportFoot == SupportFoot::left || standing.supportFoot == SupportFoot::right;
       });
-  return onOneFoot ? model : ModelFile{.effects = model.effects};
+  if (!onOneFoot) {
+    return fitting;
+  }
+  for (const std::string& pattern : model.with) {
+    const bool isTold = isAccepted(measurements, {pattern}, {}, model.effects);
+    (isTold ? fitting.model.with : fitting.leftOut).push_back(pattern);
+  }
+  for (const std::string& pattern : model.without) {
+    if (isAccepted(measurements, fitting.model.with, {pattern}, model.effects)) { // else it is not there anyway
+      fitting.model.without.push_back(pattern);
+    }
+  }
+  return fitting;
 }
 
 } // namespace naocal

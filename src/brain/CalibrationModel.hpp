@@ -4,6 +4,8 @@
 #include "residuals/ModelFile.hpp"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace naocal {
 
@@ -11,8 +13,12 @@ namespace naocal {
 /// configuration's folder, a model file as the laptop's tools write it. Throws InputError.
 ModelFile calibrationModel(const std::filesystem::path& configuration, const Robot& drawing);
 
-/// The model for these captures: none of its effects where the robot stood on both feet, for there the loads of the
-/// joints are not known.
-ModelFile modelFor(const Measurements& measurements, const ModelFile& model);
+/// A model without what captures cannot tell: the other leg's effects, those whose drivers were not recorded; none of
+/// its effects where the robot stood on both feet, for there the loads of the joints are not known.
+struct FittingModel {
+  ModelFile model;
+  std::vector<std::string> leftOut; // "E@P" of what could have been told on one foot
+};
+FittingModel modelFor(const Measurements& measurements, const ModelFile& model);
 
 } // namespace naocal

@@ -10,6 +10,7 @@
 #include "diagnose/DiagnosisFile.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 namespace naocal {
@@ -44,7 +45,7 @@ std::vector<BoardCorners> CalibrationSession::add(Capture capture, const CameraF
 CalibrationSession::Solved CalibrationSession::solved() const {
   const std::vector<CaptureSet> sets{set_};
   const Measurements measurements = measurementsOf(sets, drawing_);
-  const ModelFile asked = modelFor(measurements, model_);
+  const auto [asked, leftOut] = modelFor(measurements, model_);
   const Model model = makeModel(measurements, asked.with, asked.without, asked.effects);
   const CalibrationResult result = calibrate(measurements, model);
   const ResultInputs inputs{{folder_.string()}, {sha256(fileContent(folder_ / "captures.json"))}};
@@ -55,6 +56,11 @@ CalibrationSession::Solved CalibrationSession::solved() const {
         "those of the configuration and lie still, and calibrate again"};
   }
   Solved solved{readResult(folder_ / "result.json"), shownOffsets(measurements, model, result), result.warnings};
+  if (!leftOut.empty()) {
+    solved.warnings.push_back(
+        {Warning::About::fit, fmt::format("These captures cannot tell {}, so the model was used without.",
+                                          fmt::join(leftOut, ", "))});
+  }
   nlohmann::json offsets; // [rad]
   for (const ShownOffset& offset : solved.offsets) {
     offsets[offset.joint] = {{"offset", offset.value}, {"sigma", offset.sigma}};
@@ -66,7 +72,7 @@ CalibrationSession::Solved CalibrationSession::solved() const {
 std::string CalibrationSession::diagnosed() const {
   const std::vector<CaptureSet> sets{set_};
   const Measurements measurements = measurementsOf(sets, drawing_);
-  const ModelFile asked = modelFor(measurements, model_);
+  const ModelFile asked = modelFor(measurements, model_).model;
   DiagnosisOptions options;
   options.with = asked.with;
   options.without = asked.without;

@@ -1,6 +1,7 @@
 #include "brain/CalibrationModel.hpp"
 
 #include "../RobotV6.hpp"
+#include "../synthetic/HandMadePoses.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -33,14 +34,24 @@ TEST_CASE("the gear's play stands where load and friction leave it, on every mod
   }
 }
 
-TEST_CASE("on both feet no load is known, so a calibration there has offsets and mounts only") {
-  // Proves that one stance on both feet is enough to leave the model's effects out, and none on one foot.
-  const ModelFile model = calibrationModel(configurationDirectory(), v6());
-  Measurements measurements{.robot = v6()};
-  measurements.standings = {{.supportFoot = SupportFoot::left}, {.supportFoot = SupportFoot::right}};
-  CHECK(modelFor(measurements, model).with == model.with);
-  measurements.standings.push_back({.supportFoot = SupportFoot::both});
-  CHECK(modelFor(measurements, model).with.empty());
+TEST_CASE("a calibration leaves out of its model what its captures cannot tell") {
+  // Proves that one model file serves both legs: the other leg's effects, and misspelt ones, are named and left out
+  // instead of ending the calibration; and that on both feet, where no load is known, offsets and mounts alone are left.
+  const auto standing = [](SupportFoot foot) {
+    return measurementsOf({simulate(v6(), handMadePlan(v6(), 2, foot), 5).set}, v6());
+  };
+  ModelFile model = calibrationModel(configurationDirectory(), v6());
+  model.with.insert(model.with.end(), {"elasticity@LKneePitch", "elasticity@RKneePitch", "elastisity@LKneePitch"});
+  model.without = {"jointOffset@LHipRoll", "jointOffset@Nose"};
+  const FittingModel left = modelFor(standing(SupportFoot::left), model);
+  CHECK(left.model.with == std::vector<std::string>{"gearPlay@*", "elasticity@LKneePitch"});
+  CHECK(left.model.without == std::vector<std::string>{"jointOffset@LHipRoll"});
+  CHECK(left.leftOut == std::vector<std::string>{"elasticity@RKneePitch", "elastisity@LKneePitch"});
+  const FittingModel right = modelFor(standing(SupportFoot::right), model);
+  CHECK(right.model.with == std::vector<std::string>{"gearPlay@*", "elasticity@RKneePitch"});
+  const FittingModel both = modelFor(standing(SupportFoot::both), model);
+  CHECK(both.model.with.empty());
+  CHECK(both.leftOut.empty());
 }
 
 } // namespace naocal
