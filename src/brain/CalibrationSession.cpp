@@ -58,8 +58,8 @@ CalibrationSession::Solved CalibrationSession::solved() const {
   Solved solved{readResult(folder_ / "result.json"), shownOffsets(measurements, model, result), result.warnings};
   if (!leftOut.empty()) {
     solved.warnings.push_back(
-        {Warning::About::fit, fmt::format("These captures cannot tell {}, so the model was used without.",
-                                          fmt::join(leftOut, ", "))});
+        {Warning::About::fit,
+         fmt::format("These captures cannot tell {}, so the model was used without.", fmt::join(leftOut, ", "))});
   }
   nlohmann::json offsets; // [rad]
   for (const ShownOffset& offset : solved.offsets) {

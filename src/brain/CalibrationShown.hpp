@@ -1,8 +1,8 @@
 #pragma once
 
 #include "brain/CalibrationStep.hpp"
-#include "calibrate/ShownOffsets.hpp"
 #include "calibrate/ResultFile.hpp"
+#include "calibrate/ShownOffsets.hpp"
 #include "captures/Capture.hpp"
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "calibrate/ShownOffsets.hpp"
 #include "calibrate/ResultFile.hpp"
+#include "calibrate/ShownOffsets.hpp"
 #include "framework/Configuration.hpp"
 
 namespace naocal {

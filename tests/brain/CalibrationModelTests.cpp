@@ -8,8 +8,8 @@
 namespace naocal {
 
 TEST_CASE("the gear's play stands where load and friction leave it, on every model of robot") {
-  // Proves that what is shipped can be read, and against a play operator by hand: a load above the gear's friction holds
-  // the joint at one end whatever the last motion was; under a lesser one it lags behind that motion.
+  // Proves that what is shipped can be read, and against a play operator by hand: a load above the gear's friction
+  // holds the joint at one end whatever the last motion was; under a lesser one it lags behind that motion.
   for (const char* name : {"V5", "V6"}) {
     const Robot robot = loadRobot(configurationDirectory(), name);
     const ModelFile model = calibrationModel(configurationDirectory(), robot);
@@ -36,7 +36,8 @@ TEST_CASE("the gear's play stands where load and friction leave it, on every mod
 
 TEST_CASE("a calibration leaves out of its model what its captures cannot tell") {
   // Proves that one model file serves both legs: the other leg's effects, and misspelt ones, are named and left out
-  // instead of ending the calibration; and that on both feet, where no load is known, offsets and mounts alone are left.
+  // instead of ending the calibration; and that on both feet, where no load is known, offsets and mounts alone are
+  // left.
   const auto standing = [](SupportFoot foot) {
     return measurementsOf({simulate(v6(), handMadePlan(v6(), 2, foot), 5).set}, v6());
   };

@@ -43,7 +43,7 @@ RobotProcess::RobotProcess(RobotInterface& robot, CameraInterface& cameras, cons
   addBrainModules(brain_, cameras, {drawing, identity, configuration_, options.configuration, options.recordings});
   if (options.replay != nullptr) {
     replayed_ = &brain_.add<ReplayedCalibration>(drawing, *options.replay, options.recordings,
-                                                  calibrationModel(options.configuration, drawing));
+                                                 calibrationModel(options.configuration, drawing));
   }
   database_.emplace(std::vector<Thread*>{&motion_, &brain_});
   configuration_.mount("tuhhSDK.base", "sdk.json", Part::none);

@@ -8,8 +8,8 @@
 namespace naocal {
 
 /// What a joint's encoder shows too much with its gear where load and motion leave it: o with the corrections of
-/// the model's other effects, the mean over the pictures in which it lies between board and camera. That much a constant
-/// angle can compensate.
+/// the model's other effects, the mean over the pictures in which it lies between board and camera. That much a
+/// constant angle can compensate.
 struct ShownOffset {
   std::string joint;
   double value = 0, sigma = 0; // [rad]

@@ -13,7 +13,7 @@ struct LevenbergMarquardtOptions {
   int maxIterations = 300;
   double firstDamping = 1e-3; // in units of 1 / scale^2
   double smallestFall =
-      1e-9; // stop when the quadratic model predicts a smaller fall of the cost [1 = half a chi2 unit]
+      1e-9;              // stop when the quadratic model predicts a smaller fall of the cost [1 = half a chi2 unit]
   double settled = 1e-3; // a fall over the last ten iterations below which a search that could not go on has arrived
 };
 
