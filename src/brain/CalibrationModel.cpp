@@ -34,12 +34,17 @@ FittingModel modelFor(const Measurements& measurements, const ModelFile& model) 
     return fitting;
   }
   for (const std::string& pattern : model.with) {
-    const bool isTold = isAccepted(measurements, {pattern}, {}, model.effects);
-    (isTold ? fitting.model.with : fitting.leftOut).push_back(pattern);
+    if (isAccepted(measurements, {pattern}, {}, model.effects)) {
+      fitting.model.with.push_back(pattern);
+    } else {
+      fitting.leftOut.push_back("with " + pattern);
+    }
   }
   for (const std::string& pattern : model.without) {
-    if (isAccepted(measurements, fitting.model.with, {pattern}, model.effects)) { // else it is not there anyway
+    if (isAccepted(measurements, fitting.model.with, {pattern}, model.effects)) {
       fitting.model.without.push_back(pattern);
+    } else {
+      fitting.leftOut.push_back("without " + pattern);
     }
   }
   return fitting;

@@ -59,7 +59,8 @@ CalibrationSession::Solved CalibrationSession::solved() const {
   if (!leftOut.empty()) {
     solved.warnings.push_back(
         {Warning::About::fit,
-         fmt::format("These captures cannot tell {}, so the model was used without.", fmt::join(leftOut, ", "))});
+         fmt::format("The robot's model names what these captures know nothing of; it was left out: {}.",
+                     fmt::join(leftOut, ", "))});
   }
   nlohmann::json offsets; // [rad]
   for (const ShownOffset& offset : solved.offsets) {

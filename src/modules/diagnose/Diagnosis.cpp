@@ -22,9 +22,7 @@ namespace {
 /// A curve of the map explains the misfit better than any effect that has a name. The larger the evidence, the further
 /// a curve must be ahead: being free it follows several effects at once, each of which is then named in turn.
 bool isUnknown(const Inquiry& inquiry, std::optional<std::size_t> candidate) {
-  // In 2 ln of the Bayes factor: on blind sets with known truth, 95.8 % of the clean flaws that have no name are then
-  // called unknown, and 2.2 % of those that have one.
-  constexpr double better = 5, large = 2000;
+  constexpr double better = 4, large = 500; // in 2 ln of the Bayes factor
   const double curve = inquiry.ofCurve(inquiry.curvesByEvidence().front()).bayes;
   const double named = candidate ? inquiry.ofCandidate(*candidate).bayes : -better;
   return curve > 0 && curve - named > std::max(better, named * named / large);
