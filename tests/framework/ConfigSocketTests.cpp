@@ -192,6 +192,32 @@ TEST_CASE("a wrong secret closes the connection") {
   CHECK(robot.isLogged("expected the secret of access.json, found another one; the connection was closed."));
 }
 
+TEST_CASE("whoever has not sent the secret keeps no place from those who have it") {
+  // Proves it with two places: strangers make room, for the owner and for each other; the owner's place stays.
+  SocketSettings two = wide("open sesame");
+  two.mostClients = 2;
+  ShownRobot robot{two};
+  const auto answers = [](MateClient& client) { return keysOf(client, "Brain.Counter").contains("factor"); };
+  std::vector<MateClient> strangers;
+  for (int i = 0; i < 2; ++i) {
+    strangers.push_back(robot.config());
+    REQUIRE(answers(strangers.back()));
+  }
+  auto owner = robot.config();
+  owner.send(set, change("naocal.access", "secret", "open sesame").dump());
+  CHECK(answers(owner));
+  for (int i = 0; i < 5; ++i) {
+    auto another = robot.config();
+    CHECK(answers(another));
+    CHECK(answers(owner));
+  }
+  auto second = robot.config();
+  second.send(set, change("naocal.access", "secret", "open sesame").dump());
+  CHECK(answers(second));
+  CHECK(robot.config().isClosed());
+  CHECK(robot.isLogged("2 clients are connected already, which is the limit"));
+}
+
 TEST_CASE("on a trusted network plain MATE may do everything") {
   // Proves the switch, and that a secret is not needed on UNIX sockets either.
   ShownRobot trusting{wide("", true)};

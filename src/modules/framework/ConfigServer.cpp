@@ -50,6 +50,10 @@ void ConfigServer::closed(Peer& peer) {
   refused_.erase(&peer);
 }
 
+bool ConfigServer::isTrusted(const Peer& peer) const {
+  return !access_.needsSecret(peer.address()) || entered_.contains(&peer);
+}
+
 void ConfigServer::received(Peer& peer, std::uint8_t type, std::string body) {
   switch (static_cast<ConfigType>(type)) {
   case ConfigType::set:
@@ -68,7 +72,7 @@ void ConfigServer::received(Peer& peer, std::uint8_t type, std::string body) {
 }
 
 template <class Action> void ConfigServer::change(const Peer& peer, std::string_view what, const Action& action) {
-  if (access_.needsSecret(peer.address()) && !entered_.contains(&peer)) {
+  if (!isTrusted(peer)) {
     if (refused_.insert(&peer).second) { // once is enough to know, and does not fill a disk
       log_(fmt::format("Client {}: {} was refused, as all that it asks for will be; it has not sent the secret of "
                        "access.json.",

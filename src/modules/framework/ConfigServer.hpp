@@ -30,6 +30,7 @@ public:
   void opened(Peer&) override {}
   void received(Peer& peer, std::uint8_t type, std::string body) override;
   void closed(Peer& peer) override;
+  bool isTrusted(const Peer& peer) const override;
 
 private:
   void set(Peer& peer, const std::string& body);

@@ -61,6 +61,10 @@ void DebugServer::closed(Peer& peer) {
   }
 }
 
+bool DebugServer::isTrusted(const Peer& peer) const {
+  return access_.isOpen(peer.address());
+}
+
 void DebugServer::received(Peer& peer, std::uint8_t type, std::string body) {
   switch (static_cast<DebugType>(type)) {
   case DebugType::subscribe:

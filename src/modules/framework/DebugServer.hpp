@@ -30,6 +30,7 @@ public:
   void opened(Peer& peer) override;
   void received(Peer& peer, std::uint8_t type, std::string body) override;
   void closed(Peer& peer) override;
+  bool isTrusted(const Peer& peer) const override;
 
   /// The samples of pictures that somebody wants and can take now: to be encoded, by any thread, before the report is
   /// sent.

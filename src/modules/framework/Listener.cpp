@@ -2,6 +2,7 @@
 
 #include "framework/Errors.hpp"
 
+#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
@@ -133,6 +134,17 @@ void setKeepAlive(Socket& socket) {
 
 } // namespace
 
+void Listener::makeRoom() {
+  if (connections_.size() < mostClients_) {
+    return;
+  }
+  const auto stranger = std::find_if(connections_.begin(), connections_.end(),
+                                     [this](const auto& client) { return !protocol_.isTrusted(*client); });
+  if (stranger != connections_.end()) {
+    (*stranger)->end();
+  }
+}
+
 void Listener::welcome(Socket socket) {
   error_code gone;
   const Generic::endpoint endpoint = socket.remote_endpoint(gone);
@@ -140,6 +152,7 @@ void Listener::welcome(Socket socket) {
     return;
   }
   const std::string address = addressOf(endpoint);
+  makeRoom();
   if (connections_.size() >= mostClients_) {
     log_(fmt::format("Client {}: {} clients are connected already, which is the limit; the connection was closed.",
                      address.empty() ? "on this computer" : address, mostClients_));

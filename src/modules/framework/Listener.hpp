@@ -10,7 +10,8 @@
 /// Heavy (Boost.Asio): included by Listener.cpp and Sockets.cpp only.
 namespace naocal {
 
-/// Accepts the clients of one server, over any number of addresses, and owns their connections.
+/// Accepts the clients of one server, over any number of addresses, and owns their connections. When all places are
+/// taken, a client that has not shown the secret where it is needed gives up its place.
 class Listener {
 public:
   Listener(boost::asio::io_context& context, Protocol& protocol, std::size_t mostClients, ClientLimits limits, Log log);
@@ -32,6 +33,7 @@ private:
   Door& open(const boost::asio::generic::stream_protocol& protocol);
   void accept(Door& door);
   void welcome(Socket socket);
+  void makeRoom(); // where all places are taken, by a client without the secret
 
   boost::asio::io_context& context_;
   Protocol& protocol_;

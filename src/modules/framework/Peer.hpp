@@ -40,6 +40,8 @@ public:
   virtual void opened(Peer& peer) = 0;
   virtual void received(Peer& peer, std::uint8_t type, std::string body) = 0;
   virtual void closed(Peer& peer) = 0;
+  /// Where the secret is needed, whether the client has shown it: else it makes room for others when all is full.
+  virtual bool isTrusted(const Peer& peer) const = 0;
 };
 
 } // namespace naocal
