@@ -27,10 +27,11 @@ CalibrationRound headRound(const CompensatedAngles& stand, const std::vector<dou
   const std::size_t neck[]{*jointNumber("HeadYaw"), *jointNumber("HeadPitch")};
   CalibrationRound round;
   for (std::size_t look = 0; look < looks.size(); ++look) {
+    const std::string id = fmt::format("H{:02}", look);
     for (int repeat = 0; repeat < options.pictures; ++repeat) {
       const CompensatedAngles pose = lookingFrom(stand, looks[look].first, looks[look].second);
-      CalibrationStep step{fmt::format("Pose {}", look + 1), "", false, {pose, pose}, 1, {}};
-      step.taken.pose = fmt::format("H{:02}", look);
+      CalibrationStep step{fmt::format("Pose {}", id), "", false, {pose, pose}, 1, {}};
+      step.taken.pose = id;
       step.taken.repeat = repeat;
       step.taken.repeatKind = RepeatKind::reapproach;
       step.taken.supportFoot = SupportFoot::both;

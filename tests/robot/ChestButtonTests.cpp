@@ -129,7 +129,7 @@ TEST_CASE("a calibration says what it waits for") {
   while (state["sentence"].get<std::string>().find("waits until") == std::string::npos) {
     state = person.next();
   }
-  CHECK(state["sentence"] == "Pose 1 waits until the bottom camera gives pictures.");
+  CHECK(state["sentence"] == "Pose H00 waits until the bottom camera gives pictures.");
   person.simulated.world.block(CameraName::bottom, false);
   CHECK(person.until("finished")["errorAfter"].is_number());
 }

@@ -2,11 +2,12 @@
 // that is confirmed too.
 import {make, button, confirmation} from "./elements.js";
 import {act, say} from "./state.js";
-import {robots, lookedAt, needKeys} from "./robots.js";
+import {robots, lookedAt, needKeys, nameOf} from "./robots.js";
 import {number} from "./words.js";
 import {savingOn} from "./save.js";
 import {offsetsMount, mountsMount} from "./steer.js";
 
+const settable = /^(jointOffset|cameraRotation|backlash|hysteresis)$/; // a gap as what it was on average in these captures
 let confirming = null; // {what, robot}
 
 // What is to be set, beside what the robot has: offsets in degrees, mounts in radians, as HULKs' configuration has them.
@@ -37,17 +38,17 @@ export function applying(fit, again) {
   [offsetsMount, mountsMount].forEach(mount => needKeys(robot, mount));
   const changes = changesOf(fit, entry.keys), asks = what => () => { confirming = what && {what, robot}; again(); };
   const waits = what => confirming && confirming.what === what && confirming.robot === robot;
-  const parts = [make("p", {class: "controls"}, button("Apply to " + robot + " …", asks("apply"), {disabled: !changes.length}),
+  const parts = [make("p", {class: "controls"}, button("Apply to " + nameOf(robot) + " …", asks("apply"), {disabled: !changes.length}),
     button("Save …", asks("save")))];
   if (waits("apply")) {
-    const others = fit.with.filter(label => !/^(jointOffset|cameraRotation|backlash|hysteresis)@/.test(label)), {untold} = fit.compensation;
-    parts.push(confirmation(["Set this on " + robot + "? It counts at once, and until it ends unless it is saved." +
+    const others = [...new Set(fit.with.map(label => label.split("@")[0]))].filter(effect => !settable.test(effect)), {untold} = fit.compensation;
+    parts.push(confirmation(["Set this on " + nameOf(robot) + "? It counts at once, and until it ends unless it is saved." +
       (fit.usable ? "" : " This result should not be used."), table(changes),
       ...(untold.length ? ["These captures hardly tell " + untold.join(", ") + ": the robot keeps what it has there."] : []),
-      ...(others.length ? ["What is beyond constant offsets (" + others.join(", ") + ") cannot be set on it."] : [])], "Apply to " + robot, () => {
+      ...(others.length ? ["What is beyond constant offsets (" + others.join(", ") + ") cannot be set on it."] : [])], "Apply to " + nameOf(robot), () => {
       confirming = null;
       const settings = changes.map(({mp, key, value}) => ({mp, key, value}));
-      if (act({do: "set", robot, settings})) say("Sent to " + robot + ". Save writes it into its files.");
+      if (act({do: "set", robot, settings})) say("Sent to " + nameOf(robot) + ". Save writes it into its files.");
       [offsetsMount, mountsMount].forEach(mount => act({do: "keys", robot, mount})); // what it took
       again();
     }, asks(null)));

@@ -1,7 +1,7 @@
 // Configuration: every mount's parameters; each is set by itself, and saved only when the person confirms it.
 import {make, button, empty, renew} from "./elements.js";
 import {act, notice} from "./state.js";
-import {robots, robotBar, refreshBar, lookedAt, needKeys, whyNothing} from "./robots.js";
+import {robots, robotBar, refreshBar, lookedAt, needKeys, nameOf, whyNothing} from "./robots.js";
 import {savingOn} from "./save.js";
 import {runner} from "./steer.js";
 
@@ -31,7 +31,7 @@ function compare({robot, body}) {
     sent.answered = true;
     if (sent.text === textOf(value)) continue;
     changed.delete(place);
-    notice(robot + " did not take " + key + " = " + sent.text + ": it has " + textOf(value) + ". Its own log says why.");
+    notice(nameOf(robot) + " did not take " + key + " = " + sent.text + ": it has " + textOf(value) + ". Its own log says why.");
   }
 }
 
@@ -40,7 +40,7 @@ function content(robot) {
   if (!entry.mounts.some(({key}) => key === mount)) mount = entry.mounts.length ? entry.mounts[0].key : null;
   if (mount) needKeys(robot, mount);
   return [entry.connected ? make("p", {class: "soft"}, "A value that is set counts at once and until the robot ends. Saving writes all that was set into the robot's own files.")
-    : make("p", {class: "bad"}, robot + " " + entry.sentence + ". Nothing can be set until it is back."),
+    : make("p", {class: "bad"}, nameOf(robot) + " " + entry.sentence + ". Nothing can be set until it is back."),
     make("div", {class: "split keys-split"}, mountList(robot, entry), parameters(robot, entry))];
 }
 

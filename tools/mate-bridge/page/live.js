@@ -2,7 +2,7 @@
 import {make, empty, choice} from "./elements.js";
 import {wish} from "./subscriptions.js";
 import {cameraAt, cameraKeys} from "./camera.js";
-import {robots, robotBar, refreshBar, lookedAt, whyNothing} from "./robots.js";
+import {robots, robotBar, refreshBar, lookedAt, nameOf, whyNothing} from "./robots.js";
 import {History} from "./history.js";
 import {Plotted} from "./plotted.js";
 
@@ -42,7 +42,7 @@ function content(robot) {
   const {list, connected, sentence} = robots.get(robot);
   const {images, chosen} = cameraKeys(list), values = list.filter(({isImage}) => !isImage);
   slots.forEach((slot, i) => { if (slot.key === undefined || (slot.key && !images.includes(slot.key))) slot.key = chosen[i]; });
-  return [connected ? null : make("p", {class: "bad"}, robot + " " + sentence + ". It is tried again every second; below is the last that it told."),
+  return [connected ? null : make("p", {class: "bad"}, nameOf(robot) + " " + sentence + ". It is tried again every second; below is the last that it told."),
     make("div", {class: "cameras"}, ...slots.map(slot => cameraOf(slot, images))),
     make("div", {class: "split live"}, keyList(values), plots())].filter(Boolean);
 }

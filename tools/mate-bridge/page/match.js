@@ -3,7 +3,7 @@
 import {make, button, empty} from "./elements.js";
 import {send} from "./connection.js";
 import {act, notice} from "./state.js";
-import {robots, robotBar, refreshBar, lookedAt, needKeys, whyNothing} from "./robots.js";
+import {robots, robotBar, refreshBar, lookedAt, needKeys, nameOf, calledBy, whyNothing} from "./robots.js";
 import {wish} from "./subscriptions.js";
 import {cameraAt, cameraKeys} from "./camera.js";
 import {of, valueOf} from "./values.js";
@@ -154,7 +154,7 @@ function updated(robot, values, isShown) {
       if (robot === shownRobot && old && running(old.phase)) restWhenDone();
       if (old && old.sentence !== value.sentence && !running(value.phase)) [offsetsMount, mountsMount].forEach(mount => act({do: "keys", robot, mount})); // what it has now
     }
-    if (key === playerKey && value.held && !(old && old.held) && !isShown) notice(robot + ": " + (value.reason || "Hold it by its trunk: its eyes are yellow."));
+    if (key === playerKey && value.held && !(old && old.held) && !isShown) notice(nameOf(robot) + ": " + (value.reason || "Hold it by its trunk: its eyes are yellow."));
   }
 }
 
@@ -174,7 +174,7 @@ export const hasMatch = () => calibrated().length > 0;
 export function matchSummary(parent) {
   for (const robot of calibrated()) {
     const state = valueOf(robot, stateKey), told = valueOf(robot, outcomeKey), {before, mountsBefore, scene} = of(robot), {keys} = robots.get(robot);
-    parent.append(make("h1", {}, "Calibration of " + robot), ...progress(state, null), ...outcome(state, running(state.phase), told),
+    parent.append(make("h1", {}, "Calibration of " + calledBy(robot)), ...progress(state, null), ...outcome(state, running(state.phase), told),
       ...offsets(told, before, keys.get(offsetsMount)), ...cameraMounts(mountsBefore, keys.get(mountsMount)), standingFigure(() => ({now: scene, next: null}), "how the robot stands"), floorFigure(() => scene), ...thumbnails(robot));
   }
 }

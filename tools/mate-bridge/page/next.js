@@ -3,7 +3,7 @@ import {make, button, empty, choice, confirmation} from "./elements.js";
 import {send, on} from "./connection.js";
 import {state, act, say} from "./state.js";
 import {standingFigure} from "./standing.js";
-import {robots, lookedAt, needKeys} from "./robots.js";
+import {robots, lookedAt, needKeys, nameOf} from "./robots.js";
 import {runner, begin} from "./steer.js";
 import {make as ask} from "./files.js";
 
@@ -48,14 +48,14 @@ function playing(next, again) {
   const can = entry && entry.connected && (entry.keys.get(runner) || []).some(({key}) => key === "poses"); // not every robot takes them
   const save = button("Save poses.json", () => ask("poses.json"));
   if (!can) return [make("p", {class: "controls"}, save, make("span", {class: "soft"}, "A robot that takes poses by its socket plays them: connect to one in Calibrate. Or take the file to it."))];
-  if (confirming !== robot) return [make("p", {class: "controls"}, button("Play on " + robot + " …", () => { confirming = robot; again(); }, {class: "main"}), save)];
+  if (confirming !== robot) return [make("p", {class: "controls"}, button("Play on " + nameOf(robot) + " …", () => { confirming = robot; again(); }, {class: "main"}), save)];
   return [confirmation(
-    robot + " will take these " + next.poses.length + " poses on one foot before its boards, and record what it sees. They are safe for joint offsets that are known to " + Math.round(180 / Math.PI * 10 * next.assumptions.jointError) / 10 + "°: calibrate its legs first. Is everybody's hand ready to catch it?",
+    nameOf(robot) + " will take these " + next.poses.length + " poses on one foot before its boards, and record what it sees. They are safe for joint offsets that are known to " + Math.round(180 / Math.PI * 10 * next.assumptions.jointError) / 10 + "°: calibrate its legs first. Is everybody's hand ready to catch it?",
     "Play", () => {
       confirming = null;
       const poses = {format: "naocal-poses", version: 1, robot: state.set.robot, poses: next.poses, assumptions: next.assumptions};
       if (!act({do: "set", robot, settings: [{mp: runner, key: "poses", value: poses}]}) || !begin(robot, "poses")) return again();
-      say("Asked " + robot + " to take these poses: Calibrate shows how it fares.");
+      say("Asked " + nameOf(robot) + " to take these poses: Calibrate shows how it fares.");
       location.hash = "match";
     }, () => { confirming = null; again(); })];
 }

@@ -63,7 +63,11 @@ function open() {
   scrollTo(0, 0);
 }
 
-const showTab = () => at("tabs").querySelector("[aria-current]")?.scrollIntoView({block: "nearest", inline: "center"});
+// In a narrow window; the page itself stays where it is.
+function showTab() {
+  const strip = at("tabs"), tab = strip.querySelector("[aria-current]");
+  if (tab) strip.scrollLeft += tab.getBoundingClientRect().left - strip.getBoundingClientRect().left - (strip.clientWidth - tab.clientWidth) / 2;
+}
 addEventListener("resize", showTab);
 
 function draw() {

@@ -16,10 +16,22 @@ export function bridgeLost() {
   for (const entry of robots.values()) Object.assign(entry, {connected: false, sentence: "is out of sight: the bridge is away"});
 }
 
-// "Ada (10.1.24.13)": its head's name, as its own configuration has it, and where it is reached.
-export function calledBy(robot) {
+// Its head's name, as its own configuration has it; "" where that is not known.
+function headName(robot) {
   const name = (robots.get(robot)?.keys.get("tuhhSDK.base") || []).find(({key}) => key === "NaoInfo.headName")?.value;
-  return typeof name === "string" && name && name !== robot ? name + " (" + robot + ")" : robot;
+  return typeof name === "string" ? name : "";
+}
+
+// "Ada (10.1.24.13)": its name, and where it is reached.
+export function calledBy(robot) {
+  const name = headName(robot);
+  return name && name !== robot ? name + " (" + robot + ")" : robot;
+}
+
+// "Ada", or where it is reached if it has no name of its own.
+export function nameOf(robot) {
+  const name = headName(robot);
+  return name && [...robots.keys()].every(other => other === robot || headName(other) !== name) ? name : robot;
 }
 
 export const lookedAt = () => robots.get(looked) ? looked : (robots.keys().next().value ?? null);

@@ -2,7 +2,7 @@
 import {make, button, confirmation} from "./elements.js";
 import {act} from "./state.js";
 import {of} from "./values.js";
-import {calledBy} from "./robots.js";
+import {calledBy, nameOf} from "./robots.js";
 import {savingOn} from "./save.js";
 import {saveSession} from "./session.js";
 
@@ -29,7 +29,7 @@ export function steer({robot, entry, state, player, isRunning, kinds, draw, when
       start(robot, entry);
       draw();
     }, asks(null)) : "",
-    connected ? "" : make("p", {class: "bad"}, robot + " " + sentence + ". It is tried again every second; a robot that was started " +
+    connected ? "" : make("p", {class: "bad"}, nameOf(robot) + " " + sentence + ". It is tried again every second; a robot that was started " +
       "from here ends what it does and goes to its stand, one that loses power holds nothing.")]);
 }
 
@@ -89,7 +89,7 @@ export function afterwards({robot, entry, state, isRunning, draw, when}) {
       button("Undo …", asks("undo"), {disabled: !undoable, title: "takes back what the last calibration saved"}),
       button("Save …", asks("save"), {disabled: !can, title: "writes what was set by hand into the robot's files"}),
       button("Export", saveSession, {title: "all that is shown, as one HTML file"})),
-    waits("undo", robot) && undoable ? confirmation("Take back what the last calibration saved on " + robot + ", offsets and cameras?", "Undo on " + robot, () => {
+    waits("undo", robot) && undoable ? confirmation("Take back what the last calibration saved on " + nameOf(robot) + ", offsets and cameras?", "Undo on " + nameOf(robot), () => {
       confirming = null;
       if (set(robot, runner, "run", "")) set(robot, runner, "run", "undo");
       draw();

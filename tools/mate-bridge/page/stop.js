@@ -1,6 +1,6 @@
 // Stop: one button in the header of every view while a robot can be reached that may move. It acts when it is pressed,
 // not when it is let go, and so does the key s.
-import {robots} from "./robots.js";
+import {robots, nameOf} from "./robots.js";
 import {valueOf} from "./values.js";
 import {set, runner} from "./steer.js";
 import {stateKey, running} from "./follow.js";
@@ -14,7 +14,7 @@ export function refreshStop() {
   const now = moving();
   stop.hidden = !reached().length;
   stop.classList.toggle("moving", now.length > 0);
-  stop.title = "key s: " + (now.length ? now.join(", ") + " ends the calibration" : "ends whatever a calibration does") + " and goes back to its stand";
+  stop.title = "key s: " + (now.length ? now.map(nameOf).join(", ") + " ends the calibration" : "ends whatever a calibration does") + " and goes back to its stand";
 }
 
 // Whatever runs ends: a value that differs from the one before, then none.
