@@ -1,6 +1,7 @@
 #include "calibrate/BoardPose.hpp"
 
-#include <Eigen/Eigenvalues>
+#include "geometry/SymmetricEigen.hpp"
+
 #include <Eigen/SVD>
 #include <cmath>
 
@@ -45,7 +46,7 @@ std::optional<RigidTransform> boardPose(const CornerBlocks& corners, const Eigen
   for (const Eigen::Vector2d& point : points) {
     spread += (point - centre) * (point - centre).transpose();
   }
-  const Eigen::Vector2d spreads = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>{spread}.eigenvalues();
+  const Eigen::Vector2d spreads = symmetricEigenvalues(spread);
   if (spreads[0] < 1e-3 * spreads[1]) {
     return std::nullopt;
   }
@@ -57,9 +58,7 @@ std::optional<RigidTransform> boardPose(const CornerBlocks& corners, const Eigen
     system.row(row) << p.transpose(), 0, 0, 0, -rays[i].x() * p.transpose();
     system.row(row + 1) << 0, 0, 0, p.transpose(), -rays[i].y() * p.transpose();
   }
-  const Eigen::Matrix<double, 9, 9> normal = system.transpose() * system;
-  const Eigen::Matrix<double, 9, 1> h =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 9, 9>>{normal}.eigenvectors().col(0);
+  const Eigen::VectorXd h = symmetricEigen(system.transpose() * system).vectors.col(0);
   Eigen::Matrix3d homography; // rays = homography * (point - centre) / size: its columns are r1 size, r2 size, t
   homography << h[0], h[1], h[2], h[3], h[4], h[5], h[6], h[7], h[8];
   homography *= (homography(2, 2) < 0 ? -2 : 2) / (homography.col(0).norm() + homography.col(1).norm());

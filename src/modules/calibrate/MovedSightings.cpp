@@ -1,8 +1,9 @@
 #include "calibrate/MovedSightings.hpp"
 
+#include "calibrate/Tails.hpp"
+
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 
 namespace naocal {
 
@@ -65,8 +66,7 @@ std::optional<Move> mostMoved(const Measurements& measurements, const Model& mod
   if (most == all.end()) {
     return std::nullopt;
   }
-  const boost::math::chi_squared unmoved{6};
-  const double p = boost::math::cdf(complement(unmoved, std::max(0.0, most->chi2)));
+  const double p = chiSquaredTail(std::max(0.0, most->chi2), 6);
   return p * static_cast<double>(all.size()) < falseAlarm ? std::optional{*most} : std::nullopt;
 }
 

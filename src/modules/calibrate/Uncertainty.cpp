@@ -1,9 +1,9 @@
 #include "calibrate/Uncertainty.hpp"
 
+#include "calibrate/Tails.hpp"
+
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 namespace naocal {
@@ -37,11 +37,10 @@ Spread spreadOver(const Residuals::Linear& linear, const Eigen::VectorXd& unknow
 /// nu = 4 + 2 / (relative variance of the variance).
 Estimate estimate(double value, double variance, double relativeSpread, double priorSigma) {
   const double freedom = std::min(4 + 2 / std::max(relativeSpread, 1e-9), 1e6);
-  const boost::math::students_t student{freedom};
   const double sigma = std::sqrt(variance);
   return {.value = value,
           .sigma = sigma,
-          .halfWidth = boost::math::quantile(student, 0.975) * sigma * std::sqrt((freedom - 2) / freedom),
+          .halfWidth = studentHalfWidth(freedom) * sigma * std::sqrt((freedom - 2) / freedom),
           .freedom = freedom,
           .learned = 1 - sigma / priorSigma};
 }
@@ -78,7 +77,7 @@ Misfit misfitOf(const Fit& fit, const Eigen::VectorXd& sigmas) {
   const double learned = (1 - variances.cwiseQuotient(sigmas.cwiseAbs2()).array()).sum();
   result.dof = numbers - learned;
   if (result.dof >= 1) {
-    result.pValue = boost::math::cdf(complement(boost::math::chi_squared{result.dof}, result.chi2));
+    result.pValue = chiSquaredTail(result.chi2, result.dof);
   }
   if (result.pValue < 0.001) {
     result.scale = std::sqrt(result.chi2 / result.dof);

@@ -1,8 +1,8 @@
 #include "calibrate/WeakDirections.hpp"
 #include "calibrate/Words.hpp"
 #include "geometry/Index.hpp"
+#include "geometry/SymmetricEigen.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -28,21 +28,21 @@ std::vector<WeakDirection> weakDirections(const Model& model, const CalibrationR
           result.covariance(at(physical[i]), at(physical[j])) / (sigmas[at(physical[i])] * sigmas[at(physical[j])]);
     }
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen{relative};
+  const SymmetricEigen eigen = symmetricEigen(relative);
   const std::vector<std::string> names = model.names();
   std::vector<WeakDirection> weak;
   for (Eigen::Index k = relative.rows() - 1; k >= 0; --k) {
     WeakDirection direction;
-    direction.sigma = std::sqrt(std::max(0.0, eigen.eigenvalues()[k]));
+    direction.sigma = std::sqrt(std::max(0.0, eigen.values[k]));
     if (direction.sigma < wide) {
       break;
     }
     std::vector<std::string> words;
     Eigen::VectorXd turn = Eigen::VectorXd::Zero(sigmas.size()); // the direction in radians
     direction.unit = "rad";
-    const double least = shared * eigen.eigenvectors().col(k).cwiseAbs().maxCoeff();
+    const double least = shared * eigen.vectors.col(k).cwiseAbs().maxCoeff();
     for (std::size_t i = 0; i < physical.size(); ++i) {
-      const double share = eigen.eigenvectors()(at(i), k);
+      const double share = eigen.vectors(at(i), k);
       if (std::abs(share) >= least) {
         const std::size_t unknown = physical[i];
         direction.parts.emplace_back(names[unknown], share);

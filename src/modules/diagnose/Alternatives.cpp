@@ -1,8 +1,8 @@
 #include "diagnose/Alternatives.hpp"
 
 #include "diagnose/Power.hpp"
+#include "geometry/SymmetricEigen.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <algorithm>
 
@@ -17,11 +17,11 @@ constexpr double evident = 10;    // in 2 ln of the Bayes factor: no chance find
 
 /// W with W^T block W = 1 over what is not absorbed.
 Eigen::MatrixXd orthonormaliser(const Eigen::MatrixXd& block) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen{block};
-  const double least = 1e-9 * std::max(1e-300, eigen.eigenvalues().maxCoeff());
+  const SymmetricEigen eigen = symmetricEigen(block);
+  const double least = 1e-9 * std::max(1e-300, eigen.values.maxCoeff());
   const Eigen::VectorXd scale =
-      (eigen.eigenvalues().array() > least).select(eigen.eigenvalues().array().max(least).sqrt().inverse(), 0.0);
-  return eigen.eigenvectors() * scale.asDiagonal();
+      (eigen.values.array() > least).select(eigen.values.array().max(least).sqrt().inverse(), 0.0);
+  return eigen.vectors * scale.asDiagonal();
 }
 
 } // namespace

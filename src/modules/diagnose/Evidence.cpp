@@ -1,11 +1,11 @@
 #include "diagnose/Evidence.hpp"
 
 #include "calibrate/JointNoise.hpp"
+#include "calibrate/Tails.hpp"
 #include "diagnose/LevelTests.hpp"
 #include "geometry/Index.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -16,9 +16,7 @@ namespace naocal {
 namespace {
 
 double tail(double fall, Eigen::Index freedom) {
-  return freedom < 1 || fall <= 0
-             ? 1
-             : boost::math::cdf(complement(boost::math::chi_squared{static_cast<double>(freedom)}, fall));
+  return freedom < 1 || fall <= 0 ? 1 : chiSquaredTail(fall, static_cast<double>(freedom));
 }
 
 /// Most of the alarm's false alarms are left to the effects that have a name: there are many more curves, and for one

@@ -1,11 +1,11 @@
 #include "diagnose/FreedErrors.hpp"
 
+#include "calibrate/Tails.hpp"
 #include "diagnose/Scene.hpp"
 #include "geometry/Index.hpp"
+#include "geometry/SymmetricEigen.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <array>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <map>
 
@@ -124,15 +124,15 @@ FieldFit FreedErrors::fitted(Eigen::Index count, double plausible,
   for (const auto& [number, sums] : repeats) {
     all.add(sums);
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ways{gram};
-  const Eigen::VectorXd along = ways.eigenvectors().transpose() * gradient;
+  const SymmetricEigen ways = symmetricEigen(gram);
+  const Eigen::VectorXd along = ways.vectors.transpose() * gradient;
   // A first guess of the noise decides which ways the captures tell, to about five times what is plausible.
   const double guessed = std::max(all.sum / std::max(1.0, all.freedom), leastNoise * leastNoise);
   const double leastTold = guessed / std::pow(5 * plausible, 2);
   double explained = 0, freedom = 0; // of the ways that are told
   for (Eigen::Index i = 0; i < count; ++i) {
-    if (ways.eigenvalues()[i] > leastTold) {
-      explained += along[i] * along[i] / ways.eigenvalues()[i];
+    if (ways.values[i] > leastTold) {
+      explained += along[i] * along[i] / ways.values[i];
       ++freedom;
     }
   }
@@ -145,18 +145,18 @@ FieldFit FreedErrors::fitted(Eigen::Index count, double plausible,
   result.freedom = freedom;
   const double noise = std::max((all.sum - explained) / remaining, leastNoise * leastNoise);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const double told = ways.eigenvalues()[i] / noise;
-    if (ways.eigenvalues()[i] > leastTold) {
+    const double told = ways.values[i] / noise;
+    if (ways.values[i] > leastTold) {
       const double prior = told * plausible * plausible, kept = prior / (1 + prior);
-      const double found = along[i] / ways.eigenvalues()[i];
-      result.estimate += kept * found * ways.eigenvectors().col(i);
-      result.covariance += kept / told * ways.eigenvectors().col(i) * ways.eigenvectors().col(i).transpose();
+      const double found = along[i] / ways.values[i];
+      result.estimate += kept * found * ways.vectors.col(i);
+      result.covariance += kept / told * ways.vectors.col(i) * ways.vectors.col(i).transpose();
       result.bayes += kept * told * found * found - std::log1p(prior);
     }
   }
   result.rmsPx = std::sqrt(std::max(0.0, explained - freedom * noise) / (2 * all.corners));
   result.share = all.sum > 0 ? std::max(0.0, explained - freedom * noise) / all.sum : 0;
-  result.pValue = cdf(complement(boost::math::fisher_f{freedom, remaining}, explained / freedom / noise));
+  result.pValue = fisherTail(explained / freedom / noise, freedom, remaining);
   return result;
 }
 

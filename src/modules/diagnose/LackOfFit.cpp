@@ -1,10 +1,9 @@
 #include "diagnose/LackOfFit.hpp"
 
+#include "calibrate/Tails.hpp"
 #include "diagnose/ModelAlone.hpp"
+#include "geometry/SymmetricEigen.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 
 namespace naocal {
@@ -28,8 +27,7 @@ double toldDirections(const PoseSystem& pose, const Noise& noise) {
   only.cross = columns.transpose() * pose.deflectionGram;
   only.unknownGradient = Eigen::VectorXd::Zero(motors);
   const Eigen::MatrixXd information = eliminated(only, noise, deflectionRoot(pose, noise)).hessian;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen{information, Eigen::EigenvaluesOnly};
-  const Eigen::ArrayXd inUnits = eigen.eigenvalues().array().max(0) * everything * everything;
+  const Eigen::ArrayXd inUnits = symmetricEigenvalues(information).array().max(0) * everything * everything;
   return (inUnits / (1 + inUnits)).sum();
 }
 
@@ -69,10 +67,10 @@ LackOfFit lackOfFit(const Inquiry& inquiry) {
   if (result.dof[1] < few) {
     result.dof[1] = 0;
     result.statistic = between;
-    result.pValue = boost::math::cdf(complement(boost::math::chi_squared{result.dof[0]}, between * result.dof[0]));
+    result.pValue = chiSquaredTail(between * result.dof[0], result.dof[0]);
   } else {
     result.statistic = between / (within / result.dof[1]);
-    result.pValue = boost::math::cdf(complement(boost::math::fisher_f{result.dof[0], result.dof[1]}, result.statistic));
+    result.pValue = fisherTail(result.statistic, result.dof[0], result.dof[1]);
   }
   result.noiseFloorPx = std::sqrt(2 * expected / numbers);
   return result;

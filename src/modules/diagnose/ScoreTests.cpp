@@ -1,7 +1,7 @@
 #include "diagnose/ScoreTests.hpp"
 #include "geometry/Index.hpp"
+#include "geometry/SymmetricEigen.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 namespace naocal {
@@ -14,14 +14,14 @@ constexpr double absorbed = 1e-4;
 /// W with |W s|^2 = s^T block^-1 s over those directions that are not absorbed.
 Eigen::MatrixXd whiteningOf(const Eigen::MatrixXd& block, const Eigen::MatrixXd& whole) {
   const Eigen::VectorXd scale = whole.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen{scale.asDiagonal() * block * scale.asDiagonal()};
+  const SymmetricEigen eigen = symmetricEigen(scale.asDiagonal() * block * scale.asDiagonal());
   Eigen::Index lost = 0;
-  while (lost < block.rows() && eigen.eigenvalues()[lost] < absorbed) {
+  while (lost < block.rows() && eigen.values[lost] < absorbed) {
     ++lost;
   }
   const Eigen::Index kept = block.rows() - lost;
-  return eigen.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal() *
-         eigen.eigenvectors().rightCols(kept).transpose() * scale.asDiagonal();
+  return eigen.values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal() *
+         eigen.vectors.rightCols(kept).transpose() * scale.asDiagonal();
 }
 
 } // namespace

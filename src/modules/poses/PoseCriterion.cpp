@@ -1,9 +1,9 @@
 #include "poses/PoseCriterion.hpp"
 
+#include "geometry/SymmetricEigen.hpp"
 #include "poses/PoseSelection.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <limits>
 #include <numeric>
 
@@ -50,7 +50,7 @@ double PoseJudge::operator()(const Eigen::MatrixXd& information) const {
   case Criterion::trace:
     return covariance.trace() / static_cast<double>(covariance.rows());
   case Criterion::eigenvalue:
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>{covariance, Eigen::EigenvaluesOnly}.eigenvalues().maxCoeff();
+    return symmetricEigenvalues(covariance).maxCoeff();
   case Criterion::worst:
   case Criterion::interaction:
   case Criterion::discriminate:

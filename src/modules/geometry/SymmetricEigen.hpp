@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Eigen/Core>
+
+/// What Eigen's solver for symmetric matrices finds, compiled once: everywhere else it would take seconds of each build.
+namespace naocal {
+
+/// A = vectors diag(values) vectors^T.
+struct SymmetricEigen {
+  Eigen::VectorXd values;  // ascending
+  Eigen::MatrixXd vectors; // in columns, orthonormal
+};
+
+/// Reads the lower triangle of `matrix` alone.
+SymmetricEigen symmetricEigen(const Eigen::MatrixXd& matrix);
+Eigen::VectorXd symmetricEigenvalues(const Eigen::MatrixXd& matrix);
+
+} // namespace naocal
