@@ -52,10 +52,10 @@ void CalibrationRunner::endRound() {
   }
   if (round_ == 0) {
     enter(Phase::solving, "The captures are being solved.");
-    work_.solve(before_, kind_->feet.front() == SupportFoot::both);
+    work_.solve(kind_->feet.front() == SupportFoot::both);
   } else {
     enter(Phase::checking, "The second round is being compared with what was solved.");
-    work_.check(before_);
+    work_.check();
   }
 }
 
@@ -63,29 +63,31 @@ void CalibrationRunner::takeFound() {
   if (const std::vector<ShownCapture>* looked = work_.looked()) {
     std::copy(looked->begin(), looked->end(), shownCaptures_.edit().begin());
   }
-  CalibrationWork::Finding* found = work_.found();
-  if (found == nullptr) {
-    return;
+  while (auto found = work_.found()) {
+    take(std::move(*found));
   }
-  if (found->isUndone) {
+}
+
+void CalibrationRunner::take(CalibrationWork::Finding found) {
+  if (found.isUndone) {
     shownOutcome_ = ShownOutcome{};
     enter(Phase::finished, "What the last calibration saved was taken back.");
-  } else if (!found->diagnosis.empty()) {
-    shownOutcome_.edit().diagnosis = found->diagnosis;
-  } else if (state_->kind == "undo" || !state_->runs()) {
-    enter(Phase::failed,
-          fmt::format("{}{}.", state_->kind == "undo" ? "Nothing was taken back: " : "", found->problem));
-  } else if (!found->problem.empty()) {
-    fail(fmt::format("The calibration ended: {}.", found->problem));
-  } else if (found->rounds) {
-    rounds_ = std::move(*found->rounds);
+  } else if (!found.diagnosis.empty()) {
+    shownOutcome_.edit().diagnosis = found.diagnosis;
+  } else if (!found.problem.empty()) {
+    const bool isUndo = state_->kind == "undo";
+    isUndo || !state_->runs()
+        ? enter(Phase::failed, fmt::format("{}{}.", isUndo ? "Nothing was taken back: " : "", found.problem))
+        : fail(fmt::format("The calibration ended: {}.", found.problem));
+  } else if (found.error && (found.isKept || state_->runs())) {
+    tellError(*found.error, found.isKept);
+  } else if (found.rounds && state_->runs()) {
+    rounds_ = std::move(*found.rounds);
     startRound();
-  } else if (found->isApplied) {
-    shownOutcome_ = *found->outcome;
+  } else if (found.isApplied && state_->runs()) {
+    shownOutcome_ = *found.outcome;
     round_ = 1;
     startRound();
-  } else if (found->error) {
-    tellError(*found->error, found->isKept);
   }
 }
 

@@ -1,7 +1,5 @@
 #include "brain/CalibrationRunner.hpp"
 
-#include "brain/SavedCalibration.hpp"
-
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -53,7 +51,6 @@ void CalibrationRunner::start(const CalibrationKind& kind) {
   state_ = CalibrationState{.kind = kind.run, .questionNumber = state_->questionNumber};
   const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
   const CalibrationSurroundings& surroundings = work_.surroundings();
-  before_ = configured(surroundings.configuration);
   work_.begin(surroundings.recordings / fmt::format("{:%Y-%m-%d_%H-%M-%S}", fmt::gmtime(now)));
   rounds_ = {};
   round_ = 0;
@@ -76,9 +73,6 @@ void CalibrationRunner::startAskedPoses() {
 
 void CalibrationRunner::enter(Phase phase, const std::string& sentence) {
   CalibrationState& state = state_.edit();
-  if (phase == Phase::failed && state.runs()) {
-    work_.abandon();
-  }
   state.phase = phase;
   state.sentence = sentence;
   state.question = phase == Phase::waiting ? sentence : "";
@@ -88,6 +82,8 @@ void CalibrationRunner::enter(Phase phase, const std::string& sentence) {
 }
 
 void CalibrationRunner::fail(const std::string& sentence) {
+  work_.abandon();
+  followed_.reset(); // no look that was set at the same time
   ask(PoseRequest::Kind::home, "", {});
   enter(Phase::failed, sentence);
 }
@@ -134,6 +130,7 @@ void CalibrationRunner::watchPlayer() {
     }
   }
   if (state_->runs() && player_.request == requests_ && !player_.reason.empty()) {
+    work_.abandon();
     enter(Phase::failed, fmt::format("The calibration ended. {}", player_.reason));
   }
 }
@@ -148,14 +145,18 @@ void CalibrationRunner::chestPressed() {
 }
 
 void CalibrationRunner::follow(const WantedLook& look) {
-  if (!followed_) { // what a file says moves nothing
+  if (!followed_ || state_->runs()) { // what a file says moves nothing, nor what is set while something else runs
     followed_ = look;
   }
-  if (state_->runs() || !playerKnown_ || look == *followed_) {
+  const bool isLooking = requests_ > 0 && lookRequest_ == requests_;
+  const bool standsOnBoth = isLooking || player_.atHome || player_.phase == PlayerState::Phase::off ||
+                            player_.phase == PlayerState::Phase::fallen; // else it is on its way back
+  if (!playerKnown_ || player_.request != requests_ || !standsOnBoth || look == *followed_) {
     return;
   }
   if (look.active) {
     ask(PoseRequest::Kind::go, "Looking there", {lookingFrom(player_.home, look.yaw, look.pitch)});
+    lookRequest_ = requests_;
   } else if (followed_->active) {
     ask(PoseRequest::Kind::home, "The stand", {});
   }

@@ -35,6 +35,7 @@ public:
   explicit CalibrationRunner(CalibrationSurroundings surroundings);
   void cycle() override;
   void parametersChanged() override;
+  void ended() override { work_.finish(); }
 
 private:
   void start(const CalibrationKind& kind);
@@ -57,6 +58,7 @@ private:
   void endStep();
   void endRound();
   void takeFound();
+  void take(CalibrationWork::Finding found);
   void take(const Capture& capture);
   void tellError(const CalibrationSession::Error& error, bool isKept);
   CaptureSet header() const;
@@ -90,6 +92,7 @@ private:
   bool playerKnown_ = false;
   std::optional<WantedLook> followed_;
   std::uint64_t requests_ = 0, cycles_ = 0;
+  std::uint64_t lookRequest_ = 0; // the last one that made the robot look somewhere
   std::string runBefore_; // the last value of `run`
   const CalibrationKind* kind_ = nullptr;
   CalibrationKind askedKind_; // that plays `poses`
@@ -100,7 +103,6 @@ private:
   std::optional<TimePoint> roundStart_;
   std::optional<double> poseTime_;        // on the average of the present round, or the one before [s]
   TimePoint waitingSince_, pictureSince_; // for the next capture, since the last picture; in the program's time
-  StoredResult before_;                   // as configured before
   CalibrationWork work_;
 };
 

@@ -50,8 +50,10 @@ CalibrationWork::CalibrationWork(CalibrationSurroundings surroundings) : surroun
 void CalibrationWork::begin(std::filesystem::path folder) {
   folder_ = std::move(folder);
   sessions_ = {};
-  give([&configuration = surroundings_.configuration, folder = folder_](Finding&) {
-    configuration.writeTo(folder / "configuration");
+  give([this, folder = folder_](Finding&) {
+    before_ = configured(surroundings_.configuration);
+    isChecked_ = false;
+    surroundings_.configuration.writeTo(folder / "configuration");
   });
 }
 
@@ -100,12 +102,11 @@ void CalibrationWork::look(std::size_t round, Capture capture, ShownCapture show
   });
 }
 
-void CalibrationWork::solve(StoredResult before, bool onlyHead) {
-  give([this, session = sessions_[0], before = std::move(before), onlyHead,
-        abandoned = abandoned_.load()](Finding& finding) {
+void CalibrationWork::solve(bool onlyHead) {
+  give([this, session = sessions_[0], onlyHead, abandoned = abandoned_.load()](Finding& finding) {
     const CalibrationSession::Solved solved = session->session.value().solved();
     const std::vector<ShownOffset> offsets = onlyHead ? ofHead(solved.offsets) : solved.offsets;
-    finding.outcome = shownOutcome(before, offsets, lookedAt_.captures);
+    finding.outcome = shownOutcome(before_, offsets, lookedAt_.captures);
     for (const Warning& warning : solved.warnings) { // only with the legs it is known where the floor is
       if (warning.about == Warning::About::fit || (warning.about == Warning::About::floor && !onlyHead)) {
         finding.outcome->warnings.push_back(warning.sentence);
@@ -121,17 +122,21 @@ void CalibrationWork::solve(StoredResult before, bool onlyHead) {
   });
 }
 
-void CalibrationWork::check(StoredResult before) {
-  give([this, session = sessions_[1], before = std::move(before)](Finding& finding) {
-    finding.error = session->session.value().error(before, configured(surroundings_.configuration));
-    finding.isKept = finding.error->after <= leastGain * finding.error->before;
+void CalibrationWork::check() {
+  give([this, session = sessions_[1], abandoned = abandoned_.load()](Finding& finding) {
+    finding.error = session->session.value().error(before_, configured(surroundings_.configuration));
+    finding.isKept = abandoned == abandoned_ && finding.error->after <= leastGain * finding.error->before;
     if (finding.isKept) {
       saveCalibration(surroundings_.configuration);
       keysToPutBack_.reset();
     }
     putBackUnsaved();
+    isChecked_ = true;
   });
-  give([session = sessions_[0]](Finding& finding) {
+  give([this, session = sessions_[0]](Finding& finding) {
+    if (!isChecked_) {
+      return;
+    }
     try {
       finding.diagnosis = session->session.value().diagnosed();
     } catch (const std::exception& error) {
@@ -163,9 +168,21 @@ void CalibrationWork::undo() {
   });
 }
 
-CalibrationWork::Finding* CalibrationWork::found() {
-  Finding* finding = findings_.take();
-  return finding != nullptr && finding->folder == folder_ ? finding : nullptr;
+void CalibrationWork::finish() {
+  ++abandoned_;
+  worker_.finish();
+}
+
+std::optional<CalibrationWork::Finding> CalibrationWork::found() {
+  const std::lock_guard lock{findingsMutex_};
+  while (!findings_.empty()) {
+    Finding finding = std::move(findings_.front());
+    findings_.pop_front();
+    if (finding.folder == folder_) {
+      return finding;
+    }
+  }
+  return std::nullopt;
 }
 
 const std::vector<ShownCapture>* CalibrationWork::looked() {
@@ -174,17 +191,19 @@ const std::vector<ShownCapture>* CalibrationWork::looked() {
 }
 
 void CalibrationWork::give(std::function<void(Finding&)> task) {
-  worker_.add([this, folder = folder_, task = std::move(task)] {
+  worker_.add([this, folder = folder_, abandoned = abandoned_.load(), task = std::move(task)] {
     Finding finding{.folder = folder};
     try {
       task(finding);
     } catch (const std::exception& error) {
       finding.problem = error.what();
     }
+    const bool isWanted = abandoned == abandoned_ || finding.isKept || finding.isUndone;
     const bool isSomething = finding.rounds || finding.isApplied || finding.error || finding.isUndone ||
                              !finding.diagnosis.empty() || !finding.problem.empty();
-    if (isSomething) {
-      findings_.write(std::move(finding));
+    if (isWanted && isSomething) {
+      const std::lock_guard lock{findingsMutex_};
+      findings_.push_back(std::move(finding));
     }
   });
 }

@@ -12,9 +12,11 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,9 +40,10 @@ public:
   using Rounds = std::array<CalibrationRound, 2>; // to calibrate, to check
 
   explicit CalibrationWork(CalibrationSurroundings surroundings);
+  ~CalibrationWork() { finish(); }
   const CalibrationSurroundings& surroundings() const { return surroundings_; }
 
-  /// A calibration whose files go into `folder`, the configuration as it is now first.
+  /// A calibration whose files go into `folder`, the configuration first: what is in effect now is what was before.
   void begin(std::filesystem::path folder);
   const std::filesystem::path& folder() const { return folder_; }
 
@@ -60,14 +63,17 @@ public:
   void look(std::size_t round, Capture capture, ShownCapture shown, CameraFrame frame);
 
   /// Solves the first round's captures and puts into effect what they say, of offsets only the neck's if so wished.
-  void solve(StoredResult before, bool onlyHead);
-  /// Compares both with the second round's captures; saves what helps, puts back what does not. Then asks of the first
-  /// round's captures how well the model fits them.
-  void check(StoredResult before);
-  /// Ends the calibration: what was put into effect and not saved is put back.
+  void solve(bool onlyHead);
+  /// Compares it and what was before with the second round's captures; saves what helps, puts back what does not. Then
+  /// asks of the first round's captures how well the model fits them.
+  void check();
+  /// Ends the calibration: nothing more is found but what was saved already, and what was put into effect and not saved
+  /// is put back.
   void abandon();
   /// Takes back what the last calibration saved.
   void undo();
+  /// Waits until nothing is done any more; what was put into effect and not saved stays so.
+  void finish();
 
   struct Finding {
     std::filesystem::path folder; // of the calibration that it is about
@@ -80,8 +86,8 @@ public:
     std::string diagnosis; // a sentence or two about how well the model fits
     std::string problem;   // one sentence; empty: none
   };
-  /// What came of it since the last call; nullptr: nothing.
-  Finding* found();
+  /// What came of it, in its order, one by one.
+  std::optional<Finding> found();
   /// All captures that were looked at so far, in their order; nullptr: none since the last call.
   const std::vector<ShownCapture>* looked();
 
@@ -102,8 +108,11 @@ private:
   std::filesystem::path folder_;
   std::atomic<std::uint64_t> abandoned_{0};        // so many calibrations
   std::optional<std::string> keysToPutBack_;       // the worker's, while what is in effect is not saved
+  StoredResult before_;                            // the worker's
+  bool isChecked_ = false;                         // the worker's
   std::array<std::shared_ptr<Round>, 2> sessions_; // belong to the worker
-  Latest<Finding> findings_;
+  std::mutex findingsMutex_;
+  std::deque<Finding> findings_;
   Latest<Looked> looked_;
   Looked lookedAt_; // the worker's
   Worker worker_;   // last: it uses the others

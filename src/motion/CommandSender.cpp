@@ -14,8 +14,12 @@ void CommandSender::cycle() {
   if (!measured_->isNew) {
     return;
   }
-  const double most =
-      std::exchange(isFirst_, false) ? 2 * std::numbers::pi : radians(*offsetSpeed_) * measured_->step();
+  const PlayerState::Phase phase = player_->phase;
+  const bool isOnOneFoot =
+      player_->needsHands && (phase == PlayerState::Phase::moving || phase == PlayerState::Phase::holding);
+  const double most = std::exchange(isFirst_, false) ? 2 * std::numbers::pi
+                      : isOnOneFoot                  ? 0
+                                                     : radians(*offsetSpeed_) * measured_->step();
   for (std::size_t joint = 0; joint < jointCount; ++joint) {
     added_.values[joint] += std::clamp(offsets_->values[joint] - added_.values[joint], -most, most);
   }

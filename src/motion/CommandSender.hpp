@@ -11,7 +11,8 @@
 namespace naocal {
 
 /// Answers every state of the robot with the desired pose, offsets added and within the limits, and with its lights.
-/// Offsets that change do not make the robot jump: what is added follows them at a limited speed.
+/// Offsets that change do not make the robot jump: what is added follows them at a limited speed, and not before it
+/// stands on both feet again.
 class CommandSender final : public Module {
 public:
   CommandSender(RobotInterface& robot, const Robot& drawing)

@@ -103,6 +103,7 @@ bool PosePlayer::isReady(const std::string& who) {
   }
   desired_.edit().angles = *angles_;
   trail_ = {home_};
+  state.needsHands = false;
   return true;
 }
 
@@ -114,7 +115,7 @@ void PosePlayer::go(const PoseRequest& request) {
   leaveMotion();
   extendTrail(desired_->angles);
   start(request.points);
-  needsHands_ |= request.held;
+  state_.edit().needsHands |= request.held;
 }
 
 void PosePlayer::goHome(const std::string& reason) {
@@ -125,7 +126,7 @@ void PosePlayer::goHome(const std::string& reason) {
   leaveMotion();
   waits_ = false;
   PlayerState& state = state_.edit();
-  if (needsHands_ && !state.held) {
+  if (state.needsHands && !state.held) {
     state.phase = Phase::holding;
     state.held = true;
     state.reason += fmt::format("{}Take hold of it by its trunk: its eyes are yellow. It steps back onto both feet in "
@@ -182,6 +183,7 @@ void PosePlayer::stop(Phase phase, const std::string& reason) {
   state = {.phase = phase,
            .request = state.request,
            .held = state.held,
+           .needsHands = state.needsHands,
            .home = home_,
            .reason = reason,
            .presses = state.presses};
@@ -212,7 +214,7 @@ void PosePlayer::advance() {
     leaveMotion();
     if (state.atHome) {
       trail_ = {home_};
-      needsHands_ = state.held = false;
+      state.needsHands = state.held = false;
     }
   }
 }

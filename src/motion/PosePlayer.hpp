@@ -86,7 +86,6 @@ private:
   std::vector<CompensatedAngles> points_; // of that motion
   bool goingHome_ = false;
   bool wasPressed_ = false;
-  bool needsHands_ = false;             // it was held on the way from its stand
   bool waits_ = false;                  // for a person's answer
   std::optional<TimePoint> handsUntil_; // asking for hands, to go home then
   double motionTime_ = 0;               // [s]

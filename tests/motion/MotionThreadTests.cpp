@@ -22,6 +22,24 @@ TEST_CASE("an offset changes what perception sees in the next cycle, and what mo
   CHECK((*rig.see.angles)[knee] == Approx(desired));
 }
 
+TEST_CASE("an offset that changes while the robot is on one foot moves it only once it is back") {
+  // Proves it for a robot that was held on its way out and is not any more: no command changes before it is home.
+  MotionRig rig;
+  rig.stand();
+  rig.ask(PoseRequest::Kind::go, {MotionRig::looking(40, 0)}, true);
+  rig.untilDone();
+  rig.ask(PoseRequest::Kind::go, {MotionRig::looking(40, 20)});
+  rig.untilDone();
+  const RawAngles before = rig.robot.sent.back().angles;
+  rig.configuration.set("Motion.JointCalibrationProvider", "lKneePitch", 4.0);
+  rig.cycles(100);
+  CHECK(rig.robot.sent.back().angles[knee] == before[knee]);
+  rig.ask(PoseRequest::Kind::home, {}, true);
+  CHECK(rig.untilHome());
+  rig.cycles(100);
+  CHECK(rig.robot.sent.back().angles[knee] == Approx(MotionRig::home()[knee] + radians(4)));
+}
+
 TEST_CASE("both hip yaw-pitches have the left one's offset") {
   // Proves that two different offsets of one motor are not used, and that it is told.
   MotionRig rig;

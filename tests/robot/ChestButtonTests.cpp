@@ -93,9 +93,26 @@ TEST_CASE("a calibration that the chest button started is ended by its parameter
         "The calibration was ended; the robot goes back to its stand. Nothing was changed.");
 }
 
+TEST_CASE("a calibration that is ended while its ways are checked stays ended, and says so") {
+  // Proves that what its work finds afterwards is neither taken up nor told.
+  Person person{SimulatedProcess::plan(1, 0)};
+  person.set("run", "left leg");
+  json state = person.next();
+  while (state["phase"] != "preparing" && state["phase"] != "waiting") { // whichever is seen first
+    state = person.next();
+  }
+  person.set("run", "");
+  state = person.until("failed");
+  for (int i = 0; i < 150; ++i) { // longer than the check takes
+    state = person.next();
+  }
+  CHECK(state["phase"] == "failed");
+  CHECK(state["sentence"] == "The calibration was ended; the robot goes back to its stand. Nothing was changed.");
+}
+
 TEST_CASE("a robot that is ended on one foot is held on its way back") {
   // Proves for a robot with offsets to 5 degrees, which falls between one foot and both when nobody holds it, that it
-  // asks for hands first and comes to its stand.
+  // asks for hands first and comes to its stand, also where somebody meanwhile wants it to look somewhere.
   Person person{SimulatedProcess::plan(1, radians(5))};
   auto player = MateClient::debug(person.simulated.process->sockets().debugPort());
   person.set("run", "left leg");
@@ -107,6 +124,7 @@ TEST_CASE("a robot that is ended on one foot is held on its way back") {
     }
   }
   CHECK(person.simulated.world.truth().supportFoot == SupportFoot::left);
+  person.simulated.process->configuration().set("Brain.BehaviorModule", "isCameraCalibration", true); // no look now
   person.set("run", "");
   player.send(0, "Motion.player");
   const auto next = [&] { return json::parse(player.receive(2).value().body).at(0)["value"]; };

@@ -108,6 +108,8 @@ void RobotProcess::stop() {
       thread->join();
     }
   }
+  motion_.end();
+  brain_.end();
 }
 
 bool RobotProcess::goToStand(std::chrono::milliseconds most) {

@@ -36,6 +36,7 @@ struct PlayerState {
   Phase phase = Phase::off;
   std::uint64_t request = 0; // the last one that was looked at
   bool held = false;         // a person holds the robot, or is to take hold of it now
+  bool needsHands = false;   // it was held on the way from its stand: it is on one foot, or on its way back
   bool done = false;         // that request came to its end
   TimePoint doneAt;          // when it did
   bool atHome = false;       // holding the stand

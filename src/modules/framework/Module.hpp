@@ -35,6 +35,9 @@ public:
   /// Called before the first cycle, and between cycles after each change of a parameter.
   virtual void parametersChanged() {}
 
+  /// Called when its thread has ended, while all modules are still there: what others do for it must end now.
+  virtual void ended() {}
+
   const std::string& name() const { return name_; }
   const std::vector<AnyParameter*>& parameters() const { return parameters_; }
   const std::vector<AnyDependency*>& dependencies() const { return dependencies_; }

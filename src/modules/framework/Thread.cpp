@@ -75,6 +75,12 @@ void Thread::cycle() {
   }
 }
 
+void Thread::end() {
+  for (const auto& module : modules_) {
+    module->ended();
+  }
+}
+
 std::string requestRealTimePriority(int priority) {
   const sched_param parameters{.sched_priority = priority};
   const int error = ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &parameters);

@@ -50,6 +50,9 @@ public:
   /// Changes of parameters, every module in order, times, listener.
   void cycle();
 
+  /// After the last cycle: tells every module.
+  void end();
+
 private:
   struct Change {
     Module* module;
