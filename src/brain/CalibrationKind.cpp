@@ -8,19 +8,19 @@ namespace naocal {
 const std::vector<CalibrationKind>& calibrationKinds() {
   static const std::vector<CalibrationKind> kinds{
       {"head",
-       "Head",
+       "Quick: head",
        "Neck and cameras, standing on both feet: under a minute. For a robot whose legs are calibrated.",
        {SupportFoot::both}},
       {"left leg",
-       "Left leg",
+       "Full: left leg",
        "Left leg, neck and cameras, standing on the left foot: under four minutes.",
        {SupportFoot::left}},
       {"right leg",
-       "Right leg",
+       "Full: right leg",
        "Right leg, neck and cameras, standing on the right foot: under four minutes.",
        {SupportFoot::right}},
       {"both legs",
-       "Both legs",
+       "Full: both legs",
        "Both legs, neck and cameras, standing on one foot after the other: under eight minutes.",
        {SupportFoot::left, SupportFoot::right}}};
   return kinds;

@@ -2,6 +2,7 @@
 
 #include "TemporaryFolder.hpp"
 #include "captures/CaptureSetFile.hpp"
+#include "captures/Files.hpp"
 #include "synthetic/Simulation.hpp"
 #include "synthetic/StandingPoses.hpp"
 
@@ -60,16 +61,21 @@ struct Thread {
               [this](const Message& message) { told.push_back(Json::parse(*message.bytes)["kind"]); }};
 };
 
+/// A few captures of a simulated robot.
+void writeCaptures(const std::filesystem::path& folder) {
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  SimulationPlan plan;
+  plan.poses = standingPoses(robot, plan, SupportFoot::left, 8, 1);
+  writeCaptureSet(simulate(robot, plan, 1).set, folder);
+}
+
 } // namespace
 
 TEST_CASE("who comes later is told what is true of the present fit, in the order in which it was told") {
   // Proves that opening returns at once and its captures come later, that what was said of a fit goes with it, and that
   // what cannot be opened is told and leaves the desk as it is.
   const TemporaryFolder folder;
-  const Robot robot = loadRobot(configurationDirectory(), "V6");
-  SimulationPlan plan;
-  plan.poses = standingPoses(robot, plan, SupportFoot::left, 8, 1);
-  writeCaptureSet(simulate(robot, plan, 1).set, folder.path() / "few");
+  writeCaptures(folder.path() / "few");
   Thread thread;
   std::string problem;
   const auto refused = [&](const std::string& why) {
@@ -90,4 +96,25 @@ TEST_CASE("who comes later is told what is true of the present fit, in the order
   REQUIRE(thread.until("refused"));
   CHECK_FALSE(problem.empty());
   CHECK(thread.desks.desk() == desk);
+}
+
+TEST_CASE("why there is no fit at all is told to whoever comes later, until there is one") {
+  // Proves it for a model that names what no robot has, and that its mending ends the sentence.
+  const TemporaryFolder folder;
+  writeCaptures(folder.path() / "few");
+  const std::string label = "elasticity@LKneePitsch";
+  const Json model{{"format", "naocal-model"}, {"version", 1}, {"with", {label}}};
+  writeAtomically(folder.path() / "model.json", model.dump());
+  Thread thread;
+  std::string problem;
+  const std::vector<std::string> paths{(folder.path() / "few").string(), (folder.path() / "model.json").string()};
+  thread.desks.open(paths, [&](const std::string& why) { problem = why; });
+  REQUIRE(thread.until("unfitted"));
+  CHECK(problem.empty());
+  CHECK(thread.kept() == std::vector<std::string>{"set", "unfitted"});
+  CHECK(Json::parse(*thread.desks.latest().back().second.bytes)["sentence"].get<std::string>().find(label) !=
+        std::string::npos);
+  thread.desks.desk()->asked({{"do", "drop"}, {"label", label}});
+  REQUIRE(thread.until("fit"));
+  CHECK(thread.kept() == std::vector<std::string>{"set", "ladder", "fit"});
 }

@@ -1,10 +1,13 @@
 #include "Robots.hpp"
 
+#include "FakeRobot.hpp"
 #include "RobotPlace.hpp"
+#include "RobotWatch.hpp"
 
 #include "captures/InputError.hpp"
 #include "framework/ShownRobot.hpp"
 
+#include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/write.hpp>
@@ -41,6 +44,7 @@ struct Listening {
   void keep(const std::string& json) { told.push_back(Json::parse(json)); }
 
   boost::asio::io_context context;
+  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> goesOn{context.get_executor()};
   std::vector<Json> told;
   std::vector<std::string> pictures;
   Robots robots{context,
@@ -50,8 +54,16 @@ struct Listening {
                  [this](std::size_t, const std::string& bytes) {
                    pictures.push_back(bytes.substr(bytes.find('\n') + 1));
                    keep(bytes.substr(0, bytes.find('\n')));
-                 }}};
+                 },
+                 {}},
+                std::chrono::milliseconds{200}};
 };
+
+bool hasFactor(const Json& told, double wanted) {
+  const Json& list = told["body"]["keys"];
+  return std::any_of(list.begin(), list.end(),
+                     [&](const Json& entry) { return entry["key"] == "factor" && entry["value"] == wanted; });
+}
 
 } // namespace
 
@@ -92,15 +104,74 @@ TEST_CASE("a parameter that is set is set on the robot") {
       1,
       {{"do", "set"}, {"robot", here}, {"settings", {{{"mp", "Brain.Counter"}, {"key", "factor"}, {"value", 2.5}}}}});
   panel.robots.asked(1, {{"do", "keys"}, {"robot", here}, {"mount", "Brain.Counter"}});
-  CHECK_FALSE(panel
-                  .heard("keys",
-                         [](const Json& told) {
-                           const Json& list = told["body"]["keys"];
-                           return std::any_of(list.begin(), list.end(), [](const Json& entry) {
-                             return entry["key"] == "factor" && entry["value"] == 2.5;
-                           });
-                         })
-                  .is_null());
+  CHECK_FALSE(panel.heard("keys", [](const Json& told) { return hasFactor(told, 2.5); }).is_null());
+}
+
+TEST_CASE("a robot ends what it does for panels that have gone, and is connected again to one that comes") {
+  // Proves that the robot's last will happens after the last panel, that a panel which comes then sees it, and that
+  // neither a panel that stays nor one that is only loaded anew lets it happen.
+  ShownRobot robot;
+  Listening panel;
+  const std::string here = robot.settings.unixFolder.string();
+  panel.robots.greet(1);
+  panel.robots.greet(2);
+  REQUIRE(panel.connected(here)["sentence"] == "connected");
+  const Json last{{{"mp", "Brain.Counter"}, {"key", "factor"}, {"value", 7.5}}};
+  panel.robots.asked(1, {{"do", "set"},
+                         {"robot", here},
+                         {"settings", {{{"mp", "naocal.configuration"}, {"key", "lastWill"}, {"value", last}}}}});
+  const auto isLeft = [](const Json& state) { return !state["connected"].get<bool>(); };
+  panel.told.clear();
+  panel.robots.forget(1);
+  panel.context.run_for(std::chrono::milliseconds{500});
+  panel.robots.forget(2);
+  panel.robots.greet(3);
+  panel.context.run_for(std::chrono::milliseconds{500});
+  CHECK(std::none_of(panel.told.begin(), panel.told.end(),
+                     [&](const Json& told) { return told["kind"] == "robot" && isLeft(told); }));
+
+  panel.robots.forget(3);
+  REQUIRE_FALSE(panel.heard("robot", isLeft).is_null());
+  panel.context.run_for(std::chrono::milliseconds{50});
+  panel.told.clear();
+  panel.robots.greet(4);
+  REQUIRE_FALSE(panel.heard("robot", [](const Json& state) { return state["connected"].get<bool>(); }).is_null());
+  panel.robots.asked(4, {{"do", "keys"}, {"robot", here}, {"mount", "Brain.Counter"}});
+  CHECK_FALSE(panel.heard("keys", [](const Json& told) { return hasFactor(told, 7.5); }).is_null());
+}
+
+TEST_CASE("a robot is asked for the keys of mounts that it listed only") {
+  // Proves it for whoever looks at its cameras and for a panel that asks, before and after the robot's list comes: the
+  // service of a HULKs robot ends at a name that it does not know.
+  const TemporaryFolder folder;
+  Listening panel;
+  const std::string here = folder.path().string();
+  const FakeRobot robot{panel.context, folder.path(), R"({"keys": [{"key": "Brain.Counter", "filename": ""}]})"};
+  REQUIRE(panel.connected(here)["sentence"] == "connected");
+  const auto ask = [&] {
+    panel.robots.asked(1, {{"do", "watch"}, {"robot", here}});
+    for (const char* const mount : {"Brain.Counter", "Motion.JointCalibrationProvider"}) {
+      panel.robots.asked(1, {{"do", "keys"}, {"robot", here}, {"mount", mount}});
+    }
+  };
+  ask();
+  REQUIRE_FALSE(panel.heard("mounts").is_null());
+  ask();
+  panel.context.run_for(std::chrono::milliseconds{200});
+  CHECK(robot.keysAskedFor == std::vector<std::string>{"Brain.Counter", "Brain.Counter"});
+}
+
+TEST_CASE("a robot that is looked at is asked for its boards once it has listed that it has some") {
+  // Proves that the watch's question waits for the robot's list of mounts.
+  const TemporaryFolder folder;
+  Listening panel;
+  const std::string here = folder.path().string();
+  const FakeRobot robot{panel.context, folder.path(), R"({"keys": [{"key": "Brain.CalibrationRunner"}]})"};
+  REQUIRE(panel.connected(here)["sentence"] == "connected");
+  panel.robots.asked(1, {{"do", "watch"}, {"robot", here}});
+  REQUIRE_FALSE(panel.heard("mounts").is_null());
+  panel.context.run_for(std::chrono::milliseconds{200});
+  CHECK(robot.keysAskedFor == std::vector<std::string>{std::string{RobotWatch::boardsMount}});
 }
 
 TEST_CASE("a robot that comes back is connected and subscribed to again") {

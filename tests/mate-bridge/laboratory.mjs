@@ -3,7 +3,7 @@
 // Proves that page, bridge and science work together and leaves pictures of every view; not that the numbers are right.
 // Usage: node laboratory.mjs NAOCAL MATE-BRIDGE NODE_MODULES PICTURES
 import {createServer} from "node:http";
-import {readFileSync, writeFileSync} from "node:fs";
+import {cpSync, mkdirSync, readFileSync, writeFileSync} from "node:fs";
 import {join} from "node:path";
 import {tools, check, panelOf, run, folder, quietPage, portrait, px, end} from "./browser.mjs";
 
@@ -101,8 +101,15 @@ run(naocal, "simulate", join(here, "others"), "--hidden-flaw", "--poses", "8", "
 await tab("Files");
 await page.getByLabel("path of other captures").fill(join(here, "others"));
 await page.getByRole("button", {name: "Compare", exact: true}).last().click();
-await page.getByText("from their predictions over").waitFor();
-await idle();
+const typing = page.getByLabel("path of what to open");
+await typing.focus(); // and types while the bridge begins and ends its work
+for (const part of ["/captures/", "sus1u2r"]) {
+  await page.keyboard.type(part, {delay: 20});
+  await page.getByText("from their predictions over").waitFor();
+  await idle();
+}
+check(await typing.inputValue() === "/captures/sus1u2r" && page.url().endsWith("#files"), "what is typed stays where it is typed while the bridge works: " + await typing.inputValue());
+await typing.fill("");
 await portrait(page, axe, pictures, "files");
 const result = JSON.parse((await saved(() => page.getByRole("button", {name: "result.json"}).click())).content);
 check(result.format === "naocal-result" && result.effects.some(one => one.effect === effect && one.at === at), "the result is saved as naocal solve writes it");
@@ -143,10 +150,42 @@ await page.locator(".ladder li:nth-child(2) .rung[aria-current=step]").waitFor()
 await idle();
 check(await page.getByRole("button", {name: "remove kneeCable@LKneePitch"}).count() === 0, "undo takes the own effect out of the model");
 
+// What cannot be fitted says so to whoever comes; a set with photographs.
+run(naocal, "simulate", join(here, "photographed"), "--poses", "6", "--samples", "1", "--images", "--seed", "3");
+writeFileSync(join(here, "model.json"), JSON.stringify({format: "naocal-model", version: 1, with: ["elasticity@LKneePitsch"]}));
+const second = await panelOf(bridge, join(here, "photographed"), join(here, "model.json"));
+for (const time of ["first", "second"]) {
+  const late = await quietPage(browser, second.address);
+  await late.getByRole("heading", {name: "These captures could not be fitted"}).waitFor();
+  check((await late.locator("#view").innerText()).includes("LKneePitsch"), "why there is no fit is said to the " + time + " who comes");
+  await late.close();
+}
+
+// Captures of the same name are opened after each other: each has its own photographs.
+const viewer = await quietPage(browser, second.address), desks = new Set();
+viewer.on("request", request => { if (request.url().includes("/picture/")) desks.add(request.url().split("?")[1]); });
+mkdirSync(join(here, "again"));
+cpSync(join(here, "photographed"), join(here, "again/photographed"), {recursive: true});
+for (const [count, path] of [[1, "photographed"], [2, "again/photographed"]]) {
+  await viewer.getByRole("button", {name: "Files", exact: true}).last().click();
+  await viewer.getByLabel("path of what to open").fill(join(here, path));
+  await viewer.getByRole("button", {name: "Open", exact: true}).click();
+  for (let i = 0; i < 300 && desks.size < count; ++i) await viewer.waitForTimeout(100);
+}
+check(desks.size === 2, "photographs of captures that are opened later are asked for anew: " + [...desks].join());
+await viewer.close();
+
 // Another site's page, even one that knows the address, can neither speak with the bridge nor read from it.
 const stranger = createServer((request, response) => { response.setHeader("Content-Type", "text/html"); response.end("<!doctype html><title>x</title>"); });
 await new Promise(resolve => stranger.listen(0, "127.0.0.1", resolve));
-const foreign = await browser.newPage();
+const own = await quietPage(browser, second.address), photograph = second.address + "picture/photographed/0";
+check(await own.evaluate(async address => (await fetch(address)).status, photograph) === 200, "the panel's own page gets a photograph");
+await own.close();
+const foreign = await browser.newPage(), asked = new Map(), statuses = {}; // what the bridge answers, whatever the browser keeps from the page
+const inspector = await foreign.context().newCDPSession(foreign);
+inspector.on("Network.requestWillBeSent", ({requestId, request}) => asked.set(requestId, request.url));
+inspector.on("Network.responseReceivedExtraInfo", ({requestId, statusCode}) => { statuses[asked.get(requestId)?.slice(second.address.length) ?? "other"] = statusCode; });
+await inspector.send("Network.enable");
 await foreign.goto("http://127.0.0.1:" + stranger.address().port + "/");
 const tried = await foreign.evaluate(async address => ({
   live: await new Promise(resolve => {
@@ -154,12 +193,12 @@ const tried = await foreign.evaluate(async address => ({
     socket.onopen = () => resolve("open");
     socket.onclose = () => resolve("closed");
   }),
-  read: await fetch(address).then(() => "read", () => "refused"),
+  read: await fetch(address, {mode: "no-cors"}).then(() => "read", () => "refused"),
   image: await new Promise(resolve => {
     const image = new Image();
     image.onload = () => resolve("shown");
     image.onerror = () => resolve("refused");
-    image.src = address + "picture/flawed/0";
+    image.src = address + "picture/photographed/0";
   }),
   script: await new Promise(resolve => {
     const script = document.createElement("script");
@@ -168,8 +207,11 @@ const tried = await foreign.evaluate(async address => ({
     script.src = address + "panel.js";
     document.head.append(script);
   }),
-}), panel.address);
+}), second.address);
 check(JSON.stringify(tried) === '{"live":"closed","read":"refused","image":"refused","script":"refused"}', "a stranger's page gets nothing: " + JSON.stringify(tried));
+for (let i = 0; i < 50 && Object.keys(statuses).length < 3; ++i) await foreign.waitForTimeout(100);
+check(["", "picture/photographed/0", "panel.js"].every(path => statuses[path] === 403), "the bridge itself refuses it: " + JSON.stringify(statuses));
+await second.stop("SIGTERM");
 const unknown = await fetch(panel.address.replace(/[0-9a-f]{32}/, "0".repeat(32)));
 check(unknown.status === 404, "another token finds nothing");
 stranger.close();

@@ -30,6 +30,10 @@ await portrait(page, axe, pictures, "next");
 await page.getByRole("button", {name: /^Play on/}).click();
 await portrait(page, axe, pictures, "next-confirm");
 await page.getByRole("button", {name: "Play", exact: true}).click();
+await page.locator("#stop.moving").waitFor();
+await tab("Next poses");
+check(await page.getByRole("button", {name: /^Play on/}).isDisabled(), "no poses are played on a robot that calibrates");
+await tab("Calibrate");
 
 // The robot asks to be held between one foot and both, and to be put down before its poses.
 for (const words of [/going to stand on its .* foot/, /lies flat, let go/, /back onto both feet/]) {
@@ -63,6 +67,7 @@ const changes = page.locator(".confirm tbody tr");
 await page.waitForFunction(() => !/–/.test(document.querySelector(".confirm table").innerText));
 const told = await changes.allInnerTexts();
 check(told.some(row => row.startsWith("lKneePitch")) && told.some(row => row.startsWith("top camera")), "what would be set is listed beside what is there: " + told.join("; "));
+check(await page.getByText("These captures are of head synthetic-1 and body synthetic-1").count() === 1, "the question says whose captures they are");
 check(told.some(row => row.startsWith("lHipYawPitch")) === told.some(row => row.startsWith("rHipYawPitch")), "one motor, one offset");
 await portrait(page, axe, pictures, "apply");
 await page.getByRole("button", {name: /^Apply to/}).last().click();
@@ -74,6 +79,25 @@ await page.getByLabel("lKneePitch", {exact: true}).waitFor();
 const knee = Number(told.find(row => row.startsWith("lKneePitch")).split("\t").at(-1).replace("−", "-").replace("°", ""));
 await page.waitForFunction(wanted => Math.abs(Number(document.getElementById("parameter-lKneePitch").value) - wanted) < 0.006, knee);
 check(knee !== 0, "and is on the robot then: " + knee + "°");
+const had = told.find(row => row.startsWith("lKneePitch")).split("\t").at(-2);
+await tab("Result");
+await page.getByRole("button", {name: "Put back …"}).click();
+check((await changes.allInnerTexts()).find(row => row.startsWith("lKneePitch")).split("\t").at(-1) === had, "what it had can be put back: " + had);
+await page.getByRole("button", {name: /^Put back on/}).click();
+await tab("Configuration");
+await page.waitForFunction(wanted => Math.abs(Number(document.getElementById("parameter-lKneePitch").value) - wanted) < 0.006, Number(had.replace("−", "-").replace("°", "")));
+check(true, "and is on the robot again");
+
+// Another robot's captures are not put on it without a warning.
+run(naocal, "simulate", join(here, "strangers"), "--poses", "6", "--samples", "2", "--seed", "2");
+await tab("Files");
+await page.getByLabel("path of what to open").fill(join(here, "strangers"));
+await page.getByRole("button", {name: "Open", exact: true}).click();
+await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor({timeout: 60000});
+await tab("Result");
+await page.getByRole("button", {name: /^Apply to .* …/}).click();
+const warning = page.locator(".confirm .bad");
+check(/head synthetic-2 and body synthetic-2.*head synthetic-1 and body synthetic-1. Make sure/.test(await warning.innerText()), "another robot's captures are warned of: " + await warning.innerText());
 await browser.close();
 await panel.stop("SIGTERM");
 robot.kill();

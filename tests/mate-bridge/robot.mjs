@@ -11,7 +11,8 @@ const [, , robotProgram, bridge, modules, configuration, pictures] = process.arg
 const {launch, axe} = tools(modules), here = folder(), robot = robotIn(here, robotProgram, configuration);
 const address = await robot.start();
 const panel = await panelOf(bridge, "--robot", address), browser = await launch();
-const opened = Date.now(), page = await quietPage(browser, panel.address);
+const opened = Date.now();
+let page = await quietPage(browser, panel.address);
 const tab = name => page.getByRole("button", {name, exact: true}).click();
 
 await page.getByText("pictures a second").first().waitFor({timeout: 120000});
@@ -86,7 +87,18 @@ check(await page.locator("#stop.moving").count() === 1, "Ctrl+S does not stop th
 await page.keyboard.press("S"); // as with Caps Lock
 await wasEnded();
 check(true, "s stops it, whatever the state of Caps Lock");
-check(await page.getByRole("button", {name: "Undo …"}).isDisabled(), "a calibration that was ended has nothing to take back");
+await page.getByRole("button", {name: "Undo …"}).click(); // an older one may have been saved: the robot knows
+await page.getByRole("button", {name: /^Undo on/}).click();
+await page.getByText(/^Nothing was taken back: /).waitFor();
+check(true, "after a calibration that was ended the robot says whether there is something to take back");
+
+// The panel is closed while the robot moves: there is no Stop any more, so the robot ends it.
+await begun();
+await page.close();
+await new Promise(resolve => setTimeout(resolve, 8000));
+page = await quietPage(browser, panel.address);
+await wasEnded();
+check(true, "a calibration ends when its panel is closed");
 
 // A robot that is told off while it calibrates is asked about; an address that is none stays to be mended.
 await begun();
@@ -143,14 +155,27 @@ for (let i = 0; i < 100 && !saved(); ++i) await page.waitForTimeout(100);
 check(saved(), "saving writes it, once it is confirmed");
 
 // The robot's process dies and is started anew.
+await tab("Live");
+await page.getByLabel("filter values").click();
+await page.keyboard.press("End");
+await page.keyboard.type(".s");
 robot.kill();
+await page.getByText(/below is the last that it told/).waitFor();
+await page.keyboard.type("1u");
+check((await page.getByLabel("filter values").inputValue()).endsWith(".s1u") && page.url().endsWith("#live"), "a filter that is typed stays while the robot goes: " + await page.getByLabel("filter values").inputValue());
+await page.getByLabel("filter values").fill("");
+await tab("Configuration");
 await page.getByText(/Nothing can be set until it is back/).waitFor();
 await tab("Calibrate");
+await page.getByLabel("robot to connect to").focus();
+await page.keyboard.type("nao");
 await page.screenshot({path: join(pictures, "robot-gone.png")});
 await robot.start();
 await page.locator(".robot.connected").waitFor();
 await page.getByText("pictures a second").first().waitFor();
 check(true, "a robot that comes back is seen again");
+await page.keyboard.type("21");
+check(await page.getByLabel("robot to connect to").inputValue() === "nao21", "an address that is typed stays while the robot comes: " + await page.getByLabel("robot to connect to").inputValue());
 
 // The bridge ends: nothing looks as if it could still be reached.
 await panel.stop("SIGKILL");

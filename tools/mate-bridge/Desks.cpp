@@ -51,7 +51,7 @@ void Desks::open(const std::vector<std::string>& paths, std::function<void(const
 
 /// What was said of another fit is not true of a new one.
 void Desks::remember(const std::string& kind, const Message& told) {
-  constexpr std::array<std::string_view, 3> ofFit{"questions", "next", "compared"};
+  constexpr std::array<std::string_view, 4> ofFit{"questions", "next", "compared", "unfitted"};
   if (kind == "refused" || kind == "made") {
     return;
   }

@@ -16,6 +16,8 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr std::string_view fitting = "fitting";
+
 /// Pictures below the sets' own folders only, whatever a captures.json names.
 std::map<std::string, std::filesystem::path> imagesOf(const OpenedSets& opened) {
   std::map<std::string, std::filesystem::path> images;
@@ -38,11 +40,12 @@ std::map<std::string, std::filesystem::path> imagesOf(const OpenedSets& opened) 
 LabDesk::LabDesk(OpenedSets opened, Tell tell)
     : tell_{std::move(tell)}, images_{imagesOf(opened)},
       laboratory_{std::make_shared<Laboratory>(std::move(opened), [this](const std::string& kind, const Json& content) {
+        isFitted_ = isFitted_ || kind == "fit";
         Json message = content;
         message["kind"] = kind;
         tell_(kind, wireText(message));
       })} {
-  work("fitting", [](Laboratory& laboratory) { laboratory.fit(); });
+  work(fitting, [](Laboratory& laboratory) { laboratory.fit(); });
   question();
 }
 
@@ -50,13 +53,16 @@ LabDesk::~LabDesk() {
   cancelled_ = true; // its thread ends sooner
 }
 
-void LabDesk::work(const char* what, std::function<void(Laboratory&)> change) {
+void LabDesk::work(std::string_view what, std::function<void(Laboratory&)> change) {
   worker_.add([this, what, change = std::move(change)] {
     tell_("work", wireText({{"kind", "work"}, {"what", what}}));
     try {
       change(*laboratory_);
     } catch (const std::exception& error) { // a full disk, too, must not end the bridge
       tell_("refused", wireText({{"kind", "refused"}, {"sentence", error.what()}}));
+      if (!isFitted_ && what == fitting) {
+        tell_("unfitted", wireText({{"kind", "unfitted"}, {"sentence", error.what()}}));
+      }
     }
     tell_("work", wireText({{"kind", "work"}, {"what", nullptr}}));
   });
@@ -65,7 +71,7 @@ void LabDesk::work(const char* what, std::function<void(Laboratory&)> change) {
 void LabDesk::question() {
   ++questions_;
   work("asking candidates", [this](Laboratory& laboratory) {
-    if (--questions_ == 0) { // else the model has changed since: the last one answers
+    if (--questions_ == 0 && isFitted_) { // else the model has changed since: the last one answers
       laboratory.question();
     }
   });
@@ -75,14 +81,14 @@ bool LabDesk::asked(const Json& request) {
   const std::string verb = request.at("do");
   if (verb == "add" || verb == "drop") {
     const std::string label = request.at("label");
-    work("fitting",
+    work(fitting,
          [verb, label](Laboratory& laboratory) { verb == "add" ? laboratory.add(label) : laboratory.drop(label); });
   } else if (verb == "goTo") {
     const std::size_t rung = request.at("rung");
-    work("fitting", [rung](Laboratory& laboratory) { laboratory.goTo(rung); });
+    work(fitting, [rung](Laboratory& laboratory) { laboratory.goTo(rung); });
   } else if (verb == "define") {
     const Json effect = request.at("effect");
-    work("fitting", [effect](Laboratory& laboratory) { laboratory.define(effect); });
+    work(fitting, [effect](Laboratory& laboratory) { laboratory.define(effect); });
   } else {
     return askedForMore(verb, request);
   }

@@ -20,7 +20,8 @@ class Laboratory;
 /// on. After every change of the model it is put to the question, unless more was asked for meanwhile.
 class LabDesk {
 public:
-  /// A message for all panels: its kind, and its JSON. Called on the desk's thread.
+  /// A message for all panels: its kind, and its JSON. Called on the desk's thread. Beside the laboratory's kinds:
+  /// "work" (what it is at), "refused", "unfitted" (why there is no fit at all), "made".
   using Tell = std::function<void(const std::string& kind, std::string json)>;
 
   /// Starts with the first fit. Throws InputError for captures that the robot cannot have made.
@@ -42,11 +43,12 @@ public:
   std::optional<std::string> picture(std::string_view path) const;
 
 private:
-  void work(const char* what, std::function<void(Laboratory&)> change);
+  void work(std::string_view what, std::function<void(Laboratory&)> change);
   void question();
   bool askedForMore(const std::string& verb, const nlohmann::json& request);
 
   Tell tell_;
+  std::atomic<bool> isFitted_ = false;
   std::map<std::string, std::filesystem::path> images_; // "SET/CAPTURE"
   std::shared_ptr<Laboratory> laboratory_;              // of the worker's thread
   std::atomic<bool> cancelled_ = false;

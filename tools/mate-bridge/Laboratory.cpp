@@ -41,6 +41,8 @@ void Laboratory::tellSet(const Rung& rung) {
   }
   tell_("set", {{"names", opened_.inputs.sets},
                 {"robot", measurements_.robot.model},
+                {"headId", opened_.sets.front().headId},
+                {"bodyId", opened_.sets.front().bodyId},
                 {"pictures", measurements_.pictures.size()},
                 {"poses", measurements_.poses.size()},
                 {"corners", measurements_.cornerCount},

@@ -70,6 +70,7 @@ struct Panel::Implementation {
 
   Answer fileThere(std::string_view path) const {
     const LabDesk* const desk = desks.desk();
+    path = path.substr(0, path.find('?')); // behind it stands only what keeps the browser from an older picture
     constexpr std::string_view pictures = "picture/";
     if (path.starts_with(pictures)) {
       auto picture = desk ? desk->picture(withoutPercents(path.substr(pictures.size()))) : std::nullopt;

@@ -96,7 +96,7 @@ void RobotConversation::ended(const std::string& why) {
   sentence_ = why;
   timer_.expires_after(pauseBetweenTries);
   timer_.async_wait([weak = weak_from_this()](boost::system::error_code stopped) {
-    if (const auto self = weak.lock(); self && !stopped) {
+    if (const auto self = weak.lock(); self && !stopped && !self->rests_) {
       self->connect();
     }
   });
@@ -129,6 +129,21 @@ void RobotConversation::drop() {
   timer_.cancel();
   debug_->drop();
   config_->drop();
+}
+
+void RobotConversation::rest() {
+  drop();
+  rests_ = true;
+  missing_ = 2;
+  sentence_ = "was left alone, as no panel was open";
+  calls_.changed();
+}
+
+void RobotConversation::wake() {
+  if (std::exchange(rests_, false)) {
+    sentence_ = "connecting";
+    connect();
+  }
 }
 
 void RobotConversation::subscribe(const std::string& key) {

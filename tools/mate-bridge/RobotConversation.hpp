@@ -15,6 +15,9 @@ public:
 
   void connect();
   void drop();
+  /// As RobotLink.
+  void rest();
+  void wake();
   bool connected() const { return missing_ == 0; }
   const std::string& sentence() const { return sentence_; }
 
@@ -38,6 +41,7 @@ private:
   boost::asio::steady_timer timer_;
   std::shared_ptr<RobotSocket> debug_, config_;
   int missing_ = 2; // sockets that are not connected
+  bool rests_ = false;
   std::string sentence_ = "connecting";
   std::chrono::steady_clock::time_point heard_;
   std::set<std::string> keys_; // subscribed to

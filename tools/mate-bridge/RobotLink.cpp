@@ -41,6 +41,14 @@ bool RobotLink::introduce(const std::string& settings) {
   return conversation_->introduce(settings);
 }
 
+void RobotLink::rest() {
+  conversation_->rest();
+}
+
+void RobotLink::wake() {
+  conversation_->wake();
+}
+
 bool RobotLink::save() {
   return conversation_->say(ConfigFrame::save);
 }

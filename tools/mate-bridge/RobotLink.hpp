@@ -41,6 +41,10 @@ public:
   /// them: its secret.
   bool introduce(const std::string& settings);
 
+  /// Ends both connections, so that the robot does what was left with it as a last will, until `wake`.
+  void rest();
+  void wake();
+
 private:
   std::shared_ptr<RobotConversation> conversation_;
 };

@@ -9,7 +9,8 @@
 
 namespace naocal {
 
-Robots::Robots(boost::asio::io_context& context, RobotsCalls calls) : context_{context}, calls_{std::move(calls)} {}
+Robots::Robots(boost::asio::io_context& context, RobotsCalls calls, std::chrono::milliseconds patience)
+    : context_{context}, calls_{std::move(calls)}, patience_{patience}, alone_{context} {}
 
 void Robots::connect(const std::string& address) {
   if (!robots_.contains(address)) {
@@ -54,8 +55,10 @@ std::vector<std::string> Robots::addresses() const {
   return all;
 }
 
-void Robots::greet(std::size_t panel) const {
+void Robots::greet(std::size_t panel) {
+  panels_.insert(panel);
   for (const auto& [address, robot] : robots_) {
+    robot->wake();
     robot->greet(panel);
   }
 }
@@ -64,6 +67,18 @@ void Robots::forget(std::size_t panel) {
   for (const auto& [address, robot] : robots_) {
     robot->forget(panel);
   }
+  if (panels_.erase(panel) == 0 || !panels_.empty()) {
+    return;
+  }
+  alone_.expires_after(patience_);
+  alone_.async_wait([this](boost::system::error_code stopped) {
+    if (stopped || !panels_.empty()) {
+      return;
+    }
+    for (const auto& [address, robot] : robots_) {
+      robot->rest();
+    }
+  });
 }
 
 } // namespace naocal

@@ -2,22 +2,26 @@
 
 #include "SeenRobot.hpp"
 
+#include <boost/asio/steady_timer.hpp>
+#include <chrono>
 #include <map>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
-namespace boost::asio {
-class io_context;
-}
+/// Heavy (Boost.Asio): included by Robots.cpp and Panel.cpp only.
 
 namespace naocal {
 
-/// The robots that panels look at, by address. A key is subscribed to as long as some panel shows it.
+/// The robots that panels look at, by address. A key is subscribed to as long as some panel shows it. When no panel has
+/// been open for a while there is nobody to press Stop: the robots are left alone until one comes, and so end what they
+/// were told to do.
 class Robots {
 public:
-  Robots(boost::asio::io_context& context, RobotsCalls calls);
+  static constexpr std::chrono::milliseconds usualPatience{5000}; // a page may be loaded anew
+  Robots(boost::asio::io_context& context, RobotsCalls calls, std::chrono::milliseconds patience = usualPatience);
 
   /// Throws InputError for an address that cannot be one.
   void connect(const std::string& address);
@@ -29,8 +33,8 @@ public:
 
   std::vector<std::string> addresses() const;
 
-  /// What a panel that has just come must know.
-  void greet(std::size_t panel) const;
+  /// A panel has come; tells it what it must know.
+  void greet(std::size_t panel);
   /// A panel has gone.
   void forget(std::size_t panel);
 
@@ -39,6 +43,9 @@ private:
 
   boost::asio::io_context& context_;
   RobotsCalls calls_;
+  std::chrono::milliseconds patience_;
+  std::set<std::size_t> panels_; // that are open
+  boost::asio::steady_timer alone_;
   std::map<std::string, std::shared_ptr<SeenRobot>> robots_;
 };
 

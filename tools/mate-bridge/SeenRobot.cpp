@@ -38,7 +38,7 @@ template <typename Action> void whereItFits(const Action& action) {
 SeenRobot::SeenRobot(boost::asio::io_context& context, std::string address, const RobotsCalls& calls)
     : address_{std::move(address)}, calls_{calls},
       link_{std::make_unique<RobotLink>(context, address_,
-                                        RobotCalls{[this] { calls_.all(state()); },
+                                        RobotCalls{[this] { changed(); },
                                                    [this](const std::string& body) { listed("list", body); },
                                                    [this](const std::string& body) { updated(body); },
                                                    [this](const std::string& body) { listed("mounts", body); },
@@ -54,6 +54,14 @@ std::string SeenRobot::state() const {
                    {"sentence", link_ ? link_->sentence() : "connecting"}});
 }
 
+void SeenRobot::changed() {
+  mounts_.forget();
+  if (!watchers_.empty()) {
+    mounts_.want(std::string{RobotWatch::boardsMount});
+  }
+  calls_.all(state());
+}
+
 void SeenRobot::listed(const std::string& kind, const std::string& body) {
   const Json told = parsed(body);
   if (kind == "keys" && watch_) {
@@ -62,6 +70,9 @@ void SeenRobot::listed(const std::string& kind, const std::string& body) {
         watch_->configured(told.at("keys"));
       }
     });
+  }
+  if (kind == "mounts") {
+    whereItFits([&] { mounts_.listed(told); });
   }
   const std::string message = wireText({{"kind", kind}, {"robot", address_}, {"body", told}});
   if (kind != "keys" && latest_[kind] == message) {
@@ -123,7 +134,7 @@ void SeenRobot::asked(std::size_t panel, const std::string& verb, const Json& re
   } else if (verb == "unwatch") {
     unwatch(panel);
   } else if (verb == "keys") {
-    link_->askForKeys(request.at("mount"));
+    mounts_.want(request.at("mount"));
   } else if (verb == "set") {
     const Json& settings = request.at("settings");
     const bool isSecret = settings.is_array() && settings.size() == 1 && settings[0].value("mp", "") == "naocal.access";
@@ -163,7 +174,7 @@ void SeenRobot::watch(std::size_t panel) {
   for (const std::string_view key : RobotWatch::keys) {
     look(std::string{key}, theWatch);
   }
-  link_->askForKeys(std::string{RobotWatch::boardsMount});
+  mounts_.want(std::string{RobotWatch::boardsMount});
 }
 
 void SeenRobot::unwatch(std::size_t panel) {

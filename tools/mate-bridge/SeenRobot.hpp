@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ListedMounts.hpp"
 #include "RobotLink.hpp"
 #include "RobotWatch.hpp"
 #include "Viewers.hpp"
@@ -35,8 +36,13 @@ public:
   /// A panel has gone.
   void forget(std::size_t panel);
 
+  /// Leaves the robot alone until `wake`.
+  void rest() { link_->rest(); }
+  void wake() { link_->wake(); }
+
 private:
   std::string state() const;
+  void changed();
   void listed(const std::string& kind, const std::string& body);
   void updated(const std::string& body);
   void pictured(const std::string& body);
@@ -51,6 +57,7 @@ private:
   std::map<std::string, std::string> latest_; // messages for panels to come, by kind
   std::set<std::size_t> watchers_;            // panels
   std::unique_ptr<RobotWatch> watch_;         // once somebody asked for it
+  ListedMounts mounts_{[this](const std::string& mount) { link_->askForKeys(mount); }};
   std::unique_ptr<RobotLink> link_;
 };
 

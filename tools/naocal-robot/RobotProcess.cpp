@@ -50,6 +50,8 @@ RobotProcess::RobotProcess(RobotInterface& robot, CameraInterface& cameras, cons
   const RobotNames names = namesOf(identity, options);
   configuration_.publish("tuhhSDK.base", "NaoInfo.headName", names.head);
   configuration_.publish("tuhhSDK.base", "NaoInfo.bodyName", names.body);
+  configuration_.publish("tuhhSDK.base", "NaoInfo.headId", identity.headId); // HULKs' robots tell no ids
+  configuration_.publish("tuhhSDK.base", "NaoInfo.bodyId", identity.bodyId);
   configuration_.publish("tuhhSDK.base", "location", names.location);
   for (Thread* thread : {&motion_, &brain_}) {
     for (const std::string& unknown : configure(*thread, configuration_)) {

@@ -1,11 +1,13 @@
 // Compare: where the prediction fails. Residuals over anything, the chosen capture beside them, all pictures worst first.
 import {make, button, choice, csv, download, renew} from "./elements.js";
+import {on} from "./connection.js";
 import {state} from "./state.js";
 import {pictureFigure, pictureRms, cornersOf} from "./pictures.js";
 import {scatterFigure, horizontals, verticals, isChosen} from "./scatter.js";
 
 const perPage = 6;
 const shown = {horizontal: "u", vertical: "du", camera: "", first: 0, order: "worst"};
+on("opened", () => Object.assign(shown, {camera: "", first: 0}));
 
 export function showCompare(parent) {
   const {fit} = state;

@@ -31,16 +31,23 @@ export function choice(label, options, chosen, changed, id) {
   return make("label", {}, label + " ", select);
 }
 
-// New content, without taking the focus from an element with an id that is there again.
-export function renew(parent, ...children) {
-  const kept = document.activeElement && parent.contains(document.activeElement) && document.activeElement.id;
-  parent.replaceChildren(...children.filter(child => child !== null && child !== undefined));
-  if (kept) document.getElementById(kept)?.focus();
+// Draws anew, without taking the focus and the place in its text from an element with an id that is there again.
+export function keepingFocus(parent, draw) {
+  const before = document.activeElement, id = parent.contains(before) && before.id;
+  const {selectionStart, selectionEnd} = before || {};
+  draw();
+  const after = id && document.getElementById(id);
+  if (!after || after === document.activeElement) return;
+  after.focus({preventScroll: true});
+  if (typeof selectionStart === "number") after.setSelectionRange(selectionStart, selectionEnd);
 }
 
-// A question that a person answers before anything happens.
+export const renew = (parent, ...children) =>
+  keepingFocus(parent, () => parent.replaceChildren(...children.filter(child => child !== null && child !== undefined)));
+
+// A question that a person answers before anything happens; `yes`: words, or a button of its own.
 export const confirmation = (words, yes, action, no) => make("div", {class: "confirm", role: "group", "aria-label": "confirm"}, ...[words].flat().map(line => typeof line === "string" ? make("p", {}, line) : line),
-  make("p", {class: "controls"}, button(yes, action, {class: "main"}), button("Not now", no)));
+  make("p", {class: "controls"}, typeof yes === "string" ? button(yes, action, {class: "main"}) : yes, button("Not now", no)));
 
 export const empty = (title, ...words) => make("div", {class: "empty"}, make("h2", {}, title), make("p", {}, ...words));
 

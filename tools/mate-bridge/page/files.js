@@ -1,5 +1,5 @@
 // Files: open other captures, compare with some that were not used, and save what the terminal's commands write.
-import {make as element, button, csvTable, download} from "./elements.js";
+import {make as element, button, csvTable, download, renew} from "./elements.js";
 import {on} from "./connection.js";
 import {state, act, notice} from "./state.js";
 import {px} from "./words.js";
@@ -26,7 +26,7 @@ on("made", async ({file}) => {
 
 export function showFiles(parent) {
   const {set, compared} = state, open = state.laboratory;
-  parent.replaceChildren(element("h1", {}, "Files"),
+  renew(parent, element("h1", {}, "Files"),
     element("h2", {}, "Open"), element("p", {class: "soft"}, open && set ? "Open now: " + set.names.join(", ") + "." : "Nothing is open.", " A capture set, a recording of the robot, a result, a diagnosis, a session.json, or a saved model.json with its captures; nothing in them is changed. Several stand one a line."),
     paths("open", "path of what to open", typed, value => { typed = value; }, list => act({do: "open", paths: list}), "Open"),
     ...(open ? [element("h2", {}, "Compare with captures that were not used"), paths("compare", "path of other captures", typedOthers, value => { typedOthers = value; }, list => act({do: "compare", paths: list}), "Compare"),
@@ -34,6 +34,11 @@ export function showFiles(parent) {
       element("h2", {}, "Save"), element("table", {class: "files"}, element("tbody", {}, element("tr", {}, element("td", {}, button("session.html", saveSession)), element("td", {}, "all that this panel shows, as one page")),
         ...Object.entries(kinds).map(([file, words]) => element("tr", {}, element("td", {}, button(file, () => make(file))), element("td", {}, words)))))]
       : [element("h2", {}, "Save"), element("p", {}, button("session.html", saveSession), " all that this panel shows, as one page")]));
+}
+
+// While the bridge works nothing can be opened or compared.
+export function filesWorked(parent) {
+  for (const go of parent.querySelectorAll("form.paths button")) go.disabled = Boolean(state.work);
 }
 
 function paths(id, label, value, changed, go, words) {

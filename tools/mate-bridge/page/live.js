@@ -1,5 +1,5 @@
 // Live: both cameras, and any number of values over time.
-import {make, empty, choice} from "./elements.js";
+import {make, empty, choice, renew} from "./elements.js";
 import {wish} from "./subscriptions.js";
 import {cameraAt, cameraKeys} from "./camera.js";
 import {robots, robotBar, refreshBar, lookedAt, nameOf, whyNothing} from "./robots.js";
@@ -16,7 +16,7 @@ export function showLive(parent) {
   if (robot !== shownRobot) forget();
   shownRobot = robot;
   forgetFigures();
-  parent.replaceChildren(make("div", {class: "heading"}, make("h1", {}, "Live"), robotBar(again)), ...(why ? [empty(...why)] : content(robot)));
+  renew(parent, make("div", {class: "heading"}, make("h1", {}, "Live"), robotBar(again)), ...(why ? [empty(...why)] : content(robot)));
   if (!why) follow();
 }
 const again = () => showLive(parentShown);
@@ -68,7 +68,7 @@ function keyList(values) {
     });
     return make("li", {}, make("label", {}, box, " ", key));
   }));
-  const search = make("input", {type: "search", placeholder: "filter " + values.length + " values", "aria-label": "filter values", oninput: () => { filter = search.value; fill(); }});
+  const search = make("input", {type: "search", id: "valueFilter", placeholder: "filter " + values.length + " values", "aria-label": "filter values", oninput: () => { filter = search.value; fill(); }});
   search.value = filter;
   fill();
   return make("div", {}, make("h2", {}, "Values"), search, list);

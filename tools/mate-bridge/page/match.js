@@ -1,6 +1,6 @@
 // Calibrate: beside the field. Choose what to calibrate, see each pose before it is played, what the robot does, waits
 // for and sees, stop at any moment, see what it brought, take it back.
-import {make, button, empty} from "./elements.js";
+import {make, empty, renew} from "./elements.js";
 import {send} from "./connection.js";
 import {act, notice} from "./state.js";
 import {robots, robotBar, refreshBar, lookedAt, needKeys, nameOf, calledBy, whyNothing} from "./robots.js";
@@ -26,7 +26,7 @@ export function showMatch(parent) {
   shownRobot = lookedAt();
   if (before && before !== shownRobot) send({do: "unwatch", robot: before});
   const why = whyNothing();
-  parent.replaceChildren(make("div", {class: "heading"}, make("h1", {}, "Calibrate"), robotBar(again)), ...(why ? [empty(...why)] : content()));
+  renew(parent, make("div", {class: "heading"}, make("h1", {}, "Calibrate"), robotBar(again)), ...(why ? [empty(...why)] : content()));
   if (why) wish("match", null, []);
   else draw();
 }

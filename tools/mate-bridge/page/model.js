@@ -1,15 +1,15 @@
 // The model beside every laboratory view: the ladder of errors, what is in the model, undo, and the search.
-import {make, button, csv, download} from "./elements.js";
+import {make, button, csv, download, renew} from "./elements.js";
 import {px3, chance} from "./words.js";
 import {state, act} from "./state.js";
 
 export function showModel(parent) {
   const {ladder, fit} = state;
   if (!ladder || !fit) {
-    parent.replaceChildren(make("p", {class: "soft"}, "Fitting the first model …"));
+    parent.replaceChildren(make("p", {class: "soft"}, state.unfitted ? "There is no fit." : "Fitting the first model …"));
     return;
   }
-  parent.replaceChildren(make("h2", {}, "Ladder of errors ", button("CSV", () => saveLadder(ladder), {class: "small", "aria-label": "save as CSV: ladder of errors"})), ladderOf(ladder), historyButtons(ladder), modelOf(fit), search());
+  renew(parent, make("h2", {}, "Ladder of errors ", button("CSV", () => saveLadder(ladder), {class: "small", "aria-label": "save as CSV: ladder of errors"})), ladderOf(ladder), historyButtons(ladder), modelOf(fit), search());
 }
 
 // A bar per model: the error on poses it has not seen, hollow while only the error of the fit is known; the grey band

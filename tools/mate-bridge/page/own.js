@@ -1,5 +1,5 @@
 // Own effect: a correction of a joint's angle typed as an expression, checked by the bridge as it is typed.
-import {make, button, choice} from "./elements.js";
+import {make, button, choice, renew} from "./elements.js";
 import {send, on} from "./connection.js";
 import {state, act} from "./state.js";
 
@@ -56,7 +56,7 @@ export function showOwn(parent) {
     value => { draft.at = value; check(); }).querySelector("select");
   joints.id = "own-at";
   const text = make("input", {type: "text", spellcheck: "false", autocomplete: "off"});
-  parent.replaceChildren(
+  renew(parent,
     make("h1", {}, "An effect of your own"),
     make("p", {class: "soft"}, "What is added to a joint's true angle [rad], as an expression; it must be 0 where its unknowns are 0. It may use ",
       ...["q", "qd", "tau", "approach", "T", "t", "current"].flatMap(name => [make("code", {}, name), " "]),

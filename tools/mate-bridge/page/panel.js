@@ -12,8 +12,8 @@ import {showOwn} from "./own.js";
 import {showResult} from "./result.js";
 import {showLive, leaveLive, liveTold} from "./live.js";
 import {showMatch, leaveMatch, matchTold, matchSummary, hasMatch} from "./match.js";
-import {showNext} from "./next.js";
-import {showFiles} from "./files.js";
+import {showNext, refreshPlay} from "./next.js";
+import {showFiles, filesWorked} from "./files.js";
 import {offerViews} from "./session.js";
 import {told, lookedAt} from "./robots.js";
 import {followAll, stateKey} from "./follow.js";
@@ -23,7 +23,7 @@ import {showTools} from "./tools.js";
 
 const at = id => document.getElementById(id);
 
-// `kinds`: after which messages a view is drawn anew.
+// `kinds`: after which messages a view is drawn anew; `worked`: what changes when the bridge begins or ends a work.
 const views = [
   {id: "compare", name: "Compare", show: showCompare, kinds: ["fit"], laboratory: true},
   {id: "learn", name: "Learn", show: showLearn, kinds: ["fit", "questions"], laboratory: true},
@@ -31,7 +31,7 @@ const views = [
   {id: "own", name: "Own effect", show: showOwn, kinds: ["set"], laboratory: true},
   {id: "result", name: "Result", show: showResult, kinds: ["fit", "keys", "robot"], laboratory: true},
   {id: "next", name: "Next poses", show: showNext, kinds: ["fit", "next", "work", "keys", "robot"], laboratory: true},
-  {id: "files", name: "Files", show: showFiles, kinds: ["set", "compared", "work"]},
+  {id: "files", name: "Files", show: showFiles, worked: filesWorked, kinds: ["set", "compared"]},
   {id: "match", name: "Calibrate", show: showMatch, leave: leaveMatch, kinds: []},
   {id: "live", name: "Live", show: showLive, leave: leaveLive, kinds: []},
   {id: "keys", name: "Configuration", show: showKeys, kinds: []},
@@ -77,18 +77,20 @@ function draw() {
   else if (!state.laboratory) {
     view.replaceChildren(empty("No captures are open", "Start ", make("code", {}, "mate-bridge captures/"), " with the folder of a capture set, a result or a diagnosis, or open them in ",
       button("Files", () => go("files"), {class: "small"}), "."));
-  } else if (!complete) view.replaceChildren(empty("Fitting", "The first fit takes less than a second for thirty poses."));
+  } else if (state.unfitted) view.replaceChildren(empty("These captures could not be fitted", state.unfitted.sentence.replace(/\.?$/, ". ") + "Take what it names out of the model or the captures, and open them again in ",
+    button("Files", () => go("files"), {class: "small"}), "."));
+  else if (!complete) view.replaceChildren(empty("Fitting", "The first fit takes less than a second for thirty poses."));
   else current.show(view);
   if (!at("model").hidden) showModel(at("model"));
 }
 
 // What the laboratory tells; questions belong to the fit before them.
-const laboratoryKinds = ["set", "ladder", "fit", "questions", "found", "next", "compared"];
+const laboratoryKinds = ["set", "ladder", "fit", "unfitted", "questions", "found", "next", "compared"];
 const forget = kinds => kinds.forEach(kind => { state[kind] = null; });
 for (const kind of laboratoryKinds) {
   on(kind, message => {
     state[kind] = message;
-    if (kind === "fit") forget(["questions", "next", "compared"]); // they were said of another
+    if (kind === "fit") forget(["unfitted", "questions", "next", "compared"]); // they were said of another
     redraw(kind);
   });
 }
@@ -113,6 +115,7 @@ on("work", ({what}) => {
   state.work = what;
   at("work").textContent = what ? what + " …" : "";
   at("work").classList.toggle("busy", Boolean(what));
+  if (current?.worked) current.worked(at("view"));
   redraw("work");
 });
 for (const kind of ["robot", "robotGone", "list", "mounts", "keys", "update", "picture", "scene", "seen", "stand"]) {
@@ -123,7 +126,7 @@ for (const kind of ["robot", "robotGone", "list", "mounts", "keys", "update", "p
     liveTold(message, more, current && current.id === "live");
     matchTold(message, more, current && current.id === "match");
     keysTold(message, current && current.id === "keys");
-    if (kind === "update" && message.values.some(({key}) => key === stateKey)) refreshStop();
+    if (kind === "update" && message.values.some(({key}) => key === stateKey)) { refreshStop(); refreshPlay(); }
   });
 }
 

@@ -1,4 +1,5 @@
 // One picture with its corners: a ring where measured, a line to the cross where predicted.
+import {on} from "./connection.js";
 import {make} from "./elements.js";
 import {figure, colours, enlargement, enlargedWords, drawCorner, doubtfulBelow} from "./canvas.js";
 import {px, direction, pictureName, rms} from "./words.js";
@@ -28,10 +29,12 @@ export function cornerTip(corner) {
 }
 
 const photographs = new Map(); // by address
+let desk = 0; // other captures may have the same names: the address says which are meant
+for (const kind of ["opened", "hello"]) on(kind, () => { photographs.clear(); ++desk; });
 
 function photograph(picture, loaded) {
   if (!picture.kept) return null;
-  const address = "picture/" + encodeURIComponent(picture.set) + "/" + picture.capture;
+  const address = "picture/" + encodeURIComponent(picture.set) + "/" + picture.capture + "?" + desk;
   if (!photographs.has(address)) {
     const image = new Image();
     photographs.set(address, image);

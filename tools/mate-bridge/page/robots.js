@@ -1,5 +1,5 @@
 // The robots: connecting, how each stands, and which one is looked at.
-import {make, button, confirmation} from "./elements.js";
+import {make, button, confirmation, keepingFocus} from "./elements.js";
 import {on} from "./connection.js";
 import {state, act} from "./state.js";
 import {vitals} from "./vitals.js";
@@ -7,6 +7,7 @@ import {of, valueOf} from "./values.js";
 import {stateKey, running} from "./follow.js";
 
 export const robots = state.robots; // by address: {connected, sentence, list, mounts, keys: Map by mount}
+const typedSecrets = new Map(); // by robot, until it is told
 let looked = null, typed = "", leaving = null; // the robot that is to be left while it calibrates
 
 // A bridge that is back says which robots it still has; how each stands follows.
@@ -66,7 +67,7 @@ export function told(message) {
 
 const keysOf = body => body && Array.isArray(body.keys) ? body.keys.filter(({key}) => typeof key === "string").sort((a, b) => a.key < b.key ? -1 : 1) : [];
 
-// Asks a robot for a mount's keys unless they are known, or were asked for.
+// Asks a robot for a mount's keys unless they are known, or were asked for; the bridge waits until the robot lists it.
 export function needKeys(robot, mount) {
   const {keys, connected} = robots.get(robot);
   if (connected && !keys.has(mount) && act({do: "keys", robot, mount})) keys.set(mount, null);
@@ -102,17 +103,18 @@ function leave(robot, changed) {
 
 // Only that row: another robot has news.
 export function refreshBar(parent, changed) {
-  const bar = parent.querySelector(".robots"), focused = document.activeElement?.id;
-  bar?.replaceWith(robotBar(changed));
-  if (focused === "address") document.getElementById("address").focus();
+  keepingFocus(parent, () => parent.querySelector(".robots")?.replaceWith(robotBar(changed)));
 }
 
 // A robot that listens beyond its own computer shows nothing before it is told its secret (access.json).
 function secretForm(robot) {
-  const secret = make("input", {type: "password", placeholder: "its secret", "aria-label": "secret of " + robot, autocomplete: "off"});
+  const secret = make("input", {type: "password", id: "secret", oninput: () => typedSecrets.set(robot, secret.value), placeholder: "its secret", "aria-label": "secret of " + robot, autocomplete: "off"});
+  secret.value = typedSecrets.get(robot) ?? "";
   return make("form", {class: "controls", onsubmit: event => {
     event.preventDefault();
-    if (act({do: "set", robot, settings: [{mp: "naocal.access", key: "secret", value: secret.value}]})) secret.value = "";
+    if (!act({do: "set", robot, settings: [{mp: "naocal.access", key: "secret", value: secret.value}]})) return;
+    typedSecrets.delete(robot);
+    secret.value = "";
   }}, secret, make("button", {type: "submit"}, "Tell it"));
 }
 

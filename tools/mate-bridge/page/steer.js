@@ -78,8 +78,8 @@ function start(robot, entry) {
   begin(robot, of(robot).chosen);
 }
 
-// What a calibration saved can be taken back once: the robot says when. Before the first one it may be an older one's.
-const canUndo = ({phase, sentence}) => phase === "idle" || (phase === "finished" && /can be undone/.test(sentence));
+// What a calibration saved can be taken back once, however many were ended since: the robot knows whether there is any.
+const canUndo = ({sentence}) => !/saved was taken back/.test(sentence);
 
 export function afterwards({robot, entry, state, isRunning, draw, when}) {
   const can = entry.connected && Boolean(state) && !isRunning, undoable = can && canUndo(state);

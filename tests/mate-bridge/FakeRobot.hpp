@@ -1,0 +1,83 @@
+#pragma once
+
+#include "RobotFrames.hpp"
+
+#include <boost/asio/local/stream_protocol.hpp>
+#include <boost/asio/read.hpp>
+#include <boost/asio/write.hpp>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// A robot's two UNIX sockets that say only what a test gives them, and keep what the configuration socket is asked.
+class FakeRobot {
+public:
+  FakeRobot(boost::asio::io_context& context, const std::filesystem::path& folder, std::string mounts)
+      : mounts_{std::move(mounts)}, debug_{context, (folder / "debug").string()}, config_{
+                                                                                      context,
+                                                                                      (folder / "config").string()} {
+    accept(debug_, debugFrames);
+    accept(config_, configFrames);
+  }
+
+  std::vector<std::string> keysAskedFor; // mounts, by GET_KEYS
+
+private:
+  using Local = boost::asio::local::stream_protocol;
+  struct Peer {
+    Local::socket socket;
+    const RobotFormat& format;
+    std::string bytes;
+  };
+
+  void accept(Local::acceptor& acceptor, const RobotFormat& format) {
+    acceptor.async_accept([this, &format, &acceptor](boost::system::error_code error, Local::socket socket) {
+      if (!error) {
+        readHeader(std::make_shared<Peer>(Peer{std::move(socket), format, {}}));
+        accept(acceptor, format);
+      }
+    });
+  }
+
+  void readHeader(const std::shared_ptr<Peer>& peer) {
+    peer->bytes.resize(peer->format.headerSize);
+    boost::asio::async_read(peer->socket, boost::asio::buffer(peer->bytes),
+                            [this, peer](boost::system::error_code error, std::size_t) {
+                              if (!error) {
+                                readBody(peer, robotHeader(peer->format, peer->bytes));
+                              }
+                            });
+  }
+
+  void readBody(const std::shared_ptr<Peer>& peer, const RobotHeader& header) {
+    peer->bytes.resize(header.bodySize);
+    boost::asio::async_read(peer->socket, boost::asio::buffer(peer->bytes),
+                            [this, peer, type = header.type](boost::system::error_code error, std::size_t) {
+                              if (!error) {
+                                answer(*peer, static_cast<ConfigFrame>(type));
+                                readHeader(peer);
+                              }
+                            });
+  }
+
+  void answer(Peer& peer, ConfigFrame asked) {
+    if (&peer.format != &configFrames) {
+      return;
+    }
+    if (asked == ConfigFrame::getKeys) {
+      keysAskedFor.push_back(peer.bytes);
+    } else if (asked == ConfigFrame::getMounts) {
+      boost::system::error_code ignored;
+      const auto type = static_cast<std::uint8_t>(ConfigFrame::sendMounts);
+      boost::asio::write(peer.socket, boost::asio::buffer(robotFrame(configFrames, type, mounts_)), ignored);
+    }
+  }
+
+  std::string mounts_; // JSON
+  Local::acceptor debug_, config_;
+};
+
+} // namespace naocal
