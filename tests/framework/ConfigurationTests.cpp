@@ -179,6 +179,76 @@ TEST_CASE("orders are never saved, and all else is written elsewhere as it would
   CHECK(robot.content("default/head/Ada/Runner.json") == json{{"repeats", 2}});
 }
 
+TEST_CASE("a save that changes nothing leaves what an undo goes back to") {
+  // Proves it for values that were put back before anything is saved, for a save by name of what is saved already, and
+  // for a value that its file has got meanwhile.
+  for (const std::string way : {"put back", "saved already", "in the file"}) {
+    ConfiguredRobot robot;
+    for (const std::string name : {"Offsets", "Cameras", "Other"}) {
+      robot.file("default/head/default/" + name + ".json", R"({"value": 0})");
+      robot.configuration.mount(name, name + ".json", Part::head);
+    }
+    robot.configuration.keepTogether({"Offsets", "Cameras"});
+    robot.configuration.set("Offsets", "value", 1);
+    robot.configuration.save("Offsets"); // a calibration
+    if (way == "put back") {
+      robot.configuration.set("Offsets", "value", 2); // one that is rejected
+      robot.configuration.set("Offsets", "value", 1);
+    } else if (way == "in the file") {
+      robot.configuration.set("Offsets", "value", 2);
+      robot.file("default/head/Ada/Offsets.json", R"({"value": 2})");
+    } else {
+      robot.configuration.save("Cameras");
+    }
+    robot.configuration.set("Other", "value", 3);
+    robot.configuration.save();
+    CHECK(robot.configuration.isSaved("Offsets"));
+    robot.configuration.undo("Offsets");
+    CHECK(robot.keys("Offsets")["value"] == 0);
+    CHECK(robot.content("default/head/Ada/Other.json")["value"] == 3);
+  }
+}
+
+TEST_CASE("what is put back to what the files say counts as saved") {
+  // Proves it key by key, and that no file of the robot's own is made for it.
+  ConfiguredRobot robot;
+  robot.file("default/body/default/Offsets.json", R"({"knee": 0, "hip": [1, 2]})");
+  robot.configuration.mount("Offsets", "Offsets.json", Part::body);
+  robot.configuration.set("Offsets", "knee", 1);
+  robot.configuration.set("Offsets", "hip[1]", 3);
+  robot.configuration.set("Offsets", "knee", 0);
+  CHECK_FALSE(robot.configuration.isSaved("Offsets"));
+  robot.configuration.set("Offsets", "hip[1]", 2);
+  CHECK(robot.configuration.isSaved("Offsets"));
+  robot.configuration.save("Offsets");
+  CHECK_FALSE(std::filesystem::exists(robot.path("default/body/Bob/Offsets.json")));
+}
+
+TEST_CASE("a save that has failed is not finished by a copy of the configuration") {
+  // Proves that what the save has noted stays where it is: read in another place it would write to this robot's files.
+  const ConfiguredRobot robot;
+  robot.file("default/head/default/Offsets.json", R"({"value": 0})");
+  const auto writer = [&](const std::filesystem::path& file, std::string_view content) {
+    if (file.filename() == "Offsets.json" && file.string().rfind(robot.folder.path().string(), 0) == 0) {
+      throw std::runtime_error{"the disk is full"};
+    }
+    writeAtomically(file, content);
+  };
+  Configuration configuration{robot.folder.path(), robot.names, writer};
+  configuration.mount("Offsets", "Offsets.json", Part::head);
+  configuration.set("Offsets", "value", 1);
+  CHECK_THROWS_AS(configuration.save(), std::runtime_error);
+  REQUIRE(std::filesystem::exists(robot.path("unfinished-save.json")));
+  const TemporaryFolder other;
+  configuration.writeTo(other.path());
+  Configuration copy{other.path(), robot.names, writeAtomically};
+  copy.mount("Offsets", "Offsets.json", Part::head);
+  json keys;
+  copy.keys("Offsets", keys);
+  CHECK(keys["value"] == 1);
+  CHECK_FALSE(std::filesystem::exists(robot.path("default/head/Ada/Offsets.json")));
+}
+
 TEST_CASE("what is saved together is old or new together, wherever the program ends") {
   // Proves it for every write of a save and of an undo: the program ends there, and the next one finishes what was
   // noted or finds nothing changed. A mount without changes is left as it is by both.

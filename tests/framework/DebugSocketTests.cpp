@@ -1,3 +1,4 @@
+#include "DebugNumbers.hpp"
 #include "ShownRobot.hpp"
 
 #include <catch2/catch.hpp>
@@ -7,8 +8,6 @@ namespace naocal {
 namespace {
 
 using nlohmann::json;
-
-enum { subscribe, unsubscribe, update, requestList, list, subscribeBulk, image }; // the protocol's numbers
 
 /// The list is answered after what was sent before it: subscriptions are in force then.
 json listed(MateClient& client) {

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstring>
 #include <deque>
+#include <functional>
 #include <linux/uvcvideo.h>
 #include <linux/videodev2.h>
 #include <map>
@@ -35,6 +36,7 @@ public:
     bool broken = false;                              // its stream has failed: EIO until it is closed
     std::uint32_t sequence = 0;
     int opened = 0;
+    std::function<void()> opening; // called by each attempt
 
     int file = -1;
     bool formatted = false, streaming = false;
@@ -72,6 +74,9 @@ public:
 
   int open(const std::string& path) override {
     const auto camera = cameras.find(path);
+    if (camera != cameras.end() && camera->second.opening) {
+      camera->second.opening();
+    }
     if (camera == cameras.end() || !camera->second.present) {
       return -ENOENT;
     }

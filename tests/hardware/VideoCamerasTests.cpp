@@ -156,6 +156,47 @@ TEST_CASE("a camera that is unplugged is waited for while the other one goes on"
   CHECK(scene.next()->picture->bytes().front() == 9);
 }
 
+// Proves that a camera whose buffers filled meanwhile is not taken for one that hangs, and that attempts keep their
+// distance, however long each takes; not how late pictures are.
+TEST_CASE("a camera whose opening takes over a second is not the other one's trouble") {
+  Scene scene;
+  scene.bottom().present = false;
+  scene.cameras();
+  std::vector<TimePoint> begins, ends;
+  scene.bottom().opening = [&] {
+    begins.push_back(Clock::now());
+    for (int i = 0; i < 10; ++i) {
+      scene.video.expose(scene.top(), 1, 1s);
+    }
+    std::this_thread::sleep_for(1100ms);
+    ends.push_back(Clock::now());
+  };
+  while (ends.size() < 2) {
+    scene.video.expose(scene.top(), 2, 2s);
+    const auto frame = scene.cameras().waitForFrame(0ms);
+    REQUIRE(frame);
+    CHECK(frame->camera == CameraName::top);
+  }
+  scene.video.expose(scene.top(), 3, 3s);
+  CHECK(scene.next());
+  CHECK(scene.top().opened == 1);
+  CHECK(scene.cameras().link(CameraName::top).problem.empty());
+  CHECK(begins[1] - ends[0] >= 100ms);
+}
+
+// Proves that one that is open and silent is closed and opened again; how soon is not measured.
+TEST_CASE("a camera that gives no picture for a second is opened anew") {
+  Scene scene;
+  scene.cameras();
+  while (scene.top().opened == 1 || !scene.top().streaming) {
+    scene.video.expose(scene.bottom(), 1, 1s);
+    scene.cameras().waitForFrame(1ms);
+    scene.cameras().waitForFrame(1ms);
+  }
+  CHECK(scene.cameras().link(CameraName::top).reopened == 1);
+  CHECK(scene.bottom().opened == 1);
+}
+
 // Proves that opening fails cleanly at each of its steps, and succeeds as soon as it can.
 TEST_CASE("a camera that fails while it is opened is closed and tried again") {
   for (const unsigned long request : {VIDIOC_S_FMT, VIDIOC_REQBUFS, VIDIOC_QUERYBUF, VIDIOC_STREAMON}) {

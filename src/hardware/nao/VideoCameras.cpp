@@ -23,7 +23,9 @@ std::optional<CameraFrame> VideoCameras::waitForFrame(std::chrono::milliseconds 
   while (true) {
     for (const auto& device : devices_) {
       device->keepOpen();
-      device->drain(); // also what came while nobody waited: the newest wins
+    }
+    for (const auto& device : devices_) {
+      device->drain(); // also what came while nobody waited, or while the other one was opened: the newest wins
     }
     VideoDevice* older = nullptr;
     for (const auto& device : devices_) {

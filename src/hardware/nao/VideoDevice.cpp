@@ -31,20 +31,17 @@ VideoDevice::~VideoDevice() {
 }
 
 void VideoDevice::keepOpen() {
-  const TimePoint now = Clock::now();
-  if (file_ >= 0 && now - lastPicture_ > hung) {
-    giveUp("it has given no picture for a second");
+  if (file_ >= 0 || Clock::now() < nextAttempt_) {
+    return;
   }
-  if (file_ < 0 && now >= nextAttempt_) {
-    nextAttempt_ = now + betweenOpenings;
-    try {
-      open();
-      link.reopened += openedBefore_;
-      openedBefore_ = true;
-    } catch (const VideoError& error) {
-      giveUp(error.what());
-    }
+  try {
+    open();
+    link.reopened += openedBefore_;
+    openedBefore_ = true;
+  } catch (const VideoError& error) {
+    giveUp(error.what());
   }
+  nextAttempt_ = Clock::now() + betweenOpenings; // an opening can take seconds, which are the other camera's too
 }
 
 void VideoDevice::open() {
@@ -102,6 +99,9 @@ void VideoDevice::drain() {
     while (buffers_ && buffers_->take(buffer)) {
       accept(buffer);
       buffers_->giveBack(buffer);
+    }
+    if (buffers_ && Clock::now() - lastPicture_ > hung) {
+      giveUp("it has given no picture for a second");
     }
   } catch (const VideoError& error) {
     giveUp(error.what());

@@ -18,10 +18,11 @@ public:
   VideoDevice(const VideoDevice&) = delete;
   VideoDevice& operator=(const VideoDevice&) = delete;
 
-  /// Opens what is closed, not more often than every tenth of a second; closes what has not delivered for a second.
+  /// Opens what is closed, a tenth of a second after the last attempt has ended or later.
   void keepOpen();
 
-  /// Takes all pictures that are ready; the newest becomes `pending`.
+  /// Takes all pictures that are ready; the newest becomes `pending`. Closes what has none and has given none for a
+  /// second.
   void drain();
 
   /// Closes; the next `keepOpen` begins anew. `why`: the end of a sentence.

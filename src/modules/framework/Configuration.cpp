@@ -75,10 +75,14 @@ void Configuration::set(std::string_view mount, std::string_view path, const jso
   if (entry.listener) {
     entry.listener(place.topLevelKey, changed[place.topLevelKey]);
   }
-  *entry.overlay.merged = std::move(changed);
+  json& present = (*entry.overlay.merged)[place.topLevelKey];
   if (!entry.unsaved.contains(place.topLevelKey)) {
-    entry.changed.insert(place.topLevelKey);
+    const auto before = entry.changed.try_emplace(place.topLevelKey, present).first;
+    if (before->second == changed[place.topLevelKey]) {
+      entry.changed.erase(before);
+    }
   }
+  present = std::move(changed[place.topLevelKey]);
 }
 
 } // namespace naocal

@@ -46,8 +46,8 @@ public:
   void set(std::string_view mount, std::string_view path, const nlohmann::json& value);
 
   /// Writes what was set since the last save into the robot's own files (savedFile), the file's other keys as they are;
-  /// the file as it was is kept beside it as `<file>.previous`. Whatever ends the program, all files are old or all
-  /// new.
+  /// the file as it was is kept beside it as `<file>.previous`. Where no content would change, nothing is written, and
+  /// an undo takes back the save before. Whatever ends the program, all files are old or all new.
   void save();
   /// Only this mount.
   void save(const std::string& mount);
@@ -56,10 +56,11 @@ public:
   /// goes back together.
   void keepTogether(std::vector<std::string> mounts);
 
-  /// Nothing was set since the last save.
+  /// All is as the files say: nothing was set since the last save, or it was put back.
   bool isSaved(std::string_view mount) const;
 
-  /// Writes all files as they would be if everything was saved now into another, empty root, without the secret.
+  /// Writes all files as they would be if everything was saved now into another, empty root, without the secret and
+  /// without what a save that did not end has noted.
   void writeTo(const std::filesystem::path& root) const;
 
   /// Puts a mount's saved file back to what it was before its last save, and its keys with it. Changes that are not
@@ -78,7 +79,8 @@ private:
   std::filesystem::path journal() const;
   nlohmann::json toSave(const Mounted& mounted) const; // its file's content
   std::vector<Mounted*> keptTogether(const std::string& mount);
-  void save(const std::vector<Mounted*>& mounts);
+  bool changesFile(const Mounted& mounted) const;
+  void save(const std::set<std::vector<Mounted*>>& groups);
 
   std::filesystem::path root_;
   RobotNames names_;

@@ -17,7 +17,7 @@ std::filesystem::path previousOf(const std::filesystem::path& file) {
   return file.string() + ".previous";
 }
 
-std::string written(const json& object) {
+std::string text(const json& object) {
   return object.dump(2) + "\n";
 }
 
@@ -55,28 +55,43 @@ std::filesystem::path Configuration::journal() const {
 
 json Configuration::toSave(const Mounted& entry) const {
   json content = readConfiguration(target(entry)).value_or(json::object());
-  for (const std::string& key : entry.changed) {
+  for (const auto& [key, before] : entry.changed) {
     content[key] = (*entry.overlay.merged)[key];
   }
   return content;
 }
 
-void Configuration::save(const std::vector<Mounted*>& mounts) {
+bool Configuration::changesFile(const Mounted& entry) const {
+  return !entry.changed.empty() && toSave(entry) != readConfiguration(target(entry)).value_or(json::object());
+}
+
+void Configuration::save(const std::set<std::vector<Mounted*>>& groups) {
   std::vector<FileContent> files;
-  for (const Mounted* entry : mounts) {
-    const auto file = target(*entry);
-    const std::string present = textOf(file);
-    files.push_back({previousOf(file), present});
-    files.push_back({file, entry->changed.empty() ? present : written(toSave(*entry))});
+  std::vector<Mounted*> written;
+  for (const auto& group : groups) {
+    if (std::none_of(group.begin(), group.end(), [this](const Mounted* entry) { return changesFile(*entry); })) {
+      continue; // what an undo goes back to stays what it is
+    }
+    for (Mounted* entry : group) {
+      const auto file = target(*entry);
+      const std::string present = textOf(file);
+      files.push_back({previousOf(file), present});
+      files.push_back({file, entry->changed.empty() ? present : text(toSave(*entry))});
+      written.push_back(entry);
+    }
   }
   writeTogether(journal(), files, writer_);
-  for (Mounted* entry : mounts) {
+  for (Mounted* entry : written) {
     const auto file = target(*entry);
-    for (const std::string& key : entry->changed) {
+    for (const auto& [key, before] : entry->changed) {
       entry->overlay.origins[key] = file;
     }
     entry->overlay.last = file;
-    entry->changed.clear();
+  }
+  for (const auto& group : groups) {
+    for (Mounted* entry : group) {
+      entry->changed.clear();
+    }
   }
 }
 
@@ -103,19 +118,18 @@ std::vector<Configuration::Mounted*> Configuration::keptTogether(const std::stri
 
 void Configuration::save() {
   const std::lock_guard lock{mutex_};
-  std::set<Mounted*> entries;
+  std::set<std::vector<Mounted*>> groups;
   for (const auto& [name, entry] : mounts_) {
     if (!entry->changed.empty()) {
-      const auto group = keptTogether(name);
-      entries.insert(group.begin(), group.end());
+      groups.insert(keptTogether(name));
     }
   }
-  save(std::vector<Mounted*>{entries.begin(), entries.end()});
+  save(groups);
 }
 
 void Configuration::save(const std::string& mount) {
   const std::lock_guard lock{mutex_};
-  save(keptTogether(mount));
+  save(std::set{keptTogether(mount)});
 }
 
 bool Configuration::isSaved(std::string_view mount) const {
@@ -129,7 +143,7 @@ void Configuration::writeTo(const std::filesystem::path& root) const {
     const std::lock_guard lock{mutex_};
     for (const auto& [name, entry] : mounts_) {
       if (!entry->changed.empty()) {
-        changed.push_back({target(*entry), written(toSave(*entry))});
+        changed.push_back({target(*entry), text(toSave(*entry))});
       }
     }
   }
@@ -140,7 +154,8 @@ void Configuration::writeTo(const std::filesystem::path& root) const {
   };
   for (const auto& entry : std::filesystem::recursive_directory_iterator{root_}) {
     const auto& file = entry.path();
-    if (entry.is_regular_file() && file.extension() == ".json" && file.filename() != "access.json") {
+    if (entry.is_regular_file() && file.extension() == ".json" && file.filename() != "access.json" &&
+        file != journal()) {
       write(file, textOf(file));
     }
   }

@@ -35,9 +35,19 @@ void Connection::end() {
 }
 
 void Connection::refuse(const std::string& sentence) {
+  if (!open_) {
+    return;
+  }
   log_(fmt::format("Client {}: {}; the connection was closed.", address_.empty() ? "on this computer" : address_,
                    sentence));
   end();
+}
+
+void Connection::readFailed(const error_code& error) {
+  if (error == boost::asio::error::eof || error == boost::asio::error::connection_reset) {
+    return end(); // it has left
+  }
+  refuse("cannot be read from: " + error.message());
 }
 
 void Connection::readHeader() {
@@ -45,7 +55,7 @@ void Connection::readHeader() {
   boost::asio::async_read(socket_, boost::asio::buffer(header_),
                           [self = shared_from_this()](const error_code& error, std::size_t) {
                             if (error) {
-                              return self->end();
+                              return self->readFailed(error);
                             }
                             const FrameHeader header = parseHeader(self->protocol_.format(), self->header_);
                             if (!header.problem.empty()) {
@@ -60,7 +70,7 @@ void Connection::readBody(std::uint8_t type, std::uint32_t size) {
   boost::asio::async_read(socket_, boost::asio::buffer(body_),
                           [self = shared_from_this(), type](const error_code& error, std::size_t) {
                             if (error) {
-                              return self->end();
+                              return self->readFailed(error);
                             }
                             self->handle(type);
                           });
@@ -98,11 +108,8 @@ void Connection::send(std::shared_ptr<const std::string> bytes) {
   if (queue_.size() == 1) {
     write();
   } else if (owed_ > limits_.mostOwed) {
-    boost::asio::post(socket_.get_executor(), [self = shared_from_this()] {
-      if (self->open_) {
-        self->refuse("asks for answers and does not read them");
-      }
-    });
+    boost::asio::post(socket_.get_executor(),
+                      [self = shared_from_this()] { self->refuse("asks for answers and does not read them"); });
   }
 }
 
@@ -111,7 +118,9 @@ void Connection::write() {
     error_code error; // what the system takes at once needs no second visit: the client is not busy then
     written_ += socket_.write_some(boost::asio::buffer(*queue_.front()) + written_, error);
     if (error && error != boost::asio::error::would_block && error != boost::asio::error::interrupted) {
-      boost::asio::post(socket_.get_executor(), [self = shared_from_this()] { self->end(); });
+      boost::asio::post(socket_.get_executor(), [self = shared_from_this(), error] {
+        self->refuse("what is sent to it cannot be written: " + error.message());
+      });
       return;
     }
     if (written_ < queue_.front()->size()) {

@@ -19,6 +19,9 @@ using Socket = boost::asio::generic::stream_protocol::socket;
 struct ClientLimits {
   double messagesPerSecond = 1000; // on average; twice as many at once
   std::size_t mostOwed = 8 << 20;  // [bytes] that wait for a client that does not read
+  /// How long what was sent may stay unconfirmed before the network counts as gone, and with it a client that only does
+  /// not read; 0: as long as the system has patience with the network, and for ever with the client.
+  std::chrono::milliseconds unconfirmed{0};
 };
 
 /// One client's socket: cuts what it sends into frames, and writes what it is sent without ever waiting for it. Ends at
@@ -44,6 +47,7 @@ private:
   void writeWhenPossible();
   bool tooFast();
   void refuse(const std::string& sentence);
+  void readFailed(const boost::system::error_code& error);
 
   Socket socket_;
   std::string address_;

@@ -3,7 +3,6 @@
 #include "framework/Access.hpp"
 #include "framework/BoundedJson.hpp"
 #include "framework/Frames.hpp"
-#include "framework/Outbox.hpp"
 #include "framework/Production.hpp"
 
 #include <algorithm>
@@ -20,13 +19,6 @@ constexpr std::size_t longestKey = 256;
 
 } // namespace
 
-/// What is known of one key.
-struct DebugServer::Shown {
-  std::string key;
-  AnyProduction* production;
-  std::string element; // of the last UPDATE, or of LIST before there was one; empty for pictures
-};
-
 DebugServer::DebugServer(const std::vector<Thread*>& threads, Access& access, TimePoint base)
     : access_{access}, base_{base} {
   for (const Thread* thread : threads) {
@@ -36,10 +28,11 @@ DebugServer::DebugServer(const std::vector<Thread*>& threads, Access& access, Ti
       }
       const std::string key = thread->name() + "." + production->name();
       const json unknown = {{"key", key}, {"timestamp", 0}, {"value", nullptr}};
-      auto shown = std::make_unique<Shown>(Shown{key, production, production->isPicture() ? "" : line(unknown)});
-      byProduction_[production] = shown.get();
-      shown_[key] = std::move(shown);
+      shown_.push_back({key, thread, production, production->isPicture() ? "" : line(unknown)});
     }
+  }
+  for (Shown& shown : shown_) {
+    byKey_[shown.key] = byProduction_[shown.production] = &shown;
   }
 }
 DebugServer::~DebugServer() = default;
@@ -96,7 +89,11 @@ void DebugServer::subscribe(Peer& peer, const std::string& key) {
 }
 
 void DebugServer::unsubscribe(Peer& peer, const std::string& key) {
-  clients_[&peer].keys.erase(key);
+  Client& client = clients_[&peer];
+  client.keys.erase(key);
+  if (const auto shown = byKey_.find(key); shown != byKey_.end()) {
+    client.due.erase(shown->second);
+  }
   updateWanted(key);
 }
 
@@ -112,84 +109,25 @@ void DebugServer::subscribeAll(Peer& peer, const std::string& body) {
 }
 
 void DebugServer::updateWanted(const std::string& key) {
-  if (const auto shown = shown_.find(key); shown != shown_.end()) {
-    shown->second->production->setWanted(std::any_of(
-        clients_.begin(), clients_.end(), [&](const auto& client) { return client.second.keys.contains(key); }));
+  if (const auto shown = byKey_.find(key); shown != byKey_.end()) {
+    const bool wanted = std::any_of(clients_.begin(), clients_.end(),
+                                    [&](const auto& client) { return client.second.keys.contains(key); });
+    shown->second->production->setWanted(wanted);
+    if (!wanted) {
+      shown->second->newest.reset();
+    }
   }
 }
 
 void DebugServer::sendList(Peer& peer) const {
   std::string body = "{\"keys\":[";
   if (access_.isOpen(peer.address())) {
-    for (const auto& [key, shown] : shown_) {
+    for (const auto& [key, shown] : byKey_) {
       body += body.back() == '[' ? "" : ",";
-      body += shown->production->isPicture() ? json{{"key", key}, {"isImage", true}}.dump() : shown->element;
+      body += shown->production->isPicture() ? json{{"key", key}, {"isImage", true}}.dump() : shown->bytes;
     }
   }
   peer.send(std::make_shared<const std::string>(debugFrame(DebugType::list, body + "]}\n")));
-}
-
-bool DebugServer::isReady(const Peer& peer) const {
-  return !peer.busy() && access_.isOpen(peer.address());
-}
-
-bool DebugServer::isAwaited(const std::string& key) const {
-  return std::any_of(clients_.begin(), clients_.end(),
-                     [&](const auto& client) { return client.second.keys.contains(key) && isReady(*client.first); });
-}
-
-std::vector<CycleReport::Item*> DebugServer::picturesToEncode(CycleReport& report) const {
-  std::vector<CycleReport::Item*> result;
-  for (CycleReport::Item& item : report.items) {
-    if (item.production->isPicture() && isAwaited(byProduction_.at(item.production)->key)) {
-      result.push_back(&item);
-    }
-  }
-  return result;
-}
-
-void DebugServer::send(const CycleReport& report) {
-  const auto age = std::chrono::duration_cast<std::chrono::milliseconds>(report.time - base_).count();
-  const auto timestamp = static_cast<std::uint64_t>(std::max<decltype(age)>(age, 0));
-  struct Part {
-    const std::string* key;
-    std::string frame, element; // one of the two: a picture's frame, a value's element of UPDATE
-  };
-  std::vector<Part> parts;
-  for (const auto& [production, sample, picture] : report.items) {
-    Shown& shown = *byProduction_.at(production);
-    if (!isAwaited(shown.key)) {
-      continue; // not even turned into text
-    }
-    if (production->isPicture() && !picture) {
-      continue;
-    }
-    if (picture) {
-      const auto body = imageBody(timestamp, picture->width, picture->height, shown.key, picture->bytes);
-      parts.push_back({&shown.key, debugFrame(DebugType::image, body), ""});
-    } else {
-      json value;
-      sample->json(value);
-      shown.element = line({{"key", shown.key}, {"timestamp", timestamp}, {"value", std::move(value)}});
-      parts.push_back({&shown.key, "", shown.element});
-    }
-  }
-  for (auto& [peer, client] : clients_) {
-    if (!isReady(*peer)) {
-      continue;
-    }
-    std::string bytes, update;
-    for (const Part& part : parts) {
-      if (client.keys.contains(*part.key)) {
-        bytes += part.frame;
-        update += part.element.empty() ? "" : (update.empty() ? "" : ",") + part.element;
-      }
-    }
-    bytes += update.empty() ? "" : debugFrame(DebugType::update, "[" + update + "]");
-    if (!bytes.empty()) {
-      peer->send(std::make_shared<const std::string>(std::move(bytes)));
-    }
-  }
 }
 
 void DebugServer::listTo(const std::string& address) {

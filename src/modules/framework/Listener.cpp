@@ -122,14 +122,23 @@ namespace {
 
 /// Has the system notice within some seconds that the other side is out of reach: a client that started the robot may
 /// have left what is to be done then.
-void setKeepAlive(Socket& socket) {
+void watchNetwork(Socket& socket, std::chrono::milliseconds unconfirmed) {
   const int file = socket.native_handle();
   const auto set = [&](int level, int option, int value) { ::setsockopt(file, level, option, &value, sizeof value); };
   set(SOL_SOCKET, SO_KEEPALIVE, 1);
-  set(IPPROTO_TCP, TCP_KEEPIDLE, 2);         // s
-  set(IPPROTO_TCP, TCP_KEEPINTVL, 1);        // s
-  set(IPPROTO_TCP, TCP_KEEPCNT, 4);          // unanswered
-  set(IPPROTO_TCP, TCP_USER_TIMEOUT, 6'000); // of what was sent and not confirmed [ms]
+  set(IPPROTO_TCP, TCP_KEEPIDLE, 2);  // s
+  set(IPPROTO_TCP, TCP_KEEPINTVL, 1); // s
+  set(IPPROTO_TCP, TCP_KEEPCNT, 4);   // unanswered
+  if (unconfirmed.count() > 0) {
+    set(IPPROTO_TCP, TCP_USER_TIMEOUT, int(unconfirmed.count()));
+  }
+}
+
+/// Has the system take little more than the network does: else a slow client is busy only when the system has taken
+/// megabytes for it, behind which all that is new waits for many seconds.
+void keepQueueShort(Socket& socket) {
+  const int most = 32 << 10; // [bytes] that are not on their way yet
+  ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &most, sizeof most);
 }
 
 } // namespace
@@ -160,7 +169,8 @@ void Listener::welcome(Socket socket) {
   }
   if (!address.empty()) {
     socket.set_option(tcp::no_delay{true}, gone);
-    setKeepAlive(socket);
+    watchNetwork(socket, limits_.unconfirmed);
+    keepQueueShort(socket);
   }
   const auto connection =
       std::make_shared<Connection>(std::move(socket), address, protocol_, limits_, log_,

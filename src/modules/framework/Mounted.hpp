@@ -15,7 +15,7 @@ struct Configuration::Mounted {
   std::set<std::string> unsaved; // top-level keys that no file shall get
   Overlay overlay;
   nlohmann::json published = nlohmann::json::object();
-  std::set<std::string> changed; // top-level keys since the last save
+  std::map<std::string, nlohmann::json> changed; // top-level keys that differ from the files, and what those say
 };
 
 } // namespace naocal

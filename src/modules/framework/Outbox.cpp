@@ -38,7 +38,7 @@ void Outbox::cycleEnded(TimePoint time, const std::vector<AnyProduction*>& produ
     if (production->wanted() && production->edited()) {
       if (auto sample = production->sample()) {
         report = report ? std::move(report) : std::make_unique<CycleReport>(CycleReport{time, {}});
-        report->items.push_back({production, std::move(sample), std::nullopt});
+        report->items.push_back({production, time, std::move(sample)});
       }
     }
   }

@@ -14,8 +14,9 @@ struct CycleReport {
   TimePoint time;
   struct Item {
     const AnyProduction* production;
-    std::unique_ptr<const Sample> sample;
-    std::optional<EncodedPicture> picture; // of a picture, once it is encoded
+    TimePoint time;
+    std::unique_ptr<const Sample> sample;    // until it is encoded
+    std::optional<EncodedPicture> picture{}; // of a picture, once it is encoded
   };
   std::vector<Item> items; // in the order of the thread's productions
 };

@@ -56,7 +56,8 @@ private:
       std::exception_ptr failure;
       try {
         for (CycleReport::Item* item : pictures) {
-          item->picture = item->sample->picture();
+          const auto sample = std::move(item->sample); // tried once
+          item->picture = sample->picture();
         }
       } catch (...) {
         failure = std::current_exception();
@@ -78,7 +79,11 @@ struct Sockets::Implementation {
                  TimePoint base, const Log& log)
       : access{settings.access}, debug{threads, access, base}, config{configuration, access, log},
         debugListener{context, debug, settings.mostClients, {.messagesPerSecond = settings.messagesPerSecond}, log},
-        configListener{context, config, settings.mostClients, {.messagesPerSecond = settings.messagesPerSecond}, log} {
+        configListener{context,
+                       config,
+                       settings.mostClients,
+                       {.messagesPerSecond = settings.messagesPerSecond, .unconfirmed = std::chrono::seconds{6}},
+                       log} {
     access.onOpened([this](const std::string& address) { debug.listTo(address); });
     if (settings.tcp) {
       debugPort = debugListener.listenTcp(settings.access.address, settings.debugPort);
