@@ -97,7 +97,7 @@ await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor({t
 await tab("Result");
 await page.getByRole("button", {name: /^Apply to .* …/}).click();
 const warning = page.locator(".confirm .bad");
-check(/head synthetic-2 and body synthetic-2.*head synthetic-1 and body synthetic-1. Make sure/.test(await warning.innerText()), "another robot's captures are warned of: " + await warning.innerText());
+check(/head synthetic-2 and body synthetic-2, but .* has another head and body/.test(await warning.innerText()), "another robot's captures are warned of: " + await warning.innerText());
 await browser.close();
 await panel.stop("SIGTERM");
 robot.kill();
