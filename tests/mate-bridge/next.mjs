@@ -57,12 +57,18 @@ await tab("Files");
 await page.getByText("Open now: " + sessions.at(-1)).waitFor({timeout: 60000});
 check(true, "and the recording is opened");
 
+// Opens captures, and asks to put their result on the robot.
+async function toApply(name) {
+  await tab("Files");
+  await page.getByLabel("path of what to open").fill(join(here, name));
+  await page.getByRole("button", {name: "Open", exact: true}).click();
+  await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor({timeout: 60000});
+  await tab("Result");
+  await page.getByRole("button", {name: /^Apply to .* …/}).click();
+}
+
 // A result is put on the robot: what its own calibration would set, beside what is on it now.
-await page.getByLabel("path of what to open").fill(join(here, "few"));
-await page.getByRole("button", {name: "Open", exact: true}).click();
-await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor({timeout: 60000});
-await tab("Result");
-await page.getByRole("button", {name: /^Apply to .* …/}).click();
+await toApply("few");
 const changes = page.locator(".confirm tbody tr");
 await page.waitForFunction(() => !/–/.test(document.querySelector(".confirm table").innerText));
 const told = await changes.allInnerTexts();
@@ -90,12 +96,7 @@ check(true, "and is on the robot again");
 
 // Another robot's captures are not put on it without a warning.
 run(naocal, "simulate", join(here, "strangers"), "--poses", "6", "--samples", "2", "--seed", "2");
-await tab("Files");
-await page.getByLabel("path of what to open").fill(join(here, "strangers"));
-await page.getByRole("button", {name: "Open", exact: true}).click();
-await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor({timeout: 60000});
-await tab("Result");
-await page.getByRole("button", {name: /^Apply to .* …/}).click();
+await toApply("strangers");
 const warning = page.locator(".confirm .bad");
 check(/head synthetic-2 and body synthetic-2, but .* has another head and body/.test(await warning.innerText()), "another robot's captures are warned of: " + await warning.innerText());
 await browser.close();
