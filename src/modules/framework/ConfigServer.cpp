@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
 namespace naocal {
 namespace {
@@ -28,6 +30,12 @@ struct ConfigServer::Setting {
   json value;
 };
 
+struct ConfigServer::Client {
+  bool hasEntered = false; // has sent the secret
+  bool isRefused = false;  // and that is logged
+  std::vector<Setting> will;
+};
+
 ConfigServer::ConfigServer(Configuration& configuration, Access& access, Log log)
     : configuration_{configuration}, access_{access}, log_{std::move(log)} {}
 
@@ -37,24 +45,38 @@ const FrameFormat& ConfigServer::format() const {
   return configFormat;
 }
 
+void ConfigServer::opened(Peer& peer) {
+  clients_[peer.weak_from_this()];
+}
+
 void ConfigServer::closed(Peer& peer) {
-  if (const auto will = wills_.extract(&peer)) {
-    for (const Setting& last : will.mapped()) {
-      change(peer, fmt::format("its last will, {} of {},", last.key, last.mount),
-             [&] { configuration_.set(last.mount, last.key, last.value); });
-    }
+  const auto client = clients_.find(peer.weak_from_this());
+  if (client == clients_.end()) {
+    return;
   }
-  if (entered_.erase(&peer) > 0) {
+  for (const Setting& last : client->second.will) {
+    change(peer, fmt::format("its last will, {} of {},", last.key, last.mount),
+           [&] { configuration_.set(last.mount, last.key, last.value); });
+  }
+  if (client->second.hasEntered) {
     access_.leave(peer.address());
   }
-  refused_.erase(&peer);
+  clients_.erase(client);
+}
+
+ConfigServer::Client& ConfigServer::clientOf(const Peer& peer) {
+  return clients_.find(peer.weak_from_this())->second;
 }
 
 bool ConfigServer::isTrusted(const Peer& peer) const {
-  return !access_.needsSecret(peer.address()) || entered_.contains(&peer);
+  const auto client = clients_.find(peer.weak_from_this());
+  return client != clients_.end() && (client->second.hasEntered || !access_.needsSecret(peer.address()));
 }
 
 void ConfigServer::received(Peer& peer, std::uint8_t type, std::string body) {
+  if (!clients_.contains(peer.weak_from_this())) {
+    return; // it has left
+  }
   switch (static_cast<ConfigType>(type)) {
   case ConfigType::set:
     return set(peer, body);
@@ -73,7 +95,7 @@ void ConfigServer::received(Peer& peer, std::uint8_t type, std::string body) {
 
 template <class Action> void ConfigServer::change(const Peer& peer, std::string_view what, const Action& action) {
   if (!isTrusted(peer)) {
-    if (refused_.insert(&peer).second) { // once is enough to know, and does not fill a disk
+    if (!std::exchange(clientOf(peer).isRefused, true)) { // once is enough to know, and does not fill a disk
       log_(fmt::format("Client {}: {} was refused, as all that it asks for will be; it has not sent the secret of "
                        "access.json.",
                        nameOf(peer), what));
@@ -116,11 +138,7 @@ void ConfigServer::setOne(Peer& peer, const std::string& mount, const std::strin
       keepWill(peer, value);
     } else {
       configuration_.set(mount, key, value);
-      for (auto& [other, will] : wills_) {
-        if (other != &peer) {
-          std::erase_if(will, [&](const Setting& last) { return last.mount == mount && last.key == key; });
-        }
-      }
+      forgetWills(peer, mount, key);
     }
   });
 }
@@ -130,11 +148,19 @@ void ConfigServer::keepWill(const Peer& peer, const json& settings) {
   for (const json& entry : settings) {
     will.push_back({entry.at("mp").get<std::string>(), entry.at("key").get<std::string>(), entry.at("value")});
   }
-  wills_[&peer] = std::move(will);
+  clientOf(peer).will = std::move(will);
+}
+
+void ConfigServer::forgetWills(const Peer& except, const std::string& mount, const std::string& key) {
+  for (auto& [who, client] : clients_) {
+    if (who.lock().get() != &except) {
+      std::erase_if(client.will, [&](const Setting& last) { return last.mount == mount && last.key == key; });
+    }
+  }
 }
 
 void ConfigServer::enter(Peer& peer, const json& secret) {
-  if (entered_.contains(&peer)) {
+  if (clientOf(peer).hasEntered) {
     return;
   }
   if (!secret.is_string() || !access_.enter(peer.address(), secret.get_ref<const std::string&>())) {
@@ -143,7 +169,7 @@ void ConfigServer::enter(Peer& peer, const json& secret) {
     }
     throw ProtocolError{"expected the secret of access.json, found another one"};
   }
-  entered_.insert(&peer);
+  clientOf(peer).hasEntered = true;
 }
 
 void ConfigServer::sendMounts(Peer& peer) const {

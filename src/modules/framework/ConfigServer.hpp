@@ -2,11 +2,8 @@
 
 #include "framework/Peer.hpp"
 
-#include <map>
 #include <nlohmann/json_fwd.hpp>
-#include <set>
 #include <string>
-#include <vector>
 
 namespace naocal {
 
@@ -27,15 +24,19 @@ public:
   ~ConfigServer() override;
 
   const FrameFormat& format() const override;
-  void opened(Peer&) override {}
+  void opened(Peer& peer) override;
   void received(Peer& peer, std::uint8_t type, std::string body) override;
   void closed(Peer& peer) override;
   bool isTrusted(const Peer& peer) const override;
 
 private:
+  struct Setting;
+  struct Client;                      // what is known of one
+  Client& clientOf(const Peer& peer); // that has not left
   void set(Peer& peer, const std::string& body);
   void setOne(Peer& peer, const std::string& mount, const std::string& key, const nlohmann::json& value);
   void enter(Peer& peer, const nlohmann::json& secret);
+  void forgetWills(const Peer& except, const std::string& mount, const std::string& key);
   void keepWill(const Peer& peer, const nlohmann::json& settings);
   void sendMounts(Peer& peer) const;
   void sendKeys(Peer& peer, const std::string& mount) const;
@@ -45,9 +46,7 @@ private:
   Configuration& configuration_;
   Access& access_;
   Log log_;
-  std::set<const Peer*> entered_, refused_;
-  struct Setting;
-  std::map<const Peer*, std::vector<Setting>> wills_;
+  ByPeer<Client> clients_;
 };
 
 } // namespace naocal

@@ -52,23 +52,22 @@ void Connection::readFailed(const error_code& error) {
 
 void Connection::readHeader() {
   header_.resize(protocol_.format().headerSize);
-  boost::asio::async_read(socket_, boost::asio::buffer(header_),
-                          [self = shared_from_this()](const error_code& error, std::size_t) {
-                            if (error) {
-                              return self->readFailed(error);
-                            }
-                            const FrameHeader header = parseHeader(self->protocol_.format(), self->header_);
-                            if (!header.problem.empty()) {
-                              return self->refuse(header.problem);
-                            }
-                            self->readBody(header.type, header.bodySize);
-                          });
+  boost::asio::async_read(socket_, boost::asio::buffer(header_), [self = self()](const error_code& error, std::size_t) {
+    if (error) {
+      return self->readFailed(error);
+    }
+    const FrameHeader header = parseHeader(self->protocol_.format(), self->header_);
+    if (!header.problem.empty()) {
+      return self->refuse(header.problem);
+    }
+    self->readBody(header.type, header.bodySize);
+  });
 }
 
 void Connection::readBody(std::uint8_t type, std::uint32_t size) {
   body_.resize(size);
   boost::asio::async_read(socket_, boost::asio::buffer(body_),
-                          [self = shared_from_this(), type](const error_code& error, std::size_t) {
+                          [self = self(), type](const error_code& error, std::size_t) {
                             if (error) {
                               return self->readFailed(error);
                             }
@@ -77,6 +76,9 @@ void Connection::readBody(std::uint8_t type, std::uint32_t size) {
 }
 
 void Connection::handle(std::uint8_t type) {
+  if (!open_) {
+    return; // it was read already when the connection ended
+  }
   if (tooFast()) {
     return refuse(fmt::format("expected at most {:.0f} messages per second, found more", limits_.messagesPerSecond));
   }
@@ -109,7 +111,7 @@ void Connection::send(std::shared_ptr<const std::string> bytes) {
     write();
   } else if (owed_ > limits_.mostOwed) {
     boost::asio::post(socket_.get_executor(),
-                      [self = shared_from_this()] { self->refuse("asks for answers and does not read them"); });
+                      [self = self()] { self->refuse("asks for answers and does not read them"); });
   }
 }
 
@@ -118,7 +120,7 @@ void Connection::write() {
     error_code error; // what the system takes at once needs no second visit: the client is not busy then
     written_ += socket_.write_some(boost::asio::buffer(*queue_.front()) + written_, error);
     if (error && error != boost::asio::error::would_block && error != boost::asio::error::interrupted) {
-      boost::asio::post(socket_.get_executor(), [self = shared_from_this(), error] {
+      boost::asio::post(socket_.get_executor(), [self = self(), error] {
         self->refuse("what is sent to it cannot be written: " + error.message());
       });
       return;
@@ -133,7 +135,7 @@ void Connection::write() {
 }
 
 void Connection::writeWhenPossible() {
-  socket_.async_wait(Socket::wait_write, [self = shared_from_this()](const error_code& error) {
+  socket_.async_wait(Socket::wait_write, [self = self()](const error_code& error) {
     if (!error && self->open_) {
       self->write();
     }

@@ -26,7 +26,7 @@ struct ClientLimits {
 
 /// One client's socket: cuts what it sends into frames, and writes what it is sent without ever waiting for it. Ends at
 /// the first thing that breaks the protocol, with a logged sentence. All on the sockets' thread.
-class Connection final : public Peer, public std::enable_shared_from_this<Connection> {
+class Connection final : public Peer {
 public:
   using Ended = std::function<void(Connection&)>;
 
@@ -34,6 +34,8 @@ public:
 
   void start();
   void end(); // tells the protocol and `ended`, once
+
+  std::shared_ptr<Connection> self() { return std::static_pointer_cast<Connection>(shared_from_this()); }
 
   void send(std::shared_ptr<const std::string> bytes) override;
   bool busy() const override { return !queue_.empty(); }

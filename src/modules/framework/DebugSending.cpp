@@ -19,8 +19,9 @@ constexpr std::chrono::seconds patience{1};
 
 } // namespace
 
-bool DebugServer::isReady(const Peer& peer) const {
-  return !peer.busy() && access_.isOpen(peer.address());
+bool DebugServer::isReady(const std::weak_ptr<Peer>& client) const {
+  const auto peer = client.lock();
+  return peer && !peer->busy() && access_.isOpen(peer->address());
 }
 
 const Thread* DebugServer::threadOf(const CycleReport& report) const {
@@ -29,13 +30,13 @@ const Thread* DebugServer::threadOf(const CycleReport& report) const {
 
 bool DebugServer::isAwaited(const std::string& key) const {
   return std::any_of(clients_.begin(), clients_.end(),
-                     [&](const auto& client) { return client.second.keys.contains(key) && isReady(*client.first); });
+                     [&](const auto& client) { return client.second.keys.contains(key) && isReady(client.first); });
 }
 
 bool DebugServer::isOverdue(Shown& shown, TimePoint now) const {
   return std::any_of(clients_.begin(), clients_.end(), [&](const auto& client) {
     const auto due = client.second.due.find(&shown);
-    return due != client.second.due.end() && now - due->second >= patience && isReady(*client.first);
+    return due != client.second.due.end() && now - due->second >= patience && isReady(client.first);
   });
 }
 
@@ -70,10 +71,11 @@ void DebugServer::note(CycleReport::Item item, TimePoint now) {
   const bool failed = !item.sample && !item.picture;
   shown.time = item.time;
   shown.newest = std::move(item);
-  for (auto& [peer, client] : clients_) {
+  for (auto& [who, client] : clients_) {
     if (failed) {
       client.due.erase(&shown);
-    } else if (client.keys.contains(shown.key) && access_.isOpen(peer->address())) {
+    } else if (const auto peer = who.lock();
+               peer && client.keys.contains(shown.key) && access_.isOpen(peer->address())) {
       client.due.try_emplace(&shown, now);
     }
   }
@@ -129,9 +131,9 @@ void DebugServer::send(CycleReport& report) {
   for (CycleReport::Item& item : report.items) {
     note(std::move(item), report.time);
   }
-  for (auto& [peer, client] : clients_) {
-    if (isReady(*peer)) {
-      sendDue(*peer, client, report);
+  for (auto& [who, client] : clients_) {
+    if (isReady(who)) {
+      sendDue(*who.lock(), client, report);
     }
   }
 }

@@ -42,11 +42,11 @@ const FrameFormat& DebugServer::format() const {
 }
 
 void DebugServer::opened(Peer& peer) {
-  clients_[&peer];
+  clients_[peer.weak_from_this()];
 }
 
 void DebugServer::closed(Peer& peer) {
-  const auto client = clients_.extract(&peer);
+  const auto client = clients_.extract(peer.weak_from_this());
   if (!client.empty()) {
     for (const std::string& key : client.mapped().keys) {
       updateWanted(key);
@@ -59,15 +59,19 @@ bool DebugServer::isTrusted(const Peer& peer) const {
 }
 
 void DebugServer::received(Peer& peer, std::uint8_t type, std::string body) {
+  const auto client = clients_.find(peer.weak_from_this());
+  if (client == clients_.end()) {
+    return; // it has left
+  }
   switch (static_cast<DebugType>(type)) {
   case DebugType::subscribe:
-    return subscribe(peer, body);
+    return subscribe(client->second, body);
   case DebugType::unsubscribe:
-    return unsubscribe(peer, body);
+    return unsubscribe(client->second, body);
   case DebugType::requestList:
     return sendList(peer);
   case DebugType::subscribeBulk:
-    return subscribeAll(peer, body);
+    return subscribeAll(client->second, body);
   case DebugType::update:
   case DebugType::list:
   case DebugType::image:
@@ -76,8 +80,8 @@ void DebugServer::received(Peer& peer, std::uint8_t type, std::string body) {
   throw ProtocolError{fmt::format("expected a request, found message type {}, which only robots send", type)};
 }
 
-void DebugServer::subscribe(Peer& peer, const std::string& key) {
-  auto& keys = clients_[&peer].keys;
+void DebugServer::subscribe(Client& client, const std::string& key) {
+  auto& keys = client.keys;
   if (key.size() > longestKey) {
     throw ProtocolError{fmt::format("expected a key of at most {} letters, found {}", longestKey, key.size())};
   }
@@ -88,8 +92,7 @@ void DebugServer::subscribe(Peer& peer, const std::string& key) {
   updateWanted(key);
 }
 
-void DebugServer::unsubscribe(Peer& peer, const std::string& key) {
-  Client& client = clients_[&peer];
+void DebugServer::unsubscribe(Client& client, const std::string& key) {
   client.keys.erase(key);
   if (const auto shown = byKey_.find(key); shown != byKey_.end()) {
     client.due.erase(shown->second);
@@ -97,11 +100,11 @@ void DebugServer::unsubscribe(Peer& peer, const std::string& key) {
   updateWanted(key);
 }
 
-void DebugServer::subscribeAll(Peer& peer, const std::string& body) {
+void DebugServer::subscribeAll(Client& client, const std::string& body) {
   try {
     const json request = parsedJson(body);
     for (const json& key : request.at("keys")) {
-      subscribe(peer, key.get_ref<const std::string&>());
+      subscribe(client, key.get_ref<const std::string&>());
     }
   } catch (const json::exception&) {
     throw ProtocolError{"expected {\"keys\": [..]} with texts as a list of subscriptions, found something else"};
@@ -131,8 +134,8 @@ void DebugServer::sendList(Peer& peer) const {
 }
 
 void DebugServer::listTo(const std::string& address) {
-  for (const auto& [peer, client] : clients_) {
-    if (peer->address() == address) {
+  for (const auto& [who, client] : clients_) {
+    if (const auto peer = who.lock(); peer && peer->address() == address) {
       sendList(*peer);
     }
   }

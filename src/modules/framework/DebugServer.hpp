@@ -58,14 +58,14 @@ private:
     std::set<std::string, std::less<>> keys; // also those that do not exist
     std::map<Shown*, TimePoint> due;         // what it has not got, and since when; in the order of productions
   };
-  void subscribe(Peer& peer, const std::string& key);
-  void unsubscribe(Peer& peer, const std::string& key);
-  void subscribeAll(Peer& peer, const std::string& body);
+  void subscribe(Client& client, const std::string& key);
+  void unsubscribe(Client& client, const std::string& key);
+  void subscribeAll(Client& client, const std::string& body);
   void sendList(Peer& peer) const;
   void updateWanted(const std::string& key);
-  bool isReady(const Peer& peer) const;
-  bool isAwaited(const std::string& key) const;      // by somebody who is ready
-  bool isOverdue(Shown& shown, TimePoint now) const; // for somebody who is ready
+  bool isReady(const std::weak_ptr<Peer>& client) const; // there, and nothing is on its way to it
+  bool isAwaited(const std::string& key) const;          // by somebody who is ready
+  bool isOverdue(Shown& shown, TimePoint now) const;     // for somebody who is ready
   const Thread* threadOf(const CycleReport& report) const;
   void joinMissed(CycleReport& report);
   void note(CycleReport::Item item, TimePoint now); // who is to get it
@@ -78,7 +78,7 @@ private:
   std::vector<Shown> shown_; // never grows: others point into it
   std::map<std::string, Shown*, std::less<>> byKey_;
   std::map<const AnyProduction*, Shown*> byProduction_;
-  std::map<Peer*, Client> clients_;
+  ByPeer<Client> clients_;
 };
 
 } // namespace naocal

@@ -172,9 +172,8 @@ void Listener::welcome(Socket socket) {
     watchNetwork(socket, limits_.unconfirmed);
     keepQueueShort(socket);
   }
-  const auto connection =
-      std::make_shared<Connection>(std::move(socket), address, protocol_, limits_, log_,
-                                   [this](Connection& ended) { connections_.erase(ended.shared_from_this()); });
+  const auto connection = std::make_shared<Connection>(std::move(socket), address, protocol_, limits_, log_,
+                                                       [this](Connection& ended) { connections_.erase(ended.self()); });
   connections_.insert(connection);
   connection->start();
 }

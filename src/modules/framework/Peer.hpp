@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -14,8 +15,8 @@ struct FrameFormat;
 /// Where sentences about clients go.
 using Log = std::function<void(std::string_view sentence)>;
 
-/// One connected client as a protocol sees it. All on the sockets' thread.
-class Peer {
+/// One connected client as a protocol sees it, always held by a std::shared_ptr. All on the sockets' thread.
+class Peer : public std::enable_shared_from_this<Peer> {
 public:
   virtual ~Peer() = default;
   /// Sends in the order of calls; one that takes none of it and is owed too much is closed.
@@ -26,13 +27,18 @@ public:
   virtual const std::string& address() const = 0;
 };
 
+/// What a protocol keeps of its clients. The keys own their place: no later client takes it, as one may take the
+/// address in memory of a client that has ended, and who asks for a client that has ended finds none.
+template <class Kept> using ByPeer = std::map<std::weak_ptr<Peer>, Kept, std::owner_less<>>;
+
 /// What a client did that closes its connection: one sentence.
 class ProtocolError : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// What a server does with its clients' frames. `received` may throw ProtocolError.
+/// What a server does with its clients' frames: `opened` comes before all, `closed` after all others. `received` may
+/// throw ProtocolError.
 class Protocol {
 public:
   virtual ~Protocol() = default;
