@@ -38,7 +38,7 @@ RobotNames namesOf(const RobotIdentity& identity, const RobotProcessOptions& opt
 RobotProcess::RobotProcess(RobotInterface& robot, CameraInterface& cameras, const Robot& drawing,
                            const RobotIdentity& identity, const RobotProcessOptions& options, Log log)
     : robot_{robot}, cameras_{cameras}, options_{options}, log_{std::move(log)},
-      configuration_{options.configuration, namesOf(identity, options), writeAtomically} {
+      configuration_{options.configuration, namesOf(identity, options), writeAtomically, log_} {
   addMotionModules(motion_, robot, drawing, ending_);
   addBrainModules(brain_, cameras, {drawing, identity, configuration_, options.configuration, options.recordings});
   if (options.replay != nullptr) {

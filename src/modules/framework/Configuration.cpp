@@ -10,9 +10,12 @@ namespace naocal {
 
 using nlohmann::json;
 
-Configuration::Configuration(std::filesystem::path root, RobotNames names, FileWriter writer)
+Configuration::Configuration(std::filesystem::path root, RobotNames names, FileWriter writer,
+                             const std::function<void(std::string_view)>& log)
     : root_{std::move(root)}, names_{std::move(names)}, writer_{std::move(writer)} {
-  finishWriting(journal(), writer_);
+  if (const std::string refused = finishWriting(journal(), root_, writer_); !refused.empty()) {
+    log(refused);
+  }
 }
 Configuration::~Configuration() = default;
 

@@ -20,8 +20,10 @@ public:
   /// Is given a top-level key's new value before it counts, and throws ConfigurationError to refuse it.
   using Listener = std::function<void(const std::string& key, const nlohmann::json& value)>;
 
-  /// Finishes a save that was cut off.
-  Configuration(std::filesystem::path root, RobotNames names, FileWriter writer);
+  /// Finishes a save that was cut off; says to `log` where it does not, because its journal is not this robot's.
+  Configuration(
+      std::filesystem::path root, RobotNames names, FileWriter writer,
+      const std::function<void(std::string_view)>& log = [](std::string_view) {});
   ~Configuration();
 
   /// Serves a file's keys as `mount`; those of `unsaved` are never saved. Throws ConfigurationError for a broken file

@@ -80,7 +80,7 @@ void Configuration::save(const std::set<std::vector<Mounted*>>& groups) {
       written.push_back(entry);
     }
   }
-  writeTogether(journal(), files, writer_);
+  writeTogether(journal(), root_, files, writer_);
   for (Mounted* entry : written) {
     const auto file = target(*entry);
     for (const auto& [key, before] : entry->changed) {
@@ -175,7 +175,7 @@ void Configuration::undo(const std::string& mount) {
     }
     files.push_back({file, textOf(previousOf(file))});
   }
-  writeTogether(journal(), files, writer_);
+  writeTogether(journal(), root_, files, writer_);
   for (Mounted* entry : entries) {
     std::filesystem::remove(previousOf(target(*entry)));
     Overlay overlay{layersOf(root_, entry->file, entry->part, names_)};
