@@ -1,4 +1,5 @@
 #include "Commands.hpp"
+#include "Outputs.hpp"
 #include "Sets.hpp"
 
 #include "calibrate/Comparison.hpp"
@@ -79,7 +80,8 @@ void addCompare(CLI::App& app) {
   comparer->add_option("RESULT", command->result, "a result file of 'naocal solve'")->required();
   comparer->add_option("SET", command->sets, "folders with captures.json")->required();
   comparer->add_option("--against", command->against, "another result file: which of the two predicts better?");
-  comparer->add_option("--json", command->json, "write JSON to a file, or - for standard output");
+  comparer->add_option("--json", command->json, "write JSON to a file, or - for standard output")
+      ->check(replaces("naocal-compare"));
   comparer->add_flag("--same-place", command->samePlace, "boards and feet are where the result found them");
   comparer->add_flag("--skip-bad", command->skipBad, "use the other captures when some cannot be used, and list those");
   comparer->callback([command] { compareSets(*command); });

@@ -1,5 +1,6 @@
 #include "Commands.hpp"
 #include "DiagnosisStory.hpp"
+#include "Outputs.hpp"
 #include "Progress.hpp"
 #include "Sets.hpp"
 #include "Story.hpp"
@@ -95,6 +96,7 @@ bool takeCaptures(const DemoCommand& command, const Robot& robot, const std::str
 int demo(const DemoCommand& command) {
   const std::filesystem::path folder{command.folder};
   const std::string set = (folder / "captures").string();
+  refuseForeignSet(set);
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   fmt::print("A simulated {} with joints off by up to 6.5° and cameras by up to 2° looks at four printed boards.\n"
              "Something else in its leg is not as drawn. What is it?\n",
@@ -110,7 +112,7 @@ int demo(const DemoCommand& command) {
   const std::string diagnosisFile = (folder / "diagnosis.json").string(),
                     whyFile = (folder / "diagnosis.html").string();
   writeJson(diagnosisJson(diagnosis), diagnosisFile);
-  writeAtomically(whyFile, reportPage(diagnosisFile));
+  writePage(whyFile, reportPage(diagnosisFile));
   printDiagnosis(diagnosis, {.sets = {set}});
 
   const Model model = makeModel(measurements, diagnosis.with);
@@ -123,7 +125,7 @@ int demo(const DemoCommand& command) {
   fmt::print("\nNow the truth is opened. Hidden was {}@{}.\n", hidden.effect, hidden.at);
   const std::size_t inside = printTruth(truth, model, result);
   fmt::print("\n{} of the true values lie inside their 95 % intervals.\n", inside);
-  writeAtomically(reportFile, reportPage(resultFile));
+  writePage(reportFile, reportPage(resultFile));
   fmt::print("captures: {}\nresult:   {}\nreports (open them in any browser):\n  what was missing: {}\n  the "
              "calibration:  {}\n",
              set, resultFile, whyFile, reportFile);

@@ -1,4 +1,5 @@
 #include "Commands.hpp"
+#include "Outputs.hpp"
 #include "Sets.hpp"
 
 #include "captures/CaptureSetFile.hpp"
@@ -163,7 +164,8 @@ void addDetect(CLI::App& app) {
   CLI::App* detector = app.add_subcommand("detect", "finds the boards' corners in a set's pictures");
   detector->footer("Example: naocal detect captures/ --json findings.json");
   detector->add_option("SET", command->set, "a folder with captures.json and pictures")->required();
-  detector->add_option("--json", command->json, "what was found and refused, to a file or - for standard output");
+  detector->add_option("--json", command->json, "what was found and refused, to a file or - for standard output")
+      ->check(replaces("naocal-detection"));
   detector->add_option("--threads", command->threads, "how many pictures at once")->check(CLI::PositiveNumber);
   detector->add_flag("--dry-run", command->dryRun, "look, but leave the set as it is");
   detector->add_flag("--skip-bad", command->skipBad, "leave captures whose picture cannot be used as they are");

@@ -1,6 +1,7 @@
 #include "Commands.hpp"
 #include "DiagnosisStory.hpp"
 #include "NextStory.hpp"
+#include "Outputs.hpp"
 #include "Progress.hpp"
 #include "Sets.hpp"
 
@@ -121,14 +122,18 @@ void addDiagnose(CLI::App& app, int& exitCode) {
       app.add_subcommand("diagnose", "says where and why the model fails, and which effect is missing");
   diagnoser->footer("Example: naocal diagnose captures/ --json diagnosis.json --next poses.json");
   diagnoser->add_option("SET", command->sets, "folders with captures.json")->required();
-  diagnoser->add_option("--json", command->json, "the diagnosis as JSON to a file, or - for standard output");
+  diagnoser->add_option("--json", command->json, "the diagnosis as JSON to a file, or - for standard output")
+      ->check(replaces("naocal-diagnosis"));
   diagnoser->add_option("--with", command->options.with, "effects that are in the model already: EFFECT@PLACE")
       ->delimiter(',');
   diagnoser->add_option("--without", command->options.without, "leave effects out")->delimiter(',');
   diagnoser->add_option("--model", command->model, "a model file: further terms, and effects of your own");
-  diagnoser->add_option("--own", command->own,
-                        "a model file for what is beyond the catalogue, as an effect of your own to go on with");
-  diagnoser->add_option("--next", command->poses, "a file for the poses that would best tell what is left open");
+  diagnoser
+      ->add_option("--own", command->own,
+                   "a model file for what is beyond the catalogue, as an effect of your own to go on with")
+      ->check(replaces("naocal-model"));
+  diagnoser->add_option("--next", command->poses, "a file for the poses that would best tell what is left open")
+      ->check(replaces("naocal-poses"));
   diagnoser->add_option("--next-count", command->next.count, "how many of them")
       ->check(CLI::Range(0, 100))
       ->capture_default_str();

@@ -1,4 +1,5 @@
 #include "Commands.hpp"
+#include "Outputs.hpp"
 #include "Progress.hpp"
 #include "Sets.hpp"
 
@@ -153,7 +154,8 @@ void addEvaluateNext(CLI::App& evaluate) {
       ->check(CLI::Range(0.5, 0.9999))
       ->capture_default_str();
   next->add_option("--jobs", command->jobs, "robots at a time")->check(CLI::PositiveNumber);
-  next->add_option("--json", command->json, "the evaluation as JSON to a file, or - for standard output");
+  next->add_option("--json", command->json, "the evaluation as JSON to a file, or - for standard output")
+      ->check(replaces("naocal-next-evaluation"));
   next->callback([command] { evaluateNext(*command); });
 }
 

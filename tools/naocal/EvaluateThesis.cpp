@@ -1,6 +1,7 @@
 #include "EvaluateThesis.hpp"
 
 #include "Commands.hpp"
+#include "Outputs.hpp"
 #include "Progress.hpp"
 #include "Sets.hpp"
 #include "Shard.hpp"
@@ -108,8 +109,10 @@ void addEvaluateThesis(CLI::App& evaluate) {
       ->capture_default_str();
   thesis->add_option("--shard", command->shard, "i/n: only every n-th set, from the i-th on (counted from 0)");
   thesis->add_option("--jobs", command->jobs, "threads")->check(CLI::PositiveNumber);
-  thesis->add_option("--json", command->json,
-                     "the evaluation as JSON to a file, kept up to date, or - for standard output");
+  thesis
+      ->add_option("--json", command->json,
+                   "the evaluation as JSON to a file, kept up to date, or - for standard output")
+      ->check(replaces("naocal-evaluation"));
   thesis->add_flag("--resume", command->resume, "go on with what the file of --json holds");
   thesis->callback([command] { evaluateThesis(*command); });
 }

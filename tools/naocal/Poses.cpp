@@ -1,7 +1,8 @@
 #include "Commands.hpp"
+#include "Outputs.hpp"
 #include "PlanInputs.hpp"
 #include "PlanStory.hpp"
-#include "captures/Files.hpp"
+#include "Sets.hpp"
 #include "captures/InputError.hpp"
 #include "geometry/Angles.hpp"
 #include "poses/PlanFile.hpp"
@@ -53,7 +54,7 @@ struct PosesCommand {
     const PosePlan result = posePlan(drawn, scene.boards, scene.cameras, plan,
                                      [](const std::string& what) { fmt::print(stderr, "{}\n", what); });
     printPlan(result);
-    writeAtomically(output, planJson(result, drawn).dump(1) + "\n");
+    writeJson(planJson(result, drawn), output);
     fmt::print("{} holds the poses and where the boards are\n", output);
     if (!poseFiles.empty()) {
       writePoseFiles(result, drawn, poseFiles);
@@ -71,7 +72,9 @@ void addPoses(CLI::App& app) {
   plan.poses.tries = 1'000'000;
   plan.poses.sampling = Sampling::even;
   CLI::App* const poses = app.add_subcommand("poses", "plans poses worth taking, and where to lay the boards");
-  poses->add_option("-o,--output", command->output, "POSES.json, to be written")->required();
+  poses->add_option("-o,--output", command->output, "POSES.json, to be written")
+      ->required()
+      ->check(replaces("naocal-poses"));
   poses->add_option("--pose-files", command->poseFiles, "a folder for HULKs' .pose files too");
   poses->add_option("--robot", command->robot, "its model")->capture_default_str();
   poses->add_option("--support", plan.poses.supportFoot, "the foot to stand on: left, right or both")

@@ -1,6 +1,6 @@
 #include "Commands.hpp"
+#include "Outputs.hpp"
 
-#include "captures/Files.hpp"
 #include "report/Report.hpp"
 
 #include <CLI/CLI.hpp>
@@ -28,10 +28,12 @@ void addReport(CLI::App& app) {
           "FILE", command->file,
           "a result of 'naocal solve', a diagnosis of 'naocal diagnose' or what 'naocal evaluate thesis --json' writes")
       ->required();
-  reporter->add_option("-o,--output", command->output, "the page to write")->required();
+  reporter->add_option("-o,--output", command->output, "the page to write")
+      ->required()
+      ->check(replaces(std::string{pageFormat}));
   reporter->callback([command] {
     const std::string page = reportPage(command->file);
-    writeAtomically(command->output, page);
+    writePage(command->output, page);
     fmt::print("written to {} ({:.1f} MB): open it in any browser\n", command->output, 1e-6 * double(page.size()));
   });
 }

@@ -1,5 +1,7 @@
 #include "Sets.hpp"
 
+#include "Outputs.hpp"
+
 #include "captures/CaptureSetFile.hpp"
 #include "captures/Files.hpp"
 
@@ -28,6 +30,7 @@ void writeJson(const nlohmann::json& json, const std::string& file) {
   if (file == "-") {
     fmt::print("{}\n", json.dump(1));
   } else {
+    refuseAnotherKind(file, json.at("format").get_ref<const std::string&>());
     writeAtomically(file, json.dump(1) + "\n");
   }
 }

@@ -20,7 +20,7 @@ struct GivenSets {
 /// Reads the sets; captures that were left out (`skipBad`) are told on standard error.
 GivenSets readSets(const std::vector<std::string>& folders, bool skipBad);
 
-/// Writes JSON to a file, or to standard output for "-".
+/// Writes JSON to a file, or to standard output for "-". Throws InputError for a file that holds another format.
 void writeJson(const nlohmann::json& json, const std::string& file);
 
 } // namespace naocal

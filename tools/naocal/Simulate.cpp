@@ -1,4 +1,5 @@
 #include "Commands.hpp"
+#include "Outputs.hpp"
 #include "Progress.hpp"
 #include "Sets.hpp"
 #include "SimulateOptions.hpp"
@@ -11,17 +12,19 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
 
 namespace naocal {
 
 namespace {
 
-/// Only an empty folder, or a set that was simulated before, may be written over.
-void refuseForeignFolder(const std::filesystem::path& folder) {
+/// Only an empty folder is written into unasked; with --force a set is replaced, but nothing else is.
+void refuseWhatIsThere(const std::filesystem::path& folder, bool force) {
   if (folder.empty()) {
     throw InputError{"OUT: expected the name of a folder, found nothing"};
   }
+  refuseAnotherKind(truthFile(folder), "naocal-truth");
   if (!std::filesystem::exists(folder)) {
     return;
   }
@@ -31,14 +34,41 @@ void refuseForeignFolder(const std::filesystem::path& folder) {
   if (std::filesystem::is_empty(folder)) {
     return;
   }
-  bool simulated = false;
-  try {
-    simulated = readCaptureSet(folder, BadCaptures::skip).set.bodyId.starts_with(syntheticId);
-  } catch (const InputError&) { // no capture set, or a broken one
+  if (!std::filesystem::exists(folder / "captures.json")) {
+    throw InputError{fmt::format("{}: expected an empty folder, found one with something else than captures; it is "
+                                 "left alone, name another one",
+                                 folder.string())};
   }
-  if (!simulated) {
-    throw InputError{fmt::format(
-        "{}: the folder holds something else than a simulated set and is left alone; name a new one", folder.string())};
+  if (!force) {
+    throw InputError{fmt::format("{}: expected an empty folder, found one with captures; they are left alone, name "
+                                 "another folder, or replace them with --force",
+                                 folder.string())};
+  }
+}
+
+/// The pictures inside a set's folder that its captures name; none where the set cannot be read.
+std::set<std::filesystem::path> picturesIn(const std::filesystem::path& folder) {
+  std::set<std::filesystem::path> pictures;
+  try {
+    for (const Capture& capture : readCaptureSet(folder, BadCaptures::skip).set.captures) {
+      const auto picture = std::filesystem::path{capture.image}.lexically_normal();
+      if (!capture.image.empty() && picture.is_relative() && *picture.begin() != "..") {
+        pictures.insert(folder / picture);
+      }
+    }
+  } catch (const InputError&) { // there is no set, or a broken one
+  }
+  return pictures;
+}
+
+/// Else the pictures of the set that was replaced would lie among the others and belong to nothing.
+void removePictures(const std::set<std::filesystem::path>& before, const std::filesystem::path& folder) {
+  const auto now = picturesIn(folder);
+  for (const auto& picture : before) {
+    if (!now.contains(picture)) {
+      std::error_code ignored; // it may be gone
+      std::filesystem::remove(picture, ignored);
+    }
   }
 }
 
@@ -63,7 +93,8 @@ std::size_t cornerCount(const CaptureSet& set) {
 }
 
 void simulateSet(const SimulateOptions& options) {
-  refuseForeignFolder(options.output);
+  refuseWhatIsThere(options.output, options.force);
+  const auto before = picturesIn(options.output);
   const Robot robot = loadRobot(configurationDirectory(), options.robot);
   const SimulationPlan plan = planOf(options, robot);
   Simulation simulation = simulate(robot, plan, options.seed);
@@ -73,6 +104,7 @@ void simulateSet(const SimulateOptions& options) {
   const std::filesystem::path truth = truthFile(options.output);
   writeCaptureSet(simulation.set, options.output);
   writeAtomically(truth, truthText(simulation.truth));
+  removePictures(before, options.output);
   if (!options.json.empty()) {
     writeJson({{"format", "naocal-simulation"},
                {"version", 1},
@@ -101,9 +133,9 @@ void addSimulate(CLI::App& app) {
   auto options = std::make_shared<SimulateOptions>();
   CLI::App* simulator =
       app.add_subcommand("simulate", "writes a synthetic robot's captures; the truth lies beside them");
-  simulator->footer("Example: naocal simulate captures/left --poses 24 --images\n"
+  simulator->footer("Example: naocal simulate simulated/left --poses 24 --images\n"
                     "The same robot in further poses, its other flags repeated:\n"
-                    "  naocal simulate captures/more --poses poses.json --seed 2 --robot-seed 1 --same-place");
+                    "  naocal simulate simulated/more --poses poses.json --seed 2 --robot-seed 1 --same-place");
   addOptions(*simulator, *options);
   simulator->callback([options] { simulateSet(*options); });
 }

@@ -1,5 +1,7 @@
 #include "SimulateOptions.hpp"
 
+#include "Outputs.hpp"
+
 #include "captures/InputError.hpp"
 #include "geometry/Angles.hpp"
 #include "poses/PoseFile.hpp"
@@ -120,7 +122,9 @@ void addOptions(CLI::App& simulator, SimulateOptions& options) {
                                             "takes the robot of another set, by that set's seed");
   simulator.add_flag("--same-place", options.samePlace, "the boards of that set too, still where they lay")
       ->needs(other);
-  simulator.add_option("--json", options.json, "what was written, as JSON to a file or - for standard output");
+  simulator.add_flag("--force", options.force, "replace the captures that OUT holds, and their pictures");
+  simulator.add_option("--json", options.json, "what was written, as JSON to a file or - for standard output")
+      ->check(replaces("naocal-simulation"));
   addNoise(simulator, options);
   addPictures(simulator, options);
 }

@@ -17,7 +17,7 @@ struct SimulateOptions {
   std::string poses = "24"; // how many, or a pose file
   std::uint64_t seed = 1;
   double offsetDegrees = 6.5, mountDegrees = 2, mountMillimetres = 0, poseDegrees = 0, approachDegrees = 0;
-  bool displacedBoard = false, samePlace = false;
+  bool displacedBoard = false, samePlace = false, force = false;
   SimulationPlan plan;
   Appearance appearance;
 };

@@ -1,4 +1,5 @@
 #include "Commands.hpp"
+#include "Outputs.hpp"
 #include "Sets.hpp"
 #include "Story.hpp"
 
@@ -63,8 +64,9 @@ void addSolve(CLI::App& app, int& exitCode) {
   CLI::App* solver = app.add_subcommand("solve", "calibrates joints and cameras from capture sets");
   solver->footer("Example: naocal solve captures/ -o result.json --with cameraTranslation@top");
   solver->add_option("SET", command->sets, "folders with captures.json")->required();
-  solver->add_option("-o,--output", command->output, "the result file to write");
-  solver->add_option("--json", command->json, "the same as JSON to a file, or - for standard output");
+  solver->add_option("-o,--output", command->output, "the result file to write")->check(replaces("naocal-result"));
+  solver->add_option("--json", command->json, "the same as JSON to a file, or - for standard output")
+      ->check(replaces("naocal-result"));
   solver->add_option("--with", command->with, "add effects: EFFECT@PLACE, * allowed")->delimiter(',');
   solver->add_option("--without", command->without, "leave effects out")->delimiter(',');
   solver->add_option("--model", command->model, "a model file: effects to add, to leave out, and effects of your own");
