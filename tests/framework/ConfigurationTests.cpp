@@ -1,5 +1,6 @@
 #include "ConfiguredRobot.hpp"
 #include "framework/Errors.hpp"
+#include "framework/Sockets.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -224,6 +225,77 @@ TEST_CASE("what is put back to what the files say counts as saved") {
   CHECK_FALSE(std::filesystem::exists(robot.path("default/body/Bob/Offsets.json")));
 }
 
+TEST_CASE("what is shipped stays as it is when what a robot learns is saved beside it") {
+  // Proves it for saves, an undo, and a save that was cut off: every byte of the shipped folder stays, the next start
+  // finds what was learned, and a newer shipped file counts for the keys that were not.
+  ConfiguredRobot robot;
+  const auto learned = robot.folder.path() / "learned", shipped = robot.folder.path() / "shipped";
+  robot.file("default/body/default/Offsets.json", R"({"knee": 0, "hip": 1})");
+  robot.file("Home/body/default/Mounts.json", R"({"pitch": 0})");
+  robot.file("default/sdk.json", R"({"network.basePort": 2000, "other": 0})");
+  std::filesystem::create_directory(shipped);
+  std::filesystem::rename(robot.folder.path() / "location", shipped / "location");
+  const auto bytes = [](const std::filesystem::path& root) {
+    std::map<std::string, std::string> all;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator{root}) {
+      all[entry.path().string()] = entry.is_directory() ? "" : fileContent(entry.path());
+    }
+    return all;
+  };
+  const auto open = [&](const FileWriter& writer) {
+    auto configuration = std::make_unique<Configuration>(ConfigurationFolders{shipped, learned}, robot.names, writer);
+    configuration->mount("Offsets", "Offsets.json", Part::body);
+    configuration->mount("Mounts", "Mounts.json", Part::body);
+    configuration->mount("Sdk", "sdk.json", Part::none);
+    configuration->keepTogether({"Offsets", "Mounts"});
+    return configuration;
+  };
+  const auto values = [](const Configuration& configuration) {
+    json offsets, mounts;
+    configuration.keys("Offsets", offsets);
+    configuration.keys("Mounts", mounts);
+    return json{offsets["knee"], offsets["hip"], mounts["pitch"]};
+  };
+  const auto before = bytes(shipped);
+  auto configuration = open(writeAtomically);
+  CHECK_FALSE(std::filesystem::exists(learned));
+  configuration->set("Offsets", "knee", 2);
+  configuration->set("Mounts", "pitch", 3);
+  configuration->set("Sdk", "network.basePort", 3000);
+  configuration->save();
+  CHECK(configuration->savedFile("Offsets") == learned / "location/default/body/Bob/Offsets.json");
+  CHECK(configuration->savedFile("Mounts") == learned / "location/Home/body/Bob/Mounts.json");
+  CHECK(json::parse(fileContent(learned / "location/default/body/Bob/Offsets.json")) == json{{"knee", 2}});
+  CHECK(readSocketSettings({shipped, learned}, "Ada").debugPort == 3001);
+  CHECK(values(*open(writeAtomically)) == json{2, 1, 3});
+  configuration->set("Offsets", "knee", 4);
+  configuration->save();
+  const TemporaryFolder copy;
+  configuration->set("Offsets", "knee", 5);
+  configuration->writeTo(copy.path());
+  CHECK(json::parse(fileContent(copy.path() / "location/default/sdk.json")) ==
+        json{{"network.basePort", 3000}, {"other", 0}});
+  Configuration one{copy.path(), robot.names, writeAtomically};
+  one.mount("Offsets", "Offsets.json", Part::body);
+  one.mount("Mounts", "Mounts.json", Part::body);
+  CHECK(values(one) == json{5, 1, 3});
+  configuration->undo("Mounts");
+  CHECK(values(*configuration) == json{2, 1, 3});
+  int left = 1; // the journal
+  configuration = open([&](const std::filesystem::path& file, std::string_view content) {
+    if (left-- <= 0) {
+      throw std::runtime_error{"the power is off"};
+    }
+    writeAtomically(file, content);
+  });
+  configuration->set("Offsets", "knee", 6);
+  CHECK_THROWS_AS(configuration->save(), std::runtime_error);
+  CHECK(values(*open(writeAtomically)) == json{6, 1, 3});
+  CHECK(bytes(shipped) == before);
+  writeAtomically(shipped / "location/default/body/default/Offsets.json", R"({"knee": 0, "hip": 7})");
+  CHECK(values(*open(writeAtomically)) == json{6, 7, 3});
+}
+
 TEST_CASE("a save that has failed is not finished by a copy of the configuration") {
   // Proves that what the save has noted stays where it is: read in another place it would write to this robot's files.
   const ConfiguredRobot robot;
@@ -346,7 +418,7 @@ TEST_CASE("broken files are refused with a sentence that names them") {
   CHECK(mounting("{} // gr\xfc\xdf dich") == name + ": expected text in UTF-8, found other bytes; save it as UTF-8");
   CHECK(mounting("").rfind(name + ": expected valid JSON", 0) == 0);
   CHECK(refusal([] {
-          layersOf("/c", "a.json", Part::head, {"default", "../x", "Bob"});
+          layersOf(std::filesystem::path{"/c"}, "a.json", Part::head, {"default", "../x", "Bob"});
         }) == "the robot's head is called \"../x\"; expected a name that can be a folder's");
 }
 

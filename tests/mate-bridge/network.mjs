@@ -28,7 +28,7 @@ async function connectNetwork() {
 cpSync(configuration, join(here, "configuration"), {recursive: true});
 writeFileSync(join(here, "configuration/location/default/access.json"), JSON.stringify({address: "0.0.0.0", secret: "open sesame", trustedNetwork: false}));
 let link = await connectNetwork();
-const robot = spawn("ip", ["netns", "exec", space, robotProgram, "--configuration", join(here, "configuration"), "--recordings", join(here, "recordings")], {stdio: "ignore"});
+const robot = spawn("ip", ["netns", "exec", space, robotProgram, "--configuration", join(here, "configuration"), "--state", join(here, "state"), "--recordings", join(here, "recordings")], {stdio: "ignore"});
 process.on("exit", () => robot.kill("SIGKILL"));
 
 const panel = await panelOf(bridge, "--robot", "10.231.77.2"), browser = await launch();

@@ -2,7 +2,7 @@
 // cameras and taking it back, values over time, a parameter set and saved, a robot that dies and comes back.
 // Proves that panel, bridge and robot process work together and leaves pictures of every view.
 // Usage: node robot.mjs NAOCAL-ROBOT MATE-BRIDGE NODE_MODULES CONFIGURATION PICTURES
-import {readdirSync, readFileSync} from "node:fs";
+import {existsSync, readdirSync, readFileSync} from "node:fs";
 import {join} from "node:path";
 import {tools, check, panelOf, folder, quietPage, portrait, px, end} from "./browser.mjs";
 import {robotIn} from "./robotHere.mjs";
@@ -146,13 +146,15 @@ await page.getByRole("button", {name: "set checkPoses"}).click();
 await page.getByText(/did not take checkPoses = "many"/).waitFor();
 check(true, "a value that the robot refuses is said to be refused");
 await page.locator("#notice").getByRole("button", {name: "OK"}).click();
-const saved = () => readdirSync(join(here, "configuration/location"), {recursive: true}).filter(name => name.endsWith("CalibrationRunner.json"))
-  .some(name => /"repeats": 3/.test(readFileSync(join(here, "configuration/location", name), "utf8")));
+const savedIn = folder => existsSync(join(here, folder)) && readdirSync(join(here, folder), {recursive: true}).filter(name => name.endsWith("CalibrationRunner.json"))
+  .some(name => /"repeats": 3/.test(readFileSync(join(here, folder, name), "utf8")));
+const saved = () => savedIn("state");
 check(!saved(), "a value that is set is not written into files");
 await page.getByRole("button", {name: "Save …"}).click();
 await page.getByRole("button", {name: /^Save on/}).click();
 for (let i = 0; i < 100 && !saved(); ++i) await page.waitForTimeout(100);
 check(saved(), "saving writes it, once it is confirmed");
+check(!savedIn("configuration"), "and leaves what was shipped as it is");
 
 // The robot's process dies and is started anew.
 await tab("Live");

@@ -13,7 +13,7 @@ export function robotIn(here, program, configuration, options = []) {
   return {
     // Its address, once it listens.
     async start() {
-      process_ = spawn(program, ["--configuration", join(here, "configuration"), "--recordings", join(here, "recordings"), ...options], {stdio: "ignore"});
+      process_ = spawn(program, ["--configuration", join(here, "configuration"), "--state", join(here, "state"), "--recordings", join(here, "recordings"), ...options], {stdio: "ignore"});
       process.on("exit", () => process_.kill("SIGKILL"));
       for (let i = 0; i < 300; ++i) {
         const name = readdirSync(join(here, "sockets")).find(one => existsSync(join(here, "sockets", one, "config")));

@@ -14,7 +14,8 @@
 
 namespace naocal {
 
-/// The process as it is shipped, with a configuration and recordings of its own, driven through its sockets.
+/// The process as it is shipped, with a configuration, learned state and recordings of its own, driven through its
+/// sockets.
 struct DrivenProcess {
   using Json = nlohmann::json;
 
@@ -26,9 +27,10 @@ struct DrivenProcess {
     SocketSettings sockets;
     sockets.debugPort = sockets.configPort = 0;
     robotNow = std::move(now);
-    process.emplace(robot, cameras, drawing, robot.waitForIdentity(std::chrono::seconds{5}).value(),
-                    RobotProcessOptions{folder.path() / "configuration", folder.path() / "recordings", "simulated",
-                                        sockets, realTime},
+    RobotProcessOptions options{folder.path() / "configuration", folder.path() / "recordings", "simulated", sockets,
+                                realTime};
+    options.state = folder.path() / "state";
+    process.emplace(robot, cameras, drawing, robot.waitForIdentity(std::chrono::seconds{5}).value(), options,
                     [this](std::string_view line) { log += std::string{line} + "\n"; });
   }
 
@@ -80,10 +82,10 @@ struct DrivenProcess {
     return state;
   }
   bool isSaved(const std::string& file) const {
-    return std::filesystem::exists(folder.path() / "configuration/location" / file);
+    return std::filesystem::exists(folder.path() / "state/location" / file);
   }
   Json saved(const std::string& file) const {
-    return Json::parse(fileContent(folder.path() / "configuration/location" / file));
+    return Json::parse(fileContent(folder.path() / "state/location" / file));
   }
   /// Of the last calibration's first round.
   std::filesystem::path recording() const {

@@ -25,7 +25,7 @@ int killCount() {
 
 /// An object of the robot's own configuration; empty where the file is not there yet.
 json saved(const std::filesystem::path& folder, const std::string& file) {
-  const auto path = folder / "configuration/location" / file;
+  const auto path = folder / "state/location" / file;
   return std::filesystem::exists(path) ? json::parse(fileContent(path)) : json::object();
 }
 
@@ -83,7 +83,8 @@ TEST_CASE("a robot that is killed while it calibrates has its old or its new con
 
     INFO("killed for the " << kill + 1 << ". time");
     { // as the next start does, which finishes what was cut off
-      Configuration configuration{std::filesystem::path{folder} / "configuration", {}, writeAtomically};
+      const std::filesystem::path root{folder};
+      Configuration configuration{{root / "configuration", root / "state"}, {}, writeAtomically};
     }
     const json offsets = saved(folder, "default/body/synthetic-1/JointCalibrationProvider.json");
     const json mounts = saved(folder, "simulated/head/synthetic-1/Projection.json");

@@ -17,9 +17,9 @@ constexpr int motionPriority = 30; // below the firmware's own threads, above ev
 RobotNames namesOf(const RobotIdentity& identity, const RobotProcessOptions& options) {
   RobotNames names = robotNames(options.configuration, identity.headId, identity.bodyId);
   names.location = options.location;
-  const auto sdk = readConfiguration(options.configuration / "location" / "default" / "sdk.json");
-  if (names.location.empty() && sdk && sdk->contains("location")) {
-    const auto& location = (*sdk)["location"];
+  const Overlay sdk{layersOf({options.configuration, options.state}, "sdk.json", Part::none, {})};
+  if (names.location.empty() && sdk.merged->contains("location")) {
+    const auto& location = (*sdk.merged)["location"];
     if (!location.is_string()) {
       throw ConfigurationError{"sdk.json: location: expected the name of a folder in the configuration's location"};
     }
@@ -38,7 +38,7 @@ RobotNames namesOf(const RobotIdentity& identity, const RobotProcessOptions& opt
 RobotProcess::RobotProcess(RobotInterface& robot, CameraInterface& cameras, const Robot& drawing,
                            const RobotIdentity& identity, const RobotProcessOptions& options, Log log)
     : robot_{robot}, cameras_{cameras}, options_{options}, log_{std::move(log)},
-      configuration_{options.configuration, namesOf(identity, options), writeAtomically, log_} {
+      configuration_{{options.configuration, options.state}, namesOf(identity, options), writeAtomically, log_} {
   addMotionModules(motion_, robot, drawing, ending_);
   addBrainModules(brain_, cameras, {drawing, identity, configuration_, options.configuration, options.recordings});
   if (options.replay != nullptr) {
@@ -58,7 +58,8 @@ RobotProcess::RobotProcess(RobotInterface& robot, CameraInterface& cameras, cons
       log_(unknown);
     }
   }
-  SocketSettings sockets = options.sockets ? *options.sockets : readSocketSettings(options.configuration, names.head);
+  SocketSettings sockets =
+      options.sockets ? *options.sockets : readSocketSettings({options.configuration, options.state}, names.head);
   if (options.basePort) {
     sockets.debugPort = static_cast<std::uint16_t>(*options.basePort + 1);
     sockets.configPort = static_cast<std::uint16_t>(*options.basePort + 2);

@@ -21,7 +21,7 @@ namespace naocal {
 
 /// What the process is made of and where its files are.
 struct RobotProcessOptions {
-  std::filesystem::path configuration; // home/configuration
+  std::filesystem::path configuration; // home/configuration; only read where `state` is another folder
   std::filesystem::path recordings;
   std::string location;                                 // empty: as sdk.json says
   std::optional<SocketSettings> sockets;                // absent: as sdk.json and access.json say
@@ -29,6 +29,7 @@ struct RobotProcessOptions {
   const ReplayWorld* replay = nullptr;                  // whose captures are to be taken anew, into `recordings`
   std::optional<std::uint16_t> basePort = std::nullopt; // instead of sdk.json's: debug one above, configuration two
   bool onlyHere = false;                                // listen on this computer only, whatever access.json says
+  std::filesystem::path state = {}; // where what the robot learns is saved; empty: into the configuration itself
 };
 
 /// Both threads of the robot, wired and configured, with their sockets. Making it throws WiringError,

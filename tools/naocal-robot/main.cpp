@@ -1,5 +1,6 @@
 #include "Hardware.hpp"
 #include "RobotProcess.hpp"
+#include "StateFolder.hpp"
 #include "captures/InputError.hpp"
 #include "hardware/simulated/SimulatedPlanFile.hpp"
 
@@ -44,6 +45,7 @@ Hardware replay(Options& options) {
     folder = options.process.recordings / fmt::format("{}-{}", name, again);
   }
   options.process.recordings = folder;
+  options.process.state = folder / "state"; // what other robots have learned here does not belong to a recording
   options.process.replay = hardware.replay.get();
   options.process.onlyHere = true; // the configuration is the robot's, this computer is not
   return hardware;
@@ -76,6 +78,10 @@ int run(Options options) {
   if (options.process.location.empty()) {
     options.process.location = hardware.location;
   }
+  if (options.process.state.empty()) {
+    options.process.state = stateFolder();
+  }
+  say(fmt::format("What the robot learns is saved in {}.", options.process.state.string()));
   RobotProcess process{*hardware.robot, *hardware.cameras, hardware.drawing, *identity, options.process, say};
   std::atomic<bool> failed{false}, ended{false};
   process.start([&, self = ::pthread_self()](std::string_view sentence) {
@@ -117,8 +123,12 @@ int main(int argc, char** argv) {
   app.add_option("--simulation", options.simulation,
                  "a file that says more of the simulated robot: ranges of its errors and gears' play, boards, cameras")
       ->check(CLI::ExistingFile);
-  app.add_option("--configuration", options.process.configuration, "folder with location/, drawings/ and poses/")
+  app.add_option("--configuration", options.process.configuration,
+                 "folder with location/, drawings/ and poses/; it is only read")
       ->check(CLI::ExistingDirectory);
+  app.add_option("--state", options.process.state,
+                 "folder where what the robot learns is saved, and read from again; $XDG_STATE_HOME/naocal or "
+                 "~/.local/state/naocal if not given; a replay has one of its own");
   app.add_option("--recordings", options.process.recordings, "folder for the captures of calibrations")
       ->capture_default_str();
   app.add_option("--base-port", options.process.basePort,

@@ -10,10 +10,10 @@ namespace naocal {
 
 using nlohmann::json;
 
-Configuration::Configuration(std::filesystem::path root, RobotNames names, FileWriter writer,
+Configuration::Configuration(ConfigurationFolders folders, RobotNames names, FileWriter writer,
                              const std::function<void(std::string_view)>& log)
-    : root_{std::move(root)}, names_{std::move(names)}, writer_{std::move(writer)} {
-  if (const std::string refused = finishWriting(journal(), root_, writer_); !refused.empty()) {
+    : folders_{std::move(folders)}, names_{std::move(names)}, writer_{std::move(writer)} {
+  if (const std::string refused = finishWriting(journal(), folders_.saved, writer_); !refused.empty()) {
     log(refused);
   }
 }
@@ -21,7 +21,7 @@ Configuration::~Configuration() = default;
 
 void Configuration::mount(const std::string& mount, const std::string& file, Part part, Listener listener,
                           std::set<std::string> unsaved) {
-  Overlay overlay{layersOf(root_, file, part, names_)};
+  Overlay overlay{layersOf(folders_, file, part, names_)};
   const std::lock_guard lock{mutex_};
   const auto [place, isNew] = mounts_.try_emplace(mount);
   if (!isNew) {

@@ -14,7 +14,7 @@
 namespace naocal {
 
 /// The configuration of one robot: files under mount names, read through their layers, changed by key, saved into the
-/// layer of the robot that they belong to. All functions may be called from any thread.
+/// layer of the robot that they belong to, beside what was shipped. All functions may be called from any thread.
 class Configuration {
 public:
   /// Is given a top-level key's new value before it counts, and throws ConfigurationError to refuse it.
@@ -22,7 +22,7 @@ public:
 
   /// Finishes a save that was cut off; says to `log` where it does not, because its journal is not this robot's.
   Configuration(
-      std::filesystem::path root, RobotNames names, FileWriter writer,
+      ConfigurationFolders folders, RobotNames names, FileWriter writer,
       const std::function<void(std::string_view)>& log = [](std::string_view) {});
   ~Configuration();
 
@@ -61,8 +61,8 @@ public:
   /// All is as the files say: nothing was set since the last save, or it was put back.
   bool isSaved(std::string_view mount) const;
 
-  /// Writes all files as they would be if everything was saved now into another, empty root, without the secret and
-  /// without what a save that did not end has noted.
+  /// Writes all files as they would be if everything was saved now into another, empty root, where what was shipped and
+  /// what was saved are one, without the secret and without what a save that did not end has noted.
   void writeTo(const std::filesystem::path& root) const;
 
   /// Puts a mount's saved file back to what it was before its last save, and its keys with it. Changes that are not
@@ -80,11 +80,13 @@ private:
   std::filesystem::path target(const Mounted& mounted) const;
   std::filesystem::path journal() const;
   nlohmann::json toSave(const Mounted& mounted) const; // its file's content
+  nlohmann::json merged(const std::filesystem::path& file,
+                        const std::map<std::filesystem::path, nlohmann::json>& changed) const; // shipped and saved
   std::vector<Mounted*> keptTogether(const std::string& mount);
   bool changesFile(const Mounted& mounted) const;
   void save(const std::set<std::vector<Mounted*>>& groups);
 
-  std::filesystem::path root_;
+  ConfigurationFolders folders_;
   RobotNames names_;
   FileWriter writer_;
   mutable std::mutex mutex_;

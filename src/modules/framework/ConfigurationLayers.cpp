@@ -24,17 +24,23 @@ std::string folderName(const std::string& name, std::string_view what) {
 
 } // namespace
 
-std::vector<std::filesystem::path> layersOf(const std::filesystem::path& root, const std::string& file, Part part,
+std::vector<std::filesystem::path> layersOf(const ConfigurationFolders& folders, const std::string& file, Part part,
                                             const RobotNames& names) {
   std::vector<std::filesystem::path> layers;
+  const auto addOne = [&](const std::filesystem::path& path) {
+    layers.push_back(folders.shipped / path);
+    if (folders.areTwo()) {
+      layers.push_back(folders.saved / path);
+    }
+  };
   const auto add = [&](const std::string& location) {
-    const auto folder = root / "location" / location;
-    layers.push_back(folder / file);
+    const auto folder = std::filesystem::path{"location"} / location;
+    addOne(folder / file);
     if (part != Part::none) {
       const bool isHead = part == Part::head;
       const auto half = folder / (isHead ? "head" : "body");
-      layers.push_back(half / "default" / file);
-      layers.push_back(half / folderName(isHead ? names.head : names.body, isHead ? "head" : "body") / file);
+      addOne(half / "default" / file);
+      addOne(half / folderName(isHead ? names.head : names.body, isHead ? "head" : "body") / file);
     }
   };
   add("default");

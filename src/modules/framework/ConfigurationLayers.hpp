@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace naocal {
@@ -19,10 +20,23 @@ struct RobotNames {
   std::string location, head, body;
 };
 
+/// Where a configuration lies: what was shipped, and what robots save, at the same paths below another folder, so that
+/// what was shipped is only read. One folder alone is both.
+struct ConfigurationFolders {
+  ConfigurationFolders(std::filesystem::path one) : shipped{one}, saved{std::move(one)} {}
+  /// An empty `saved` is the shipped one.
+  ConfigurationFolders(const std::filesystem::path& shippedOne, const std::filesystem::path& savedOne)
+      : shipped{shippedOne}, saved{savedOne.empty() ? shippedOne : savedOne} {}
+  bool areTwo() const { return shipped != saved; }
+
+  std::filesystem::path shipped, saved;
+};
+
 /// The files that may hold `file`'s keys, in the order in which later ones replace top-level keys of earlier ones:
 /// location/default/, location/default/<part>/default/, location/default/<part>/<name>/, then the same three below
-/// location/<location>/. A file of no part has only the first of each three.
-std::vector<std::filesystem::path> layersOf(const std::filesystem::path& root, const std::string& file, Part part,
+/// location/<location>/. A file of no part has only the first of each three. Each as it was shipped, then as it was
+/// saved, where these are two.
+std::vector<std::filesystem::path> layersOf(const ConfigurationFolders& folders, const std::string& file, Part part,
                                             const RobotNames& names);
 
 /// A file as its robot sees it: all keys, and for each the layer that it comes from. Files that do not exist are

@@ -21,6 +21,25 @@ std::string text(const json& object) {
   return object.dump(2) + "\n";
 }
 
+constexpr const char* journalName = "unfinished-save.json";
+
+/// All files of a configuration by their paths in it, without the secret and the journal; none where there is no
+/// folder.
+std::set<std::filesystem::path> filesIn(const std::filesystem::path& root) {
+  std::set<std::filesystem::path> files;
+  if (!std::filesystem::exists(root)) {
+    return files;
+  }
+  for (const auto& entry : std::filesystem::recursive_directory_iterator{root}) {
+    const auto& file = entry.path();
+    if (entry.is_regular_file() && file.extension() == ".json" && file.filename() != "access.json" &&
+        file.filename() != journalName) {
+      files.insert(file.lexically_relative(root));
+    }
+  }
+  return files;
+}
+
 /// A file's bytes with all comments; an empty object's for one that does not exist.
 std::string textOf(const std::filesystem::path& file) {
   std::ifstream stream{file, std::ios::binary};
@@ -32,8 +51,8 @@ std::string textOf(const std::filesystem::path& file) {
 } // namespace
 
 std::filesystem::path Configuration::target(const Mounted& entry) const {
-  const auto layers = layersOf(root_, entry.file, entry.part, names_);
-  const std::size_t perLocation = entry.part == Part::none ? 1 : 3;
+  const auto layers = layersOf(folders_, entry.file, entry.part, names_);
+  const std::size_t perLocation = (entry.part == Part::none ? 1 : 3) * (folders_.areTwo() ? 2 : 1);
   for (std::size_t i = perLocation; i < layers.size(); ++i) {
     for (const auto& [key, origin] : entry.overlay.origins) {
       if (origin == layers[i]) {
@@ -50,7 +69,7 @@ std::filesystem::path Configuration::savedFile(std::string_view mount) const {
 }
 
 std::filesystem::path Configuration::journal() const {
-  return root_ / "location" / "unfinished-save.json";
+  return folders_.saved / "location" / journalName;
 }
 
 json Configuration::toSave(const Mounted& entry) const {
@@ -80,7 +99,7 @@ void Configuration::save(const std::set<std::vector<Mounted*>>& groups) {
       written.push_back(entry);
     }
   }
-  writeTogether(journal(), root_, files, writer_);
+  writeTogether(journal(), folders_.saved, files, writer_);
   for (Mounted* entry : written) {
     const auto file = target(*entry);
     for (const auto& [key, before] : entry->changed) {
@@ -138,30 +157,34 @@ bool Configuration::isSaved(std::string_view mount) const {
 }
 
 void Configuration::writeTo(const std::filesystem::path& root) const {
-  std::vector<FileContent> changed;
+  std::map<std::filesystem::path, json> changed; // as they would be saved
   {
     const std::lock_guard lock{mutex_};
     for (const auto& [name, entry] : mounts_) {
       if (!entry->changed.empty()) {
-        changed.push_back({target(*entry), text(toSave(*entry))});
+        changed[target(*entry).lexically_relative(folders_.saved)] = toSave(*entry);
       }
     }
   }
-  const auto write = [&](const std::filesystem::path& file, const std::string& content) {
-    const auto copy = root / std::filesystem::relative(file, root_);
-    std::filesystem::create_directories(copy.parent_path());
-    writer_(copy, content);
-  };
-  for (const auto& entry : std::filesystem::recursive_directory_iterator{root_}) {
-    const auto& file = entry.path();
-    if (entry.is_regular_file() && file.extension() == ".json" && file.filename() != "access.json" &&
-        file != journal()) {
-      write(file, textOf(file));
-    }
+  std::set<std::filesystem::path> files = filesIn(folders_.shipped), saved = filesIn(folders_.saved);
+  files.insert(saved.begin(), saved.end());
+  for (const auto& [file, content] : changed) {
+    files.insert(file);
   }
-  for (const FileContent& one : changed) {
-    write(one.file, one.content);
+  for (const auto& file : files) {
+    std::filesystem::create_directories((root / file).parent_path());
+    const bool isWhole = !changed.contains(file) && !(folders_.areTwo() && saved.contains(file));
+    writer_(root / file, isWhole ? textOf(folders_.shipped / file) : text(merged(file, changed)));
   }
+}
+
+json Configuration::merged(const std::filesystem::path& file,
+                           const std::map<std::filesystem::path, json>& changed) const {
+  json content = readConfiguration(folders_.shipped / file).value_or(json::object());
+  const auto found = changed.find(file);
+  content.update(found != changed.end() ? found->second
+                                        : readConfiguration(folders_.saved / file).value_or(json::object()));
+  return content;
 }
 
 void Configuration::undo(const std::string& mount) {
@@ -175,10 +198,10 @@ void Configuration::undo(const std::string& mount) {
     }
     files.push_back({file, textOf(previousOf(file))});
   }
-  writeTogether(journal(), root_, files, writer_);
+  writeTogether(journal(), folders_.saved, files, writer_);
   for (Mounted* entry : entries) {
     std::filesystem::remove(previousOf(target(*entry)));
-    Overlay overlay{layersOf(root_, entry->file, entry->part, names_)};
+    Overlay overlay{layersOf(folders_, entry->file, entry->part, names_)};
     if (entry->listener) {
       for (const auto& [key, value] : overlay.merged->items()) {
         entry->listener(key, value);

@@ -7,14 +7,14 @@
 
 namespace naocal {
 
-SocketSettings readSocketSettings(const std::filesystem::path& configuration, const std::string& headName) {
-  const auto file = configuration / "location" / "default" / "sdk.json";
-  const nlohmann::json keys = readConfiguration(file).value_or(nlohmann::json::object());
+SocketSettings readSocketSettings(const ConfigurationFolders& configuration, const std::string& headName) {
+  const Overlay sdk{layersOf(configuration, "sdk.json", Part::none, {})};
+  const nlohmann::json& keys = *sdk.merged;
   const auto refuse = [&](const char* key, const char* expected) {
-    throw ConfigurationError{fmt::format("{}: {}: expected {}", file.string(), key, expected)};
+    throw ConfigurationError{fmt::format("{}: {}: expected {}", sdk.origins.at(key).string(), key, expected)};
   };
   SocketSettings settings;
-  settings.access = readAccess(configuration);
+  settings.access = readAccess(configuration.shipped);
   if (const auto port = keys.find("network.basePort"); port != keys.end()) {
     if (!port->is_number_integer() || *port < 1 || *port > 65533) {
       refuse("network.basePort", "a port number from 1 to 65533");

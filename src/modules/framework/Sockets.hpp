@@ -2,6 +2,7 @@
 
 #include "framework/Access.hpp"
 #include "framework/Clock.hpp"
+#include "framework/ConfigurationLayers.hpp"
 #include "framework/Peer.hpp"
 
 #include <cstddef>
@@ -26,9 +27,10 @@ struct SocketSettings {
   double messagesPerSecond = 1000;                     // of each client
 };
 
-/// Reads the settings from sdk.json (keys as HULKs': network.basePort, network.enableDebugTCPTransport,
-/// local.unixSocketDirectory, to which the head's name is added) and access.json. Throws ConfigurationError.
-SocketSettings readSocketSettings(const std::filesystem::path& configuration, const std::string& headName);
+/// Reads the settings from sdk.json (as shipped and as saved; keys as HULKs': network.basePort,
+/// network.enableDebugTCPTransport, local.unixSocketDirectory, to which the head's name is added) and access.json.
+/// Throws ConfigurationError.
+SocketSettings readSocketSettings(const ConfigurationFolders& configuration, const std::string& headName);
 
 /// Both servers on a thread of their own, over TCP and UNIX sockets. The threads' cycles only hand over copies of what
 /// clients want to see.
