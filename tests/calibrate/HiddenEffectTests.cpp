@@ -19,8 +19,9 @@ Estimate estimateOf(const Measurements& measurements, const std::string& label) 
   const CalibrationResult result = calibrate(measurements, model);
   CHECK(result.converged);
   CHECK(result.usable);
-  const auto term = std::find_if(model.terms().begin(), model.terms().end(),
-                                 [&](const Term& other) { return other.label() == label; });
+  const auto term = std::find_if(model.terms().begin(), model.terms().end(), [&](const Term& other) {
+    return other.label() == labelFor(label, measurements.robot);
+  });
   REQUIRE(term != model.terms().end());
   return result.estimates[term->first];
 }
@@ -44,6 +45,43 @@ TEST_CASE("an effect that another simulator hid has its size within 3 sigma") {
   INFO(name << ": " << estimate.value << " ± " << estimate.sigma);
   CHECK(std::abs(estimate.value - truth["size"].get<double>()) < 3 * estimate.sigma);
   CHECK(estimate.learned > 0.8);
+}
+
+TEST_CASE("a spring at the angle that it gave way to, and play that load or motion holds, have their sizes") {
+  // Proves both laws against captures that nothing of this code made, and that a spring may be called one. The elastic
+  // knee of the test above was made under the torque of the angle that was read: the same law serves both.
+  const auto [name, label] =
+      GENERATE(std::pair{"spring-knee", "spring@LKneePitch"}, std::pair{"gear-play", "gearPlay@LKneePitch"});
+  const auto folder = sharedData(std::string{"conformance-2/"} + name);
+  if (!folder) {
+    return;
+  }
+  const auto truth = nlohmann::json::parse(fileContent(folder->string() + ".truth.json"));
+  const CaptureSet set = readCaptureSet(*folder).set;
+  const Measurements measurements = measurementsOf({set}, loadRobot(configurationDirectory(), set.model));
+  const Estimate estimate = estimateOf(measurements, label);
+  INFO(label << ": " << estimate.value << " ± " << estimate.sigma);
+  CHECK(std::abs(estimate.value - truth["effects"][0][2].get<double>()) < 3 * estimate.sigma);
+  CHECK(estimate.learned > 0.8);
+}
+
+TEST_CASE("what the simulator builds into a joint is estimated within 3 sigma, one motor's two joints included") {
+  // Proves the simulator's mechanisms and the effects against each other: a spring is let sag until it carries the
+  // posture reached, play is taken up by load or motion. The calibration solves neither that way.
+  const auto label = GENERATE("elasticity@LKneePitch", "spring@LHipYawPitch", "gearPlay@LHipPitch", "gearPlay@HeadYaw",
+                              "hysteresis@LAnklePitch");
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  SimulationPlan plan = handMadePlan(robot, 24);
+  plan.flaw = label;
+  const Simulation simulation = simulate(robot, plan, 3);
+  const TrueEffect& truth = simulation.truth.effects.back();
+  const Estimate estimate = estimateOf(measurementsOf({simulation.set}, robot), label);
+  INFO(label << ": " << estimate.value << " ± " << estimate.sigma);
+  CHECK(labelFor(label, robot) == truth.effect + "@" + truth.at);
+  CHECK(std::abs(estimate.value - truth.unknowns.front().value) < 3 * estimate.sigma);
+  CHECK(estimate.learned > 0.8);
+  plan.flaw = "gearPlay@nowhere";
+  CHECK_THROWS_WITH(simulate(robot, plan, 3), Catch::Contains("gearPlay@LKneePitch, found gearPlay@nowhere"));
 }
 
 TEST_CASE("a result that has the hidden effect predicts other poses better, joints' errors allowed for") {

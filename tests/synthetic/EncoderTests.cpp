@@ -78,6 +78,34 @@ TEST_CASE("a gear's deflection is not seen by its encoder") {
   CHECK(meanSquare(encoderErrors(plan)) / (rounding + std::pow(radians(0.1), 2)) == Approx(1).margin(0.1));
 }
 
+TEST_CASE("load holds a gear's play where it overcomes the gap's friction, the last motion elsewhere") {
+  // Proves the side of the gap in every pose from the robot's true torques, and that both sides of the law occur.
+  SimulationPlan plan = handMadePlan(v6(), 40);
+  plan.mechanics.encoderDither = 0;
+  const auto joint = static_cast<Eigen::Index>(*v6().jointIndex("LHipPitch"));
+  const Simulation sound = simulate(v6(), plan, 1);
+  plan.flaw = "gearPlay@LHipPitch";
+  const Simulation loose = simulate(v6(), plan, 1);
+  Randomness nothing{1, "nothing"};
+  const SyntheticRobot drawn{v6(), drawnErrors(v6(), 0, 0, 0, nothing), {}};
+  int byLoad = 0, byMotion = 0;
+  for (std::size_t i = 0; i < loose.set.captures.size(); ++i) {
+    const double torque = drawn.gravityTorques(sound.exposures[i].joints, SupportFoot::left)[joint];
+    const double side = 2 * (loose.exposures[i].joints[joint] - sound.exposures[i].joints[joint]) / radians(0.7);
+    const double approach = loose.set.captures[i].joints.approach[static_cast<std::size_t>(joint)];
+    REQUIRE(std::abs(std::abs(side) - 1) < 1e-9);
+    if (std::abs(torque) > 0.3) {
+      CHECK(side * torque > 0);
+      byLoad += side == Approx(approach);
+    } else {
+      CHECK(side == Approx(-approach));
+      byMotion += side * torque < 0;
+    }
+  }
+  CHECK(byLoad > 0);
+  CHECK(byMotion > 0);
+}
+
 TEST_CASE("at rest few readings change, after coming back to a pose most do") {
   // Proves that rounding errors persist at rest (only where dither crosses a step's edge do they flip: about 13 %) and
   // are drawn anew when a pose is left and taken again. 12 poses, 2 cameras, 2 changes, 24 joints: 1152 chances.

@@ -44,6 +44,7 @@ const char* places(const Effect& effect) {
 const char* key(Driver driver) {
   switch (driver) {
   case Driver::torque:
+  case Driver::torqueGrowth:
     return "fsr (on both feet)";
   case Driver::com:
     return "a support foot";
@@ -100,6 +101,9 @@ nlohmann::json effectsJson(const std::vector<Effect>& effects, const Robot& robo
                     {"unknowns", std::move(unknowns)},
                     {"needs", neededKeys(effect, robot)},
                     {"smooth", !effect.kink}});
+    if (!effect.alias.empty()) {
+      list.back()["alias"] = effect.alias;
+    }
   }
   return {{"format", "naocal-effects"}, {"version", 1}, {"effects", std::move(list)}};
 }
@@ -113,6 +117,9 @@ void print(const Effect& effect, const Robot& robot) {
   const std::vector<std::string> needs = neededKeys(effect, robot);
   fmt::print("{}\n  {}\n  {:<9} {}\n  {:<9} {}\n  {:<9} {}\n", effect.name, effect.what, "formula", effect.formula,
              "at", places(effect), "unknowns", fmt::join(unknowns, ", "));
+  if (!effect.alias.empty()) {
+    fmt::print("  {:<9} {}\n", "alias", effect.alias);
+  }
   if (!needs.empty()) {
     fmt::print("  {:<9} {}\n", "needs", fmt::join(needs, ", "));
   }

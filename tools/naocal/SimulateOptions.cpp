@@ -113,6 +113,9 @@ void addOptions(CLI::App& simulator, SimulateOptions& options) {
       ->capture_default_str();
   simulator.add_flag("--hidden-flaw", options.plan.hiddenFlaw,
                      "a part of the leg is not as drawn; which one, only the truth file tells");
+  simulator.add_option("--flaw", options.plan.flaw,
+                       "that part: elasticity (a spring), hysteresis or gearPlay at a joint, linkLength at a length, "
+                       "such as gearPlay@LKneePitch");
   simulator.add_option("--flaw-scale", options.plan.flawScale, "how bad that part is: 1 as in a worn NAO")
       ->check(CLI::Range(0.01, 10.0))
       ->capture_default_str();

@@ -13,6 +13,7 @@ Effect thermalDrift();
 Effect timeDrift();
 Effect backlash();
 Effect hysteresis();
+Effect gearPlay();
 Effect elasticity();
 Effect timeOffset();
 Effect axisTilt();

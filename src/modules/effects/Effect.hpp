@@ -29,19 +29,20 @@ struct Instant {
   std::size_t set = 0; // of those given: the same time in another one is another moment
   Seconds time{0};     // since the set's earliest capture
   SupportFoot supportFoot = SupportFoot::none;
-  Eigen::VectorXd q;                                        // measured - o [rad]
-  Eigen::VectorXd velocity;                                 // [rad/s]
-  Eigen::VectorXd approach;                                 // -1, 0, +1
-  Eigen::VectorXd temperature;                              // [degC]
-  Eigen::VectorXd current;                                  // [A]
-  Eigen::VectorXd torque;                                   // gravity's, positive where it drives the angle up [Nm]
+  Eigen::VectorXd q;            // measured - o [rad]
+  Eigen::VectorXd velocity;     // [rad/s]
+  Eigen::VectorXd approach;     // -1, 0, +1
+  Eigen::VectorXd temperature;  // [degC]
+  Eigen::VectorXd current;      // [A]
+  Eigen::VectorXd torque;       // gravity's, positive where it drives the angle up [Nm]
+  Eigen::VectorXd torqueGrowth; // d(torque)/d(the motor's own angle), all else held [Nm/rad]
   Eigen::Vector2d com = Eigen::Vector2d::Constant(nothing); // centre of mass over the support foot's sole: x, y [m]
   Eigen::Vector2d imu = Eigen::Vector2d::Constant(nothing); // the torso's roll, pitch as reported [rad]
   double leftLoad = nothing;                                // the left foot's share of the weight [1]
 };
 
-/// What an effect can look at. The first three follow from the angles, hence from the offsets; the others are recorded.
-enum class Driver { angle, torque, com, approach, temperature, velocity, current, time, imu };
+/// What an effect can look at. The first four follow from the angles, hence from the offsets; the others are recorded.
+enum class Driver { angle, torque, torqueGrowth, com, approach, temperature, velocity, current, time, imu };
 
 /// What an effect can sit at. A motor drives one joint, or both hip yaw-pitch joints. (Stances are places of unknown
 /// placements only.)
@@ -62,9 +63,10 @@ struct Elsewhere {
 /// Place::motor, once per board for a board's effect that sits everywhere, and on pictures of that camera, board or
 /// stance, or on that sole, only for the others.
 struct Effect {
-  std::string name;    // "jointOffset"
-  std::string what;    // one plain sentence for people
-  std::string formula; // for people: "q_true = q_measured - o"
+  std::string name;       // "jointOffset"
+  std::string alias = ""; // another name that is accepted for it
+  std::string what;       // one plain sentence for people
+  std::string formula;    // for people: "q_true = q_measured - o"
   Place place = Place::motor;
   std::vector<Unknown> unknowns;
   std::vector<Driver> needs = {};                 // at the joint that is corrected

@@ -172,7 +172,7 @@ std::vector<Effect> userEffects(const JsonPlace& definitions, const Robot& robot
   for (const JsonPlace& definition : definitions.elements()) {
     result.push_back(userEffect(definition, robot));
     const std::string& name = result.back().name;
-    const auto same = [&](const Effect& other) { return other.name == name; };
+    const auto same = [&](const Effect& other) { return other.name == name || other.alias == name; };
     if (std::any_of(allEffects().begin(), allEffects().end(), same) ||
         std::any_of(result.begin(), result.end() - 1, same)) {
       definition.at("name").refuse("a name that no other effect has", '"' + name + '"');

@@ -3,6 +3,8 @@
 #include "model/Masses.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -25,10 +27,41 @@ std::vector<char> carriers(const Robot& robot, std::size_t link) {
   return result;
 }
 
+/// Lists the joints from one of them to the held link, itself first: up to where both branches part, then down.
+void listWay(const Robot& robot, std::size_t joint, std::size_t heldLink, const std::vector<char>& carriesHeld,
+             std::vector<std::size_t>& way) {
+  way.assign(1, joint);
+  std::size_t link = robot.joints[joint].link;
+  while (carriesHeld[link] == 0) {
+    link = *robot.links[link].parent;
+    if (carriesHeld[link] == 0 && robot.links[link].joint) {
+      way.push_back(*robot.links[link].joint);
+    }
+  }
+  const auto parting = static_cast<std::ptrdiff_t>(way.size());
+  for (std::size_t below = heldLink; below != link; below = *robot.links[below].parent) {
+    if (robot.links[below].joint) {
+      way.push_back(*robot.links[below].joint);
+    }
+  }
+  std::reverse(way.begin() + parting, way.end());
+}
+
+/// Adds d3(-U) of three joints wherever two of them are one motor's: how its growth changes with the third one's angle.
+void addGrowth(const Robot& robot, std::array<std::size_t, 3> joints, double bend, Load& load) {
+  std::sort(joints.begin(), joints.end());
+  do {
+    const std::size_t motor = robot.joints[joints[0]].motor;
+    if (motor == robot.joints[joints[1]].motor) {
+      load.growthByAngle(at(motor), at(joints[2])) += bend;
+    }
+  } while (std::next_permutation(joints.begin(), joints.end()));
+}
+
 } // namespace
 
 Load gravityLoad(const Robot& robot, const Belief& belief, const Posture& torsoFromLink, std::size_t heldLink,
-                 const Eigen::Vector3d& upInTorso) {
+                 const Eigen::Vector3d& upInTorso, bool withGrowthByAngle) {
   const std::size_t links = robot.links.size(), joints = robot.joints.size();
   std::vector<double> mass(links);
   std::vector<Eigen::Vector3d> first(links, Eigen::Vector3d::Zero()); // sum m p beyond each link, in the torso's frame
@@ -43,8 +76,13 @@ Load gravityLoad(const Robot& robot, const Belief& belief, const Posture& torsoF
   const std::vector<char> carriesHeld = carriers(robot, heldLink);
   const Eigen::Matrix3d heldFromTorso = torsoFromLink[heldLink].rotation.transpose();
 
-  Load load{Eigen::VectorXd::Zero(at(joints)), Eigen::MatrixXd::Zero(at(joints), at(joints)),
-            torsoFromLink[heldLink].inverse() * (first.front() / mass.front()), Eigen::Matrix3Xd(3, at(joints))};
+  const Eigen::Index bent = withGrowthByAngle ? at(joints) : 0;
+  Load load{Eigen::VectorXd::Zero(at(joints)),
+            Eigen::MatrixXd::Zero(at(joints), at(joints)),
+            Eigen::VectorXd::Zero(at(joints)),
+            Eigen::MatrixXd::Zero(bent, bent),
+            torsoFromLink[heldLink].inverse() * (first.front() / mass.front()),
+            Eigen::Matrix3Xd(3, at(joints))};
   std::vector<Turning> turning(joints);
   for (std::size_t joint = 0; joint < joints; ++joint) {
     const std::size_t link = robot.joints[joint].link;
@@ -60,30 +98,36 @@ Load gravityLoad(const Robot& robot, const Belief& belief, const Posture& torsoF
     const double slope = -gravity * upInTorso.dot(turning[nearer].axis.cross(turning[beyond].moment));
     load.torqueByAngle(at(nearer), at(beyond)) = load.torqueByAngle(at(beyond), at(nearer)) = slope;
   };
+  std::vector<std::size_t> way;
   for (std::size_t joint = 0; joint < joints; ++joint) {
     load.torque[at(joint)] = -gravity * upInTorso.dot(turning[joint].moment);
-    couple(joint, joint);
-    // The joints between this one and the held link: up to where both branches part, then down to the held link.
-    std::size_t link = robot.joints[joint].link;
-    while (carriesHeld[link] == 0) {
-      link = *robot.links[link].parent;
-      if (carriesHeld[link] == 0 && robot.links[link].joint) {
-        couple(*robot.links[link].joint, joint);
-      }
-    }
-    for (std::size_t down = heldLink; down != link; down = *robot.links[down].parent) {
-      if (robot.links[down].joint) {
-        couple(*robot.links[down].joint, joint);
+    listWay(robot, joint, heldLink, carriesHeld, way);
+    for (std::size_t i = 0; i < way.size(); ++i) {
+      couple(way[i], joint);
+      for (std::size_t j = i; withGrowthByAngle && j < way.size(); ++j) {
+        const Eigen::Vector3d bend = turning[way[i]].axis.cross(turning[joint].moment);
+        addGrowth(robot, {joint, way[i], way[j]}, -gravity * upInTorso.dot(turning[way[j]].axis.cross(bend)), load);
       }
     }
   }
-  for (std::size_t joint = 0; joint < joints; ++joint) { // one motor feels all its joints
+  for (std::size_t joint = 0; joint < joints; ++joint) { // one motor turns all its joints
+    for (std::size_t other = 0; other < joints; ++other) {
+      if (robot.joints[other].motor == robot.joints[joint].motor) {
+        load.torqueGrowth[at(robot.joints[joint].motor)] += load.torqueByAngle(at(joint), at(other));
+      }
+    }
+  }
+  for (std::size_t joint = 0; joint < joints; ++joint) { // and feels them
     const std::size_t motor = robot.joints[joint].motor;
     if (motor != joint) {
       load.torque[at(motor)] += load.torque[at(joint)];
       load.torqueByAngle.row(at(motor)) += load.torqueByAngle.row(at(joint));
       load.torque[at(joint)] = load.torque[at(motor)];
       load.torqueByAngle.row(at(joint)) = load.torqueByAngle.row(at(motor));
+      load.torqueGrowth[at(joint)] = load.torqueGrowth[at(motor)];
+      if (withGrowthByAngle) {
+        load.growthByAngle.row(at(joint)) = load.growthByAngle.row(at(motor));
+      }
     }
   }
   return load;

@@ -10,6 +10,8 @@ namespace naocal {
 struct Load {
   Eigen::VectorXd torque;        // as `gravityTorques`, per joint [Nm]
   Eigen::MatrixXd torqueByAngle; // d(torque of row)/d(angle of column), one column per joint [Nm/rad]
+  Eigen::VectorXd torqueGrowth;  // d(torque)/d(angle of its own motor), per joint [Nm/rad]
+  Eigen::MatrixXd growthByAngle; // d(torqueGrowth of row)/d(angle of column), where it is asked for [Nm/rad^2]
   Eigen::Vector3d com;           // the whole robot's centre of mass in the held link's frame [m]
   Eigen::Matrix3Xd comByAngle;   // one column per joint [m/rad]
 };
@@ -17,8 +19,9 @@ struct Load {
 /// With U = g up . sum(m p), up fixed in the held link: let joint J turn what lies beyond it (seen from the held link)
 /// about a_J with the lever L_J = sum m (p - pivot). Then dU/dq_J = g up . (a_J x L_J), and where K lies beyond J
 ///
-///   d2U/dq_J dq_K = g up . (a_J x (a_K x L_K)), else 0.
+///   d2U/dq_J dq_K = g up . (a_J x (a_K x L_K)), else 0, and with I before J
+///   d3U/dq_I dq_J dq_K = g up . (a_I x (a_J x (a_K x L_K))).
 Load gravityLoad(const Robot& robot, const Belief& belief, const Posture& torsoFromLink, std::size_t heldLink,
-                 const Eigen::Vector3d& upInTorso);
+                 const Eigen::Vector3d& upInTorso, bool withGrowthByAngle = false);
 
 } // namespace naocal

@@ -66,8 +66,13 @@ TellingApart::Told TellingApart::told(const std::vector<SievedPose>& poses) cons
   result.question.rivals = true;
   result.question.effects = allEffects();
   const Model named = makeModel(measurements, options_.effects, without); // says what is wrong with them
+  const auto isAsked = [&](const Term& term) {
+    return std::any_of(options_.effects.begin(), options_.effects.end(), [&](const std::string& given) {
+      return given == term.label() || (term.effect.place == Place::motor && labelFor(given, robot_) == term.label());
+    });
+  };
   for (const Term& term : named.terms()) {
-    if (std::find(options_.effects.begin(), options_.effects.end(), term.label()) != options_.effects.end()) {
+    if (isAsked(term)) {
       result.question.suspects.push_back({term.label(), term.sigmas(), term.sigmas(), 0.5});
     }
   }

@@ -108,6 +108,7 @@ const char* missing(const Instant& instant, Driver driver, std::size_t joint, co
   case Driver::imu:
     return std::isnan(instant.imu.x()) ? "torso angles (imu)" : nullptr;
   case Driver::torque:
+  case Driver::torqueGrowth:
     return instant.supportFoot == SupportFoot::both && std::isnan(instant.leftLoad) && carriesSole(robot, joint)
                ? "shares of the load on both feet (fsr)"
                : nullptr;

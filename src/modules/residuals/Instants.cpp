@@ -2,14 +2,17 @@
 #include "geometry/Index.hpp"
 #include "model/Load.hpp"
 
-#include <array>
+#include <algorithm>
 
 namespace naocal {
 
 namespace {
 
-Load loadOn(const Robot& robot, const Belief& belief, const Posture& torsoFromLink, std::size_t heldLink) {
-  return gravityLoad(robot, belief, torsoFromLink, heldLink, torsoFromLink[heldLink].rotation.col(2));
+bool looksAtGrowth(const Model& model) {
+  return std::any_of(model.terms().begin(), model.terms().end(), [](const Term& term) {
+    return std::find(term.effect.needs.begin(), term.effect.needs.end(), Driver::torqueGrowth) !=
+           term.effect.needs.end();
+  });
 }
 
 bool carries(const Robot& robot, std::size_t joint, std::size_t link) {
@@ -28,26 +31,36 @@ void share(const Robot& robot, const Load& right, double leftLoad, Load& left) {
       left.torque[at(joint)] = leftLoad * left.torque[at(joint)] + (1 - leftLoad) * right.torque[at(joint)];
       left.torqueByAngle.row(at(joint)) =
           leftLoad * left.torqueByAngle.row(at(joint)) + (1 - leftLoad) * right.torqueByAngle.row(at(joint));
+      left.torqueGrowth[at(joint)] =
+          leftLoad * left.torqueGrowth[at(joint)] + (1 - leftLoad) * right.torqueGrowth[at(joint)];
+      if (left.growthByAngle.size() > 0) {
+        left.growthByAngle.row(at(joint)) =
+            leftLoad * left.growthByAngle.row(at(joint)) + (1 - leftLoad) * right.growthByAngle.row(at(joint));
+      }
     }
   }
 }
 
-Load loadOf(const Robot& robot, const Belief& belief, const Instant& instant) {
+Load loadOf(const Robot& robot, const Belief& belief, const Instant& instant, bool withGrowthByAngle) {
   const Posture torsoFromLink = posture(robot, belief);
+  const auto loadOn = [&](std::size_t heldLink) {
+    return gravityLoad(robot, belief, torsoFromLink, heldLink, torsoFromLink[heldLink].rotation.col(2),
+                       withGrowthByAngle);
+  };
   switch (instant.supportFoot) {
   case SupportFoot::left:
-    return loadOn(robot, belief, torsoFromLink, robot.sole("left")->link);
+    return loadOn(robot.sole("left")->link);
   case SupportFoot::right:
-    return loadOn(robot, belief, torsoFromLink, robot.sole("right")->link);
+    return loadOn(robot.sole("right")->link);
   case SupportFoot::both: {
-    Load load = loadOn(robot, belief, torsoFromLink, robot.sole("left")->link);
-    share(robot, loadOn(robot, belief, torsoFromLink, robot.sole("right")->link), instant.leftLoad, load);
+    Load load = loadOn(robot.sole("left")->link);
+    share(robot, loadOn(robot.sole("right")->link), instant.leftLoad, load);
     return load;
   }
   case SupportFoot::none:
     break;
   }
-  Load hanging = loadOn(robot, belief, torsoFromLink, 0);
+  Load hanging = loadOn(0);
   hanging.com.setConstant(Instant::nothing);
   return hanging;
 }
@@ -67,8 +80,9 @@ Driven drivenAt(const Measurements& measurements, const Model& model, const Pict
                 const Eigen::VectorXd& unknowns) {
   const Robot& robot = measurements.robot;
   const Eigen::Index joints = at(robot.joints.size()), offsets = at(model.offsets().size());
+  const bool growth = looksAtGrowth(model);
   Driven result{picture.instant, Eigen::MatrixXd::Zero(joints, offsets), Eigen::MatrixXd::Zero(joints, offsets),
-                Eigen::MatrixXd::Zero(2, offsets)};
+                Eigen::MatrixXd::Zero(growth ? joints : 0, offsets), Eigen::MatrixXd::Zero(2, offsets)};
   for (Eigen::Index i = 0; i < offsets; ++i) {
     const Term& offset = model.terms()[model.offsets()[static_cast<std::size_t>(i)]];
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
@@ -80,13 +94,17 @@ Driven drivenAt(const Measurements& measurements, const Model& model, const Pict
   }
   Belief belief = picture.drawn;
   belief.values.head(joints) = result.instant.q;
-  const Load load = loadOf(robot, belief, result.instant);
+  const Load load = loadOf(robot, belief, result.instant, growth);
   result.instant.torque = load.torque;
+  result.instant.torqueGrowth = load.torqueGrowth;
   result.instant.com = load.com.head<2>();
   for (Eigen::Index i = 0; i < offsets; ++i) {
     for (Eigen::Index joint = 0; joint < joints; ++joint) {
       if (result.angleByOffset(joint, i) != 0) {
         result.torqueByOffset.col(i) -= load.torqueByAngle.col(joint);
+        if (growth) {
+          result.growthByOffset.col(i) -= load.growthByAngle.col(joint);
+        }
         result.comByOffset.col(i) -= load.comByAngle.col(joint).head<2>();
       }
     }

@@ -11,6 +11,7 @@ struct Driven {
   Instant instant;
   Eigen::MatrixXd angleByOffset;  // row per joint: -1 or 0
   Eigen::MatrixXd torqueByOffset; // row per joint [Nm/rad]
+  Eigen::MatrixXd growthByOffset; // the same of torqueGrowth, where the model looks at it [Nm/rad^2]
   Eigen::MatrixXd comByOffset;    // x, y [m/rad]
 };
 

@@ -22,17 +22,6 @@ bool matches(std::string_view pattern, std::string_view text) {
   return !text.empty() && pattern.front() == text.front() && matches(pattern.substr(1), text.substr(1));
 }
 
-/// The right hip yaw-pitch has no motor of its own: its name stands for the left one's.
-std::string withoutAlias(const Robot& robot, const std::string& term) {
-  const std::size_t at = term.find('@');
-  if (at != std::string::npos) {
-    if (const auto joint = robot.jointIndex(term.substr(at + 1))) {
-      return term.substr(0, at + 1) + robot.joints[robot.joints[*joint].motor].name;
-    }
-  }
-  return term;
-}
-
 [[noreturn]] void refuse(const std::string& wanted, const std::vector<std::string>& known) {
   throw InputError{fmt::format("'{}' names no effect at a place of these captures; near it are {}", wanted,
                                fmt::join(nearNames(wanted, known), ", "))};
@@ -46,7 +35,7 @@ struct Pattern {
 
   /// A motor's effect may be named at either of its joints; '*' does not stand for "all".
   bool names(const Term& term, const Robot& robot) const {
-    const std::string motors = term.effect.place == Place::motor ? withoutAlias(robot, given) : given;
+    const std::string motors = term.effect.place == Place::motor ? labelFor(given, robot) : given;
     const bool onePlace = term.effect.place == Place::board && term.at == everywhere;
     return onePlace ? matches(motors.substr(0, motors.find('@')), term.effect.name) && motors.ends_with("@all")
                     : matches(motors, term.label());
@@ -98,6 +87,18 @@ std::vector<Term> weighingOffsets(const Measurements& measurements) {
 }
 
 } // namespace
+
+std::string labelFor(const std::string& given, const Robot& robot) {
+  const std::size_t split = std::min(given.find('@'), given.size());
+  std::string effect = given.substr(0, split), place = given.substr(split);
+  for (const Effect& known : allEffects()) {
+    effect = !known.alias.empty() && known.alias == effect ? known.name : effect;
+  }
+  if (const auto joint = place.empty() ? std::nullopt : robot.jointIndex(place.substr(1))) {
+    place = '@' + robot.joints[robot.joints[*joint].motor].name;
+  }
+  return effect + place;
+}
 
 Model makeModel(const Measurements& measurements, const std::vector<std::string>& with,
                 const std::vector<std::string>& without, const std::vector<Effect>& effects) {

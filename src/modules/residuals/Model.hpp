@@ -58,6 +58,10 @@ private:
 Model makeModel(const Measurements& measurements, const std::vector<std::string>& with = {},
                 const std::vector<std::string>& without = {}, const std::vector<Effect>& effects = allEffects());
 
+/// The label of a motor's effect that may be given by other names: the effect's alias, and the right hip yaw-pitch,
+/// which has no motor of its own and stands for the left one.
+std::string labelFor(const std::string& given, const Robot& robot);
+
 /// What drives effects at a picture's instant, given the unknowns: q = measured - o; torque and centre of mass of the
 /// drawn robot at those angles, the support foot's sole held still and level (both: each leg joint's two values
 /// weighted by the feet's loads, all else with the left sole held; none: the torso held, upright).

@@ -18,7 +18,7 @@ std::vector<Elsewhere> drivers(const Effect& effect, std::size_t place) {
     if (look.driver == Driver::com) {
       result.push_back({look.driver, 0});
       result.push_back({look.driver, 1});
-    } else if (look.driver == Driver::angle || look.driver == Driver::torque) {
+    } else if (look.driver == Driver::angle || look.driver == Driver::torque || look.driver == Driver::torqueGrowth) {
       result.push_back(look);
     }
   }
@@ -30,6 +30,7 @@ Instant generic(const Instant& recorded) {
   Instant result = recorded;
   result.q = Eigen::VectorXd::LinSpaced(recorded.q.size(), 0.2, 0.4);
   result.torque = Eigen::VectorXd::LinSpaced(recorded.q.size(), 0.01, 0.02);
+  result.torqueGrowth = Eigen::VectorXd::LinSpaced(recorded.q.size(), 0.1, 0.2);
   result.com = {0.02, 0.03};
   return result;
 }

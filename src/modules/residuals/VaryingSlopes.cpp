@@ -11,6 +11,8 @@ double& driverIn(Instant& instant, const Elsewhere& which) {
   switch (which.driver) {
   case Driver::torque:
     return instant.torque[at(which.joint)];
+  case Driver::torqueGrowth:
+    return instant.torqueGrowth[at(which.joint)];
   case Driver::com:
     return instant.com[at(which.joint)];
   default:
@@ -22,6 +24,8 @@ double byOffset(const Driven& driven, const Elsewhere& which, std::size_t offset
   switch (which.driver) {
   case Driver::torque:
     return driven.torqueByOffset(at(which.joint), at(offset));
+  case Driver::torqueGrowth:
+    return driven.growthByOffset(at(which.joint), at(offset));
   case Driver::com:
     return driven.comByOffset(at(which.joint), at(offset));
   default:

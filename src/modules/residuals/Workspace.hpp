@@ -38,6 +38,7 @@ struct Residuals::Workspace {
     Instant instant = picture.instant;
     instant.q.swap(driven.instant.q);
     instant.torque.swap(driven.instant.torque);
+    instant.torqueGrowth.swap(driven.instant.torqueGrowth);
     instant.com = driven.instant.com;
     driven.instant = std::move(instant);
   }

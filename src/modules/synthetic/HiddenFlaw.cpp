@@ -1,10 +1,21 @@
 #include "synthetic/HiddenFlaw.hpp"
 
+#include "captures/InputError.hpp"
 #include "geometry/Angles.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <fmt/format.h>
 
 namespace naocal {
+
+namespace {
+
+constexpr double gapFriction = 0.3;   // of a gear whose play load can take up [Nm]
+constexpr double frictionOfNoT = 0.2; // where the unknown t of gearPlay counts from [Nm]
+
+} // namespace
 
 HiddenFlaw HiddenFlaw::scaled(double factor) const {
   HiddenFlaw result = *this;
@@ -14,11 +25,12 @@ HiddenFlaw HiddenFlaw::scaled(double factor) const {
   return result;
 }
 
-Eigen::VectorXd HiddenFlaw::lag(const Eigen::VectorXd& lastMotion) const {
+Eigen::VectorXd HiddenFlaw::lag(const Eigen::VectorXd& lastMotion, const Eigen::VectorXd& torques) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(lastMotion.size());
   if (looseJoint) {
     const auto joint = static_cast<Eigen::Index>(*looseJoint);
-    result[joint] = -play / 2 * lastMotion[joint];
+    const bool byLoad = std::abs(torques[joint]) > friction;
+    result[joint] = play / 2 * (byLoad ? std::copysign(1, torques[joint]) : -lastMotion[joint]);
   }
   return result;
 }
@@ -33,6 +45,9 @@ Robot HiddenFlaw::built(Robot drawing) const {
 TrueEffect HiddenFlaw::truth(const Robot& drawing) const {
   if (softJoint) {
     return {"elasticity", drawing.joints[*softJoint].name, {{"c", compliance, "rad/Nm"}}};
+  }
+  if (looseJoint && std::isfinite(friction)) {
+    return {"gearPlay", drawing.joints[*looseJoint].name, {{"D", play, "rad"}, {"t", friction - frictionOfNoT, "Nm"}}};
   }
   if (looseJoint) {
     return {"hysteresis", drawing.joints[*looseJoint].name, {{"D", play, "rad"}}};
@@ -65,6 +80,35 @@ HiddenFlaw drawnFlaw(const Robot& drawing, SupportFoot supportFoot, Randomness& 
     }
     flaw.excess = (chance.chance(0.5) ? 1 : -1) * (0.004 + chance.within(0.001));
   }
+  }
+  return flaw;
+}
+
+HiddenFlaw namedFlaw(const Robot& drawing, const std::string& label) {
+  const std::size_t split = std::min(label.find('@'), label.size());
+  const std::string effect = label.substr(0, split), place = label.substr(std::min(split + 1, label.size()));
+  HiddenFlaw flaw;
+  if (const auto joint = drawing.jointIndex(place)) {
+    const std::size_t motor = drawing.joints[*joint].motor;
+    if (effect == "elasticity" || effect == "spring") {
+      flaw.softJoint = motor;
+      flaw.compliance = 0.008;
+    } else if (effect == "hysteresis" || effect == "gearPlay") {
+      flaw.looseJoint = motor;
+      flaw.play = radians(0.7);
+      flaw.friction = effect == "gearPlay" ? gapFriction : flaw.friction;
+    }
+  }
+  for (std::size_t length = 0; length < drawing.lengths.size() && effect == "linkLength"; ++length) {
+    if (drawing.lengths[length].name == place) {
+      flaw.longBone = length;
+      flaw.excess = 0.004;
+    }
+  }
+  if (!flaw.softJoint && !flaw.looseJoint && !flaw.longBone) {
+    throw InputError{fmt::format("expected elasticity, spring, hysteresis or gearPlay at a joint, or linkLength at a "
+                                 "length, such as gearPlay@LKneePitch, found {}",
+                                 label)};
   }
   return flaw;
 }

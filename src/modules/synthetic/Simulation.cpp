@@ -95,7 +95,9 @@ Simulation simulate(const Robot& drawing, const SimulationPlan& plan, std::uint6
   const std::uint64_t robotSeed = plan.robotSeed.value_or(seed);
   Randomness errorChance{robotSeed, "errors"}, displacementChance{seed, "displacement"}, noiseChance{seed, "corners"};
   RobotErrors errors = drawnErrors(drawing, plan.offsetRange, plan.mountRange, plan.mountShiftRange, errorChance);
-  if (plan.hiddenFlaw && !plan.poses.empty()) {
+  if (!plan.flaw.empty()) {
+    errors.flaw = namedFlaw(drawing, plan.flaw).scaled(plan.flawScale);
+  } else if (plan.hiddenFlaw && !plan.poses.empty()) {
     Randomness flawChance{robotSeed, "flaw"};
     errors.flaw = drawnFlaw(drawing, plan.poses.front().supportFoot, flawChance).scaled(plan.flawScale);
   }

@@ -55,6 +55,7 @@ struct SimulationPlan {
   int firstStance = 0;                    // numbers count from here
   double flawScale = 1;                   // of the hidden flaw's size: 1 is a worn NAO's
   bool hiddenFlaw = false;                // a part of the leg it stands on is not as drawn
+  std::string flaw = "";                  // that part, where it is not to be drawn: "gearPlay@LKneePitch"
   Mechanics mechanics;
   CornerNoise corners;
   std::map<std::string, CameraIntrinsics> cameras = drawnCameras(640, 480);

@@ -17,23 +17,29 @@ Eigen::VectorXd SyntheticRobot::scatter(double sigma, Randomness& chance) const 
   for (double& deflection : result) {
     deflection = chance.normal(sigma);
   }
-  for (std::size_t joint = 0; joint < drawing_.joints.size(); ++joint) {
-    result[static_cast<Eigen::Index>(joint)] = result[static_cast<Eigen::Index>(drawing_.joints[joint].motor)];
-  }
+  followMotors(result);
   return result;
+}
+
+void SyntheticRobot::followMotors(Eigen::VectorXd& angles) const {
+  for (std::size_t joint = 0; joint < drawing_.joints.size(); ++joint) {
+    angles[static_cast<Eigen::Index>(joint)] = angles[static_cast<Eigen::Index>(drawing_.joints[joint].motor)];
+  }
 }
 
 /// Gears give way until they balance gravity: the soft one's deflection is its compliance times the torque in the pose
 /// so reached.
 void SyntheticRobot::yield(TakenPose& taken, const Eigen::VectorXd& lastMotion) const {
   const HiddenFlaw& flaw = *errors_.flaw;
-  taken.deflection += flaw.lag(lastMotion);
+  taken.deflection += flaw.lag(lastMotion, gravityTorques(taken.motors + taken.deflection, taken.supportFoot));
+  followMotors(taken.deflection);
   if (flaw.softJoint) {
     const auto joint = static_cast<Eigen::Index>(*flaw.softJoint);
     const double rigid = taken.deflection[joint];
     for (int iteration = 0; iteration < 8; ++iteration) { // the error falls by about 0.03 each time
       const Eigen::VectorXd torques = gravityTorques(taken.motors + taken.deflection, taken.supportFoot);
       taken.deflection[joint] = rigid + flaw.compliance * torques[joint];
+      followMotors(taken.deflection);
     }
   }
 }

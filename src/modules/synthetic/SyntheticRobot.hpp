@@ -72,6 +72,8 @@ public:
   Eigen::VectorXd gravityTorques(const Eigen::VectorXd& joints, SupportFoot supportFoot) const;
 
 private:
+  /// Joints of one motor turn together.
+  void followMotors(Eigen::VectorXd& angles) const;
   void yield(TakenPose& taken, const Eigen::VectorXd& lastMotion) const;
   std::array<double, 8> forces(const Eigen::VectorXd& joints, SupportFoot supportFoot) const;
   Eigen::Vector3d rightSoleOffFloor(const Eigen::VectorXd& joints) const;
