@@ -1,5 +1,6 @@
 #include "TemporaryFolder.hpp"
 #include "judge/Tally.hpp"
+#include "judge/Uniformity.hpp"
 #include "seal/Seal.hpp"
 
 #include <catch2/catch.hpp>
@@ -30,16 +31,16 @@ json diagnosis(const std::string& verdict) {
 /// A benchmark's folder with hand-made truths and answers.
 class Bench {
 public:
-  void add(const json& truth, const json& said, json locked = json::object()) {
+  void add(const json& truth, const json& said, json locked = json::object(), const json& solved = json::object()) {
     const std::string set = truth.at("set");
     const std::string bytes = sealed(truth.dump(), "key");
     writeFile(path() / "truth" / "key", "key");
     writeFile(path() / "truth" / (set + ".sealed"), bytes);
     writeFile(path() / "manifest" / (set + ".json"), json{{"truthSha256", sha256Hex(bytes)}}.dump());
-    writeFile(
-        path() / "answers" / (set + ".json"),
-        json{{"set", set}, {"truthSha256", sha256Hex(bytes)}, {"exitCode", 0}, {"locked", locked}, {"diagnosis", said}}
-            .dump());
+    json answer{
+        {"set", set}, {"truthSha256", sha256Hex(bytes)}, {"exitCode", 0}, {"locked", locked}, {"diagnosis", said}};
+    answer.update(solved);
+    writeFile(path() / "answers" / (set + ".json"), answer.dump());
   }
   Marks marked() const { return marks(readCases(path()).front()); }
   const std::filesystem::path& path() const { return folder_.path(); }
@@ -47,6 +48,16 @@ public:
 private:
   naocal::TemporaryFolder folder_;
 };
+
+/// What solve says of one knee.
+json solvedKnee(double value, double sigma, bool usable = true) {
+  const json offset{{"value", value}, {"sigma", sigma}, {"learned", 0.9}};
+  return {{"usable", usable},
+          {"pValue", 0.3},
+          {"rmsPx", 0.6},
+          {"noise", {{"pixel", 0.3}, {"jitter", 0.001}, {"source", "repeats"}}},
+          {"effects", {{{"effect", "jointOffset"}, {"at", "LKneePitch"}, {"unknowns", {{"o", offset}}}}}}};
+}
 
 json candidate(const std::string& effect, const std::string& at, std::vector<std::string> equivalent = {}) {
   return {{"effect", effect}, {"at", at}, {"state", "present"}, {"equivalent", equivalent}};
@@ -165,6 +176,98 @@ TEST_CASE("outside the catalogue the word, the joint and the driver must be righ
   CHECK_FALSE(marked("LHipPitch", "q"));
   said["verdict"] = "effect-missing";
   CHECK_FALSE(marked("LKneePitch", "q"));
+}
+
+TEST_CASE(
+    "a result is wrongly usable with an offset beyond 3.5 of its sigmas, and intervals are those that people see") {
+  // Proves the figures of honesty: before and after what is suggested, the averaged interval first, the first fit's
+  // rms.
+  json truth = truthOf("s1", "catalogue", json::array({knee(40)}));
+  truth["offsets"] = {{"LKneePitch", 0.01}, {"LHipPitch", 0.02}};
+  json said = diagnosis("effect-missing");
+  said["suggested"] = json::array({"elasticity@LKneePitch", "focalLength@top"});
+  json solved{{"solved", solvedKnee(0.014, 0.001)},
+              {"solvedWithSuggested", solvedKnee(0.0115, 0.001)},
+              {"solvedWithFixedNoise", solvedKnee(0.01, 0.001)}};
+  solved["solvedWithFixedNoise"]["rmsPx"] = 0.5;
+  const auto marked = [&] {
+    Bench bench;
+    bench.add(truth, said, json::object(), solved);
+    return bench.marked();
+  };
+  CHECK(marked().wronglyUsable == true);
+  CHECK(marked().offsetsInside == std::vector<bool>{false});
+  CHECK(marked().wronglyUsableAfter == false);
+  CHECK(marked().offsetsInsideAfter == std::vector<bool>{true});
+  CHECK(*marked().rmsRatio == Approx(1.2));
+  CHECK(marked().extraNamed == true);
+  solved["solved"]["effects"][0]["unknowns"]["o"]["averaged"] = {
+      {"value", 0.0125}, {"sigma", 0.002}, {"interval", {0.009, 0.018}}};
+  CHECK(marked().offsetsInside == std::vector<bool>{true});
+  CHECK(marked().wronglyUsable == false);
+  solved["solved"] = solvedKnee(0.014, 0.001, false);
+  CHECK_FALSE(marked().wronglyUsable.has_value());
+  solved["solved"]["effects"][0]["unknowns"]["o"]["learned"] = 0.1;
+  CHECK(marked().offsetsInside.empty());
+}
+
+TEST_CASE("an event counts as timed between the readings around it, by words or by a number") {
+  // Proves what counts as naming a board, a foot and a joint, and that a wrong time or another board does not.
+  const auto marked = [](const std::string& what, const std::string& at, json said) {
+    json truth = truthOf("s1", "event", json::array());
+    truth["event"] = {{"what", what}, {"at", at}, {"before", 40.0}, {"after", 47.5}};
+    Bench bench;
+    bench.add(truth, std::move(said));
+    return std::pair{*bench.marked().eventNamed, *bench.marked().eventTimed};
+  };
+  json said = diagnosis("bad-captures");
+  said["suspicious"] = {{{"why", "board B moved 43.2 s after the first capture"}}};
+  CHECK(marked("kicked board", "B", said) == std::pair{true, true});
+  CHECK(marked("kicked board", "A", said) == std::pair{false, false});
+  CHECK(marked("slipped robot", "0", said) == std::pair{false, false});
+  said["suspicious"] = {{{"why", "the robot in stance 0 moved 50.2 s after the first capture"}}};
+  CHECK(marked("slipped robot", "0", said) == std::pair{true, false});
+  said["suspicious"] = {{{"why", "LKneePitch stands otherwise from some time on"}, {"time", 44}}};
+  CHECK(marked("offset step", "LKneePitch", said) == std::pair{true, true});
+  said = diagnosis("unknown-effect");
+  said["drivers"] = {{{"at", "LKneePitch"}, {"driver", "t"}, {"expression", "a*(t > 41.3 ? 1 : 0)"}}};
+  CHECK(marked("offset step", "LKneePitch", said) == std::pair{true, true});
+  said["drivers"][0]["expression"] = "a*t";
+  CHECK(marked("offset step", "LKneePitch", said) == std::pair{true, false});
+}
+
+TEST_CASE("readings that jitter are adequate, with their level in the result, and a spring is an elasticity") {
+  // Proves the level's fifth on both sides and that no level is a wrong one.
+  json truth = truthOf("s1", "jitter", json::array());
+  truth["jitter"] = 0.0011;
+  const auto level = [&](json solved) {
+    Bench bench;
+    bench.add(truth, diagnosis("adequate"), json::object(), {{"solved", std::move(solved)}});
+    CHECK(bench.marked().jitterAdequate == true);
+    return *bench.marked().jitterLevel;
+  };
+  json solved = solvedKnee(0, 1);
+  CHECK(level(solved));
+  solved["noise"]["jitter"] = 0.0014;
+  CHECK_FALSE(level(solved));
+  solved["noise"].erase("jitter");
+  CHECK_FALSE(level(solved));
+  CHECK(sameMotor("spring@RHipYawPitch") == "elasticity@LHipYawPitch");
+}
+
+TEST_CASE("the test of uniformity lets uniform numbers pass and others not, as often as it says") {
+  // Proves the p value against a published quantile (D = 0.1340 is the 5 % point of 100 numbers) and on clear cases.
+  std::vector<double> even, shifted, same(20, 1.0);
+  for (int i = 0; i < 100; ++i) {
+    even.push_back((i + 0.5) / 100);
+    shifted.push_back(std::min(1.0, std::max(0.0, (i + 0.5) / 100 + 0.129))); // D = 0.134
+  }
+  CHECK(uniformityP(even) > 0.999);
+  CHECK(uniformityP(shifted) == Approx(0.05).margin(0.005));
+  CHECK(uniformityP(same) < 1e-6);
+  CHECK(uniformityP({0.9, 0.9}) == 1);
+  CHECK(median({3, 1, 2}) == 2);
+  CHECK(median({4, 1, 2, 3}) == 2.5);
 }
 
 TEST_CASE("theory's power follows the noncentral chi-square of a corrected test") {

@@ -1,4 +1,5 @@
 #include "blind/NaoV6.hpp"
+#include "writer/Drawn.hpp"
 #include "writer/Mechanism.hpp"
 #include "writer/Pictures.hpp"
 #include "writer/Question.hpp"
@@ -31,6 +32,97 @@ TEST_CASE("a link in a gap stays until it is pushed, and a load drives it to the
   CHECK(play.link() == Approx(-0.01));
   play.load(-0.02, -1);
   CHECK(play.link() == Approx(-0.03));
+}
+
+TEST_CASE("a gear that sticks keeps its side until the load beats its friction") {
+  // Proves the two regimes of gear play: the load's side beyond the friction, the last motion's side within it.
+  Question question = soundRobot(20);
+  const int hip = naoV6().joint(question.plan.mainSide == 0 ? "LHipPitch" : "RHipPitch");
+  constexpr double play = 0.01, friction = 0.4;
+  Robot loose = question.robot;
+  loose.flaws.joints[hip].gap = play;
+  loose.flaws.joints[hip].gapFriction = friction;
+  const Skeleton skeleton{naoV6(), loose.flaws};
+  const auto tight = trueAngles(question.robot, question.session, skeleton);
+  const auto angles = trueAngles(loose, question.session, skeleton);
+  int byLoad = 0, byMotion = 0;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const int side = question.session.stances[question.session.readings[i].stance].side;
+    const Skeleton::Posture posture = skeleton.posture(tight[i]);
+    const double torque = skeleton.torques(posture, side, skeleton.torsoFromSole(posture, side).turn.col(2))[hip];
+    const double moved = angles[i][hip] - tight[i][hip], approach = question.session.readings[i].excursion[hip];
+    if (std::abs(torque) > friction + 0.02) {
+      CHECK(moved == Approx(torque > 0 ? play / 2 : -play / 2));
+      byLoad += moved * approach < 0;
+    } else if (std::abs(torque) < friction - 0.1) { // light all along the short last way: motion alone decides
+      CHECK(std::abs(moved) == Approx(play / 2));
+      byMotion += moved * approach > 0;
+    }
+  }
+  CHECK(byLoad > 0);
+  CHECK(byMotion > 0);
+}
+
+TEST_CASE("readings that jitter leave the robot where it stands, and vary by as much as they are told") {
+  // Proves level and independence of both kinds of repeats, whole steps, and that the true angles do not follow.
+  const std::string kind = GENERATE("rest", "reapproach");
+  Chance chance{11, "jitter"};
+  const Question question = ask(naoV6(), {"jitter", kind, 0, 20, "jitter 0.10"}, chance);
+  const Skeleton skeleton{naoV6(), question.robot.flaws};
+  const auto angles = trueAngles(question.robot, question.session, skeleton);
+  const int knee = naoV6().joint("LKneePitch");
+  double square = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const Reading& reading = question.session.readings[i];
+    REQUIRE((reading.repeat == 0 || (reading.kind == RepeatKind::rest) == (kind == "rest")));
+    CHECK(std::abs(std::remainder(reading.measured[knee], encoderStep)) < 1e-12);
+    const double wrong = reading.measured[knee] - question.robot.offsets[knee] - angles[i][knee];
+    square += wrong * wrong;
+    ++count;
+    if (reading.repeat > 0 && kind == "rest") {
+      CHECK(angles[i][knee] == Approx(angles[i - 1][knee]).margin(1e-12));
+    }
+  }
+  const double expected = std::hypot(0.1 * M_PI / 180, encoderStep / std::sqrt(12.0));
+  CHECK(std::sqrt(square / count) == Approx(expected).epsilon(0.25)); // 60 readings: 9 % (1 sigma)
+}
+
+TEST_CASE("an event's truth tells between which readings it happened") {
+  // Proves the moments of all three kinds against what the pictures show: nothing moves before, something after.
+  const std::string kind = GENERATE("kicked board", "slipped robot", "offset step");
+  Chance chance{5, "event"}, mistakes{5, "mistakes"};
+  Question question = ask(naoV6(), {"event", kind, 0, 16, "clean"}, chance);
+  Question calm = question;
+  calm.robot = withoutFlaws(question.robot);
+  corruptSession(kind, question.session, mistakes);
+  const auto happened = happening(question);
+  REQUIRE(happened);
+  CHECK(happened->what == kind);
+  CHECK(happened->before < happened->after);
+  const Pictures moved{question.robot, question.session}, still{calm.robot, calm.session};
+  double before = 0, after = 0;
+  for (const Sight& sight : question.session.sights) {
+    const double time = question.session.readings[sight.reading].time - question.session.readings.front().time;
+    const double shift = (moved.corners(sight).front() - still.corners(sight).front()).norm();
+    double& most = time <= happened->before ? before : after;
+    most = std::max(most, shift);
+  }
+  CHECK(before < 1e-6);
+  CHECK(after > 1); // [px]
+}
+
+TEST_CASE("a twin does nearly the same to the pictures, and plausible sizes are met") {
+  // Proves that a twin set has one, named at the hidden effect's place, and the size of sized sets.
+  Chance chance{3, "twin"};
+  const Question twin = ask(naoV6(), {"twin", "", 0, 20, "clean"}, chance);
+  REQUIRE(twin.hidden.size() == 1);
+  REQUIRE_FALSE(twin.twins.empty());
+  CHECK(twin.twins.front().ends_with("@" + twin.hidden.front().place));
+  CHECK_FALSE(twin.twins.front().starts_with(twin.hidden.front().family->effect + "@"));
+  const Question shifted = ask(naoV6(), {"sized", "cameraTranslation", 0, 20, "clean", false, 2}, chance);
+  const std::vector<double>& by = shifted.hidden.front().values;
+  CHECK(std::hypot(by[0], by[1], by[2]) == Approx(2 * 0.005));
 }
 
 TEST_CASE("an encoder's displaced magnet errs by a sin q + b cos q to first order") {

@@ -57,8 +57,11 @@ public:
         {"exitCode", said.exitCode}, {"seconds", seconds.count()}, {"locked", nlohmann::json::object()}};
     answer["diagnosis"] = jsonOf(between_ / "diagnosis.json");
     const auto suggested = answer["diagnosis"].value("suggested", std::vector<std::string>{});
+    answer["solved"] = solved({}, "before.json");
+    answer["solvedWithFixedNoise"] = solved({"--fixed-noise"}, "fixed.json");
     if (!suggested.empty()) {
-      answer["locked"] = locked(suggested);
+      answer["solvedWithSuggested"] = solved(adding(suggested, answer["diagnosis"]), "after.json");
+      answer["locked"] = locked();
     }
     return answer;
   }
@@ -74,10 +77,10 @@ private:
                           {"locked", nlohmann::json::object()}};
   }
 
-  /// The errors on poses that were never used for choosing, without and with these effects. Empty where they cannot be
-  /// found.
-  nlohmann::json locked(const std::vector<std::string>& with) const {
-    if (!solved({}, "before.json") || !solved(with, "after.json") ||
+  /// The errors on poses that were never used for choosing, without and with what was suggested. Empty where they
+  /// cannot be found.
+  nlohmann::json locked() const {
+    if (!files::exists(between_ / "before.json") || !files::exists(between_ / "after.json") ||
         run({naocal_, "compare", between_ / "after.json", locked_, "--against", between_ / "before.json", "--json",
              between_ / "compared.json"})
                 .exitCode != 0) {
@@ -91,13 +94,37 @@ private:
             {"weightedAfterPx", compared.at("weightedPx")}};
   }
 
-  bool solved(const std::vector<std::string>& with, const char* file) const {
-    std::vector<std::string> solve{naocal_, "solve", set_.string(), "-o", between_ / file};
-    if (!with.empty()) {
-      solve.insert(solve.end(), {"--with", fmt::format("{}", fmt::join(with, ","))});
+  /// How solve adds what a diagnosis suggests: by a model file where that defines effects of its own.
+  std::vector<std::string> adding(const std::vector<std::string>& suggested, const nlohmann::json& diagnosis) const {
+    const nlohmann::json define = diagnosis.value("define", nlohmann::json::array());
+    if (define.empty()) {
+      return {"--with", fmt::format("{}", fmt::join(suggested, ","))};
     }
+    const nlohmann::json model{{"format", "naocal-model"},
+                               {"version", 1},
+                               {"with", suggested},
+                               {"without", nlohmann::json::array()},
+                               {"define", define}};
+    writeAtomically(between_ / "model.json", model.dump());
+    return {"--model", between_ / "model.json"};
+  }
+
+  /// What RESULT.json says of the calibration itself; null where there is none.
+  nlohmann::json solved(const std::vector<std::string>& options, const char* file) const {
+    std::vector<std::string> solve{naocal_, "solve", set_.string(), "-o", between_ / file};
+    solve.insert(solve.end(), options.begin(), options.end());
     const int exitCode = run(solve).exitCode;
-    return exitCode == 0 || exitCode == 3;
+    if ((exitCode != 0 && exitCode != 3) || !files::exists(between_ / file)) {
+      return nullptr;
+    }
+    const nlohmann::json result = jsonOf(between_ / file);
+    nlohmann::json told{{"exitCode", exitCode}};
+    for (const char* key : {"usable", "verdict", "pValue", "rmsPx", "noise", "effects", "converged"}) {
+      if (result.contains(key)) {
+        told[key] = result.at(key);
+      }
+    }
+    return told;
   }
 
   std::string naocal_;

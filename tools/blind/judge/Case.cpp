@@ -3,6 +3,7 @@
 #include "seal/Seal.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -37,6 +38,14 @@ Truth readTruth(const json& file) {
     effect.drivers = entry.value("drivers", std::vector<std::string>{});
     truth.effects.push_back(std::move(effect));
   }
+  truth.plausible = file.value("plausible", 0.0);
+  truth.jitter = file.value("jitter", 0.0);
+  truth.offsets = file.value("offsets", std::map<std::string, double>{});
+  if (file.contains("event")) {
+    const json& event = file.at("event");
+    truth.event = Truth::Event{event.at("what").get<std::string>(), event.at("at").get<std::string>(),
+                               event.at("before").get<double>(), event.at("after").get<double>()};
+  }
   return truth;
 }
 
@@ -56,6 +65,52 @@ Answer::Candidate readCandidate(const json& entry) {
   return candidate;
 }
 
+/// The number before " s", such as in "board B moved 12.3 s after the first capture".
+std::optional<double> timeIn(const std::string& why) {
+  for (std::size_t end = why.find(" s"); end != why.npos; end = why.find(" s", end + 1)) {
+    const std::size_t begin = why.find_last_not_of("0123456789.", end - 1) + 1;
+    const bool ends = end + 2 == why.size() || std::isalpha(static_cast<unsigned char>(why[end + 2])) == 0;
+    if (ends && begin < end) {
+      return std::stod(why.substr(begin, end - begin));
+    }
+  }
+  return std::nullopt;
+}
+
+/// What people are shown first: averaged over what could be missing, where it is.
+Solved::Offset readOffset(const json& unknown) {
+  const json& shown = unknown.contains("averaged") ? unknown.at("averaged") : unknown;
+  const double value = shown.at("value").get<double>(), sigma = shown.at("sigma").get<double>();
+  Solved::Offset offset{value, sigma, value - 1.96 * sigma, value + 1.96 * sigma, unknown.value("learned", 1.0)};
+  if (shown.contains("interval")) {
+    offset.low = shown.at("interval").at(0).get<double>();
+    offset.high = shown.at("interval").at(1).get<double>();
+  }
+  return offset;
+}
+
+std::optional<Solved> readSolved(const json& file, const char* key) {
+  const json result = file.value(key, json{});
+  if (!result.is_object() || !result.contains("effects")) {
+    return std::nullopt;
+  }
+  Solved solved;
+  solved.usable = result.at("usable").get<bool>();
+  solved.pValue = result.at("pValue").get<double>();
+  solved.rmsPx = result.at("rmsPx").get<double>();
+  for (const auto& [name, level] : result.at("noise").items()) {
+    if (level.is_number()) {
+      solved.noise[name] = level.get<double>();
+    }
+  }
+  for (const json& effect : result.at("effects")) {
+    if (effect.at("effect") == "jointOffset") {
+      solved.offsets[effect.at("at").get<std::string>()] = readOffset(effect.at("unknowns").at("o"));
+    }
+  }
+  return solved;
+}
+
 Answer readAnswer(const json& file) {
   Answer answer;
   answer.exitCode = file.at("exitCode").get<int>();
@@ -66,6 +121,11 @@ Answer readAnswer(const json& file) {
     answer.lockedAfterPx = locked.at("afterPx").get<double>();
     answer.lockedFell = locked.value("weightedAfterPx", *answer.lockedAfterPx) <
                         locked.value("weightedBeforePx", *answer.lockedBeforePx);
+  }
+  answer.first = readSolved(file, "solved");
+  answer.suggestedAdded = readSolved(file, "solvedWithSuggested");
+  if (const auto fixed = readSolved(file, "solvedWithFixedNoise")) {
+    answer.fixedNoisePx = fixed->rmsPx;
   }
   const json& diagnosis = file.at("diagnosis");
   if (diagnosis.is_null()) {
@@ -79,7 +139,14 @@ Answer readAnswer(const json& file) {
     answer.suggested.push_back(sameMotor(entry.get<std::string>()));
   }
   for (const json& entry : diagnosis.value("drivers", json::array())) {
-    answer.drivers.push_back({entry.at("at").get<std::string>(), entry.value("driver", "")});
+    const json expression = entry.value("expression", json{});
+    answer.drivers.push_back({entry.at("at").get<std::string>(), entry.value("driver", ""),
+                              expression.is_string() ? expression.get<std::string>() : ""});
+  }
+  for (const json& entry : diagnosis.value("suspicious", json::array())) {
+    const std::string why = entry.value("why", "");
+    const json time = entry.value("time", json{});
+    answer.suspicious.push_back({why, time.is_number() ? std::optional{time.get<double>()} : timeIn(why)});
   }
   return answer;
 }
@@ -87,6 +154,10 @@ Answer readAnswer(const json& file) {
 } // namespace
 
 std::string sameMotor(const std::string& effectAtPlace) {
+  constexpr std::string_view spring = "spring@";
+  if (effectAtPlace.starts_with(spring)) {
+    return sameMotor("elasticity@" + effectAtPlace.substr(spring.size()));
+  }
   constexpr std::string_view right = "@RHipYawPitch";
   if (effectAtPlace.ends_with(right) && !effectAtPlace.starts_with("axisTilt@")) {
     return effectAtPlace.substr(0, effectAtPlace.size() - right.size()) + "@LHipYawPitch";
@@ -98,8 +169,8 @@ std::vector<Case> readCases(const std::filesystem::path& folder) {
   const std::string key = readFile(folder / "truth" / "key");
   std::vector<std::filesystem::path> files;
   if (!std::filesystem::exists(folder / "answers")) {
-    throw std::runtime_error{fmt::format(
-        "{}: expected answers/NAME.json beside the sealed truths, found no answer yet", folder.string())};
+    throw std::runtime_error{
+        fmt::format("{}: expected answers/NAME.json beside the sealed truths, found no answer yet", folder.string())};
   }
   for (const auto& entry : std::filesystem::directory_iterator{folder / "answers"}) {
     if (entry.path().extension() == ".json") {

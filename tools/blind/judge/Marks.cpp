@@ -4,6 +4,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <cmath>
+#include <cstdlib>
 
 namespace blind {
 
@@ -38,6 +39,10 @@ void markNaming(const Truth::Effect& effect, const Answer& answer, Marks& result
   result.top1 = !answer.ranking.empty() && isIt(answer.ranking.front());
   result.top3 = std::any_of(answer.ranking.begin(), third, isIt);
   result.inClass = !answer.ranking.empty() && names(answer.ranking.front(), effect.name);
+  result.extraNamed = std::any_of(answer.suggested.begin(), answer.suggested.end(), [&](const std::string& suggestion) {
+    const Answer::Candidate* candidate = candidateNamed(answer, suggestion);
+    return suggestion != effect.name && (candidate == nullptr || !names(*candidate, effect.name));
+  });
   result.expected = theoreticalPower(effect.noncentrality, effect.unknowns.size(), testable(answer));
   if (const Answer::Candidate* candidate = candidateNamed(answer, effect.name)) {
     for (const auto& [name, truth] : effect.unknowns) {
@@ -88,7 +93,76 @@ bool rightDriver(const Truth::Effect& effect, const Answer& answer) {
                                       [&](const std::string& driver) { return sameDriver(said.driver, at, driver); });
 }
 
+/// How far off a result's offsets are; those that the captures hardly tell are their priors.
+void markOffsets(const Truth& truth, const std::optional<Solved>& solved, std::optional<bool>& wronglyUsable,
+                 std::vector<bool>& inside) {
+  constexpr double told = 0.5, far = 3.5; // sigma
+  if (!solved) {
+    return;
+  }
+  bool wrong = false;
+  for (const auto& [joint, offset] : solved->offsets) {
+    const auto known = truth.offsets.find(joint);
+    if (known != truth.offsets.end() && offset.learned > told) {
+      inside.push_back(offset.low <= known->second && known->second <= offset.high);
+      wrong = wrong || std::abs(offset.value - known->second) > far * offset.sigma;
+    }
+  }
+  if (solved->usable && !inside.empty()) {
+    wronglyUsable = wrong;
+  }
+}
+
+/// Whether words name what happened: "board B", "stance 0" or the robot or its foot, or the joint.
+bool namesEvent(const std::string& why, const Truth::Event& event) {
+  const auto says = [&](const std::string& word) { return why.find(word) != why.npos; };
+  if (event.what == "kicked board") {
+    return says("board " + event.at);
+  }
+  return event.what == "slipped robot" ? says("robot") || says("stance") || says("foot") || says("slip")
+                                       : says(event.at);
+}
+
+bool during(double time, const Truth::Event& event) {
+  constexpr double rounding = 0.2; // of what was said [s]
+  return time > event.before - rounding && time < event.after + rounding;
+}
+
+/// An accident stands among what is suspicious. A joint's step may also be told as what its misfit varies with: time,
+/// by an expression such as a*(t > 12.3 ? 1 : 0).
+void markEvent(const Truth::Event& event, const Answer& answer, Marks& result) {
+  bool named = false, timed = false;
+  for (const Answer::Suspicion& suspicion : answer.suspicious) {
+    if (namesEvent(suspicion.why, event)) {
+      named = true;
+      timed = timed || (suspicion.time && during(*suspicion.time, event));
+    }
+  }
+  const bool step = event.what == "offset step" && !answer.drivers.empty() && answer.verdict == "unknown-effect";
+  if (step && answer.drivers.front().at == sameMotor("x@" + event.at).substr(2) &&
+      (answer.drivers.front().driver == "t" || answer.drivers.front().driver == "time")) {
+    named = true;
+    const std::string& expression = answer.drivers.front().expression;
+    const std::size_t after = expression.find("t > ");
+    timed = timed || (after != expression.npos && during(std::strtod(expression.c_str() + after + 4, nullptr), event));
+  }
+  result.eventNamed = named;
+  result.eventTimed = timed;
+}
+
+void markJitter(const Case& one, Marks& result) {
+  constexpr double within = 0.2;
+  result.jitterAdequate = one.answer.verdict == "adequate";
+  const std::map<std::string, double> levels = one.answer.first ? one.answer.first->noise : decltype(Solved::noise){};
+  const auto level = levels.find("jitter");
+  result.jitterLevel = level != levels.end() && std::abs(level->second - one.truth.jitter) < within * one.truth.jitter;
+}
+
 } // namespace
+
+bool hidesOne(const Truth& truth) {
+  return truth.group == "catalogue" || truth.group == "sized" || truth.group == "camera" || truth.group == "twin";
+}
 
 double theoreticalPower(double noncentrality, std::size_t unknowns, std::size_t candidates) {
   constexpr double alarms = 0.05, independentShare = 0.75;
@@ -107,7 +181,13 @@ Marks marks(const Case& one) {
   result.alarmed =
       answer.verdict == "effect-missing" || answer.verdict == "unknown-effect" || answer.verdict == "bad-captures";
   result.unknownSaid = answer.verdict == "unknown-effect";
-  if (truth.group == "catalogue") {
+  markOffsets(truth, answer.first, result.wronglyUsable, result.offsetsInside);
+  markOffsets(truth, answer.suggestedAdded, result.wronglyUsableAfter, result.offsetsInsideAfter);
+  if (answer.first && answer.fixedNoisePx) {
+    result.rmsRatio = answer.first->rmsPx / *answer.fixedNoisePx;
+  }
+  if (hidesOne(truth)) {
+    result.blamedOnCaptures = answer.verdict == "bad-captures" || answer.verdict == "scatter";
     markNaming(truth.effects.front(), answer, result);
     constexpr double plain = 20, roundedUp = 0.95; // the size that was aimed at is met within 2 %
     const bool notable = truth.effects.front().noncentrality > roundedUp * plain;
@@ -125,6 +205,10 @@ Marks marks(const Case& one) {
     result.saidUntestable = candidate != nullptr && (candidate->state == "absorbed" || candidate->state == "no-data");
   } else if (truth.group == "corrupted") {
     result.saidCorrupted = answer.verdict == "bad-captures";
+  } else if (truth.group == "event" && truth.event) {
+    markEvent(*truth.event, answer, result);
+  } else if (truth.group == "jitter") {
+    markJitter(one, result);
   }
   return result;
 }

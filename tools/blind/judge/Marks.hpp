@@ -16,9 +16,19 @@ struct Marks {
   std::optional<int> extra;                          // suggested beyond them
   std::optional<bool> placeAndDriver;                // outside the catalogue
   std::optional<bool> saidUntestable, saidCorrupted;
+  std::optional<bool> wronglyUsable, wronglyUsableAfter; // of results called usable: an offset beyond 3.5 of its sigmas
+  std::vector<bool> offsetsInside, offsetsInsideAfter;   // by joint: the 95 % interval holds the truth
+  std::optional<double> rmsRatio;                        // of the first fit, against one with the usual noise levels
+  std::optional<bool> extraNamed;                  // something is suggested that is neither the effect nor its class
+  std::optional<bool> blamedOnCaptures;            // an effect said to be bad captures or scatter
+  std::optional<bool> eventNamed, eventTimed;      // what moved, and between which readings
+  std::optional<bool> jitterAdequate, jitterLevel; // nothing is missing, and the level within a fifth
 };
 
 Marks marks(const Case& one);
+
+/// Whether a set of this group hides an effect of the catalogue, one alone.
+bool hidesOne(const Truth& truth);
 
 /// Probability that the largest of many tests, of which `candidates` were made and three quarters count as independent,
 /// raises a 5 % alarm for an effect of this noncentrality and number of unknowns.

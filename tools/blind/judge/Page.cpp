@@ -134,8 +134,10 @@ std::string lockedErrors(const std::vector<Case>& cases) {
 std::string figures(const Tally& tally) {
   std::string rows;
   for (const Required& figure : requiredFigures(tally)) {
-    rows += fmt::format("<tr class='{}'><td>{}</td><td>{}</td><td>{}</td></tr>\n", figure.met ? "met" : "missed",
-                        escaped(figure.what), escaped(figure.wanted), told(figure.share));
+    rows +=
+        fmt::format("<tr class='{}'><td>{}</td><td>{}</td><td>{}</td></tr>\n", figure.met ? "met" : "missed",
+                    escaped(figure.what), escaped(figure.wanted),
+                    figure.value ? fmt::format("{:.3f} of {}", *figure.value, figure.share.all) : told(figure.share));
   }
   return "<table><tr><th>figure</th><th>required</th><th>measured (95 % band)</th></tr>\n" + rows + "</table>\n";
 }

@@ -31,6 +31,51 @@ void addCatalogue(const Truth& truth, const Marks& marked, Tally& result) {
   }
 }
 
+void addAll(const std::vector<bool>& marks, Share& share) {
+  for (const bool mark : marks) {
+    share.add(mark);
+  }
+}
+
+bool isOfCamera(const Truth& truth) {
+  const std::string name = family(truth);
+  return name == "cameraTranslation" || name == "focalLength" || name == "principalPoint" || name == "radialDistortion";
+}
+
+/// How honest calibrations are, where nothing is hidden and where something is.
+void addHonesty(const Case& one, const Marks& marked, Tally& result) {
+  const Truth& truth = one.truth;
+  if (truth.group == "control" || truth.group == "decoy" || truth.group == "jitter") {
+    addAll(marked.offsetsInside, result.offsetsSound);
+    if (one.answer.first) {
+      const std::string regime = truth.pictures ? "pictures" : truth.jitter > 0 ? "jitter" : truth.noise;
+      result.pValues[regime].push_back(one.answer.first->pValue);
+    }
+  }
+  if (hidesOne(truth) || truth.group == "pair" || truth.group == "outside") {
+    result.wronglyUsable.add(marked.wronglyUsable);
+    result.wronglyUsableAfter.add(marked.wronglyUsableAfter);
+    addAll(marked.offsetsInside, result.offsetsHidden);
+    addAll(marked.offsetsInsideAfter, result.offsetsAfter);
+  }
+  constexpr double large = 1.5; // plausible sizes
+  if (truth.plausible > large && marked.rmsRatio) {
+    result.rmsRatios.push_back(*marked.rmsRatio);
+  }
+  if (hidesOne(truth)) {
+    result.extraNamed.add(marked.extraNamed);
+    if (isOfCamera(truth)) {
+      result.cameraBlamed.add(marked.blamedOnCaptures);
+    }
+  }
+  if (truth.group == "sized") {
+    result.byPlausible[truth.plausible].add(marked);
+  }
+  if (truth.group == "twin") {
+    result.twinClass.add(marked.inClass);
+  }
+}
+
 json shareJson(const Share& share) {
   return {{"sets", share.all}, {"rate", share.rate()}, {"low", share.low()}, {"high", share.high()}};
 }
@@ -86,6 +131,7 @@ Tally tally(const std::vector<Case>& cases) {
     const bool silent = one.answer.verdict.empty(); // never counts for the better
     result.withoutVerdict += silent;
     result.seconds.add(one.answer.seconds);
+    addHonesty(one, marked, result);
     if (truth.group == "control" || truth.group == "catalogue") {
       result.falseUnknown.add(marked.unknownSaid);
     }
@@ -104,6 +150,13 @@ Tally tally(const std::vector<Case>& cases) {
     } else if (truth.group == "absorbed") {
       result.saidUntestable.add(marked.saidUntestable);
       result.untestableByKind[truth.kind].add(marked.saidUntestable);
+    } else if (truth.group == "event" && marked.eventNamed) {
+      result.eventNamed[truth.event->what].add(marked.eventNamed);
+      result.eventTimed[truth.event->what].add(marked.eventTimed);
+    } else if (truth.group == "jitter") {
+      result.falseAlarms["jitter"].add(marked.alarmed || silent);
+      result.jitterAdequate[truth.kind].add(marked.jitterAdequate);
+      result.jitterLevel[truth.kind].add(marked.jitterLevel);
     } else if (truth.group == "corrupted") {
       result.saidCorrupted.add(marked.saidCorrupted);
       result.byCorruption[truth.kind].add(marked.saidCorrupted);
@@ -126,6 +179,9 @@ json evaluationJson(const Tally& tally) {
             {"outsideCatalogue", sharesJson(tally.unknownByKind)},
             {"saidUntestable", sharesJson(tally.untestableByKind)},
             {"saidCorrupted", sharesJson(tally.byCorruption)},
+            {"eventsNamed", sharesJson(tally.eventNamed)},
+            {"eventsTimed", sharesJson(tally.eventTimed)},
+            {"byPlausibleSize", json::array()},
             {"bySize", json::array()},
             {"byFamily", json::array()},
             {"pictures", cellJson(tally.pictures)},
@@ -134,6 +190,10 @@ json evaluationJson(const Tally& tally) {
   for (const auto& [size, cell] : tally.bySize) {
     file["bySize"].push_back(cellJson(cell));
     file["bySize"].back()["noncentrality"] = size > 0 ? json(size) : json("physical");
+  }
+  for (const auto& [size, cell] : tally.byPlausible) {
+    file["byPlausibleSize"].push_back(cellJson(cell));
+    file["byPlausibleSize"].back()["plausible"] = size;
   }
   for (const auto& [name, cell] : tally.byFamily) {
     file["byFamily"].push_back(cellJson(cell));
@@ -148,7 +208,7 @@ json evaluationJson(const Tally& tally) {
                                      {"noise", noise}});
   }
   for (const Required& figure : requiredFigures(tally)) {
-    json entry = shareJson(figure.share);
+    json entry = figure.value ? json{{"value", *figure.value}, {"sets", figure.share.all}} : shareJson(figure.share);
     entry.update(json{{"figure", figure.what}, {"required", figure.wanted}, {"met", figure.met}});
     file["required"].push_back(std::move(entry));
   }

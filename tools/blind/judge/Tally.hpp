@@ -46,7 +46,15 @@ struct Tally {
   std::map<double, Cell> bySize;                                           // noncentrality aimed at; 0: physical sizes
   std::map<std::string, Cell> byFamily;                                    // at noncentrality 20 and more
   std::map<std::tuple<std::string, double, int, std::string>, Cell> cells; // family, size, poses, noise
-  Cell pictures; // rendered sets, which the sizes above leave out
+  Cell pictures;                                   // rendered sets, which the sizes above leave out
+  std::map<double, Cell> byPlausible;              // small, medium, large, in plausible sizes
+  Share wronglyUsable, wronglyUsableAfter;         // results called usable, hidden effects
+  Share offsetsSound, offsetsHidden, offsetsAfter; // inside their interval; sound sets, hidden effects, what is
+                                                   // suggested added
+  Share cameraBlamed, extraNamed, twinClass;
+  std::vector<double> rmsRatios; // of the first fit against one with the usual noise, large effects
+  std::map<std::string, Share> eventNamed, eventTimed, jitterAdequate, jitterLevel; // by what happens, by repeats
+  std::map<std::string, std::vector<double>> pValues; // of solve, by regime of noise; sound sets
   Mean seconds;
   std::size_t sets = 0, withoutVerdict = 0;
 };
@@ -61,6 +69,7 @@ struct Required {
   std::string what, wanted;
   Share share;
   bool met = false;
+  std::optional<double> value = std::nullopt; // where it is no share: then `share.all` counts what it is of
 };
 std::vector<Required> requiredFigures(const Tally& tally);
 

@@ -14,6 +14,11 @@ void print(const blind::Tally& tally) {
              tally.withoutVerdict > 0 ? fmt::format(", {} without a verdict", tally.withoutVerdict) : "");
   fmt::print("  {:<58} {:<16} {:>9}   {:<18} {:>5}\n", "figure", "required", "measured", "95 % band", "sets");
   for (const blind::Required& figure : blind::requiredFigures(tally)) {
+    if (figure.value) {
+      fmt::print("{} {:<58} {:<16} {:>9.3f}   {:<18} {:>8}\n", figure.met ? " " : "!", figure.what, figure.wanted,
+                 *figure.value, "", figure.share.all);
+      continue;
+    }
     fmt::print("{} {:<58} {:<16} {:>7.1f} %   {:>5.1f} to {:>5.1f} % {:>8}\n", figure.met ? " " : "!", figure.what,
                figure.wanted, 100 * figure.share.rate(), 100 * figure.share.low(), 100 * figure.share.high(),
                figure.share.all);

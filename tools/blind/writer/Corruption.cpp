@@ -78,6 +78,11 @@ const std::vector<std::string>& corruptions() {
   return kinds;
 }
 
+const std::vector<std::string>& eventKinds() {
+  static const std::vector<std::string> kinds{"kicked board", "slipped robot", "offset step"};
+  return kinds;
+}
+
 void corruptSession(const std::string& kind, Session& session, Chance& chance) {
   if (kind != "kicked board" && kind != "slipped robot") {
     return;

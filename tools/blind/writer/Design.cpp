@@ -43,6 +43,7 @@ public:
     for (const std::string& kind : corruptions()) {
       repeat(counts_.sets, {"corrupted", kind});
     }
+    addWrongModels();
     for (std::size_t i = items_.size(); i > 1; --i) {
       std::swap(items_[i - 1], items_[chance_.below(static_cast<int>(i))]);
     }
@@ -50,6 +51,29 @@ public:
   }
 
 private:
+  /// Sets on which a fit that misses something must stay honest.
+  void addWrongModels() {
+    for (const Family& family : catalogue()) {
+      for (const double size : plausibleSizes) {
+        repeat(counts_.sets, {"sized", family.effect, 0, 0, "clean", false, size});
+      }
+    }
+    for (const std::string& family : cameraFamilies()) {
+      for (int i = 0; i < 3 * counts_.sets; ++i) {
+        repeat(1, {"camera", family, 0, 0, "clean", false, chance_.between(0.1, 2)});
+      }
+    }
+    repeat(6 * counts_.sets, {"twin", ""});
+    for (const std::string& kind : eventKinds()) {
+      repeat(3 * counts_.sets, {"event", kind});
+    }
+    for (const char* kind : {"rest", "reapproach"}) {
+      for (const char* noise : {"jitter 0.015", "jitter 0.03", "jitter 0.05", "jitter 0.10"}) {
+        repeat(counts_.sets, {"jitter", kind, 0, 0, noise});
+      }
+    }
+  }
+
   /// What the item leaves open is drawn. Rendered sets come on top: they cannot be sized as exactly.
   void repeat(int count, Item item) {
     const bool renderable = item.group == "control" || item.group == "catalogue";
@@ -61,7 +85,7 @@ private:
       if (open) {
         one.poses = poseCounts[chance_.below(static_cast<int>(poseCounts.size()))];
       }
-      if (item.group != "control" && item.group != "outside") {
+      if (item.group != "control" && item.group != "outside" && item.group != "jitter") {
         one.noise = noiseRegimes()[chance_.below(static_cast<int>(noiseRegimes().size()))];
       }
       one.pictures = i >= count;

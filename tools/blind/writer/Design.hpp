@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -8,13 +9,18 @@ namespace blind {
 
 /// One set that is to be written: what kind of question it asks.
 struct Item {
-  std::string group;        // control, decoy, catalogue, pair, outside, absorbed, corrupted
-  std::string kind;         // which effect, decoy, absorbed case or corruption; empty: drawn for the set
-  double noncentrality = 0; // wanted; 0: a physical size
+  std::string group; // control, decoy, catalogue, pair, outside, absorbed, corrupted, sized, camera, twin, event,
+                     // jitter
+  std::string kind;  // which effect, decoy, absorbed case or corruption; empty: drawn for the set
+  double noncentrality = 0; // wanted; 0: a physical size, or the next
   int poses = 20;
   std::string noise = "clean";
   bool pictures = false;
+  double plausible = 0; // so many times as large as is plausible; 0: not sized so
 };
+
+/// Small, medium and large effects, in plausible sizes.
+constexpr std::array<double, 3> plausibleSizes{0.5, 1, 2};
 
 /// How many sets of each kind.
 struct Counts {

@@ -3,8 +3,6 @@
 
 namespace blind {
 
-namespace {}
-
 SessionPlan drawnPlan(const Item& item, Chance& chance) {
   SessionPlan plan;
   plan.poses = item.poses;
@@ -18,6 +16,10 @@ SessionPlan drawnPlan(const Item& item, Chance& chance) {
   plan.sameTemperature = item.kind == "constant temperature";
   plan.speed = item.kind == "no motion" ? 0 : plan.speed;
   plan.noise = noiseRegime(item.noise);
+  if (item.group == "jitter") {
+    plan.repeats = item.kind == "rest" ? RepeatKind::rest : RepeatKind::reapproach;
+    plan.restands = false;
+  }
   if (item.pictures) {
     constexpr double foundCorners = 0.1; // what a good detector leaves [px]
     plan.noise.pixel = foundCorners;
@@ -64,6 +66,10 @@ NoiseRegime noiseRegime(const std::string& name) {
   regime.quantised = name == "quantised" || name.starts_with("stiction");
   if (name.starts_with("stiction")) {
     regime.stiction = std::stod(name.substr(9)) * radiansPerDegree;
+  }
+  if (name.starts_with("jitter")) { // as real encoders show it: in whole steps
+    regime.quantised = true;
+    regime.jitter = std::stod(name.substr(7)) * radiansPerDegree;
   }
   return regime;
 }

@@ -61,14 +61,23 @@ template <typename Apply> Family ofSole(std::string effect, std::vector<Family::
 std::vector<Family> makeCatalogue() {
   using J = JointFlaws;
   return {
-      ofJoint("backlash", {{"D", "rad", 0.006}}, loadedJoints, {&J::gap}),
-      ofJoint("hysteresis", {{"D", "rad", 0.006}}, chainJoints, {&J::lag}),
-      ofJoint("elasticity", {{"c", "rad/Nm", 0.003}}, loadedJoints, {&J::compliance}),
+      ofJoint("backlash", {{"D", "rad", 0.006, 0.01}}, loadedJoints, {&J::gap}),
+      ofJoint("hysteresis", {{"D", "rad", 0.006, 0.01}}, chainJoints, {&J::lag}),
+      {"gearPlay",
+       {{"D", "rad", 0.006, 0.01}},
+       loadedJoints,
+       [](Flaws& flaws, const Drawing& drawing, const std::string& place, Values values) {
+         JointFlaws& joint = flaws.joints[drawing.joint(place)];
+         joint.gap += values[0];
+         joint.gapFriction = joint.stickiness;
+       },
+       {}},
+      ofJoint("elasticity", {{"c", "rad/Nm", 0.003, 0.01}}, loadedJoints, {&J::compliance}),
       ofJoint("encoderGain", {{"g", "1", 0.01}}, chainJoints, {&J::gain}),
-      ofJoint("encoderEccentricity", {{"a", "rad", 0.008}, {"b", "rad", 0.008}}, chainJoints,
+      ofJoint("encoderEccentricity", {{"a", "rad", 0.008, 0.005}, {"b", "rad", 0.008, 0.005}}, chainJoints,
               {&J::magnetX, &J::magnetY}, {1, -1}),
-      ofJoint("thermalDrift", {{"k", "rad/K", 3e-4}}, chainJoints, {&J::warming}),
-      ofJoint("timeDrift", {{"k", "rad/s", 2e-5}}, chainJoints, {&J::creep}),
+      ofJoint("thermalDrift", {{"k", "rad/K", 3e-4, 5e-4}}, chainJoints, {&J::warming}),
+      ofJoint("timeDrift", {{"k", "rad/s", 2e-5, 1e-5}}, chainJoints, {&J::creep}),
       ofJoint("axisTilt", {{"alpha", "rad", 0.012}, {"beta", "rad", 0.012}}, chainJoints,
               {&J::tiltAlpha, &J::tiltBeta}),
       {"timeOffset",
@@ -81,25 +90,25 @@ std::vector<Family> makeCatalogue() {
        {"neckZ", "hipZ", "hipY", "thigh", "tibia", "footZ"},
        [](Flaws& flaws, const Drawing&, const std::string& place, Values values) { flaws.lengths[place] += values[0]; },
        {}},
-      ofCamera("cameraTranslation", {{"x", "m", 0.003}, {"y", "m", 0.003}, {"z", "m", 0.003}},
+      ofCamera("cameraTranslation", {{"x", "m", 0.003, 0.005}, {"y", "m", 0.003, 0.005}, {"z", "m", 0.003, 0.005}},
                [](CameraFlaws& camera, Values v) {
                  camera.shift += Eigen::Vector3d{v[0], v[1], v[2]};
                }),
-      ofCamera("focalLength", {{"s", "1", 0.01}}, [](CameraFlaws& camera, Values v) { camera.focal += v[0]; }),
-      ofCamera("principalPoint", {{"x", "px", 5}, {"y", "px", 5}},
+      ofCamera("focalLength", {{"s", "1", 0.01, 0.03}}, [](CameraFlaws& camera, Values v) { camera.focal += v[0]; }),
+      ofCamera("principalPoint", {{"x", "px", 5, 20}, {"y", "px", 5, 20}},
                [](CameraFlaws& camera, Values v) {
                  camera.principal += Eigen::Vector2d{v[0], v[1]};
                }),
-      ofCamera("radialDistortion", {{"k1", "1", 0.04}, {"k2", "1", 0.04}},
+      ofCamera("radialDistortion", {{"k1", "1", 0.04, 0.1}, {"k2", "1", 0.04, 0.2}},
                [](CameraFlaws& camera, Values v) { camera.k1 += v[0], camera.k2 += v[1]; }),
-      ofCamera("tangentialDistortion", {{"p1", "1", 0.003}, {"p2", "1", 0.003}},
+      ofCamera("tangentialDistortion", {{"p1", "1", 0.003, 0.01}, {"p2", "1", 0.003, 0.01}},
                [](CameraFlaws& camera, Values v) { camera.p1 += v[0], camera.p2 += v[1]; }),
       ofCamera("rollingShutter", {{"s", "s/row", 6e-5}}, [](CameraFlaws& camera, Values v) { camera.rowTime += v[0]; }),
-      ofBoard("boardScale", {{"s", "1", 0.006}}, [](BoardFlaws& board, Values v) { board.scale += v[0]; }),
+      ofBoard("boardScale", {{"s", "1", 0.006, 0.01}}, [](BoardFlaws& board, Values v) { board.scale += v[0]; }),
       ofBoard("boardBow", {{"h", "m", 0.004}}, [](BoardFlaws& board, Values v) { board.bow += v[0]; }),
       ofBoard("boardTilt", {{"roll", "rad", 0.01}, {"pitch", "rad", 0.01}},
               [](BoardFlaws& board, Values v) { board.roll += v[0], board.pitch += v[1]; }),
-      ofSole("soleCompliance", {{"c", "rad/m", 0.15}}, [](SoleFlaws& sole, Values v) { sole.compliance += v[0]; }),
+      ofSole("soleCompliance", {{"c", "rad/m", 0.15, 0.3}}, [](SoleFlaws& sole, Values v) { sole.compliance += v[0]; }),
       ofSole("soleTilt", {{"roll", "rad", 0.02}, {"pitch", "rad", 0.02}},
              [](SoleFlaws& sole, Values v) { sole.roll += v[0], sole.pitch += v[1]; }),
   };
@@ -141,6 +150,17 @@ std::vector<Family> makeOutside() {
 const std::vector<Family>& catalogue() {
   static const std::vector<Family> families = makeCatalogue();
   return families;
+}
+
+const Family& offsetStep() {
+  static const Family family =
+      ofJoint("offsetStep", {{"step", "rad", 0.01}}, chainJoints, {&JointFlaws::slip}); // half a degree
+  return family;
+}
+
+const std::vector<std::string>& cameraFamilies() {
+  static const std::vector<std::string> names{"cameraTranslation", "focalLength", "principalPoint", "radialDistortion"};
+  return names;
 }
 
 const std::vector<Family>& outside() {

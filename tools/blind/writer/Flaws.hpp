@@ -11,6 +11,8 @@ namespace blind {
 /// What one joint's mechanism does beside turning. Zero everywhere: a perfect joint.
 struct JointFlaws {
   double gap = 0;                           // play between motor and link [rad], taken up by the load
+  double gapFriction = 0.03;                // a weaker load leaves the play to the motion [Nm]
+  double stickiness = 0.2;                  // what that friction is in a gear that sticks [Nm]
   double lag = 0;                           // play that friction holds: taken up by motion alone [rad]
   double compliance = 0;                    // of the spring between motor and link [rad/Nm]
   double gain = 0;                          // a turn of the link is read as 1 / (1 + gain) turns [1]

@@ -74,7 +74,10 @@ double Hiding::correlation(const Hidden& first, const Hidden& second) const {
   return whitened.jacobiSvd().singularValues()[0];
 }
 
-std::vector<double> randomShape(const Family& family, Chance& chance) {
+namespace {
+
+/// A random direction, as long as one of these sizes.
+template <typename Size> std::vector<double> drawnShape(const Family& family, Size size, Chance& chance) {
   std::vector<double> shape;
   double square = 0;
   for (std::size_t i = 0; i < family.unknowns.size(); ++i) {
@@ -82,15 +85,28 @@ std::vector<double> randomShape(const Family& family, Chance& chance) {
     square += shape.back() * shape.back();
   }
   for (std::size_t i = 0; i < shape.size(); ++i) {
-    shape[i] *= family.unknowns[i].physical / std::sqrt(square);
+    shape[i] *= size(family.unknowns[i]) / std::sqrt(square);
   }
   const bool neverNegative = family.effect == "backlash" || family.effect == "hysteresis" ||
-                             family.effect == "elasticity" || family.effect == "soleCompliance" ||
-                             family.effect == "rollingShutter" || family.effect == "kneeRootSag";
+                             family.effect == "gearPlay" || family.effect == "elasticity" ||
+                             family.effect == "soleCompliance" || family.effect == "rollingShutter" ||
+                             family.effect == "kneeRootSag";
   for (double& value : shape) {
     value = neverNegative ? std::abs(value) : value;
   }
   return shape;
+}
+
+} // namespace
+
+std::vector<double> randomShape(const Family& family, Chance& chance) {
+  return drawnShape(
+      family, [](const Family::Unknown& unknown) { return unknown.physical; }, chance);
+}
+
+std::vector<double> plausibleShape(const Family& family, Chance& chance) {
+  return drawnShape(
+      family, [](const Family::Unknown& unknown) { return unknown.wide(); }, chance);
 }
 
 void apply(const Hidden& hidden, Robot& robot) {

@@ -43,6 +43,9 @@ private:
 /// The physical sizes in a random direction: as long as one of them.
 std::vector<double> randomShape(const Family& family, Chance& chance);
 
+/// The same of the sizes that are plausible.
+std::vector<double> plausibleShape(const Family& family, Chance& chance);
+
 void apply(const Hidden& hidden, Robot& robot);
 
 } // namespace blind

@@ -20,7 +20,7 @@ public:
   Walk(const Robot& robot, const Session& session, const Skeleton& skeleton)
       : robot_{robot}, session_{session}, skeleton_{skeleton} {
     for (const JointFlaws& flaws : robot.flaws.joints) {
-      gaps_.emplace_back(flaws.gap);
+      gaps_.emplace_back(flaws.gap, flaws.gapFriction);
       lags_.emplace_back(flaws.lag);
       loaded_ = loaded_ || feelsLoad(flaws);
     }

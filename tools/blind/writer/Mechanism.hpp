@@ -15,21 +15,21 @@ double turnedAngle(double read, const JointFlaws& flaws);
 /// Play between motor and link: the link keeps its place until the motor's end of the gap pushes it (Prandtl's stop).
 class Play {
 public:
-  explicit Play(double gap) : half_{gap / 2} {}
+  /// `friction` [Nm] holds the link within the gap against weaker loads.
+  explicit Play(double gap, double friction = 0.03) : half_{gap / 2}, friction_{friction} {}
   void start(double motor) { link_ = motor; }
   /// The motor goes to `motor`.
   void pushTo(double motor) { link_ = std::min(std::max(link_, motor - half_), motor + half_); }
   /// A load stronger than the gap's friction drives the link to the gap's end.
   void load(double motor, double torque) {
-    constexpr double friction = 0.03; // [Nm]
-    if (std::abs(torque) > friction) {
+    if (std::abs(torque) > friction_) {
       link_ = motor + (torque > 0 ? half_ : -half_);
     }
   }
   double link() const { return link_; }
 
 private:
-  double half_, link_ = 0;
+  double half_, friction_, link_ = 0;
 };
 
 /// The true angles at every reading's time, by the mechanism: encoder, warmth, slip, play along the way that the joint

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <stdexcept>
+#include <tuple>
 
 namespace blind {
 
@@ -21,6 +22,9 @@ const Family& familyNamed(const std::string& effect) {
         return family;
       }
     }
+  }
+  if (effect == offsetStep().effect) {
+    return offsetStep();
   }
   throw std::runtime_error{fmt::format("no effect is named {}", effect)};
 }
@@ -48,13 +52,52 @@ std::pair<const Family*, std::string> absorbedEffect(const std::string& kind, co
   return {&familyNamed("timeOffset"), "all"}; // "no motion"
 }
 
-std::vector<double> physicalSize(const Family& family, Chance& chance) {
-  std::vector<double> values = randomShape(family, chance);
-  const double size = chance.between(0.7, 1.5);
+std::vector<double> scaled(std::vector<double> values, double size) {
   for (double& value : values) {
     value *= size;
   }
   return values;
+}
+
+std::vector<double> physicalSize(const Family& family, Chance& chance) {
+  std::vector<double> values = randomShape(family, chance);
+  return scaled(std::move(values), chance.between(0.7, 1.5));
+}
+
+/// The times of the last reading before a moment and of the first one after it, since the first reading.
+template <typename Shows> std::pair<double, double> around(const Session& session, double moment, Shows shows) {
+  const double first = session.readings.front().time;
+  std::pair<double, double> times{0, session.readings.back().time - first};
+  for (std::size_t i = 0; i < session.readings.size(); ++i) {
+    const double time = session.readings[i].time;
+    if (!shows(static_cast<int>(i))) {
+      continue;
+    }
+    if (time < moment) {
+      times.first = time - first;
+    } else {
+      times.second = std::min(times.second, time - first);
+    }
+  }
+  return times;
+}
+
+/// What does to the pictures what this flaw does, whatever the calibration's own unknowns do about it: other effects at
+/// its place, by their canonical correlation.
+std::vector<std::string> twinsOf(const Hidden& hidden, const Hiding& hiding, const SessionPlan& plan, double alike) {
+  std::vector<std::string> twins;
+  for (const Family& family : catalogue()) {
+    const std::vector<std::string> places = placesFor(family, plan.mainSide, static_cast<std::size_t>(plan.boards));
+    const bool there = std::find(places.begin(), places.end(), hidden.place) != places.end();
+    if (&family != hidden.family && there && hiding.correlation(hidden, {&family, hidden.place, {}, 0, 0}) > alike) {
+      twins.push_back(family.effect + "@" + hidden.place);
+    }
+  }
+  return twins;
+}
+
+const Family& someFamily(Chance& chance) {
+  return catalogue()[static_cast<std::size_t>(chance.below(static_cast<int>(catalogue().size())))];
 }
 
 /// `haste`: from 0 to 1 the longer nothing was found; demands are lowered accordingly.
@@ -81,9 +124,25 @@ bool hide(const Item& item, double haste, Question& question, Chance& chance) {
     question.hidden = {*first, *second};
     return true;
   }
-  const Family& family = familyNamed(item.kind);
+  if (item.group == "twin") {
+    constexpr double alike = 0.95, hardly = 0.8, plain = 40;
+    const Family& family = someFamily(chance);
+    const Hidden hidden = hiding.given(
+        family, somePlace(family, question.plan, chance),
+        scaled(plausibleShape(family, chance), chance.between(plausibleSizes.front(), plausibleSizes.back())));
+    if (hidden.noncentrality < (1 - haste) * plain) {
+      return false;
+    }
+    question.twins = twinsOf(hidden, hiding, question.plan, alike - haste * (alike - hardly));
+    question.hidden.push_back(hidden);
+    return !question.twins.empty();
+  }
+  const Family& family = familyNamed(item.kind == "offset step" ? offsetStep().effect : item.kind);
   if (item.noncentrality == 0) {
-    auto values = item.group == "outside" ? randomShape(family, chance) : physicalSize(family, chance);
+    auto values = item.group == "outside" ? randomShape(family, chance)
+                  : item.group == "event" ? scaled(randomShape(family, chance), chance.between(0.5, 2))
+                  : item.plausible > 0    ? scaled(plausibleShape(family, chance), item.plausible)
+                                          : physicalSize(family, chance);
     question.hidden.push_back(hiding.given(family, somePlace(family, question.plan, chance), std::move(values)));
     return question.hidden.front().noncentrality > (1 - haste) * visible;
   }
@@ -113,8 +172,10 @@ Question ask(const Drawing& drawing, const Item& item, Chance& chance) {
     for (JointFlaws& joint : question.robot.flaws.joints) {
       const auto& readings = question.session.readings;
       joint.slipTime = readings[readings.size() * (30 + chance.below(40)) / 100].time; // when it slips at all
+      joint.stickiness = chance.between(0.05, 0.5);                                    // where its gear plays at all
     }
-    const bool harmless = item.group == "control" || item.group == "decoy" || item.group == "corrupted";
+    const bool harmless = item.group == "control" || item.group == "decoy" || item.group == "corrupted" ||
+                          item.group == "jitter" || (item.group == "event" && item.kind != "offset step");
     if (harmless || hide(item, static_cast<double>(attempt) / (tries - 1), question, chance)) {
       for (const Hidden& hidden : question.hidden) {
         apply(hidden, question.robot);
@@ -124,6 +185,40 @@ Question ask(const Drawing& drawing, const Item& item, Chance& chance) {
   }
   throw std::runtime_error{fmt::format("no robot and session were found in which {} of size {} can be hidden",
                                        item.kind, item.noncentrality)};
+}
+
+std::optional<Happening> happening(const Question& question) {
+  const Session& session = question.session;
+  Happening result;
+  std::pair<double, double> times;
+  if (const auto& kick = session.kickedBoard) {
+    const auto shows = [&](int reading) {
+      return std::any_of(session.sights.begin(), session.sights.end(),
+                         [&](const Sight& sight) { return sight.reading == reading && sight.board == kick->which; });
+    };
+    times = around(session, kick->time, shows);
+    result = {"kicked board", std::string(1, static_cast<char>('A' + kick->which)), 0, 0, {}};
+  } else if (const auto& slip = session.slippedStance) {
+    times = around(session, slip->time, [&](int reading) {
+      return session.readings[static_cast<std::size_t>(reading)].stance == slip->which;
+    });
+    result = {"slipped robot", std::to_string(slip->which), 0, 0, {}};
+  } else if (!question.hidden.empty() && question.hidden.front().family == &offsetStep()) {
+    const Hidden& step = question.hidden.front();
+    const int joint = question.robot.drawing->joint(step.place);
+    times = around(session, question.robot.flaws.joints[static_cast<std::size_t>(joint)].slipTime,
+                   [](int) { return true; });
+    result = {"offset step", step.place, 0, 0, {{"step", step.values.front()}}};
+  } else {
+    return std::nullopt;
+  }
+  for (const auto& moved : {session.kickedBoard, session.slippedStance}) {
+    if (moved) {
+      result.by = {{"x", moved->by.x}, {"y", moved->by.y}, {"yaw", moved->by.yaw}};
+    }
+  }
+  std::tie(result.before, result.after) = times;
+  return result;
 }
 
 Session lockedSession(const Question& question, Chance& chance) {

@@ -13,7 +13,18 @@ struct Question {
   Robot robot;
   Session session;
   std::vector<Hidden> hidden;
+  std::vector<std::string>
+      twins; // EFFECT@PLACE of what does nearly the same to these pictures, where that was asked for
 };
+
+/// Something that happens once, and between which two of the readings that show it.
+struct Happening {
+  std::string what, at;             // "kicked board", "slipped robot" or "offset step"; board, stance or joint
+  double before = 0, after = 0;     // last reading before it, first one after it, since the first reading [s]
+  std::map<std::string, double> by; // how far: x, y [m], yaw [rad], or step [rad]
+};
+/// Absent: nothing happens.
+std::optional<Happening> happening(const Question& question);
 
 /// Draws robots, places of the flaw and sessions until the flaw of the item has its size there without being absurdly
 /// large. Throws when that never happens.

@@ -112,8 +112,8 @@ private:
         approach(reading, sticking);
       } else {
         const Reading& before = session_.readings.back();
-        reading.measured = before.measured;
-        reading.unread = before.unread;
+        reading.measured = calm_.measured;
+        reading.unread = calm_.unread;
         reading.stuck = before.stuck;
         reading.excursion = before.excursion;
       }
@@ -123,12 +123,17 @@ private:
         velocity = chance_.normal(plan_.speed);
       }
       reading.temperature = motors_.degrees();
+      calm_ = reading;
+      jitter(reading);
       oneMotor(reading);
       session_.readings.push_back(std::move(reading));
     }
   }
 
   RepeatKind kindOf(int pose, int repeat) const {
+    if (plan_.repeats) {
+      return *plan_.repeats;
+    }
     if (plan_.restands && repeat == plan_.samples - 1 && pose % 5 == 0 && repeat > 0) {
       return RepeatKind::restand;
     }
@@ -153,6 +158,16 @@ private:
     }
     if (plan_.sameApproach) {
       reading.excursion[*plan_.sameApproach] = -std::abs(reading.excursion[*plan_.sameApproach]);
+    }
+  }
+
+  /// The encoder tells something else at every reading of a motor that stands still.
+  void jitter(Reading& reading) {
+    for (Index i = 0; plan_.noise.jitter > 0 && i < reading.measured.size(); ++i) {
+      const double stands = reading.measured[i] + reading.unread[i];
+      const double shown = (plan_.noise.quantised ? stands : reading.measured[i]) + chance_.normal(plan_.noise.jitter);
+      reading.measured[i] = plan_.noise.quantised ? std::round(shown / encoderStep) * encoderStep : shown;
+      reading.unread[i] = stands - reading.measured[i];
     }
   }
 
@@ -193,6 +208,7 @@ private:
   Motors motors_;
   double time_ = 0;
   int approaches_ = 0;
+  Reading calm_; // the last one, without its jitter
 };
 
 } // namespace

@@ -20,6 +20,7 @@ struct NoiseRegime {
   double stiction = 0;        // [rad]; half of its variance is common to all approaches of a pose
   double pictureBias = 0;     // a shift common to a picture's corners, per axis [px]
   bool foreshortened = false; // corners of slanted boards are worse
+  double jitter = 0;          // of every reading, at rest too: the motor stands still [rad]
 };
 
 /// How a session is to be held.
@@ -31,6 +32,7 @@ struct SessionPlan {
   bool sortedByKnee = false;            // instead of a random order
   bool sameTemperature = false;         // the motors keep 38 degrees
   bool warmAnyhow = false;              // recorded temperatures wander with nothing that matters
+  std::optional<RepeatKind> repeats;    // all samples of a pose are repeated this way
   std::optional<int> sameApproach;      // a joint always approached from below
   std::optional<double> hipYawPitch;    // kept at one angle [rad]
   double speed = 0.03;                  // rms of the residual motion when a picture is taken [rad/s]

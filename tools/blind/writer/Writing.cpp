@@ -23,6 +23,11 @@ json effectsJson(const Question& question) {
       const Family::Unknown& unknown = hidden.family->unknowns[i];
       unknowns[unknown.name] = {{"value", hidden.values[i]}, {"unit", unknown.unit}};
     }
+    if (hidden.family->effect == "gearPlay") { // the contract's t counts from 0.2 Nm
+      const int joint = question.robot.drawing->joint(hidden.place);
+      const double friction = question.robot.flaws.joints[static_cast<std::size_t>(joint)].gapFriction;
+      unknowns["t"] = {{"value", friction - 0.2}, {"unit", "Nm"}};
+    }
     effects.push_back({{"effect", hidden.family->effect},
                        {"at", hidden.place},
                        {"unknowns", std::move(unknowns)},
@@ -40,17 +45,28 @@ json truthOf(const Item& item, const Question& question, const std::string& name
   for (std::size_t i = 0; i < question.robot.drawing->joints.size(); ++i) {
     offsets[question.robot.drawing->joints[i].name] = question.robot.offsets[static_cast<Eigen::Index>(i)];
   }
-  return {{"format", "naocal-blind-truth"},
-          {"version", 1},
-          {"set", name},
-          {"group", item.group},
-          {"kind", item.kind},
-          {"noise", item.noise},
-          {"poses", item.poses},
-          {"pictures", item.pictures},
-          {"wanted", item.noncentrality},
-          {"effects", effectsJson(question)},
-          {"offsets", std::move(offsets)}};
+  json truth{{"format", "naocal-blind-truth"},
+             {"version", 1},
+             {"set", name},
+             {"group", item.group},
+             {"kind", item.kind},
+             {"noise", item.noise},
+             {"poses", item.poses},
+             {"pictures", item.pictures},
+             {"wanted", item.noncentrality},
+             {"effects", effectsJson(question)},
+             {"plausible", item.plausible},
+             {"jitter", question.plan.noise.jitter},
+             {"twins", question.twins},
+             {"offsets", std::move(offsets)}};
+  if (const auto happened = happening(question)) {
+    truth["event"] = {{"what", happened->what},
+                      {"at", happened->at},
+                      {"before", happened->before},
+                      {"after", happened->after},
+                      {"by", happened->by}};
+  }
+  return truth;
 }
 
 } // namespace

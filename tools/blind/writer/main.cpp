@@ -17,7 +17,9 @@ int main(int argc, char** argv) {
   app.add_option("--controls", counts.controls, "sets without effect, per noise regime")->capture_default_str();
   app.add_option("--sets", counts.sets, "sets per effect and size, per case otherwise")->capture_default_str();
   app.add_option("--pictures", counts.pictureShare, "share of sets that are rendered")->check(CLI::Range(0.0, 0.9));
-  app.add_option("--only", counts.only, "one group: control, decoy, catalogue, pair, outside, absorbed, corrupted");
+  app.add_option(
+      "--only", counts.only,
+      "one group: control, decoy, catalogue, pair, outside, absorbed, corrupted, sized, camera, twin, event, jitter");
   app.add_option("--first", first, "number of the first set to write")->capture_default_str();
   app.add_option("--count", count, "how many sets to write; -1: all that follow")->capture_default_str();
   app.add_option("--drawing", drawingFile, "the robot's drawing")->capture_default_str();
