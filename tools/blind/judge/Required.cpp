@@ -80,6 +80,9 @@ void addHonesty(const Tally& tally, Figures& figures) {
     figures.atLeast("jitter of readings, " + repeats + ": level within 20 %", 95, tally.jitterLevel.at(repeats));
   }
   for (const auto& [regime, numbers] : tally.pValues) {
+    if (numbers.size() < fewestForUniformity) { // no test of so few can fail
+      continue;
+    }
     const double p = uniformityP(numbers);
     figures.value("solve's p on sound sets uniform (KS), " + regime, "p above 0.01", p, numbers.size(), p > 0.01);
   }
