@@ -6,8 +6,7 @@
 namespace blind {
 
 double uniformityP(std::vector<double> numbers) {
-  constexpr std::size_t fewest = 5;
-  if (numbers.size() < fewest) {
+  if (numbers.size() < fewestForUniformity) {
     return 1;
   }
   std::sort(numbers.begin(), numbers.end());
