@@ -22,6 +22,13 @@ const rungs = page.locator(".ladder .rung"), idle = () => page.waitForFunction((
 
 await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor();
 console.log("measured: from opening to the first fit on the screen: " + (Date.now() - opened) + " ms");
+// It opens on the pair that tells most, in one sentence; the next ones are a click away.
+const telling = page.locator(".telling .sentence"), chips = page.locator(".telling .chips button"), sentence = await telling.innerText();
+check(sentence.includes(at) && sentence.includes("% of the squared error"), "the most telling pair is said in a sentence that names the joint: " + sentence);
+check(await chips.count() > 1 && await chips.first().getAttribute("aria-pressed") === "true", "the next ones are offered: " + (await chips.allInnerTexts()).join("; "));
+await portrait(page, axe, pictures, "compare-telling");
+await chips.nth(1).click();
+check(await telling.innerText() !== sentence && await chips.nth(1).getAttribute("aria-pressed") === "true", "a click shows another pair: " + await telling.innerText());
 await tab("Learn");
 await page.getByRole("heading", {name: "Something is missing."}).waitFor();
 await idle();
@@ -31,12 +38,21 @@ await portrait(page, axe, pictures, "learn");
 
 // A click adds it; the fit shows before the questions are answered.
 const clicked = Date.now();
+await page.evaluate(() => { // how the view changes meanwhile
+  const view = document.getElementById("view");
+  window.seen = [];
+  new MutationObserver(() => window.seen.push({rows: view.querySelectorAll(".candidates tbody tr").length, dimmed: view.classList.contains("earlier"), note: view.querySelector(".waiting")?.textContent}))
+    .observe(view, {childList: true, subtree: true, attributes: true});
+});
 await page.getByRole("button", {name: "add " + flaw, exact: true}).click();
 await rungs.nth(1).waitFor();
 console.log("measured: from the click to the new fit on the screen: " + (Date.now() - clicked) + " ms with 60 captures of 30 poses and two cameras");
 await page.locator(".ladder .rung:nth-child(1) .bar:not(.open)").first().waitFor();
 await page.waitForFunction(() => !document.querySelector(".ladder .bar.open"));
 await idle();
+const seen = await page.evaluate(() => window.seen), dimmed = seen.filter(one => one.dimmed);
+check(seen.every(({rows}) => rows > 0) && dimmed.length && dimmed.every(({note}) => /^Testing \d+ possible causes …$/.test(note)) && !seen.at(-1).dimmed,
+  "the candidates stay in sight, dimmed, until the new ones are there: " + dimmed[0]?.note);
 const after = px(await rungs.nth(1).innerText()), floor = px(await page.locator(".ladder .floor").innerText());
 check(after < 0.6 * before && after < 1.3 * floor, "the shown error on unseen poses falls to the noise: " + before + " px, " + after + " px, noise " + floor + " px");
 check((await page.locator("h1").innerText()).startsWith("Nothing") || !(await page.locator("h1").innerText()).includes("Something is missing"), "nothing is missing any more");
@@ -54,7 +70,7 @@ for (let x = 0.15; x < 0.95 && other === first; x += 0.02) {
   }
 }
 check(other !== first, "a click on a point shows its capture: " + other);
-await page.getByLabel("Error over").selectOption({label: "the angle of LKneePitch [°]"});
+await page.locator("#overX").selectOption({label: "the angle of LKneePitch [°]"});
 await portrait(page, axe, pictures, "compare");
 // Every drawing is saved as a picture and as strokes.
 const saved = async click => {
@@ -68,7 +84,7 @@ check(svg.name.endsWith(".svg") && svg.content.includes("<svg") && (svg.content.
 const png = await saved(() => page.getByRole("button", {name: /^save as PNG: error/}).click({force: true}));
 check(png.content.subarray(1, 4).toString() === "PNG", "a drawing is saved as PNG");
 await tab("Map");
-check((await page.locator("#view h2").allInnerTexts()).join() === "Curves,What a joint would have to do,Within the pictures,On the boards", "the map shows the other ways to look at what is left");
+check((await page.locator("#view h2").allInnerTexts()).join() === "Curves,Joint error that would explain the misfit,Within the pictures,On the boards", "the map shows the other ways to look at what is left");
 await page.locator("#bent").selectOption("LKneePitch");
 const bent = page.getByRole("img", {name: /^deflection of LKneePitch over/}), bentBox = await bent.boundingBox();
 check(await page.getByRole("img", {name: /^shape of board/}).count() > 1, "each board's shape is drawn");
@@ -125,7 +141,7 @@ await alone.close();
 
 // A search is stopped, and keeps what it has.
 await tab("Learn");
-await page.getByRole("button", {name: "Find what is missing"}).click();
+await page.getByRole("button", {name: "Find missing effects"}).click();
 await page.getByRole("button", {name: "Stop searching"}).click();
 await page.getByText(/Stopped before its end/).waitFor({timeout: 60000});
 check(true, "a search can be stopped");

@@ -70,7 +70,7 @@ void LabDesk::work(std::string_view what, std::function<void(Laboratory&)> chang
 
 void LabDesk::question() {
   ++questions_;
-  work("asking candidates", [this](Laboratory& laboratory) {
+  work("testing causes", [this](Laboratory& laboratory) {
     if (--questions_ == 0 && isFitted_) { // else the model has changed since: the last one answers
       laboratory.question();
     }

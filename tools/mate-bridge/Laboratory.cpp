@@ -84,6 +84,7 @@ void Laboratory::stand(std::vector<Rung> rungs, std::size_t at) {
   told["with"] = rung.with;
   told["without"] = rung.without;
   told["labels"] = labelsOf(model);
+  told["candidates"] = testableCauses(measurements_, model, effects(rung));
   result_ = document;
   rungs_ = std::move(rungs);
   at_ = at;

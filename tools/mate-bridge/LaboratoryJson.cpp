@@ -4,6 +4,7 @@
 #include "calibrate/Verdict.hpp"
 #include "diagnose/DiagnosisFile.hpp"
 #include "diagnose/Drivers.hpp"
+#include "diagnose/TellingSentences.hpp"
 #include "geometry/Angles.hpp"
 #include "geometry/Index.hpp"
 #include "geometry/ShownUnit.hpp"
@@ -21,7 +22,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-Json driversJson(const std::vector<DriverValues>& drivers) {
+Json driversJson(const std::vector<DriverValues>& drivers, const Robot& robot) {
   Json list = Json::array();
   for (const DriverValues& driver : drivers) {
     const auto [unit, scale] = shownUnit(driver.unit);
@@ -29,9 +30,48 @@ Json driversJson(const std::vector<DriverValues>& drivers) {
     for (const double value : driver.atPicture) {
       values.push_back(withDecimals(scale * value, 4));
     }
-    list.push_back({{"name", driver.name}, {"what", driver.what}, {"unit", unit}, {"values", std::move(values)}});
+    list.push_back(
+        {{"name", driver.name}, {"what", drivenBy(driver, robot)}, {"unit", unit}, {"values", std::move(values)}});
   }
   return list;
+}
+
+/// What is plotted first and next, and the errors of joints that can be plotted beside those of corners: a joint's
+/// points are [pictures, error, sigma] [°].
+Json tellingJson(const TellingPairs& telling, const std::vector<DriverValues>& drivers, const Robot& robot) {
+  constexpr std::size_t mostPairs = 6;
+  const auto errorOf = [&](const TellingPair& pair) -> std::string {
+    return pair.error == TellingPair::Error::right  ? "du"
+           : pair.error == TellingPair::Error::down ? "dv"
+                                                    : robot.joints[pair.motor].name;
+  };
+  const auto overOf = [](const TellingPair& pair) -> std::string {
+    return pair.over == TellingPair::Over::column ? "u"
+           : pair.over == TellingPair::Over::row  ? "v"
+                                                  : "driver" + std::to_string(pair.driver);
+  };
+  Json pairs = Json::array(), joints = Json::array();
+  for (const TellingPair& pair : telling.pairs) {
+    if (pairs.size() < mostPairs) {
+      pairs.push_back({{"error", errorOf(pair)},
+                       {"over", overOf(pair)},
+                       {"label", tellingLabel(pair, drivers, robot)},
+                       {"sentence", tellingSentence(pair, drivers, robot)},
+                       {"share", withDecimals(pair.share, 4)},
+                       {"chance", pair.chance}});
+    }
+  }
+  for (const WhatIfs& joint : telling.joints) {
+    Json points = Json::array();
+    for (const WhatIf& point : joint.points) {
+      points.push_back(
+          {point.pictures, withDecimals(degrees(point.deflection), 4), withDecimals(degrees(point.sigma), 4)});
+    }
+    joints.push_back({{"joint", robot.joints[joint.motor].name}, {"points", std::move(points)}});
+  }
+  return {{"sentence", tellingSentence(telling, drivers, robot)},
+          {"pairs", std::move(pairs)},
+          {"joints", std::move(joints)}};
 }
 
 /// The pictures, worst first; `index` says where a driver has its value.
@@ -72,6 +112,8 @@ Json compensationJson(const Measurements& measurements, const Model& model, cons
 Json fitJson(const Json& document, const OpenedSets& opened, const Measurements& measurements, const Model& model,
              const CalibrationResult& result) {
   const JsonPlace place{document, "the fit"};
+  const std::vector<DriverValues> drivers = driversOf(measurements, model, result.unknowns);
+  const TellingPairs telling = tellingPairs(measurements, model, result, drivers);
   Json fit{{"usable", result.usable},
            {"headline", headline(place)},
            {"warnings", sentences(result.warnings)},
@@ -86,7 +128,8 @@ Json fitJson(const Json& document, const OpenedSets& opened, const Measurements&
            {"compensation", compensationJson(measurements, model, result)}, // [deg], mounts [rad]
            {"facts", Json::array()},
            {"pictures", picturesJson(opened, measurements, place)},
-           {"drivers", driversJson(driversOf(measurements, model, result.unknowns))}};
+           {"drivers", driversJson(drivers, measurements.robot)},
+           {"telling", tellingJson(telling, drivers, measurements.robot)}};
   for (const auto& [figure, sentence] : facts(place, fit["pictures"].size(), std::nullopt)) {
     fit["facts"].push_back({{"figure", figure}, {"sentence", sentence}});
   }

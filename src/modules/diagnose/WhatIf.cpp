@@ -22,14 +22,17 @@ std::vector<std::size_t> bentBy(const PoseGroup& pose, std::size_t motor, std::s
 } // namespace
 
 std::vector<WhatIfs> whatIfs(const Measurements& measurements, const Inquiry& inquiry) {
-  Noise noise = inquiry.noise();
+  return whatIfs(measurements, inquiry.linear().poses, inquiry.noise());
+}
+
+std::vector<WhatIfs> whatIfs(const Measurements& measurements, const std::vector<PoseSystem>& poses, Noise noise) {
   noise.pose = 0; // what poses scatter by is to be seen, not to be explained away
   std::vector<WhatIfs> result;
   for (std::size_t motor : measurements.joints) {
     result.push_back({motor, {}});
   }
   for (std::size_t index = 0; index < measurements.poses.size(); ++index) {
-    const PoseSystem& pose = inquiry.linear().poses[index];
+    const PoseSystem& pose = poses[index];
     PoseSystem only = pose; // the deflections, seen as unknowns
     only.unknownGram = pose.deflectionGram;
     only.cross = pose.deflectionGram;
@@ -43,7 +46,8 @@ std::vector<WhatIfs> whatIfs(const Measurements& measurements, const Inquiry& in
       for (WhatIfs& joint : result) {
         if (joint.motor == pose.joints[i]) {
           joint.points.push_back({bentBy(measurements.poses[index], pose.joints[i], pose.errors[i]),
-                                  -whitened.unknownGradient[at(i)] / information, 1 / std::sqrt(information)});
+                                  -whitened.unknownGradient[at(i)] / information, 1 / std::sqrt(information),
+                                  pose.deflectionGradient[at(i)], pose.deflectionGram(at(i), at(i))});
         }
       }
     }

@@ -14,6 +14,7 @@ namespace naocal {
 struct WhatIf {
   std::vector<std::size_t> pictures; // that this encoder reading belongs to
   double deflection = 0, sigma = 0;  // [rad]
+  double gradient = 0, gram = 0;     // of its corners: sum of w J_t^T r [px^2/rad], of w J_t^T J_t [px^2/rad^2]
 };
 
 /// Of one joint (motor), all poses one after the other.
@@ -22,7 +23,10 @@ struct WhatIfs {
   std::vector<WhatIf> points;
 };
 
-/// Of each joint in use, at an inquiry's fit.
+/// Of each joint in use, where the residuals were linearised.
+std::vector<WhatIfs> whatIfs(const Measurements& measurements, const std::vector<PoseSystem>& poses, Noise noise);
+
+/// At an inquiry's fit.
 std::vector<WhatIfs> whatIfs(const Measurements& measurements, const Inquiry& inquiry);
 
 } // namespace naocal

@@ -1,6 +1,6 @@
 // Learn: every effect at every place and the evidence for it.
 import {make, button, csv, download, empty} from "./elements.js";
-import {short, tenths, px, chance, sizeWords, stateWords, stateName, driverWords} from "./words.js";
+import {short, tenths, px, chance, sizeWords, stateWords, stateName, driverWords, waitingWords} from "./words.js";
 import {detail} from "./looked.js";
 import {state, act} from "./state.js";
 
@@ -10,8 +10,8 @@ const shownFirst = 15;
 export function showLearn(parent) {
   const {questions} = state;
   if (!questions) {
-    parent.replaceChildren(make("h1", {}, "What is missing?"), empty("Every candidate is being asked",
-      "How much of the misfit would each effect at each place explain? This takes a second or two."));
+    parent.replaceChildren(make("h1", {}, "What is missing?"), empty(waitingWords(state.fit),
+      "How much of the misfit would each effect at each place explain?"));
     return;
   }
   const again = () => showLearn(parent);

@@ -40,7 +40,7 @@ function deflections(data, drawn) {
         drawWhatIf(context, width, height, {data, model, joint: here.joint, driver, caption})));
   };
   again();
-  return [make("h2", {}, "What a joint would have to do"),
+  return [make("h2", {}, "Joint error that would explain the misfit"),
     make("p", {class: "soft"}, "For each encoder reading of a pose the deflection of one joint that alone would explain what is left over, with one " +
       "standard error; squares are means over stretches, with two. Good: the squares stay at zero. What varies most stands first in both lists."), parent];
 }

@@ -1,7 +1,7 @@
 // The joint by driver map, the best of its curves, and what else shows where something is left over.
 import {make, button, empty} from "./elements.js";
 import {figure, bestOf, mapHeight, drawMap, drawCurve} from "./canvas.js";
-import {tenths, driverWords, short, withUnit} from "./words.js";
+import {tenths, driverWords, short, waitingWords, withUnit} from "./words.js";
 import {state} from "./state.js";
 import {ownFrom} from "./own.js";
 import {leftSections} from "./left.js";
@@ -9,12 +9,12 @@ import {leftSections} from "./left.js";
 export function showMap(parent, go) {
   const {questions} = state;
   if (!questions) {
-    parent.replaceChildren(make("h1", {}, "Joint by driver"), empty("The map is being drawn", "This takes a second or two."));
+    parent.replaceChildren(make("h1", {}, "What each joint's error depends on"), empty(waitingWords(state.fit), "How well would a curve of each joint explain the misfit?"));
     return;
   }
   const cells = questions.map;
   if (!cells.length) {
-    parent.replaceChildren(make("h1", {}, "Joint by driver"), empty("There is no map", "No joint of these captures moved enough for a curve."),
+    parent.replaceChildren(make("h1", {}, "What each joint's error depends on"), empty("There is no map", "No joint of these captures moved enough for a curve."),
       ...leftSections(questions, go));
     return;
   }
@@ -24,7 +24,7 @@ export function showMap(parent, go) {
     draw: (context, width, height) => drawMap(context, width, height, cells),
   });
   parent.replaceChildren(
-    make("h1", {}, "Joint by driver"),
+    make("h1", {}, "What each joint's error depends on"),
     make("p", {class: "soft"}, "How well a smooth curve of each joint (rows) over each thing that it may vary with (columns) " +
       "would explain what the model leaves over: the fuller its colour, the better. This looks beyond the known effects. ",
       make("b", {}, best.evidence > 0 ? "Best: " + best.joint + " over " + driverWords(best.driver) + " (evidence " + tenths(best.evidence) + ")."

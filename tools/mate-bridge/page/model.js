@@ -26,23 +26,23 @@ function ladderOf({at, rungs}) {
     const band = make("span", {class: "band"});
     bar.style.width = 100 * error(rung) / most + "%";
     band.style.width = 100 * (rung.floor === undefined ? floor : rung.floor) / most + "%";
-    const words = !isKnown ? "fitted poses: " + px3(rung.rms) + "; unseen poses: not known yet"
-      : "unseen poses: " + px3(rung.heldOut) + "\nfitted poses: " + px3(rung.rms) + "\nnoise alone: " + px3(rung.floor) +
-        "\nthat something is missing may be chance: " + chance(rung.alarm);
+    const words = !isKnown ? "fitted poses: " + px3(rung.rms) + "; held-out error: not known yet"
+      : "held-out error: " + px3(rung.heldOut) + "\nfitted poses: " + px3(rung.rms) + "\nnoise floor: " + px3(rung.floor) +
+        "\nchance that noise alone looks this convincing: " + chance(rung.alarm);
     list.append(make("li", {}, make("button", {
       type: "button", class: "rung", title: words, "aria-current": i === at ? "step" : null,
       onclick: () => { act({do: "goTo", rung: i}); },
-    }, make("span", {class: "name"}, ...(rung.step || "the model to begin with").split(/(?<=@)/).flatMap((part, at) => at ? [make("wbr"), part] : [part])), make("span", {class: "number" + (isKnown ? "" : " soft")}, isKnown ? px3(rung.heldOut) : px3(rung.rms) + " fitted"),
+    }, make("span", {class: "name"}, ...(rung.step || "base model").split(/(?<=@)/).flatMap((part, at) => at ? [make("wbr"), part] : [part])), make("span", {class: "number" + (isKnown ? "" : " soft")}, isKnown ? px3(rung.heldOut) : px3(rung.rms) + " fitted"),
       make("span", {class: "axis"}, band, bar))));
   });
-  list.append(make("li", {class: "floor soft"}, make("span", {}, "noise alone"), make("span", {class: "number"},
+  list.append(make("li", {class: "floor soft"}, make("span", {}, "noise floor"), make("span", {class: "number"},
     floor ? px3(floor) : "…")));
   return list;
 }
 
 function saveLadder({rungs}) {
-  const rows = rungs.map(({step, rms, heldOut, floor, alarm}) => [step || "the model to begin with", rms, heldOut, floor, alarm]);
-  download("ladder.csv", csv([["model", "fitted poses [px]", "unseen poses [px]", "noise alone [px]", "p that it is chance"], ...rows]), "text/csv");
+  const rows = rungs.map(({step, rms, heldOut, floor, alarm}) => [step || "base model", rms, heldOut, floor, alarm]);
+  download("ladder.csv", csv([["model", "fitted poses [px]", "held-out error [px]", "noise floor [px]", "p that it is chance"], ...rows]), "text/csv");
 }
 
 function historyButtons({at, rungs}) {
@@ -79,8 +79,8 @@ const stillTrue = ({with: began, suggested}) => began.every(label => state.fit.w
 // Everything that is missing, found by the bridge; added only when the person says so.
 function search() {
   const searching = Boolean(state.work && state.work.startsWith("searching"));
-  const part = make("div", {class: "search"}, make("h2", {}, "Let it search"), make("p", {class: "controls"},
-    button("Find what is missing", () => act({do: "search"}), {disabled: searching}),
+  const part = make("div", {class: "search"}, make("h2", {}, "Automatic search"), make("p", {class: "controls"},
+    button("Find missing effects", () => act({do: "search"}), {disabled: searching}),
     searching ? button("Stop searching", () => act({do: "cancel"}), {title: "after the addition that it is at; what it has found so far is kept"}) : null));
   if (state.found && stillTrue(state.found)) {
     part.append(make("p", {}, (state.found.stopped ? "Stopped before its end. " : "") + state.found.sentence));

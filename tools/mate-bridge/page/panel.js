@@ -2,6 +2,7 @@
 import {make, button, empty} from "./elements.js";
 import {on, connect} from "./connection.js";
 import "./theme.js";
+import {waitingWords} from "./words.js";
 import {showLink} from "./link.js";
 import {state, act, notice, onNotice} from "./state.js";
 import {showModel} from "./model.js";
@@ -80,8 +81,37 @@ function draw() {
   } else if (state.unfitted) view.replaceChildren(empty("These captures could not be fitted", state.unfitted.sentence.replace(/\.?$/, ". ") + "Take what it names out of the model or the captures, and open them again in ",
     button("Files", () => go("files"), {class: "small"}), "."));
   else if (!complete) view.replaceChildren(empty("Fitting", "The first fit takes less than a second for thirty poses."));
+  else if (awaitsAnswers() && state.earlier) showEarlier(view);
   else current.show(view);
+  if (!awaitsAnswers()) view.classList.remove("earlier");
   if (!at("model").hidden) showModel(at("model"));
+}
+
+// A view that needs the answers for this model, while they are being worked out.
+const awaitsAnswers = () => Boolean(current && current.laboratory && complete && current.kinds.includes("questions") && !state.questions && !state.unfitted);
+
+// What the model before had stays in sight, dimmed and out of reach, until the answers for this one are there.
+function showEarlier(view) {
+  state.questions = state.earlier;
+  try {
+    current.show(view);
+  } finally {
+    state.questions = null;
+  }
+  for (const part of view.children) part.inert = true;
+  view.classList.add("earlier");
+  const note = make("p", {class: "waiting", role: "status"});
+  view.prepend(note);
+  sayWaiting(note);
+}
+function sayWaiting(note) {
+  note.textContent = waitingWords(state.fit);
+  note.classList.add("busy");
+  clearTimeout(note.late);
+  if (!state.work) note.late = setTimeout(() => { // between two works it is idle for a moment
+    note.textContent = "These are the answers for the model before: those for this one did not come.";
+    note.classList.remove("busy");
+  }, 2000);
 }
 
 // What the laboratory tells; questions belong to the fit before them.
@@ -89,6 +119,7 @@ const laboratoryKinds = ["set", "ladder", "fit", "unfitted", "questions", "found
 const forget = kinds => kinds.forEach(kind => { state[kind] = null; });
 for (const kind of laboratoryKinds) {
   on(kind, message => {
+    if (kind === "fit") state.earlier = state.questions || state.earlier;
     state[kind] = message;
     if (kind === "fit") forget(["unfitted", "questions", "next", "compared"]); // they were said of another
     redraw(kind);
@@ -100,12 +131,12 @@ function redraw(kind) {
   else if (!at("model").hidden) showModel(at("model"));
 }
 on("hello", ({laboratory}) => { // what it knows of the laboratory follows
-  forget(laboratoryKinds);
+  forget([...laboratoryKinds, "earlier"]);
   state.laboratory = laboratory;
   open();
 });
 on("opened", () => { // other captures lie on the desk
-  forget(laboratoryKinds);
+  forget([...laboratoryKinds, "earlier"]);
   state.laboratory = true;
   state.chosen = null;
   go("compare");
@@ -116,9 +147,10 @@ on("work", ({what}) => {
   at("work").textContent = what ? what + " …" : "";
   at("work").classList.toggle("busy", Boolean(what));
   if (current?.worked) current.worked(at("view"));
+  at("view").querySelectorAll(":scope > .waiting").forEach(sayWaiting);
   redraw("work");
 });
-for (const kind of ["robot", "robotGone", "list", "mounts", "keys", "update", "picture", "scene", "seen", "stand"]) {
+for (const kind of ["robot", "robotGone", "list", "mounts", "keys", "update", "picture", "taken", "scene", "seen", "stand"]) {
   on(kind, (message, more) => {
     if (!told(message)) return;
     if (["robot", "robotGone", "list"].includes(kind)) { followAll(); refreshStop(); }

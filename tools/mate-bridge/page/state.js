@@ -3,6 +3,7 @@ import {send} from "./connection.js";
 
 export const state = {
   laboratory: false, set: null, ladder: null, fit: null, questions: null, found: null, next: null, compared: null, work: null,
+  earlier: null, // questions as they were answered for the model before
   unfitted: null, // why there is no fit at all
   robots: new Map(), // by address: {connected, sentence, list, mounts, keys: Map}
   layer: "reported", chosen: null, // the picture that was clicked on, by capture and set

@@ -9,5 +9,7 @@ export const rms = values => Math.sqrt(values.reduce((sum, value) => sum + value
 export const stateWords = {...concluded, present: "added to this model, it would explain more than chance does"};
 export const stateName = name => ({present: "would help", absorbed: "not testable", aliased: "look-alike"})[name] || name.replace("-", " ");
 
+export const waitingWords = ({candidates}) => "Testing " + candidates + " possible " + (candidates === 1 ? "cause" : "causes") + " …";
+
 export const pictureName = ({capture, camera, pose}) =>
   "capture " + capture + (pose ? ", pose " + pose : "") + ", " + camera + " camera";
