@@ -13,9 +13,9 @@ TEST_CASE("the gear's play stands where load and friction leave it, on every mod
   for (const char* name : {"V5", "V6"}) {
     const Robot robot = loadRobot(configurationDirectory(), name);
     const ModelFile model = calibrationModel(configurationDirectory(), robot);
-    CHECK(model.with == std::vector<std::string>{"gearPlay@*"});
+    CHECK(model.with == std::vector<std::string>{"playUnderLoad@*"});
     const Effect& gear = model.effects.back();
-    REQUIRE(gear.name == "gearPlay");
+    REQUIRE(gear.name == "playUnderLoad");
     const std::size_t knee = *robot.jointIndex("LKneePitch");
     Instant instant;
     const auto gap = [&](double torque, double approach, double logFriction) {
@@ -45,12 +45,12 @@ TEST_CASE("a calibration leaves out of its model what its captures cannot tell")
   model.with.insert(model.with.end(), {"elasticity@LKneePitch", "elasticity@RKneePitch", "elastisity@LKneePitch"});
   model.without = {"jointOffset@LHipRoll", "jointOffset@Nose"};
   const FittingModel left = modelFor(standing(SupportFoot::left), model);
-  CHECK(left.model.with == std::vector<std::string>{"gearPlay@*", "elasticity@LKneePitch"});
+  CHECK(left.model.with == std::vector<std::string>{"playUnderLoad@*", "elasticity@LKneePitch"});
   CHECK(left.model.without == std::vector<std::string>{"jointOffset@LHipRoll"});
   CHECK(left.leftOut == std::vector<std::string>{"with elasticity@RKneePitch", "with elastisity@LKneePitch",
                                                  "without jointOffset@Nose"});
   const FittingModel right = modelFor(standing(SupportFoot::right), model);
-  CHECK(right.model.with == std::vector<std::string>{"gearPlay@*", "elasticity@RKneePitch"});
+  CHECK(right.model.with == std::vector<std::string>{"playUnderLoad@*", "elasticity@RKneePitch"});
   const FittingModel both = modelFor(standing(SupportFoot::both), model);
   CHECK(both.model.with.empty());
   CHECK(both.leftOut.empty());
