@@ -103,6 +103,9 @@ void to_json(nlohmann::json& out, const ShownCapture& capture) {
 
 void to_json(nlohmann::json& out, const ShownOutcome& outcome) {
   out = {{"joints", nlohmann::json::array()}, {"warnings", outcome.warnings}, {"diagnosis", outcome.diagnosis}};
+  if (!outcome.before.empty()) {
+    out["before"] = nlohmann::json::parse(outcome.before);
+  }
   for (const ShownOutcome::Offset& offset : outcome.joints) {
     out["joints"].push_back({{"joint", offset.joint},
                              {"before", offset.before},

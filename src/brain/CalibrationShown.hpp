@@ -46,6 +46,7 @@ struct ShownOutcome {
   };
   std::vector<Offset> joints;
   std::vector<std::string> warnings; // sentences, with what to do
+  std::string before;                // the keys of both mounts as they were set before, JSON; empty: nothing was tried
   std::string diagnosis;             // how well the model fits, in a sentence or two; empty until that is known
 };
 void to_json(nlohmann::json& out, const ShownOutcome& outcome);

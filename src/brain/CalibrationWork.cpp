@@ -112,9 +112,10 @@ void CalibrationWork::solve(bool onlyHead) {
         finding.outcome->warnings.push_back(warning.sentence);
       }
     }
+    const std::string keys = calibrationKeys(surroundings_.configuration);
+    finding.outcome->before = keys;
     if (abandoned == abandoned_) {
       requirePlausible(learned(offsets));
-      const std::string keys = calibrationKeys(surroundings_.configuration);
       apply(learned(offsets), solved.result, surroundings_.configuration);
       keysToPutBack_ = keys;
       finding.isApplied = true;

@@ -35,6 +35,14 @@ TEST_CASE("a joint that was hardly observed is told in words, with the poses in 
                                "P4, P7 again, in which no board was seen.");
 }
 
+TEST_CASE("what was set before a calibration is told with its outcome, to whoever comes later") {
+  // Proves that every value of before is there, also of joints that nothing was learned of; and that none is made up.
+  ShownOutcome outcome;
+  CHECK_FALSE(Json(outcome).contains("before"));
+  outcome.before = R"({"Motion.JointCalibrationProvider": {"headYaw": 0.5}})";
+  CHECK(Json(outcome)["before"]["Motion.JointCalibrationProvider"]["headYaw"] == 0.5);
+}
+
 TEST_CASE("the poses of a round are shown with the one that comes next") {
   // Proves that ways between poses are left out, and which pose is next before, at and behind it.
   const CalibrationRound round{step("The left foot", 0), step("Pose 1", 2), step("Pose 1", 2), step("Pose 2", 2),

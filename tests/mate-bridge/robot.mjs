@@ -53,9 +53,29 @@ check(await page.locator(".thumbnails img").count() > 0.8 * await thumbnails.cou
 check(/±/.test(await page.getByRole("row", {name: /headPitch/}).innerText()), "offsets have their sigmas: " + await page.getByRole("row", {name: /headPitch/}).innerText());
 check(/%.*°C/s.test(await page.locator(".vitals").innerText()), "battery and temperature are shown: " + await page.locator(".vitals").innerText());
 await portrait(page, axe, pictures, "calibrate-finished");
+check(/never calibrated: errors up to \d+ px are plausible/.test((await page.locator(".rests").allInnerTexts()).join()), "a live comparison says what it rests on: " + (await page.locator(".rests").allInnerTexts()).join(" | "));
+
+// Whoever comes later sees each capture's own picture and what was set before; a bridge that was not there shows none.
+const bytesOf = one => one.evaluate(async () => {
+  const list = [...document.querySelectorAll(".thumbnails img")];
+  return Promise.all(list.map(async ({src}) => Array.from(new Uint8Array(await crypto.subtle.digest("SHA-256", await (await fetch(src)).arrayBuffer()))).join("")));
+});
+const known = await bytesOf(page), wasBefore = await page.getByRole("row", {name: /headPitch/}).innerText();
+check(new Set(known).size > 0.7 * known.length, "captures have pictures of their own: " + new Set(known).size + " of " + known.length);
+await page.reload();
+await page.locator(".thumbnails img").first().waitFor();
+await page.getByRole("rowheader", {name: "headPitch"}).waitFor();
+check((await bytesOf(page)).join() === known.join(), "after a reload each capture shows the same picture");
+check(await page.getByRole("row", {name: /headPitch/}).innerText() === wasBefore && !wasBefore.includes("–"), "and the value of before: " + wasBefore);
+const newcomer = await panelOf(bridge, "--robot", address), later = await quietPage(browser, newcomer.address);
+await later.locator(".thumbnails .blank").first().waitFor();
+check(await later.locator(".thumbnails img").count() === 0, "a bridge that comes later shows no picture in its place");
+await later.screenshot({path: join(pictures, "calibrate-newcomer.png"), fullPage: true});
+await later.close();
+await newcomer.stop("SIGTERM");
 await page.getByRole("button", {name: "Undo …"}).click();
 await page.getByRole("button", {name: /^Undo on/}).click();
-await page.getByText("None: every joint counts as it reads.").waitFor();
+await page.getByText("No offsets: joint readings are used as they are.").waitFor();
 check(true, "undo takes the offsets back");
 await page.waitForFunction(() => [...document.querySelectorAll("button")].find(one => one.textContent === "Undo …").disabled);
 check(true, "what was taken back cannot be taken back again");

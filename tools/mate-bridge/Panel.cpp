@@ -77,6 +77,12 @@ struct Panel::Implementation {
       return picture ? Answer{200, "application/octet-stream", std::move(*picture)}
                      : plain(404, "This picture was not kept.");
     }
+    constexpr std::string_view taken = "taken/";
+    if (path.starts_with(taken)) {
+      auto picture = robots.takenPicture(withoutPercents(path.substr(taken.size())));
+      return picture ? Answer{200, "application/octet-stream", std::move(*picture)}
+                     : plain(404, "Nobody saw this capture's picture.");
+    }
     constexpr std::string_view made = "made/";
     if (path.starts_with(made)) {
       auto content = desk ? desk->made(std::string{path.substr(made.size())}) : std::nullopt;

@@ -111,7 +111,7 @@ void RobotWatch::tellScene() {
 
 void RobotWatch::pictured(const std::string& key, std::uint64_t timestamp, int width, int height,
                           std::string_view file) {
-  const std::string camera = key == keys[2] ? "top" : "bottom";
+  const std::string camera = cameraOf(key);
   const auto belief = cameras_.find(camera);
   const auto now = SteadyClock::now();
   if (angles_.empty() || belief == cameras_.end() || now - looked_[camera] < betweenLooks) {
@@ -133,8 +133,13 @@ void RobotWatch::pictured(const std::string& key, std::uint64_t timestamp, int w
     busy = true;
   }
   looked_[camera] = now;
-  worker_.add([sight = sight_, tell = tell_, robot = robot_, key, camera, timestamp, eye, bytes = std::string{file}] {
+  LiveCamera seenWith = belief->second;
+  seenWith.intrinsics = eye.lens;
+  worker_.add([sight = sight_, tell = tell_, robot = robot_, key, camera, timestamp, eye, bytes = std::string{file},
+               angles, seenWith, unknown = uncalibrated(drawing_, offsets_, cameras_),
+               offsetsKnown = !offsets_.is_null(), &drawing = drawing_] {
     Json boards = Json::array();
+    std::vector<Eigen::Vector2d> corners;
     try {
       std::unique_lock lock{sight->mutex};
       const std::vector<Board> described = sight->boards;
@@ -143,6 +148,7 @@ void RobotWatch::pictured(const std::string& key, std::uint64_t timestamp, int w
         lock.lock();
         const auto predicted = sight->places.predicted(seen, eye);
         lock.unlock();
+        corners.insert(corners.end(), seen.uv.begin(), seen.uv.end());
         boards.push_back({{"board", seen.board}, {"measured", listOf(seen.uv)}, {"predicted", listOf(predicted)}});
       }
     } catch (const std::exception&) { // a picture that was cut short, or no picture: the next one comes
@@ -151,8 +157,21 @@ void RobotWatch::pictured(const std::string& key, std::uint64_t timestamp, int w
       const std::lock_guard lock{sight->mutex};
       sight->busy[camera] = false;
     }
-    tell(wireText({{"kind", "seen"}, {"robot", robot}, {"key", key}, {"timestamp", timestamp}, {"boards", boards}}));
+    Json seen{{"kind", "seen"}, {"robot", robot}, {"key", key}, {"timestamp", timestamp}, {"boards", boards}};
+    if (!corners.empty() && offsetsKnown) {
+      seen["rests"] = expected(drawing, angles, camera, seenWith, corners, unknown).sentence(drawing, camera);
+    }
+    tell(wireText(seen));
   });
+}
+
+std::string RobotWatch::cameraOf(std::string_view key) {
+  return key == keys[2] ? "top" : key == keys[3] ? "bottom" : "";
+}
+
+void RobotWatch::calibrated(const Json& offsets) {
+  uncalibrated(drawing_, offsets, {}); // throws for what are none
+  offsets_ = offsets;
 }
 
 void RobotWatch::configured(const Json& settings) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "FloorBoards.hpp"
+#include "LiveExpectation.hpp"
 #include "StandingRobot.hpp"
 #include "Worker.hpp"
 
@@ -8,7 +9,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
@@ -27,11 +28,15 @@ public:
   /// What it wants to be told of.
   static constexpr std::array<std::string_view, 4> keys{
       "Motion.angles", "Brain.cameras", "Brain.CameraCalibration.top_image", "Brain.CameraCalibration.bottom_image"};
-  static constexpr std::string_view boardsMount = "Brain.CalibrationRunner";
+  /// Which of them is a camera's picture: "top", "bottom"; empty: none.
+  static std::string cameraOf(std::string_view key);
+  static constexpr std::string_view boardsMount = "Brain.CalibrationRunner",
+                                    offsetsMount = "Motion.JointCalibrationProvider";
 
   void updated(const nlohmann::json& update); // {"key", "timestamp", "value"}
   void pictured(const std::string& key, std::uint64_t timestamp, int width, int height, std::string_view file);
   void configured(const nlohmann::json& settings); // of `boardsMount`: [{"key", "value"}]
+  void calibrated(const nlohmann::json& offsets);  // of `offsetsMount`, alike
 
 private:
   struct Sight;
@@ -41,6 +46,7 @@ private:
   Tell tell_;
   Robot drawing_;
   LiveCameras cameras_;
+  nlohmann::json offsets_;                          // as they were last told
   std::string camerasText_;                         // that they were told by
   std::map<std::uint64_t, Eigen::VectorXd> angles_; // of the last seconds, by time [ms]
   std::chrono::steady_clock::time_point told_;

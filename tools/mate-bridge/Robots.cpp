@@ -55,6 +55,16 @@ std::vector<std::string> Robots::addresses() const {
   return all;
 }
 
+std::optional<std::string> Robots::takenPicture(std::string_view path) const {
+  const std::size_t place = path.rfind('/');
+  const std::size_t series = place == std::string_view::npos || place == 0 ? place : path.rfind('/', place - 1);
+  if (series == std::string_view::npos) {
+    return std::nullopt;
+  }
+  const auto found = robots_.find(std::string{path.substr(0, series)});
+  return found == robots_.end() ? std::nullopt : found->second->takenPicture(path.substr(series + 1));
+}
+
 void Robots::greet(std::size_t panel) {
   panels_.insert(panel);
   for (const auto& [address, robot] : robots_) {

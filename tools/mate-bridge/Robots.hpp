@@ -32,6 +32,8 @@ public:
   bool asked(std::size_t panel, const nlohmann::json& request);
 
   std::vector<std::string> addresses() const;
+  /// The picture of a capture, "ROBOT/SERIES/PLACE"; absent where none was seen.
+  std::optional<std::string> takenPicture(std::string_view path) const;
 
   /// A panel has come; tells it what it must know.
   void greet(std::size_t panel);

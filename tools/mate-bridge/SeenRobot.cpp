@@ -5,6 +5,7 @@
 
 #include "captures/InputError.hpp"
 
+#include <charconv>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -14,6 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr std::string_view capturesKey = "Brain.calibrationCaptures";
 constexpr std::size_t theWatch = std::numeric_limits<std::size_t>::max(); // among the viewers
 
 /// What a robot sent as JSON; null where it is none.
@@ -57,7 +59,8 @@ std::string SeenRobot::state() const {
 void SeenRobot::changed() {
   mounts_.forget();
   if (!watchers_.empty()) {
-    mounts_.want(std::string{RobotWatch::boardsMount});
+    taken_.watchBegins(); // what was told while it was away is not known
+    wantMounts();
   }
   calls_.all(state());
 }
@@ -68,6 +71,8 @@ void SeenRobot::listed(const std::string& kind, const std::string& body) {
     whereItFits([&] {
       if (told.at("mountPoint") == RobotWatch::boardsMount) {
         watch_->configured(told.at("keys"));
+      } else if (told.at("mountPoint") == RobotWatch::offsetsMount) {
+        watch_->calibrated(told.at("keys"));
       }
     });
   }
@@ -91,7 +96,13 @@ void SeenRobot::updated(const std::string& body) {
     }
     for (const std::size_t viewer : viewers_.of(value["key"].get<std::string>())) {
       if (viewer == theWatch) {
-        whereItFits([&] { watch_->updated(value); });
+        whereItFits([&] {
+          if (value["key"] != capturesKey) {
+            watch_->updated(value);
+          } else if (taken_.told(value.at("value"), value.at("timestamp"))) {
+            tellTaken();
+          }
+        });
       } else {
         wanted[viewer].push_back(value);
       }
@@ -115,6 +126,9 @@ void SeenRobot::pictured(const std::string& body) {
                                      {"height", picture->height}});
   for (const std::size_t viewer : viewers_.of(picture->key)) {
     if (viewer == theWatch) {
+      if (taken_.pictured(RobotWatch::cameraOf(picture->key), picture->timestamp, picture->file)) {
+        tellTaken();
+      }
       watch_->pictured(std::string{picture->key}, picture->timestamp, static_cast<int>(picture->width),
                        static_cast<int>(picture->height), picture->file);
     } else {
@@ -159,6 +173,9 @@ void SeenRobot::lookAway(const std::string& key, std::size_t viewer) {
 }
 
 void SeenRobot::watch(std::size_t panel) {
+  if (watchers_.empty()) {
+    taken_.watchBegins();
+  }
   watchers_.insert(panel);
   if (!watch_) {
     watch_ = std::make_unique<RobotWatch>(address_, [weak = weak_from_this(), later = calls_.later](std::string json) {
@@ -174,7 +191,42 @@ void SeenRobot::watch(std::size_t panel) {
   for (const std::string_view key : RobotWatch::keys) {
     look(std::string{key}, theWatch);
   }
-  mounts_.want(std::string{RobotWatch::boardsMount});
+  look(std::string{capturesKey}, theWatch);
+  calls_.one(panel, takenPictures());
+  wantMounts();
+}
+
+void SeenRobot::wantMounts() {
+  for (const std::string_view mount : {RobotWatch::boardsMount, RobotWatch::offsetsMount}) {
+    mounts_.want(std::string{mount});
+  }
+}
+
+std::string SeenRobot::takenPictures() const {
+  Json message = taken_.list();
+  message["kind"] = "taken";
+  message["robot"] = address_;
+  return wireText(message);
+}
+
+void SeenRobot::tellTaken() const {
+  for (const std::size_t watcher : watchers_) {
+    calls_.one(watcher, takenPictures());
+  }
+}
+
+std::optional<std::string> SeenRobot::takenPicture(std::string_view which) const {
+  const std::size_t slash = which.find('/');
+  std::size_t series = 0, place = 0;
+  const auto number = [](std::string_view text, std::size_t& value) {
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return problem == std::errc{} && end == text.data() + text.size();
+  };
+  if (slash == std::string_view::npos || !number(which.substr(0, slash), series) ||
+      !number(which.substr(slash + 1), place)) {
+    return std::nullopt;
+  }
+  return taken_.picture(series, place);
 }
 
 void SeenRobot::unwatch(std::size_t panel) {
@@ -183,6 +235,7 @@ void SeenRobot::unwatch(std::size_t panel) {
     for (const std::string_view key : RobotWatch::keys) {
       lookAway(std::string{key}, theWatch);
     }
+    lookAway(std::string{capturesKey}, theWatch);
   }
 }
 

@@ -3,14 +3,17 @@
 #include "ListedMounts.hpp"
 #include "RobotLink.hpp"
 #include "RobotWatch.hpp"
+#include "TakenPictures.hpp"
 #include "Viewers.hpp"
 
 #include <functional>
 #include <map>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 
 namespace naocal {
 
@@ -33,6 +36,8 @@ public:
   void asked(std::size_t panel, const std::string& verb, const nlohmann::json& request);
   /// What a panel that has just come must know.
   void greet(std::size_t panel) const;
+  /// The picture of a capture ("SERIES/PLACE" of its list); absent where none was seen.
+  std::optional<std::string> takenPicture(std::string_view which) const;
   /// A panel has gone.
   void forget(std::size_t panel);
 
@@ -49,6 +54,9 @@ private:
   void look(const std::string& key, std::size_t viewer);
   void lookAway(const std::string& key, std::size_t viewer);
   void watch(std::size_t panel);
+  void wantMounts();
+  std::string takenPictures() const;
+  void tellTaken() const;
   void unwatch(std::size_t panel);
 
   std::string address_;
@@ -56,6 +64,7 @@ private:
   Viewers viewers_;
   std::map<std::string, std::string> latest_; // messages for panels to come, by kind
   std::set<std::size_t> watchers_;            // panels
+  TakenPictures taken_;                       // of its calibration's captures
   std::unique_ptr<RobotWatch> watch_;         // once somebody asked for it
   ListedMounts mounts_{[this](const std::string& mount) { link_->askForKeys(mount); }};
   std::unique_ptr<RobotLink> link_;

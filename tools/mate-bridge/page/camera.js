@@ -4,7 +4,7 @@ import {make} from "./elements.js";
 import {drawCorner} from "./canvas.js";
 import {px, rms} from "./words.js";
 
-const remembered = 4000, corners = 700, nearby = 1000; // pictures for thumbnails; how long corners stay in sight; how far a thumbnail may be off [ms]
+const corners = 700; // how long corners stay in sight [ms]
 
 const made = new Map(); // by place
 
@@ -18,20 +18,13 @@ class Camera {
   constructor(label) {
     this.canvas = make("canvas", {width: 640, height: 480, role: "img", "aria-label": label});
     this.caption = make("figcaption", {}, "waiting for the first picture");
+    this.rests = make("p", {class: "rests soft"}); // what the comparison rests on
     this.times = [];
-    this.files = []; // the last seconds: {timestamp, file}
     this.found = null;
     this.decoding = false;
   }
 
-  remember(file, {timestamp}) {
-    this.files.push({timestamp, file});
-    while (this.files[0].timestamp < timestamp - remembered || this.files[0].timestamp > timestamp) this.files.shift();
-  }
-
-  // With a timestamp the picture is remembered for a while.
   async show(file, {width, height, timestamp}) {
-    if (timestamp !== undefined) this.remember(file, {timestamp});
     if (this.decoding) return; // the next one comes
     this.decoding = true;
     let image;
@@ -54,6 +47,7 @@ class Camera {
     while (times.length > 30) times.shift();
     const rate = times.length > 1 ? 1000 * (times.length - 1) / (times[times.length - 1] - times[0]) : 0;
     this.caption.textContent = width + " × " + height + " px, " + (rate.toFixed(0) === "1" ? "1 picture" : rate.toFixed(0) + " pictures") + " a second" + words;
+    if (words) this.rests.textContent = this.found.rests || "";
   }
 
   drawFound(context, now) {
@@ -71,12 +65,6 @@ class Camera {
     if (!all.length) return "; no board";
     return "; " + this.found.boards.map(({board}) => "board " + board).join(", ") + ": " + all.length + " corners, predicted " +
       px(rms(all.map(({x, y, endX, endY}) => Math.hypot(endX - x, endY - y)))) + " off";
-  }
-
-  // The picture nearest to that moment, while it is remembered.
-  at(timestamp) {
-    const nearest = this.files.reduce((a, b) => !a || Math.abs(b.timestamp - timestamp) < Math.abs(a.timestamp - timestamp) ? b : a, null);
-    return nearest && Math.abs(nearest.timestamp - timestamp) < nearby ? nearest.file : null;
   }
 }
 

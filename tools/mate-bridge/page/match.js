@@ -10,7 +10,7 @@ import {of, valueOf} from "./values.js";
 import {standingFigure} from "./standing.js";
 import {floorFigure} from "./floor.js";
 import {comingPoses, markStep} from "./coming.js";
-import {capturesKey, gather, thumbnails} from "./taken.js";
+import {capturesKey, capturesOf, thumbnails} from "./taken.js";
 import {outcome, offsets, cameraMounts, outcomeKey} from "./outcome.js";
 import {refreshVitals} from "./vitals.js";
 import {stateKey, playerKey, healthKey, running} from "./follow.js";
@@ -35,13 +35,14 @@ const again = () => showMatch(parentShown);
 
 export function leaveMatch() {
   parentShown = null;
-  if (shownRobot) send({do: "unwatch", robot: shownRobot});
   restWhenDone();
 }
 
-// While it calibrates, its captures and their pictures are followed from other views, too.
+// While it calibrates, the bridge watches on for the pictures of its captures, whichever view is shown.
 function restWhenDone() {
-  if (!parentShown && !running(valueOf(shownRobot, stateKey)?.phase ?? "idle")) wish("match", null, []);
+  if (parentShown || !shownRobot || running(valueOf(shownRobot, stateKey)?.phase ?? "idle")) return;
+  send({do: "unwatch", robot: shownRobot});
+  wish("match", null, []);
 }
 
 function content() {
@@ -59,9 +60,9 @@ function content() {
   const left = can ? [parts.steer, parts.progress, parts.poses] : [empty("This robot does not calibrate itself",
     "It serves no " + stateKey + ": naocal-robot does. Its cameras and values can be seen all the same.")];
   return [make("div", {class: "split match"}, make("div", {}, ...left, parts.outcome, parts.after, parts.offsets),
-    make("div", {}, make("div", {class: "cameras beside"}, ...cameras.map(({camera}) => make("figure", {class: "camera"}, make("b", {}, camera.canvas.getAttribute("aria-label")), camera.canvas, camera.caption))),
-      make("p", {class: "keys soft"}, make("span", {class: "key measured"}), " corner, ", make("span", {class: "key predicted"}), " where the joints and cameras as they are believed put it"),
-      make("div", {class: "cameras beside"}, make("div", {}, make("h2", {}, "Its stance"), parts.nextWords, stance),
+    make("div", {}, make("div", {class: "cameras beside"}, ...cameras.map(({camera}) => make("figure", {class: "camera"}, make("b", {}, camera.canvas.getAttribute("aria-label")), camera.canvas, camera.caption, camera.rests))),
+      make("p", {class: "keys soft"}, make("span", {class: "key measured"}), " corner, ", make("span", {class: "key predicted"}), " where the current calibration predicts it"),
+      make("div", {class: "cameras beside"}, make("div", {}, make("h2", {}, "Posture"), parts.nextWords, stance),
         make("div", {}, make("h2", {}, "The floor"), floor, make("p", {class: "keys soft"}, make("span", {class: "key topView"}), " what the top camera sees, ",
           make("span", {class: "key bottomView"}), " the bottom one; ", make("span", {class: "key weight"}), " centre of mass"))))), parts.captures];
 }
@@ -70,11 +71,12 @@ function draw() {
   if (!parentShown || !parts) return;
   const entry = robots.get(shownRobot), state = valueOf(shownRobot, stateKey), player = valueOf(shownRobot, playerKey);
   const told = valueOf(shownRobot, outcomeKey), isRunning = running(state ? state.phase : "idle");
-  const {before, mountsBefore, captures} = of(shownRobot), now = entry.keys.get(offsetsMount), mounts = entry.keys.get(mountsMount);
+  const {before, mountsBefore} = of(shownRobot), captures = capturesOf(shownRobot), now = entry.keys.get(offsetsMount), mounts = entry.keys.get(mountsMount);
   steer({robot: shownRobot, entry, state, player, isRunning, kinds: valueOf(shownRobot, kindsKey), draw, when});
   when("progress", [state, player && player.reason, player && player.held], () => state ? progress(state, player) : [make("p", {class: "soft"}, "Waiting for the robot's first word …")]);
+  const [offsetsBefore, cameraBefore] = [beforeIn(told, offsetsMount, before), beforeIn(told, mountsMount, mountsBefore)];
   when("outcome", [state && state.errorAfter, isRunning, told], () => outcome(state, isRunning, told));
-  when("offsets", [told, before, now, mountsBefore, mounts], () => [...offsets(told, before, now), ...cameraMounts(mountsBefore, mounts)]);
+  when("offsets", [told, offsetsBefore, now, cameraBefore, mounts], () => [...offsets(told, offsetsBefore, now), ...cameraMounts(cameraBefore, mounts)]);
   const round = valueOf(shownRobot, posesKey);
   when("poses", round && isRunning && [round.round, round.poses.map(({name}) => name)], () => round && isRunning ? comingPoses(round) : []);
   if (round) markStep(parts.poses, round.step);
@@ -82,6 +84,9 @@ function draw() {
   afterwards({robot: shownRobot, entry, state, isRunning, draw, when});
   next();
 }
+
+// What was set before the calibration: as the robot tells, else as this page saw it.
+const beforeIn = (told, mount, seen) => told?.before?.[mount] ? Object.entries(told.before[mount]).map(([key, value]) => ({key, value})) : seen;
 
 // Draws a part anew only when what it shows has changed: nothing is taken from under a finger.
 function when(name, shown, made) {
@@ -121,10 +126,12 @@ export function matchTold(message, file, isShown) {
   if (kind === "picture") {
     const seen = robot === shownRobot && cameras.find(({key}) => key === message.key);
     if (seen && here) seen.camera.show(file, message);
-    else if (seen) seen.camera.remember(file, message);
   } else if (kind === "seen") {
     const seen = here && cameras.find(({key}) => key === message.key);
     if (seen) seen.camera.found = message;
+  } else if (kind === "taken") {
+    of(robot).pictures = message;
+    if (here) drawSoon();
   } else if (kind === "scene") {
     of(robot).scene = message;
     if (here) drawings.forEach(drawing => drawing.redraw());
@@ -144,11 +151,10 @@ export function matchTold(message, file, isShown) {
 }
 
 function updated(robot, values, isShown) {
-  for (const {key, value, timestamp} of values) {
+  for (const {key, value} of values) {
     const old = valueOf(robot, key);
     of(robot).values.set(key, value);
     if (key === healthKey) refreshVitals(robot);
-    if (key === capturesKey && robot === shownRobot) gather(robot, cameras, timestamp);
     if (key === stateKey) {
       ended(robot, old, value, running);
       if (robot === shownRobot && old && running(old.phase)) restWhenDone();
@@ -175,6 +181,6 @@ export function matchSummary(parent) {
   for (const robot of calibrated()) {
     const state = valueOf(robot, stateKey), told = valueOf(robot, outcomeKey), {before, mountsBefore, scene} = of(robot), {keys} = robots.get(robot);
     parent.append(make("h1", {}, "Calibration of " + calledBy(robot)), ...progress(state, null), ...outcome(state, running(state.phase), told),
-      ...offsets(told, before, keys.get(offsetsMount)), ...cameraMounts(mountsBefore, keys.get(mountsMount)), standingFigure(() => ({now: scene, next: null}), "how the robot stands"), floorFigure(() => scene), ...thumbnails(robot));
+      ...offsets(told, beforeIn(told, offsetsMount, before), keys.get(offsetsMount)), ...cameraMounts(beforeIn(told, mountsMount, mountsBefore), keys.get(mountsMount)), standingFigure(() => ({now: scene, next: null}), "how the robot stands"), floorFigure(() => scene), ...thumbnails(robot));
   }
 }

@@ -30,7 +30,7 @@ export function offsets(told, before, now) {
     const found = told && told.joints.find(({joint}) => joint.toLowerCase() === key.toLowerCase());
     return {joint: key, before: found ? found.before : value(before, key), after, sigma: found ? found.sigma : null};
   }).filter(row => row.after !== 0 || row.sigma !== null || (row.before !== undefined && row.before !== row.after));
-  if (!rows.length) return [make("h2", {}, "Joint offsets on the robot"), make("p", {class: "soft"}, "None: every joint counts as it reads.")];
+  if (!rows.length) return [make("h2", {}, "Joint offsets on the robot"), make("p", {class: "soft"}, "No offsets: joint readings are used as they are.")];
   const table = make("table", {}, make("thead", {}, make("tr", {}, make("th", {scope: "col"}, "joint"), make("th", {scope: "col", class: "number"}, "before"),
     make("th", {scope: "col", class: "number"}, "now"))), make("tbody", {}, ...rows.map(row => make("tr", {}, make("th", {scope: "row"}, row.joint),
     make("td", {class: "number"}, degrees(row.before)), make("td", {class: "number"}, row.sigma === null ? degrees(row.after) : withError(row.after, row.sigma, "°"))))));

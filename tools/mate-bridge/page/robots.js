@@ -40,7 +40,7 @@ export const lookedAt = () => robots.get(looked) ? looked : (robots.keys().next(
 // False: nothing that views show has changed; a list that only repeats itself says that the robot is alive.
 export function told(message) {
   const {kind, robot} = message;
-  if (["update", "picture", "scene", "seen", "stand"].includes(kind)) return true;
+  if (["update", "picture", "taken", "scene", "seen", "stand"].includes(kind)) return true;
   if (kind === "robotGone") return robots.delete(robot);
   if (!robots.has(robot)) robots.set(robot, {connected: false, sentence: "connecting", list: [], mounts: [], keys: new Map()});
   const entry = robots.get(robot);

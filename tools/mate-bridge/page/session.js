@@ -16,6 +16,7 @@ export async function saveSession() {
       const parent = stage.appendChild(make("section"));
       show(parent);
       for (let i = 0; i < 4; ++i) await pause(); // drawings draw themselves once they are laid out
+      await Promise.all([...parent.querySelectorAll("img")].map(image => image.decode().catch(() => {})));
       page.append(make("section", {}, make("p", {class: "soft"}, name), still(parent)));
       parent.remove();
     }
@@ -37,7 +38,7 @@ function still(parent) {
   [...copy.querySelectorAll("canvas")].forEach((canvas, i) => canvas.replaceWith(make("img", {src: drawn[i].toDataURL("image/png"),
     alt: drawn[i].getAttribute("aria-label") || "", class: "drawing"})));
   const pictures = [...parent.querySelectorAll("img")];
-  [...copy.querySelectorAll("img[src^='blob:']")].forEach(image => {
+  [...copy.querySelectorAll("img[src^='taken/']")].forEach(image => {
     const original = pictures.find(one => one.src === image.src), canvas = make("canvas", {width: original.naturalWidth || 1, height: original.naturalHeight || 1});
     canvas.getContext("2d").drawImage(original, 0, 0);
     image.src = canvas.toDataURL("image/jpeg", 0.8);

@@ -14,7 +14,7 @@ export const standingFigure = (of, label, height = 230) => figure({height, label
   context.textAlign = "center";
   context.textBaseline = "bottom";
   context.fillStyle = colours.soft;
-  for (const [middle, across, words] of [[0.27 * width, 0, "from its right"], [0.76 * width, 1, "from the front"]]) {
+  for (const [middle, across, words] of [[0.27 * width, 0, "right side"], [0.76 * width, 1, "front"]]) {
     if (height > 150) context.fillText(words, middle, height);
     const place = point => [middle + scale * (across ? point[1] : point[0]), floor - scale * point[2]];
     if (now) body(context, now.hull, place, scale, {colour: colours.soft, alpha: 0.5});

@@ -2,7 +2,7 @@
 const known = new Map(); // by robot
 
 export const of = robot => {
-  if (!known.has(robot)) known.set(robot, {values: new Map(), scene: null, before: null, captures: []});
+  if (!known.has(robot)) known.set(robot, {values: new Map(), scene: null, before: null, pictures: {series: 0, places: []}});
   return known.get(robot);
 };
 export const valueOf = (robot, key) => of(robot).values.get(key) ?? null;

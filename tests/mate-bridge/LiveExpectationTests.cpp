@@ -1,0 +1,97 @@
+#include "LiveExpectation.hpp"
+
+#include "model/Kinematics.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+namespace {
+
+using Json = nlohmann::json;
+
+const Robot& v6() {
+  static const Robot robot = loadRobot(configurationDirectory(), "V6");
+  return robot;
+}
+
+LiveCamera turnedCamera() {
+  LiveCamera result;
+  result.intrinsics.fx = result.intrinsics.fy = 560;
+  result.intrinsics.cx = 320;
+  result.intrinsics.cy = 240;
+  result.rotation = {0.01, 0, 0};
+  return result;
+}
+
+Eigen::VectorXd looking(double yaw = 0, double right = 0) {
+  return *anglesByName({{"HeadPitch", 0.35},
+                        {"HeadYaw", yaw},
+                        {"RHipPitch", -right},
+                        {"RKneePitch", 2 * right},
+                        {"RAnklePitch", -right}},
+                       v6());
+}
+
+const std::vector<Eigen::Vector2d> onFloorAhead{{150, 200}, {500, 200}, {150, 400}, {500, 400}};
+
+Json offsets(double value, const std::string& unset = "") {
+  Json list = Json::array();
+  for (const Joint& joint : v6().joints) {
+    std::string key = joint.name;
+    key[0] = static_cast<char>(std::tolower(key[0]));
+    list.push_back({{"key", key}, {"value", joint.name.starts_with(unset) && !unset.empty() ? 0 : value}});
+  }
+  return list;
+}
+
+LiveExpectation expectation(const Json& offsets, const Eigen::VectorXd& angles,
+                            const LiveCamera& belief = turnedCamera()) {
+  return expected(v6(), angles, "top", belief, onFloorAhead, uncalibrated(v6(), offsets, {{"top", belief}}));
+}
+
+} // namespace
+
+TEST_CASE("a live comparison names the limb that was never calibrated and what it may be off by") {
+  // Proves the sentence of a robot on both feet whose right leg has no offsets, and that standing on the left foot
+  // alone the right leg does not matter.
+  const LiveExpectation both = expectation(offsets(0.5, "R"), looking());
+  CHECK(both.joints.size() == 6);
+  CHECK(both.px > 5);
+  const std::string sentence = both.sentence(v6(), "top");
+  INFO(sentence);
+  CHECK(sentence.starts_with("The right leg was never calibrated: errors up to "));
+  CHECK(expectation(offsets(0.5, "R"), looking(0, 0.6)).px == 0);
+  CHECK(expectation(offsets(0.5), looking()).sentence(v6(), "top") ==
+        "All joints between the floor and this camera are calibrated.");
+}
+
+TEST_CASE("what a single joint may be off by is what its turn does to the picture") {
+  // Proves the pixels against a formula: a neck that pitches by dq moves a point straight ahead on the floor by f dq
+  // within the picture, and boards that lie where they are seen take up no part of a pitch but the floor's shift.
+  const LiveExpectation pitch = expectation(offsets(0.5, "HeadPitch"), looking());
+  CHECK(pitch.joints == std::vector<std::string>{"HeadPitch"});
+  CHECK(pitch.px > 0.05 * 560 * 0.1); // 0.1 rad is the offset's sigma
+  CHECK(pitch.px < 1.3 * 560 * 0.1);
+}
+
+TEST_CASE("a turn that boards on the floor take up shows nowhere, so it is not expected to") {
+  // Proves that an offset of the head's yaw, which turns the whole floor as it is seen, counts for nothing: on an
+  // upright robot the axis is upright.
+  const LiveExpectation yaw = expectation(offsets(0.5, "HeadYaw"), looking(0.4));
+  CHECK(yaw.joints.empty());
+  CHECK(yaw.px < 1);
+}
+
+TEST_CASE("a camera that sits as drawn was not calibrated") {
+  // Proves that the mount counts beside the joints, by its name, and no longer once it was turned.
+  LiveCamera asDrawn = turnedCamera();
+  asDrawn.rotation.setZero();
+  const LiveExpectation mount = expectation(offsets(0.5), looking(), asDrawn);
+  CHECK(mount.camera);
+  CHECK(mount.px > 1);
+  CHECK(mount.sentence(v6(), "top").starts_with("The top camera's mount was never calibrated"));
+  CHECK_THROWS_AS(uncalibrated(v6(), Json{{{"key", 3}}}, {}), Json::exception);
+}
+
+} // namespace naocal
