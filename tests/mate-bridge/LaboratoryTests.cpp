@@ -86,7 +86,7 @@ TEST_CASE("an own effect is fitted like the built-in ones, and a broken one chan
   Bench bench;
   bench.laboratory.fit();
   const Json fit = bench.told["fit"];
-  Json effect{{"name", "spring"},
+  Json effect{{"name", "softness"},
               {"at", "LKneePitch"},
               {"correction", "a*tau"},
               {"unknowns", {{"a", {{"unit", "rad/Nm"}, {"sigma", 0.01}}}}}};
@@ -95,7 +95,7 @@ TEST_CASE("an own effect is fitted like the built-in ones, and a broken one chan
   CHECK_THROWS_AS(bench.laboratory.define(broken), InputError);
   CHECK(bench.told["ladder"]["rungs"].size() == 1);
   bench.laboratory.define(effect);
-  CHECK(bench.told["fit"]["with"] == Json::array({"spring@LKneePitch"}));
+  CHECK(bench.told["fit"]["with"] == Json::array({"softness@LKneePitch"}));
   CHECK(bench.told["fit"]["rms"] < fit["rms"]);
   CHECK(bench.told["set"]["own"][0] == effect);
 }
@@ -105,7 +105,7 @@ TEST_CASE("an own effect that is changed can be taken back, and one for every jo
   // again, and that an effect for every joint is among the candidates. What is refused leaves both as they were.
   Bench bench;
   bench.laboratory.fit();
-  Json effect{{"name", "spring"},
+  Json effect{{"name", "softness"},
               {"at", "LKneePitch"},
               {"correction", "a*tau"},
               {"unknowns", {{"a", {{"unit", "rad/Nm"}, {"sigma", 0.01}}}}}};
@@ -213,15 +213,15 @@ TEST_CASE("what the panel saves is what the terminal reads") {
   // person's own effect, and that reports are pages; what is in them is tested with them.
   Bench bench;
   bench.laboratory.fit();
-  bench.laboratory.define({{"name", "spring"},
+  bench.laboratory.define({{"name", "softness"},
                            {"at", "LKneePitch"},
                            {"correction", "a*tau"},
                            {"unknowns", {{"a", {{"unit", "rad/Nm"}, {"sigma", 0.01}}}}}});
   const std::filesystem::path folder = bench.set.folder.path();
   writeAtomically(folder / "result.json", bench.laboratory.file("result.json"));
   const OpenedSets again = openSets({(folder / "result.json").string()});
-  CHECK(std::count(again.terms.begin(), again.terms.end(), "spring@LKneePitch") == 1);
-  CHECK(Json::parse(bench.laboratory.file("model.json"))["define"][0]["name"] == "spring");
+  CHECK(std::count(again.terms.begin(), again.terms.end(), "softness@LKneePitch") == 1);
+  CHECK(Json::parse(bench.laboratory.file("model.json"))["define"][0]["name"] == "softness");
   bench.laboratory.goTo(0);
   bench.laboratory.question();
   writeAtomically(folder / "diagnosis.json", bench.laboratory.file("diagnosis.json"));

@@ -73,13 +73,13 @@ TEST_CASE("a model that was saved is opened with captures") {
   const TemporaryFolder folder;
   writeSetAndResult(folder.path());
   const std::string model = (folder.path() / "model.json").string(), set = (folder.path() / "few").string();
-  const Json spring{{"name", "spring"},
+  const Json spring{{"name", "softness"},
                     {"at", "LKneePitch"},
                     {"correction", "a*tau"},
                     {"unknowns", {{"a", {{"unit", "rad/Nm"}, {"sigma", 0.01}}}}}};
   writeAtomically(model, Json{{"format", "naocal-model"},
                               {"version", 1},
-                              {"with", {"spring@LKneePitch"}},
+                              {"with", {"softness@LKneePitch"}},
                               {"without", {"jointOffset@HeadYaw"}},
                               {"define", {spring}}}
                              .dump());
@@ -87,7 +87,7 @@ TEST_CASE("a model that was saved is opened with captures") {
   Laboratory laboratory{openSets({model, set}),
                         [&](const std::string& kind, const Json& content) { told[kind] = content; }};
   laboratory.fit();
-  CHECK(told["fit"]["with"] == Json::array({"spring@LKneePitch"}));
+  CHECK(told["fit"]["with"] == Json::array({"softness@LKneePitch"}));
   CHECK(told["fit"]["without"] == Json::array({"jointOffset@HeadYaw"}));
   CHECK(told["set"]["own"][0] == spring);
   CHECK_THROWS_WITH(openSets({model}), Contains("name them behind it"));
