@@ -16,15 +16,7 @@ struct Questioned {
                                                                                                         with)},
         fit{calibrate(measurements, model)}, inquiry{measurements, model, fit, testable(), {.draws = 0, .map = map}} {}
 
-  std::vector<Term> testable() const {
-    std::vector<Term> terms = candidateTerms(measurements);
-    std::erase_if(terms, [&](const Term& term) {
-      return whyUntestable(term.effect, term.at, measurements) ||
-             std::any_of(model.terms().begin(), model.terms().end(),
-                         [&](const Term& own) { return own.label() == term.label(); });
-    });
-    return terms;
-  }
+  std::vector<Term> testable() const { return testableTerms(measurements, model); }
 
   Measurements measurements;
   Model model;

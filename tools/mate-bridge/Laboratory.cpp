@@ -5,6 +5,7 @@
 #include "calibrate/ResultFile.hpp"
 #include "captures/Files.hpp"
 #include "captures/InputError.hpp"
+#include "residuals/Candidates.hpp"
 #include "residuals/ModelFile.hpp"
 
 #include <algorithm>
@@ -84,7 +85,7 @@ void Laboratory::stand(std::vector<Rung> rungs, std::size_t at) {
   told["with"] = rung.with;
   told["without"] = rung.without;
   told["labels"] = labelsOf(model);
-  told["candidates"] = testableCauses(measurements_, model, effects(rung));
+  told["candidates"] = testableTerms(measurements_, model, effects(rung)).size();
   result_ = document;
   rungs_ = std::move(rungs);
   at_ = at;

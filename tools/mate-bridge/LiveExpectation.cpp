@@ -1,5 +1,6 @@
 #include "LiveExpectation.hpp"
 
+#include "calibrate/Words.hpp"
 #include "detect/Lens.hpp"
 #include "effects/AllEffects.hpp"
 #include "model/Kinematics.hpp"
@@ -8,7 +9,6 @@
 #include <cctype>
 #include <cmath>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 namespace naocal {
@@ -67,7 +67,7 @@ double meanSquare(const RigidTransform& floorFromOptical, const RigidTransform& 
 
 /// The soles that carry; the lower one, or both.
 std::vector<const Sole*> carrying(const Robot& drawing, const Eigen::VectorXd& angles) {
-  const std::string carries = StandingRobot{drawing, angles}.drawn({})["carries"];
+  const std::string carries = StandingRobot{drawing, angles}.carries();
   std::vector<const Sole*> soles;
   for (const char* const name : {"left", "right"}) {
     if (const Sole* const sole = drawing.sole(name); sole && (carries == "both" || carries == name)) {
@@ -176,8 +176,7 @@ std::string LiveExpectation::sentence(const Robot& drawing, const std::string& n
   if (what.empty()) {
     return "All joints between the floor and this camera are calibrated.";
   }
-  std::string list = fmt::format("{}", fmt::join(what.begin(), what.end() - 1, ", "));
-  list += (what.size() > 1 ? " and " : "") + what.back();
+  std::string list = enumerated(what);
   list[0] = static_cast<char>(std::toupper(list[0]));
   return fmt::format("{} {} never calibrated: errors up to {:.0f} px are plausible.", list,
                      what.size() > 1 ? "were" : "was", px);

@@ -1,7 +1,5 @@
 #include "Rung.hpp"
 
-#include "residuals/Candidates.hpp"
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -30,17 +28,6 @@ std::vector<std::string> labelsOf(const Model& model) {
     }
   }
   return labels;
-}
-
-std::size_t testableCauses(const Measurements& measurements, const Model& model, const std::vector<Effect>& effects) {
-  const auto isOwn = [&](const Term& term) {
-    return std::any_of(model.terms().begin(), model.terms().end(),
-                       [&](const Term& own) { return own.label() == term.label(); });
-  };
-  const std::vector<Term> all = candidateTerms(measurements, effects);
-  return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](const Term& term) {
-    return !isOwn(term) && !whyUntestable(term.effect, term.at, measurements);
-  }));
 }
 
 Rung firstRung(const OpenedSets& opened, const Measurements& measurements) {

@@ -19,9 +19,6 @@ nlohmann::json rungForPanel(const Rung& rung);
 /// The labels of a model's effects that were asked for.
 std::vector<std::string> labelsOf(const Model& model);
 
-/// How many effects at places beyond the model these captures can be asked about.
-std::size_t testableCauses(const Measurements& measurements, const Model& model, const std::vector<Effect>& effects);
-
 bool contains(const std::vector<std::string>& labels, const std::string& label);
 
 } // namespace naocal

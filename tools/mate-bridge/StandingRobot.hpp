@@ -28,6 +28,9 @@ public:
   /// `angles`: one per joint of the drawing [rad].
   StandingRobot(const Robot& drawing, const Eigen::VectorXd& angles);
 
+  /// Which feet carry it: "left", "right", "both".
+  const std::string& carries() const { return carries_; }
+
   /// floorFromOptical (x right, y down, z forward); absent: the robot has no such camera.
   std::optional<RigidTransform> eye(const std::string& camera, const LiveCamera& belief) const;
 

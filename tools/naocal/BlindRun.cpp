@@ -4,6 +4,7 @@
 #include "captures/Files.hpp"
 #include "captures/InputError.hpp"
 #include "model/Robot.hpp"
+#include "residuals/ModelFile.hpp"
 
 #include <chrono>
 #include <fmt/format.h>
@@ -100,12 +101,7 @@ private:
     if (define.empty()) {
       return {"--with", fmt::format("{}", fmt::join(suggested, ","))};
     }
-    const nlohmann::json model{{"format", "naocal-model"},
-                               {"version", 1},
-                               {"with", suggested},
-                               {"without", nlohmann::json::array()},
-                               {"define", define}};
-    writeAtomically(between_ / "model.json", model.dump());
+    writeAtomically(between_ / "model.json", modelJson(suggested, {}, define).dump());
     return {"--model", between_ / "model.json"};
   }
 

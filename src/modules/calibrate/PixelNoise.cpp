@@ -54,19 +54,12 @@ void addDifference(const Measurements& measurements, const SightingResidual& a, 
 std::optional<double> pixelNoiseFromRepeats(const Measurements& measurements,
                                             const std::vector<SightingResidual>& sightings) {
   using Key = std::tuple<std::size_t, std::size_t, std::size_t>; // pose, camera, board
-  std::map<std::size_t, std::size_t> poseOf;
-  for (std::size_t pose = 0; pose < measurements.poses.size(); ++pose) {
-    for (const Reading& reading : measurements.poses[pose].readings) {
-      for (std::size_t picture : reading.pictures) {
-        poseOf[picture] = pose;
-      }
-    }
-  }
+  const std::vector<std::size_t> poseOf = posesOfPictures(measurements);
   std::map<Key, const SightingResidual*> last;
   Scatter scatter;
   for (const SightingResidual& sighting : sightings) {
     const Picture& picture = measurements.pictures[sighting.picture];
-    const Key key{poseOf.at(sighting.picture), picture.camera, picture.sightings[sighting.sighting].view.board()};
+    const Key key{poseOf[sighting.picture], picture.camera, picture.sightings[sighting.sighting].view.board()};
     const auto [entry, isFirst] = last.try_emplace(key, &sighting);
     if (!isFirst) {
       addDifference(measurements, *entry->second, sighting, scatter);

@@ -6,9 +6,6 @@
 
 namespace naocal {
 
-namespace {
-
-/// Legendre polynomials P_1 .. P_count at x in [-1, 1].
 Eigen::RowVectorXd legendre(double x, Eigen::Index count) {
   Eigen::RowVectorXd result(count);
   double before = 1, here = x; // P_0, P_1
@@ -21,8 +18,6 @@ Eigen::RowVectorXd legendre(double x, Eigen::Index count) {
   }
   return result;
 }
-
-} // namespace
 
 Eigen::RowVectorXd DriverCell::basis(double x) const {
   switch (shape) {

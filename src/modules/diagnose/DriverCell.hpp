@@ -10,6 +10,9 @@ namespace naocal {
 /// How large a curve's coefficients plausibly are [rad]: some tenths of a degree.
 constexpr double plausibleCurve = 0.005;
 
+/// Legendre polynomials P_1 .. P_count at x in [-1, 1].
+Eigen::RowVectorXd legendre(double x, Eigen::Index count);
+
 /// A curve over one driver x, of a joint's deflection or a mount's turning: `count` columns.
 struct DriverCell {
   enum class Shape {

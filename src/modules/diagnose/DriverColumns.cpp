@@ -39,11 +39,7 @@ std::vector<double> valuesAt(const std::vector<Bent>& bent, const DriverValues& 
   std::vector<double> result;
   for (const Bent& pose : bent) {
     for (const auto& pictures : pose.pictures) {
-      double sum = 0;
-      for (std::size_t picture : pictures) {
-        sum += driver.atPicture[picture];
-      }
-      result.push_back(sum / static_cast<double>(pictures.size()));
+      result.push_back(driver.mean(pictures));
     }
   }
   return result;
@@ -122,6 +118,14 @@ DriverColumns columnsOf(const Measurements& measurements, std::vector<DriverValu
 }
 
 } // namespace
+
+double DriverValues::mean(const std::vector<std::size_t>& pictures) const {
+  double sum = 0;
+  for (const std::size_t picture : pictures) {
+    sum += atPicture[picture];
+  }
+  return sum / static_cast<double>(pictures.size());
+}
 
 DriverColumns driverColumns(const Measurements& measurements, std::vector<DriverValues> drivers,
                             const std::vector<PoseSystem>& poses) {

@@ -19,6 +19,8 @@ struct DriverValues {
   std::string unit, what;                // "rad", "the angle of LHipPitch"
   std::optional<std::size_t> motor = {}; // the only joint whose curve it can drive
   std::vector<double> atPicture = {};    // its value, per picture
+
+  double mean(const std::vector<std::size_t>& pictures) const;
 };
 
 /// The columns of the joint x driver map: every joint's deflection as a curve over every driver.

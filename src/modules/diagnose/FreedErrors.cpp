@@ -73,14 +73,7 @@ Eigen::MatrixXd FreedSighting::freed(const Eigen::MatrixXd& columns) const {
 }
 
 FreedErrors::FreedErrors(const Measurements& measurements, const Model& model, const CalibrationResult& fit) {
-  std::vector<std::size_t> poseOf(measurements.pictures.size());
-  for (std::size_t pose = 0; pose < measurements.poses.size(); ++pose) {
-    for (const Reading& reading : measurements.poses[pose].readings) {
-      for (std::size_t picture : reading.pictures) {
-        poseOf[picture] = pose;
-      }
-    }
-  }
+  const std::vector<std::size_t> poseOf = posesOfPictures(measurements);
   using Repeats = std::array<std::size_t, 3>; // pose, camera, board
   std::map<Repeats, std::vector<std::size_t>> repeats;
   std::map<std::size_t, std::vector<SceneBoard>> scenes; // by picture

@@ -25,13 +25,9 @@ struct Value {
 };
 
 std::vector<std::size_t> blocksOfPictures(const Measurements& measurements) {
-  std::vector<std::size_t> result(measurements.pictures.size());
-  for (std::size_t pose = 0; pose < measurements.poses.size(); ++pose) {
-    for (const Reading& reading : measurements.poses[pose].readings) {
-      for (const std::size_t picture : reading.pictures) {
-        result[picture] = Trend::blockOf(pose, measurements.poses.size());
-      }
-    }
+  std::vector<std::size_t> result = posesOfPictures(measurements);
+  for (std::size_t& block : result) {
+    block = Trend::blockOf(block, measurements.poses.size());
   }
   return result;
 }
@@ -81,14 +77,6 @@ std::vector<Value> jointErrors(const WhatIfs& joint, const std::vector<std::size
   return result;
 }
 
-double mean(const std::vector<double>& atPicture, const std::vector<std::size_t>& pictures) {
-  double sum = 0;
-  for (const std::size_t picture : pictures) {
-    sum += atPicture[picture];
-  }
-  return sum / static_cast<double>(pictures.size());
-}
-
 /// One pair that can be tried.
 struct Tried {
   TellingPair pair;
@@ -101,7 +89,7 @@ Tried tried(TellingPair pair, const std::vector<Value>& values, const std::vecto
   for (const Value& value : values) {
     result.x.push_back(pair.over == Over::column ? value.column
                        : pair.over == Over::row  ? value.row
-                                                 : mean(drivers[pair.driver].atPicture, value.pictures));
+                                                 : drivers[pair.driver].mean(value.pictures));
   }
   return result;
 }

@@ -1,6 +1,7 @@
 #include "diagnose/Trend.hpp"
 
 #include "calibrate/Tails.hpp"
+#include "diagnose/DriverCell.hpp"
 #include "geometry/InParallel.hpp"
 #include "geometry/Index.hpp"
 
@@ -28,13 +29,7 @@ constexpr double apart = 0.02;   // of the driver's range: values that differ by
 Eigen::VectorXd basis(double r, Eigen::Index degree) {
   Eigen::VectorXd result(degree + 1);
   result[0] = 1;
-  if (degree > 0) {
-    result[1] = r;
-  }
-  for (Eigen::Index n = 1; n < degree; ++n) {
-    const auto k = static_cast<double>(n);
-    result[n + 1] = ((2 * k + 1) * r * result[n] - k * result[n - 1]) / (k + 1);
-  }
+  result.tail(degree) = legendre(r, degree).transpose();
   return result;
 }
 

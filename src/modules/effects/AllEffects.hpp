@@ -14,6 +14,7 @@ Effect timeDrift();
 Effect backlash();
 Effect hysteresis();
 Effect gearPlay();
+constexpr double gearFriction = 0.2; // where the unknown t of gearPlay counts from [Nm]
 Effect elasticity();
 Effect timeOffset();
 Effect axisTilt();

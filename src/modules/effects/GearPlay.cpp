@@ -17,7 +17,7 @@ Effect gearPlay() {
           .kink = true,
           .correct = [](Belief& belief, const Instant& instant, std::size_t joint, std::span<const double> values) {
             const auto at = static_cast<Eigen::Index>(joint);
-            const double torque = instant.torque[at], excess = std::abs(torque) - 0.2 - values[1];
+            const double torque = instant.torque[at], excess = std::abs(torque) - gearFriction - values[1];
             const double held = (1 + std::tanh(excess / 0.03)) / 2; // by load; the rest by the last motion
             belief.angle(joint) +=
                 values[0] / 2 * (held * std::tanh(torque / 0.03) - (1 - held) * instant.approach[at]);

@@ -189,4 +189,15 @@ std::vector<Term> candidateTerms(const Measurements& measurements, const std::ve
   return result;
 }
 
+std::vector<Term> testableTerms(const Measurements& measurements, const Model& model,
+                                const std::vector<Effect>& effects) {
+  std::vector<Term> result = candidateTerms(measurements, effects);
+  std::erase_if(result, [&](const Term& term) {
+    return whyUntestable(term.effect, term.at, measurements) ||
+           std::any_of(model.terms().begin(), model.terms().end(),
+                       [&](const Term& own) { return own.label() == term.label(); });
+  });
+  return result;
+}
+
 } // namespace naocal

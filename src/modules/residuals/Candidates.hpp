@@ -21,4 +21,8 @@ std::optional<std::string> whyUntestable(const Effect& effect, std::size_t at, c
 /// Every effect at every place where it can act in these captures, driven or not.
 std::vector<Term> candidateTerms(const Measurements& measurements, const std::vector<Effect>& effects = allEffects());
 
+/// Those that these captures can drive and that a model does not have.
+std::vector<Term> testableTerms(const Measurements& measurements, const Model& model,
+                                const std::vector<Effect>& effects = allEffects());
+
 } // namespace naocal

@@ -64,6 +64,18 @@ std::vector<std::size_t> recordedMotors(const std::vector<CaptureSet>& sets, con
 
 } // namespace
 
+std::vector<std::size_t> posesOfPictures(const Measurements& measurements) {
+  std::vector<std::size_t> result(measurements.pictures.size());
+  for (std::size_t pose = 0; pose < measurements.poses.size(); ++pose) {
+    for (const Reading& reading : measurements.poses[pose].readings) {
+      for (const std::size_t picture : reading.pictures) {
+        result[picture] = pose;
+      }
+    }
+  }
+  return result;
+}
+
 Measurements measurementsOf(const std::vector<CaptureSet>& sets, const Robot& robot, bool samePlace) {
   refuseOtherRobots(sets);
   const Places places{sets, robot, samePlace};

@@ -79,6 +79,9 @@ struct Measurements {
   bool samePlace = false; // boards and stances of equal ids are the same in all sets
 };
 
+/// Of each picture the pose that it belongs to; 0 for one without corners, which belongs to none.
+std::vector<std::size_t> posesOfPictures(const Measurements& measurements);
+
 /// Prepares sets of one robot. `samePlace` joins boards and stances of equal ids over the sets.
 /// Throws InputError for what the robot cannot have measured (unknown link, joint needed but not recorded, other
 /// robot).

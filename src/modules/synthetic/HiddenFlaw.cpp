@@ -1,6 +1,7 @@
 #include "synthetic/HiddenFlaw.hpp"
 
 #include "captures/InputError.hpp"
+#include "effects/AllEffects.hpp"
 #include "geometry/Angles.hpp"
 
 #include <algorithm>
@@ -12,8 +13,7 @@ namespace naocal {
 
 namespace {
 
-constexpr double gapFriction = 0.3;   // of a gear whose play load can take up [Nm]
-constexpr double frictionOfNoT = 0.2; // where the unknown t of gearPlay counts from [Nm]
+constexpr double gapFriction = 0.3; // of a gear whose play load can take up [Nm]
 
 } // namespace
 
@@ -47,7 +47,7 @@ TrueEffect HiddenFlaw::truth(const Robot& drawing) const {
     return {"elasticity", drawing.joints[*softJoint].name, {{"c", compliance, "rad/Nm"}}};
   }
   if (looseJoint && std::isfinite(friction)) {
-    return {"gearPlay", drawing.joints[*looseJoint].name, {{"D", play, "rad"}, {"t", friction - frictionOfNoT, "Nm"}}};
+    return {"gearPlay", drawing.joints[*looseJoint].name, {{"D", play, "rad"}, {"t", friction - gearFriction, "Nm"}}};
   }
   if (looseJoint) {
     return {"hysteresis", drawing.joints[*looseJoint].name, {{"D", play, "rad"}}};

@@ -52,11 +52,13 @@ function told({sentence, pairs}, choose) {
     ])) : null);
 }
 
+const groupOf = picture => [picture.set, picture.pose || picture.capture, picture.camera].join("\n");
+
 // Pictures of one pose and camera stand for each other: the worst, and how many there are.
 function byPose(pictures) {
   const groups = new Map();
   for (const picture of pictures) {
-    const key = [picture.set, picture.pose || picture.capture, picture.camera].join("\n");
+    const key = groupOf(picture);
     groups.set(key, [...(groups.get(key) || []), picture]);
   }
   return [...groups.values()];
@@ -70,9 +72,9 @@ function captures(pictures, again) {
 }
 
 // The picture that was looked at last stays in front.
-const inFront = new Map(); // by the group's first picture: which
+const inFront = new Map(); // by group: which of its pictures
 function grouped(group, again) {
-  const key = [group[0].set, group[0].pose || group[0].capture, group[0].camera].join("\n");
+  const key = groupOf(group[0]);
   const front = Math.min(inFront.get(key) || 0, group.length - 1), figure = pictureFigure(group[front]);
   if (group.length > 1) {
     figure.append(make("div", {class: "controls repeats"}, make("span", {class: "soft"}, "captures of this pose:"),
