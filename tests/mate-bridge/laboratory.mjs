@@ -197,10 +197,12 @@ await new Promise(resolve => stranger.listen(0, "127.0.0.1", resolve));
 const own = await quietPage(browser, second.address), photograph = second.address + "picture/photographed/0";
 check(await own.evaluate(async address => (await fetch(address)).status, photograph) === 200, "the panel's own page gets a photograph");
 await own.close();
-const foreign = await browser.newPage(), asked = new Map(), statuses = {}; // what the bridge answers, whatever the browser keeps from the page
+const foreign = await browser.newPage(), asked = new Map(), answered = new Map(); // by request: what the bridge answers, whatever the browser keeps from the page
 const inspector = await foreign.context().newCDPSession(foreign);
 inspector.on("Network.requestWillBeSent", ({requestId, request}) => asked.set(requestId, request.url));
-inspector.on("Network.responseReceivedExtraInfo", ({requestId, statusCode}) => { statuses[asked.get(requestId)?.slice(second.address.length) ?? "other"] = statusCode; });
+inspector.on("Network.responseReceivedExtraInfo", ({requestId, statusCode}) => answered.set(requestId, statusCode)); // may come first
+const statusesOf = () => Object.fromEntries([...answered].filter(([id]) => asked.get(id)?.startsWith(second.address)) // not of the stranger's own page
+  .map(([id, status]) => [asked.get(id).slice(second.address.length), status]));
 await inspector.send("Network.enable");
 await foreign.goto("http://127.0.0.1:" + stranger.address().port + "/");
 const tried = await foreign.evaluate(async address => ({
@@ -225,7 +227,8 @@ const tried = await foreign.evaluate(async address => ({
   }),
 }), second.address);
 check(JSON.stringify(tried) === '{"live":"closed","read":"refused","image":"refused","script":"refused"}', "a stranger's page gets nothing: " + JSON.stringify(tried));
-for (let i = 0; i < 50 && Object.keys(statuses).length < 3; ++i) await foreign.waitForTimeout(100);
+for (let i = 0; i < 50 && Object.keys(statusesOf()).length < 3; ++i) await foreign.waitForTimeout(100);
+const statuses = statusesOf();
 check(["", "picture/photographed/0", "panel.js"].every(path => statuses[path] === 403), "the bridge itself refuses it: " + JSON.stringify(statuses));
 await second.stop("SIGTERM");
 const unknown = await fetch(panel.address.replace(/[0-9a-f]{32}/, "0".repeat(32)));
