@@ -41,7 +41,7 @@ void scorePass(benchmark::State& state) {
   const std::vector<Term> testable = sound().testable();
   for (auto _ : state) {
     const Inquiry inquiry{sound().measurements, sound().model, sound().fit, testable, {.draws = 0, .map = false}};
-    benchmark::DoNotOptimize(inquiry.evidence().level);
+    benchmark::DoNotOptimize(inquiry.evidence().pValue);
   }
   state.counters["candidates"] = static_cast<double>(testable.size());
 }
@@ -70,7 +70,8 @@ BENCHMARK(scorePassWithMapAndAlarm)->UseRealTime()->Unit(benchmark::kMillisecond
 BENCHMARK_CAPTURE(wholeDiagnosis, sound, {})->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(wholeDiagnosis, flaw, {{"LKneePitch", 0.01}})->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(wholeDiagnosis, twoFlaws, {{"LKneePitch", 0.01}, {"LHipRoll", 0.03}})
-    ->UseRealTime()->Unit(benchmark::kMillisecond);
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 } // namespace
 } // namespace naocal

@@ -1,4 +1,5 @@
 #include "calibrate/Calibration.hpp"
+#include "calibrate/Uncertainty.hpp"
 #include "geometry/Angles.hpp"
 #include "synthetic/Simulation.hpp"
 #include "synthetic/StandingPoses.hpp"
@@ -114,7 +115,8 @@ void add(const Simulation& simulation, const Robot& robot, const Kind& kind, Tal
       const auto index = static_cast<Eigen::Index>(unknown);
       const double error = result.unknowns[index] - truth[index];
       auto& [in, all] = tally.inside[term.label() + "." + term.effect.unknowns[i].name];
-      in += std::abs(error) <= result.estimates[unknown].halfWidth;
+      const auto [low, high] = result.estimates[unknown].interval();
+      in += low <= truth[index] && truth[index] <= high;
       ++all;
       if (term.effect.name == "jointOffset") {
         tally.squaredRatios += error * error / best.covariance(index, index);
@@ -123,6 +125,8 @@ void add(const Simulation& simulation, const Robot& robot, const Kind& kind, Tal
     }
   }
   options.start = truth;
+  options.noise = result.noise;
+  options.estimateNoise = options.question = false;
   const CalibrationResult fromTruth = calibrate(measurements, model, options);
   const Eigen::VectorXd difference = (fromTruth.unknowns - result.unknowns).cwiseAbs();
   const bool elsewhere = (difference.array() > 0.1 * result.covariance.diagonal().array().sqrt()).any();

@@ -10,8 +10,10 @@ TEST_CASE("a candidate that is like another keeps little once that one is in the
   // Proves the correlations by another way: added to the model, one candidate leaves of the other's information the
   // part 1 - correlation^2. With one level of noise, as information depends on it.
   const CaptureSet set = simulatedSet(8, 3);
-  const Questioned asked{set, false};
-  const InquiryOptions options{.draws = 0, .map = false, .levels = {4e-4}};
+  Questioned asked{set, false};
+  asked.fit.noise.pose = 4e-4;
+  asked.fit.state = Residuals{asked.measurements, asked.model, asked.fit.noise}.start(asked.fit.unknowns);
+  const InquiryOptions options{.draws = 0, .map = false};
   const std::vector<std::string> labels{"encoderGain@LKneePitch", "elasticity@LKneePitch", "encoderGain@LAnklePitch",
                                         "linkLength@thigh"};
   std::vector<Term> candidates;
@@ -27,7 +29,7 @@ TEST_CASE("a candidate that is like another keeps little once that one is in the
   for (std::size_t i = 1; i < labels.size(); ++i) {
     const Model larger = makeModel(asked.measurements, {labels[0]});
     CalibrationResult fit = asked.fit; // taken over: what is compared does not depend on where
-    fit.unknowns = carried(asked.model, asked.fit.unknowns, larger);
+    fit.state.unknowns = carried(asked.model, asked.fit.unknowns, larger);
     const Inquiry with{asked.measurements, larger, fit, {candidates[i]}, options};
     const Eigen::Index place = without.problem().groups[i].first;
     const double kept = with.evidence().information(0, 0) / without.evidence().information(place, place);

@@ -158,6 +158,7 @@ TEST_CASE("corners that err together by less than the noise are no misfit") {
     }
   }
   const Diagnosis diagnosis = diagnosed(set);
+  CAPTURE(diagnosis.sentence);
   CHECK(diagnosis.lackOfFit.pValue < 0.001);
   CHECK(diagnosis.rmsPx < diagnosis.lackOfFit.noiseFloorPx);
   CHECK(diagnosis.verdict == Verdict::adequate);

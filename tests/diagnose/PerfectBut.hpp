@@ -33,7 +33,7 @@ inline CalibrationResult calibratedAt(const Noise& noise, const Measurements& me
   CalibrationOptions options;
   options.noise = noise;
   options.pixelGiven = true;
-  options.estimateNoise = options.robust = options.setAside = false;
+  options.estimateNoise = options.robust = options.setAside = options.question = false;
   return calibrate(measurements, model, options);
 }
 

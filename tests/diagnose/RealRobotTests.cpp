@@ -25,7 +25,7 @@ TEST_CASE("what is found missing in a real NAO's limbs predicts captures that th
     const Solved larger = solved(training, diagnosis.suggested);
     const CaptureSet test = readCaptureSet(*data / (limb + "-test")).set;
     INFO(limb << ": " << diagnosis.sentence);
-    CHECK(diagnosis.lackOfFit.dof[1] == 0); // one mark a picture does not tell the noise
+    CHECK(diagnosis.lackOfFit.dof[1] < 1); // one mark a picture does not tell the noise
     CHECK(diagnosis.lackOfFit.pValue < 1e-6);
     CHECK(larger.model.unknownCount() <= plain.model.unknownCount() + 12);
     CHECK(compare(plain.stored(), {test}, robotOf(test), false).all.rmsPx > before);

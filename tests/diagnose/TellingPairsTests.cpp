@@ -2,7 +2,7 @@
 
 #include "PerfectBut.hpp"
 #include "Questioned.hpp"
-#include "diagnose/Drivers.hpp"
+#include "evidence/Drivers.hpp"
 
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/normal_distribution.hpp>

@@ -115,7 +115,8 @@ TEST_CASE("four proposed poses tell twins apart better than four random ones, by
   }
   std::nth_element(random.begin(), random.begin() + 2, random.end());
   CAPTURE(next.growth, proposed, random[2]);
-  CHECK(next.growth == Approx(proposed).epsilon(0.2));
+  CHECK(next.growth < 1.2 * proposed); // promised for one picture a pose: readings of repeats tell a little more
+  CHECK(next.growth > 0.75 * proposed);
   CHECK(proposed - 1 > 1.5 * (random[2] - 1));
 }
 

@@ -3,8 +3,8 @@
 #include "calibrate/ShownOffsets.hpp"
 #include "calibrate/Verdict.hpp"
 #include "diagnose/DiagnosisFile.hpp"
-#include "diagnose/Drivers.hpp"
 #include "diagnose/TellingSentences.hpp"
+#include "evidence/Drivers.hpp"
 #include "geometry/Angles.hpp"
 #include "geometry/Index.hpp"
 #include "geometry/ShownUnit.hpp"
@@ -115,6 +115,7 @@ Json fitJson(const Json& document, const OpenedSets& opened, const Measurements&
   const std::vector<DriverValues> drivers = driversOf(measurements, model, result.unknowns);
   const TellingPairs telling = tellingPairs(measurements, model, result, drivers);
   Json fit{{"usable", result.usable},
+           {"verdict", nameOf(result.verdict)},
            {"headline", headline(place)},
            {"warnings", sentences(result.warnings)},
            {"rms", result.rmsPx},

@@ -79,7 +79,7 @@ void printCandidates(const Diagnosis& diagnosis) {
       break;
     }
     const std::string fall = finding.chi2Drop ? fmt::format("; chi2 fell by {:.0f} on adding it, predicted {:.0f}",
-                                                            *finding.chi2Drop, finding.evidence.fall)
+                                                            *finding.chi2Drop, finding.evidence.likelihoodRatio)
                                               : "";
     fmt::print("  {:32} {} {:8.1f}  {:12} {}{}\n", finding.term.label(),
                bar(finding.evidence.likelihoodRatio, most, 14), finding.evidence.likelihoodRatio, nameOf(finding.state),

@@ -29,8 +29,8 @@ void printEstimates(const Model& model, const CalibrationResult& result) {
       const auto [unit, scale] = shownUnit(unknown.unit);
       const std::string name =
           term.effect.name == "jointOffset" ? term.place : fmt::format("{} {}", term.label(), unknown.name);
-      fmt::print("  {:<38} {:>10.4f} {:<4}  {:>8.4f} {:<4}  {:>3.0f} % {}\n", name, scale * estimate.value, unit,
-                 scale * estimate.sigma, unit, 100 * estimate.learned, bar(estimate.learned));
+      fmt::print("  {:<38} {:>10.4f} {:<4}  {:>8.4f} {:<4}  {:>3.0f} % {}\n", name, scale * estimate.best(), unit,
+                 scale * estimate.bestSigma(), unit, 100 * estimate.learned, bar(estimate.learned));
     }
   }
 }
@@ -47,8 +47,8 @@ void printStory(const std::vector<CaptureSet>& sets, const Measurements& measure
       "corners lie {:.2f} px rms from their predictions (median {:.2f}); noise: {:.3f} px, encoder {:.4f}°, pose "
       "{:.4f}°{} ({}); chi2/dof {:.3f}, p {:.2g}\n",
       result.rmsPx, result.medianPx, result.noise.pixel, degrees(result.noise.encoder), degrees(result.noise.pose),
-      result.noise.stance > 0 ? fmt::format(", stance {:.4f}°", degrees(result.noise.stance)) : "",
-      result.noiseSource, result.chi2 / std::max(1.0, result.dof), result.pValue);
+      result.noise.stance > 0 ? fmt::format(", stance {:.4f}°", degrees(result.noise.stance)) : "", result.noiseSource,
+      result.chi2 / std::max(1.0, result.dof), result.pValue);
   if (result.floorErrorAt2m > 0) {
     fmt::print("a floor point 2 m ahead will be seen {:.1f} mm off (1 sigma)\n", 1e3 * result.floorErrorAt2m);
   }
@@ -72,7 +72,7 @@ void printStory(const std::vector<CaptureSet>& sets, const Measurements& measure
     fmt::print("\n{} random restarts {} the answer", result.restartsTried,
                result.restartsChanged ? "CHANGED" : "did not change");
   }
-  fmt::print("\n{}\n", result.usable ? "The result can be used." : "The result should NOT be used.");
+  fmt::print("\n{}\n", result.sentence);
 }
 
 } // namespace naocal

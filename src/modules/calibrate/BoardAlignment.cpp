@@ -54,7 +54,7 @@ std::optional<SeenPose> seenPose(const Sighting& sighting, const Belief& belief)
       return std::nullopt;
     }
     sums.clear();
-    sums.add(sighting.corners, projected, {}, cornerNoise, {});
+    sums.add(sighting.corners, projected, {}, cornerNoise, {}, {});
     const Eigen::VectorXd step = -sums.gram().ldlt().solve(sums.gradient());
     const Eigen::Vector3d omega = step.head<3>(), v = step.tail<3>();
     attitude.opticalFromBoard = RigidTransform{rotationAbout(omega), v} * attitude.opticalFromBoard;

@@ -1,9 +1,11 @@
 #pragma once
 
-#include "calibrate/JointNoise.hpp"
+#include "effects/AllEffects.hpp"
+#include "evidence/NoiseLevels.hpp"
 #include "residuals/Residuals.hpp"
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -15,12 +17,12 @@ struct CalibrationOptions {
   Noise noise;               // assumed where the captures cannot tell it
   bool pixelGiven = false;   // the pixel noise was set by a person: taken as it is where no repeats tell it
   bool estimateNoise = true; // from repeats, where there are any
-  /// What a corner's fit is off by in every picture of a pose alike, so that repeats cannot show it: its place between
-  /// the pixels stays (rendered pictures: 0.02 px where boards are near) [px].
-  double repeatedCornerError = 0.02;
-  /// As much misfit within single pictures as repeats do not show may be put down to that error, too; and no corner is
-  /// trusted better than this, however well it repeats [px].
-  double largestCornerError = 0.02;
+  /// Also asks what may be missing: noise levels from the widest model, offsets averaged over what could be missing,
+  /// and whether the captures show it. Without: noise levels as if nothing could be.
+  bool question = true;
+  std::vector<Effect> effects = allEffects(); // that may be missing
+  Eigen::Index draws = 199;                   // of pure noise, for the p-value
+  std::uint64_t drawSeed = 1;
   bool robust = true;     // doubtful corners lose their weight (and are listed)
   bool setAside = true;   // so are, if robust, sightings whose board moved
   bool alternate = false; // the thesis's way: joints and cameras in turns instead of together
@@ -30,13 +32,33 @@ struct CalibrationOptions {
       start; // unknowns to start from, instead of zero with placements found from the pictures
 };
 
+/// An unknown's value over everything that could be missing (`ModelWindow`).
+struct Averaged {
+  double value = 0, sigma = 0;
+  double low = 0, high = 0; // 95 % interval
+};
+
 /// One unknown's estimate.
 struct Estimate {
-  double value = 0; // [the unknown's unit]
-  double sigma = 0; // standard error; where the model does not explain the captures, of noise scaled by `sigmaScale`
-  double halfWidth = 0; // of the 95 % interval: Student's t where noise levels rest on few poses
-  double freedom = 0;   // of that t
-  double learned = 0;   // 1 - posterior sigma / prior sigma
+  double value = 0;                      // of the model as it is [the unknown's unit]
+  double sigma = 0;                      // standard error, widened by `sigmaScale`
+  double halfWidth = 0;                  // of the 95 % interval: Student's t where noise levels rest on few poses
+  double freedom = 0;                    // of that t
+  double learned = 0;                    // 1 - posterior sigma / prior sigma
+  std::optional<Averaged> averaged = {}; // where the question was asked what may be missing
+
+  /// The answer: over what could be missing where that was asked, else the model's.
+  double best() const { return averaged ? averaged->value : value; }
+  double bestSigma() const { return averaged ? averaged->sigma : sigma; }
+  std::array<double, 2> interval() const {
+    return averaged ? std::array{averaged->low, averaged->high} : std::array{value - halfWidth, value + halfWidth};
+  }
+};
+
+/// One explanation of the captures: the model with these effects and curves.
+struct Explanation {
+  std::vector<std::string> effects; // labels; empty: the model as it is
+  double weight = 0;                // of 1 for all explanations
 };
 
 /// A combination of unknowns that the captures hardly tell: a direction of unit length, and the standard error along
@@ -63,9 +85,18 @@ struct Warning {
   std::string sentence;
 };
 
+/// What a result is worth.
+enum class ResultVerdict {
+  good,         // the model explains the captures
+  causeMissing, // usable, but something is missing: find it
+  doNotUse
+};
+
 struct CalibrationResult {
   bool converged = false;
-  bool usable = false;
+  ResultVerdict verdict = ResultVerdict::good;
+  bool usable = false;  // not `doNotUse`
+  std::string sentence; // the verdict in words, the same on every screen
   std::vector<Warning> warnings;
   Eigen::VectorXd unknowns;
   std::vector<Estimate> estimates; // per unknown
@@ -77,8 +108,15 @@ struct CalibrationResult {
   std::string noiseSource;                  // "repeats" or "configured"
   Loss loss;
   double rmsPx = 0, medianPx = 0; // of all corners' distances without their poses' deflections [px]
-  double chi2 = 0, dof = 0, pValue = 1;
-  double sigmaScale = 1; // sqrt(chi2/dof) where the misfit is beyond doubt (p < 0.001), else 1
+  double noiseFloorPx = 0;        // rms distance that noise alone would leave [px]
+  double chi2 = 0, dof = 0;
+  double pValue = 1;                     // how often pure noise would show as striking a sign that something is missing
+  bool matters = false;                  // what shows moves corners by more than a lens is known to
+  double sigmaScale = 1;                 // sqrt(`misfit`): how far error bars are widened
+  double misfit = 1;                     // from pose to pose, chi2 / freedom of the model as it is, where above 1
+  double misfitLeft = 1;                 // the same of the likeliest explanation
+  double scatter = 0;                    // fall of -2 ln likelihood from no pose noise to the level found
+  std::vector<Explanation> explanations; // likeliest first; those that weigh more than a hundredth
   std::vector<WeakDirection> weak;
   std::vector<Doubt> doubts;
   double floorErrorAt2m = 0; // predicted error of a floor point 2 m ahead, 1 sigma, scaled [m]; 0 without floor boards
@@ -88,8 +126,8 @@ struct CalibrationResult {
   double seconds = 0;
 };
 
-/// The straight line from captures to trustworthy numbers: start, fit, noise levels, fit, uncertainty, doubts, verdict.
-/// Throws InputError when there is nothing to fit.
+/// The straight line from captures to trustworthy numbers: start, fit, noise levels, fit, what may be missing,
+/// uncertainty, doubts, verdict. Throws InputError when there is nothing to fit.
 CalibrationResult calibrate(const Measurements& measurements, const Model& model,
                             const CalibrationOptions& options = {});
 

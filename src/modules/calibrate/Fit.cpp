@@ -111,7 +111,8 @@ Fit refit(const Measurements& measurements, const Model& model, const Noise& noi
           double smallestFall) {
   const Residuals residuals{measurements, model, noise, loss};
   Residuals::State start = residuals.start(from.minimum.state.unknowns);
-  if (from.noise.encoder == noise.encoder && from.noise.pose == noise.pose && from.noise.stance == noise.stance) {
+  if (from.noise.encoder == noise.encoder && from.noise.pose == noise.pose && from.noise.stance == noise.stance &&
+      from.noise.reapproach == noise.reapproach) {
     start.deflections = from.minimum.state.deflections;
   } else {
     // deflections are counted in units of their spread: find them anew, by one quadratic step from the same unknowns

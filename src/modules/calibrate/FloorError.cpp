@@ -74,8 +74,7 @@ double floorErrorAt2m(const Measurements& measurements, const Model& model, cons
     return 0;
   }
   std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2), errors.end());
-  const double inflation = std::sqrt(result.chi2 / std::max(1.0, result.dof)) / result.sigmaScale;
-  return errors[errors.size() / 2] * std::max(1.0, inflation);
+  return errors[errors.size() / 2];
 }
 
 } // namespace naocal

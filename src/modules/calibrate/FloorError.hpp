@@ -6,7 +6,7 @@ namespace naocal {
 
 /// How far off a floor point 2 m ahead of the support foot is perceived (1 sigma, both directions together) [m] because
 /// of the physical unknowns, with the legs as in a capture and the head straight; the median over captures. 0 without
-/// floor boards. Scaled by sqrt(chi2/dof) where that is above 1.
+/// floor boards. Widened by the misfit that is left, as the covariance is.
 double floorErrorAt2m(const Measurements& measurements, const Model& model, const CalibrationResult& result);
 
 } // namespace naocal

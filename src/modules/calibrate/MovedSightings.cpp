@@ -1,9 +1,10 @@
 #include "calibrate/MovedSightings.hpp"
 
-#include "calibrate/Tails.hpp"
+#include "evidence/Tails.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 
 namespace naocal {
 
@@ -12,9 +13,10 @@ namespace {
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// The statistic of one sighting. `deflections`: its pose's, of whose state the sums are [rad].
-double chi2Of(const SightingMotion& motion, const PoseSystem& pose, const Eliminated& part, const DeflectionRoot& root,
-              const Eigen::VectorXd& deflections, double pixelNoise, const Eigen::LLT<Eigen::MatrixXd>& hessian) {
+/// Fills the statistic and the distance of one sighting. `deflections`: its pose's, of whose state the sums are [rad].
+void test(Move& move, const SightingMotion& motion, const PoseSystem& pose, const Eliminated& part,
+          const DeflectionRoot& root, const Eigen::VectorXd& deflections, double pixelNoise,
+          const Eigen::LLT<Eigen::MatrixXd>& hessian) {
   const auto unknowns = static_cast<Eigen::Index>(pose.unknowns.size()), joints = deflections.size();
   const double information = 1 / (pixelNoise * pixelNoise);
   const Eigen::MatrixXd byDeflections = motion.cross.rightCols(joints);
@@ -37,7 +39,9 @@ double chi2Of(const SightingMotion& motion, const PoseSystem& pose, const Elimin
   kept -= scattered.transpose() * scattered;
   constexpr double absorbed = 1e-6; // share of its information that a motion keeps where the fit absorbs it
   kept.diagonal() += absorbed * information * motion.gram.diagonal();
-  return score.dot(kept.ldlt().solve(score));
+  const Vector6 best = kept.ldlt().solve(score);
+  move.chi2 = score.dot(best);
+  move.distance = std::sqrt(best.dot(motion.gram * best));
 }
 
 } // namespace
@@ -51,23 +55,27 @@ std::vector<Move> moves(const Measurements& measurements, const Model& model, co
   for (const SightingMotion& motion : motions.value()) {
     const PoseSystem& pose = linear.poses[motion.pose];
     const DeflectionRoot root = deflectionRoot(pose, fit.noise);
-    result.push_back({motion.picture, motion.sighting,
-                      chi2Of(motion, pose, linear.eliminated[motion.pose], root,
-                             root * fit.minimum.state.deflections[motion.pose], fit.noise.pixel, hessian)});
+    test(result.emplace_back(Move{motion.picture, motion.sighting}), motion, pose, linear.eliminated[motion.pose], root,
+         root * fit.minimum.state.deflections[motion.pose], fit.noise.pixel, hessian);
+    result.back().distance /=
+        std::sqrt(static_cast<double>(measurements.pictures[motion.picture].sightings[motion.sighting].ids.size()));
   }
   return result;
 }
 
-std::optional<Move> mostMoved(const Measurements& measurements, const Model& model, const Fit& fit) {
+std::optional<Move> mostMoved(const Measurements& measurements, const Model& model, const Fit& fit, double misfit) {
   constexpr double falseAlarm = 1e-6; // per set of captures
-  const std::vector<Move> all = moves(measurements, model, fit);
+  constexpr double notable = 0.1;     // [px]: less is a detector's own bias
+  std::vector<Move> all = moves(measurements, model, fit);
+  const auto count = static_cast<double>(all.size());
+  std::erase_if(all, [](const Move& move) { return move.distance < notable; });
   const auto most =
       std::max_element(all.begin(), all.end(), [](const Move& a, const Move& b) { return a.chi2 < b.chi2; });
   if (most == all.end()) {
     return std::nullopt;
   }
-  const double p = chiSquaredTail(std::max(0.0, most->chi2), 6);
-  return p * static_cast<double>(all.size()) < falseAlarm ? std::optional{*most} : std::nullopt;
+  const double p = chiSquaredTail(std::max(0.0, most->chi2 / misfit), 6);
+  return p * count < falseAlarm ? std::optional{*most} : std::nullopt;
 }
 
 void setAside(Measurements& measurements, const Move& move) {

@@ -10,7 +10,8 @@ namespace naocal {
 /// How much a sighting asks that its board, in this one picture, lay elsewhere (or the robot stood differently).
 struct Move {
   std::size_t picture = 0, sighting = 0;
-  double chi2 = 0; // fall of chi2 if the board were free: chi2 with six degrees of freedom where nothing moved
+  double chi2 = 0;     // fall of chi2 if the board were free: chi2 with six degrees of freedom where nothing moved
+  double distance = 0; // rms of how far its corners would go [px]
 };
 
 /// Score test of a free rigid motion of each sighting's board, against a fit that holds it in place:
@@ -21,8 +22,10 @@ struct Move {
 /// corners moved together it costs less to bend the joints, against their noise, than to give up every corner.
 std::vector<Move> moves(const Measurements& measurements, const Model& model, const Fit& fit);
 
-/// The sighting that moved most, if any did beyond doubt: once in a million sets of captures in which nothing moved.
-std::optional<Move> mostMoved(const Measurements& measurements, const Model& model, const Fit& fit);
+/// The sighting that moved most, if any did beyond doubt (once in a million sets of captures in which nothing moved)
+/// and by more than a detector's own bias. `misfit`: what the model misses everywhere, in chi2 per freedom; a move must
+/// stand out from that.
+std::optional<Move> mostMoved(const Measurements& measurements, const Model& model, const Fit& fit, double misfit = 1);
 
 /// The same measurements without the corners of a sighting: it stays in the lists, but counts nothing.
 void setAside(Measurements& measurements, const Move& move);

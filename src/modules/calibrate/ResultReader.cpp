@@ -22,8 +22,11 @@ Noise noiseFrom(const json& entry, const std::filesystem::path& file) {
   const Noise noise{.pixel = entry.value("pixel", usual.pixel),
                     .encoder = entry.value("encoder", usual.encoder),
                     .pose = entry.value("pose", usual.pose),
-                    .stance = entry.value("stance", usual.stance)};
-  if (!(noise.pixel > 0 && noise.encoder >= 0 && noise.pose >= 0 && noise.stance >= 0)) {
+                    .stance = entry.value("stance", usual.stance),
+                    .reapproach = entry.value("reapproach", usual.reapproach),
+                    .pixelAlike = entry.value("pixelAlike", usual.pixelAlike)};
+  if (!(noise.pixel > 0 && noise.encoder >= 0 && noise.pose >= 0 && noise.stance >= 0 && noise.reapproach >= 0 &&
+        noise.pixelAlike >= 0)) {
     throw InputError{fmt::format("{}: noise: expected a positive pixel and no negative numbers, found {}",
                                  file.string(), entry.dump())};
   }

@@ -4,6 +4,7 @@
 #include "calibrate/Verdict.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace naocal {
@@ -34,6 +35,10 @@ json effectsJson(const Model& model, const CalibrationResult& result) {
           {"learned", estimate.learned},
           {"interval95", {estimate.value - estimate.halfWidth, estimate.value + estimate.halfWidth}},
           {"degreesOfFreedom", estimate.freedom}};
+      if (const auto& averaged = estimate.averaged) {
+        unknowns[term.effect.unknowns[i].name]["averaged"] = {
+            {"value", averaged->value}, {"sigma", averaged->sigma}, {"interval", {averaged->low, averaged->high}}};
+      }
     }
     effects.push_back({{"effect", term.effect.name}, {"at", term.place}, {"unknowns", std::move(unknowns)}});
   }
@@ -88,6 +93,24 @@ json weakJson(const CalibrationResult& result) {
   return weak;
 }
 
+/// What could be missing, and how likely each explanation is.
+json explanationsJson(const CalibrationResult& result) {
+  json list = json::array();
+  for (const Explanation& explanation : result.explanations) {
+    list.push_back({{"effects", explanation.effects}, {"weight", explanation.weight}});
+  }
+  return list;
+}
+
+/// Of the encoders in use, the root mean square [rad].
+double jitterOf(const Measurements& measurements) {
+  double squares = 0;
+  for (const std::size_t joint : measurements.joints) {
+    squares += measurements.jitter[joint] * measurements.jitter[joint];
+  }
+  return std::sqrt(squares / std::max<double>(1, static_cast<double>(measurements.joints.size())));
+}
+
 /// The person's own effects in the model, each once, so that whoever reads the result can predict with them.
 json definitions(const Model& model) {
   json list = json::array();
@@ -115,14 +138,20 @@ json resultJson(const std::vector<CaptureSet>& sets, const Measurements& measure
   return {{"format", "naocal-result"},
           {"version", 1},
           {"converged", result.converged},
+          {"verdict", nameOf(result.verdict)},
           {"usable", result.usable},
+          {"sentence", result.sentence},
           {"warnings", sentences(result.warnings)},
           {"rmsPx", result.rmsPx},
           {"medianPx", result.medianPx},
+          {"noiseFloorPx", result.noiseFloorPx},
           {"chi2", result.chi2},
           {"dof", result.dof},
           {"pValue", result.pValue},
           {"sigmaScale", result.sigmaScale},
+          {"misfit", result.misfit},
+          {"misfitLeft", result.misfitLeft},
+          {"explanations", explanationsJson(result)},
           {"corners", measurements.cornerCount},
           {"captures", measurements.pictures.size()},
           {"noise",
@@ -130,6 +159,9 @@ json resultJson(const std::vector<CaptureSet>& sets, const Measurements& measure
             {"encoder", result.noise.encoder},
             {"pose", result.noise.pose},
             {"stance", result.noise.stance},
+            {"reapproach", result.noise.reapproach},
+            {"pixelAlike", result.noise.pixelAlike},
+            {"jitter", jitterOf(measurements)},
             {"source", result.noiseSource}}},
           {"effects", effectsJson(model, result)},
           {"placements", placementsJson(measurements, model, result)},

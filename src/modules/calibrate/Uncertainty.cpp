@@ -1,6 +1,9 @@
 #include "calibrate/Uncertainty.hpp"
 
-#include "calibrate/Tails.hpp"
+#include "evidence/NoiseFloor.hpp"
+#include "evidence/PoseMisfit.hpp"
+#include "evidence/Tails.hpp"
+#include "geometry/InParallel.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -20,17 +23,25 @@ struct Spread {
   Eigen::VectorXd relativeSpread; // Var(variance) / variance^2
 };
 
+/// `moves`: whether the estimate's own move counts.
 Spread spreadOver(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& sigmas,
-                  const std::vector<JointNoise::Level>& levels) {
+                  const std::vector<NoiseLevels::Level>& levels, double misfit, bool moves) {
   Spread result{Eigen::VectorXd::Zero(sigmas.size()), Eigen::VectorXd::Zero(sigmas.size())};
-  for (const JointNoise::Level& level : levels) {
+  for (const NoiseLevels::Level& level : levels) {
     const LinearMinimum there = linearMinimum(linear, unknowns, sigmas, level.noise);
-    const Eigen::VectorXd variance = there.covariance.diagonal() + there.step.cwiseAbs2();
+    Eigen::VectorXd variance = misfit * there.covariance.diagonal();
+    if (moves) {
+      variance += there.step.cwiseAbs2();
+    }
     result.variance += level.weight * variance;
     result.relativeSpread += level.weight * variance.cwiseAbs2();
   }
   result.relativeSpread = (result.relativeSpread.cwiseQuotient(result.variance.cwiseAbs2()).array() - 1).max(0);
   return result;
+}
+
+std::vector<NoiseLevels::Level> levelsOf(const NoiseLevels& levels) {
+  return levels.levels.empty() ? std::vector<NoiseLevels::Level>{{levels.noise, 1}} : levels.levels;
 }
 
 /// A normal distribution of uncertain variance, as the Student's t of the same variance and kurtosis:
@@ -66,58 +77,69 @@ void measureDistances(const Measurements& measurements, const Model& model, cons
 
 } // namespace
 
-Misfit misfitOf(const Fit& fit, const Eigen::VectorXd& sigmas) {
-  Misfit result;
-  double numbers = 0;
-  for (std::size_t pose = 0; pose < fit.minimum.linear.poses.size(); ++pose) {
-    result.chi2 += 2 * fit.minimum.linear.eliminated[pose].cost;
-    numbers += fit.minimum.linear.poses[pose].numbers;
-  }
-  const Eigen::VectorXd variances = inverse(fit.minimum.linear.hessian).diagonal();
-  const double learned = (1 - variances.cwiseQuotient(sigmas.cwiseAbs2()).array()).sum();
-  result.dof = numbers - learned;
-  if (result.dof >= 1) {
-    result.pValue = chiSquaredTail(result.chi2, result.dof);
-  }
-  if (result.pValue < 0.001) {
-    result.scale = std::sqrt(result.chi2 / result.dof);
-  }
-  return result;
-}
-
-Noise scaled(const Noise& noise, double factor) {
-  return {noise.pixel * factor, noise.encoder * factor, noise.pose * factor, noise.stance * factor};
-}
-
 CalibrationResult uncertain(const Measurements& measurements, const Model& model, const Fit& fit,
-                            const JointNoise& noise, const Misfit& misfit) {
+                            const NoiseLevels& levels) {
   CalibrationResult result;
   result.converged = fit.minimum.converged;
   result.iterations = fit.minimum.iterations;
   result.restartsChanged = fit.restartsChanged;
   result.state = fit.minimum.state;
   result.unknowns = fit.minimum.state.unknowns;
-  result.noise = scaled(fit.noise, 1 / misfit.scale);
-  result.chi2 = misfit.chi2;
-  result.dof = misfit.dof;
-  result.pValue = misfit.pValue;
-  result.sigmaScale = misfit.scale;
+  result.noise = fit.noise;
   result.loss = fit.loss;
   const Eigen::VectorXd sigmas = model.sigmas();
-  result.covariance = inverse(fit.minimum.linear.hessian);
+  const Residuals::Linear& linear = fit.minimum.linear;
+  result.covariance = inverse(linear.hessian);
+  double numbers = 0;
+  for (std::size_t pose = 0; pose < linear.poses.size(); ++pose) {
+    result.chi2 += 2 * linear.eliminated[pose].cost;
+    numbers += linear.poses[pose].freedom;
+  }
+  result.dof = numbers - (1 - result.covariance.diagonal().cwiseQuotient(sigmas.cwiseAbs2()).array()).sum();
+  const DriverColumns none{.blocks = std::vector<std::vector<DriverColumns::Block>>(linear.poses.size())};
+  const PoseMisfit misfit =
+      poseMisfit({.linear = &linear, .map = &none, .unknowns = result.unknowns, .sigmas = sigmas}, fit.noise);
+  result.misfit = std::max({1.0, misfit.chi2 / misfit.freedom, result.chi2 / std::max(1.0, result.dof)});
+  result.sigmaScale = std::sqrt(result.misfit);
+  result.covariance *= result.misfit;
   measureDistances(measurements, model, fit, result);
-  std::vector<JointNoise::Level> levels = noise.levels;
-  for (JointNoise::Level& level : levels) {
-    level.noise = scaled(level.noise, misfit.scale);
-  }
-  if (levels.empty()) {
-    levels.push_back({fit.noise, 1});
-  }
-  const Spread spread = spreadOver(fit.minimum.linear, result.unknowns, sigmas, levels);
+  result.noiseFloorPx = noiseFloorPx(linear.poses, fit.noise);
+  const Spread spread = spreadOver(linear, result.unknowns, sigmas, levelsOf(levels), result.misfit, true);
   for (Eigen::Index i = 0; i < sigmas.size(); ++i) {
     result.estimates.push_back(estimate(result.unknowns[i], spread.variance[i], spread.relativeSpread[i], sigmas[i]));
   }
   return result;
+}
+
+Eigen::VectorXd levelWidening(const Residuals::Linear& linear, const Eigen::VectorXd& sigmas,
+                              const NoiseLevels& levels) {
+  const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(sigmas.size());
+  const Eigen::VectorXd variance = linearMinimum(linear, nothing, sigmas, levels.noise).covariance.diagonal();
+  const Spread spread = spreadOver(linear, nothing, sigmas, levelsOf(levels), 1, false);
+  Eigen::VectorXd result(sigmas.size());
+  for (Eigen::Index i = 0; i < sigmas.size(); ++i) {
+    const Estimate wide = estimate(0, spread.variance[i], spread.relativeSpread[i], sigmas[i]);
+    result[i] = wide.halfWidth / (1.96 * std::sqrt(variance[i]));
+  }
+  return result;
+}
+
+LinearMinimum linearMinimum(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns,
+                            const Eigen::VectorXd& sigmas, const Noise& noise) {
+  const Eigen::VectorXd information = sigmas.cwiseAbs2().cwiseInverse();
+  Eigen::MatrixXd hessian = information.asDiagonal();
+  Eigen::VectorXd gradient = information.cwiseProduct(unknowns);
+  std::vector<Eliminated> parts(linear.poses.size());
+  inParallel(parts.size(), [&](std::size_t i) {
+    eliminate(linear.poses[i], noise, deflectionRoot(linear.poses[i], noise), parts[i]);
+  });
+  for (std::size_t pose = 0; pose < parts.size(); ++pose) {
+    const std::vector<std::size_t>& seen = linear.poses[pose].unknowns;
+    gradient(seen) += parts[pose].unknownGradient;
+    hessian(seen, seen) += parts[pose].hessian;
+  }
+  const Eigen::LLT<Eigen::MatrixXd> factor{hessian};
+  return {-factor.solve(gradient), factor.solve(Eigen::MatrixXd::Identity(hessian.rows(), hessian.cols()))};
 }
 
 } // namespace naocal

@@ -4,20 +4,23 @@
 
 namespace naocal {
 
-/// chi2 = r^T Sigma^-1 r of all corners that count; dof = numbers measured - numbers learned.
-struct Misfit {
-  double chi2 = 0, dof = 0, pValue = 1;
-  double scale = 1; // sqrt(chi2/dof) where the misfit is beyond doubt (p < 0.001)
-};
-Misfit misfitOf(const Fit& fit, const Eigen::VectorXd& sigmas);
-
-/// All levels times a factor.
-Noise scaled(const Noise& noise, double factor);
-
 /// A fit's numbers with what they are worth: covariance = inverse Hessian of the whitened problem, priors included,
-/// averaged over the levels of noise that are possible; 95 % intervals of the Student's t with that variance and
-/// kurtosis.
+/// times the misfit that is left; standard errors averaged over the levels of noise that are possible; 95 % intervals
+/// of the Student's t with that variance and kurtosis.
 CalibrationResult uncertain(const Measurements& measurements, const Model& model, const Fit& fit,
-                            const JointNoise& noise, const Misfit& misfit);
+                            const NoiseLevels& levels);
+
+/// Per unknown, how much wider its 95 % interval is than 1.96 standard errors at the likeliest levels of noise, because
+/// few poses leave them open.
+Eigen::VectorXd levelWidening(const Residuals::Linear& linear, const Eigen::VectorXd& sigmas,
+                              const NoiseLevels& levels);
+
+/// The minimum under another noise level, from the linearisation at a near one: where it lies and its covariance.
+struct LinearMinimum {
+  Eigen::VectorXd step; // from the linearisation's unknowns
+  Eigen::MatrixXd covariance;
+};
+LinearMinimum linearMinimum(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns,
+                            const Eigen::VectorXd& sigmas, const Noise& noise);
 
 } // namespace naocal

@@ -5,8 +5,12 @@
 namespace naocal {
 
 /// Finds weak directions, predicts the error on the field and decides whether the result should be used; fills `weak`,
-/// `floorErrorAt2m`, `warnings` and `usable`.
+/// `floorErrorAt2m`, `warnings`, `verdict`, `usable`
+/// and `sentence`.
 void judge(const Measurements& measurements, const Model& model, CalibrationResult& result);
+
+/// As files have it: "good", "cause-missing", "do-not-use".
+std::string nameOf(ResultVerdict verdict);
 
 /// Of all warnings.
 std::vector<std::string> sentences(const std::vector<Warning>& warnings);

@@ -15,9 +15,7 @@ std::optional<AddedVariable> addedVariable(const Inquiry& inquiry, const Model& 
     return std::nullopt;
   }
   const Eigen::VectorXd direction = evidence.estimate.size() == 1 ? Eigen::VectorXd::Ones(1) : evidence.estimate;
-  Noise noise = inquiry.noise();
-  noise.pose = evidence.level;
-  const CandidateColumn column{inquiry, candidate, direction, noise};
+  const CandidateColumn column{inquiry, candidate, direction, inquiry.noise()};
   const Eigen::Index own = problem.own();
   Eigen::VectorXd left(own + 1), fitted(own + 1); // e = J left, M r = r + J fitted
   left << -column.imitation, 1;

@@ -29,7 +29,7 @@ struct AddedVariable {
   std::string like;            // the model's own effect that imitates the candidate best
 };
 
-/// Of a candidate effect, at the pose noise that it leaves; absent where the model absorbs it.
+/// Of a candidate effect; absent where the model absorbs it.
 std::optional<AddedVariable> addedVariable(const Inquiry& inquiry, const Model& model, std::size_t candidate);
 
 } // namespace naocal

@@ -1,7 +1,7 @@
 #include "diagnose/Curves.hpp"
 
-#include "diagnose/Drivers.hpp"
 #include "diagnose/Shapes.hpp"
+#include "evidence/Drivers.hpp"
 
 #include <algorithm>
 #include <array>
@@ -31,7 +31,7 @@ void draw(const DriverCell& cell, const Eigen::VectorXd& estimate, const Eigen::
 }
 
 /// How much of a joint's or mount's scatter from picture to picture a curve explains: its variance over the pictures as
-/// they were taken, against the pose noise that it leaves.
+/// they were taken, against the pose noise.
 double shareOf(const DriverCell& cell, const std::vector<double>& driver, const Eigen::VectorXd& estimate,
                double left) {
   double sum = 0, squares = 0;
@@ -45,7 +45,7 @@ double shareOf(const DriverCell& cell, const std::vector<double>& driver, const 
   return variance > 0 ? variance / (variance + left * left) : 0;
 }
 
-void drawMount(const DriverCell& cell, const std::vector<double>& driver, const GroupEvidence& group,
+void drawMount(const DriverCell& cell, const std::vector<double>& driver, const GroupEvidence& group, double scatter,
                DriverFinding& finding) {
   const std::array<const char*, 3> axes{"x", "y", "z"};
   finding.amplitude = -1;
@@ -55,7 +55,7 @@ void drawMount(const DriverCell& cell, const std::vector<double>& driver, const 
     about.about = axes[static_cast<std::size_t>(axis)];
     about.curve.clear();
     draw(cell, group.estimate(own), group.covariance(own, own), about);
-    about.share = shareOf(cell, driver, group.estimate(own), group.level);
+    about.share = shareOf(cell, driver, group.estimate(own), scatter);
     if (about.amplitude > finding.amplitude) {
       finding = about;
     }
@@ -90,9 +90,9 @@ DriverFinding driverFinding(const Inquiry& inquiry, const Measurements& measurem
   const DriverValues& driver = inquiry.map().drivers[cell.driver];
   result.what = driver.what;
   if (ofMount) {
-    drawMount(cell, driver.atPicture, group, result);
+    drawMount(cell, driver.atPicture, group, inquiry.noise().pose, result);
   } else {
-    result.share = shareOf(cell, driver.atPicture, group.estimate, group.level);
+    result.share = shareOf(cell, driver.atPicture, group.estimate, inquiry.noise().pose);
     draw(cell, group.estimate, group.covariance, result);
     express(inquiry, measurements, cell, result);
   }

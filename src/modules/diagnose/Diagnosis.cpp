@@ -48,9 +48,9 @@ std::optional<ImageField> worthANote(const std::optional<ImageField>& field, dou
 }
 
 /// `missing`: an effect that has a name explains the misfit. `unknown`: nothing that has a name does, but a curve.
-Verdict verdictOf(const Diagnosis& diagnosis, const Inquiry& last, bool missing, bool unknown) {
-  constexpr double surely = 9;          // of a likelihood ratio at its boundary: p = 0.0013
-  constexpr double beyondDoubt = 0.001; // of the lack of fit
+Verdict verdictOf(const Diagnosis& diagnosis, double misfitLeft, bool missing, bool unknown) {
+  constexpr double surely = 9;        // of a likelihood ratio at its boundary: p = 0.0013
+  constexpr double largeMisfit = 1.6; // chi2 from pose to pose over its freedom
   if (!diagnosis.suspicious.empty()) {
     return Verdict::badCaptures;
   }
@@ -60,14 +60,12 @@ Verdict verdictOf(const Diagnosis& diagnosis, const Inquiry& last, bool missing,
   if (missing) {
     return Verdict::effectMissing;
   }
-  const bool significant = diagnosis.lackOfFit.pValue < beyondDoubt;
-  if (last.evidence().level > 0 && (significant || last.evidence().withoutScatter > surely)) {
-    return Verdict::scatter;
-  }
-  // Corners of pictures at rest err together (a lens that is not quite round, a detector's bias): precise captures show
-  // that long before it matters, and repeats at rest do not.
+  // corners of precise pictures err together by less than matters: a lens that is not quite round, a detector's bias
   const bool matters = diagnosis.rmsPx > diagnosis.lackOfFit.noiseFloorPx;
-  return (significant && matters) || diagnosis.unexplained ? Verdict::inconclusive : Verdict::adequate;
+  if (diagnosis.unexplained || (misfitLeft > largeMisfit && matters)) {
+    return Verdict::inconclusive;
+  }
+  return diagnosis.fit.scatter > surely ? Verdict::scatter : Verdict::adequate;
 }
 
 /// Of captures that nothing was said of yet.
@@ -113,7 +111,8 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
       result.suspicious = accidents(sets, measurements, ladder.model(), ladder.fit(), inquiry);
     }
     const std::optional<ImageField> field = worthANote(strikingField(measurements, ladder.model(), ladder.fit()), most);
-    const bool alarm = (inquiry.evidence().pValue <= options.alarm || field) && result.suspicious.empty();
+    const bool striking = inquiry.evidence().pValue <= options.alarm && inquiry.evidence().matters;
+    const bool alarm = (striking || field) && result.suspicious.empty();
     const std::optional<std::size_t> candidate = alarm ? ladder.best(inquiry) : std::nullopt;
     if (alarm && inquiry.curveCount() > 0) {
       unknown = isUnknown(inquiry, candidate);
@@ -126,15 +125,15 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
       if (unknownField) {
         result.drivers.insert(result.drivers.begin(), fieldFinding(*field, measurements));
       }
-      result.scatter = inquiry.evidence().level;
-      const bool silent = inquiry.evidence().pValue > options.alarm;
-      const bool setUp = !result.suspicious.empty() && result.suspicious.front().setUp; // else all would seem moved
-      if (!unknown && !setUp && (result.suggested.empty() || silent)) {
+      result.scatter = ladder.fit().noise.pose;
+      const bool lasting =
+          !result.suspicious.empty() && !result.suspicious.front().capture; // else all would seem moved
+      if (!unknown && !lasting && (result.suggested.empty() || !striking)) {
         addNew(movedBoards(sets, measurements, ladder.withoutMovedBoards()), result.suspicious);
       }
       const bool missing = !result.suggested.empty() || (!grows && candidate);
       result.unexplained = alarm && !candidate && !unknown && !missing;
-      result.verdict = verdictOf(result, inquiry, missing, unknown);
+      result.verdict = verdictOf(result, ladder.fit().misfit, missing, unknown);
       result.with = ladder.added();
       result.ranking = judged(ladder.findings(), inquiry, ladder.model(), ladder.fit(), result.suggested);
       break;

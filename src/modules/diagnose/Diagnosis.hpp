@@ -77,7 +77,7 @@ struct MapCell {
 struct Suspicion {
   std::optional<int> capture; // its id
   std::string why;
-  bool setUp = false; // all captures are wrong in that way
+  std::optional<double> odds = {}; // to 1 against the best effect or curve, where they were compared
 };
 
 /// One rung of the ladder: the model with one more effect.

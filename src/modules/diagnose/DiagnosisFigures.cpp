@@ -1,6 +1,6 @@
 #include "diagnose/DiagnosisFigures.hpp"
 
-#include "diagnose/Drivers.hpp"
+#include "evidence/Drivers.hpp"
 
 namespace naocal {
 

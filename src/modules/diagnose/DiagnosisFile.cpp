@@ -46,7 +46,8 @@ Json rankingEntry(const CandidateFinding& finding) {
              {"minimalDetectable",
               finding.minimalDetectable.empty() ? Json(nullptr) : number(finding.minimalDetectable.front())},
              {"keptFraction", finding.evidence.keptFraction},
-             {"predictedChi2Drop", finding.evidence.fall},
+             {"movedPx", finding.evidence.movedPx},
+             {"predictedChi2Drop", finding.evidence.likelihoodRatio},
              {"chi2Drop", number(finding.chi2Drop)},
              {"pValue", finding.evidence.pValue},
              {"likelihoodRatio", finding.evidence.likelihoodRatio},
@@ -136,6 +137,9 @@ Json diagnosisJson(const Diagnosis& diagnosis) {
     Json entry{{"why", suspicion.why}};
     if (suspicion.capture) {
       entry["capture"] = *suspicion.capture;
+    }
+    if (suspicion.odds) {
+      entry["odds"] = *suspicion.odds;
     }
     result["suspicious"].push_back(std::move(entry));
   }

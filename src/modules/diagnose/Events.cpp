@@ -1,8 +1,12 @@
 #include "diagnose/Events.hpp"
 
+#include "evidence/ModelAlone.hpp"
+#include "evidence/NoiseLevels.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -68,6 +72,36 @@ Effect knocked(const Moment& moment) {
   return turned("cameraKnocked", [moment](const Instant& instant) { return isAfter(instant, moment); });
 }
 
+/// A single bad pose makes all poses seem to scatter: without it they would scatter less.
+std::vector<Noise> levelsBelow(const Noise& noise) {
+  std::vector<Noise> result{noise};
+  if (noise.pose + noise.reapproach > 0) {
+    for (const double part : {0.0, 0.25, 0.5}) {
+      Noise& less = result.emplace_back(noise);
+      less.pose *= part;
+      less.reapproach *= part;
+    }
+  }
+  return result;
+}
+
+/// Per group, its Bayes factor where the level of noise suits it best, against the model at the first level.
+std::vector<double> bestAtAny(const ScoreProblem& problem, const std::vector<Noise>& levels) {
+  std::vector<double> result(problem.groups.size(), -std::numeric_limits<double>::infinity());
+  double first = 0;
+  for (const Noise& level : levels) {
+    const PoseScores measured = measuredScores(*problem.linear, level);
+    const double deviance = ModelAlone{problem, level}(measured, problem.priorScore()).deviance[0] +
+                            scatterPenalty(level.pose) + scatterPenalty(level.reapproach);
+    first = &level == levels.data() ? deviance : first;
+    const Evidence evidence = evidenceOf(problem, level);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      result[i] = std::max(result[i], evidence.groups[i].bayes - (deviance - first));
+    }
+  }
+  return result;
+}
+
 /// When boards, stances or cameras were seen, by set and number.
 using Times = std::map<std::pair<std::size_t, std::size_t>, std::set<double>>;
 
@@ -129,32 +163,26 @@ std::vector<Event> possibleEvents(const std::vector<CaptureSet>& sets, const Mea
   return result;
 }
 
-std::optional<Event> likeliestEvent(const std::vector<Event>& events, const Measurements& measurements,
-                                    const Model& model, const CalibrationResult& fit, const Inquiry& inquiry) {
+std::optional<LikelyEvent> likeliestEvent(const std::vector<Event>& events, const Measurements& measurements,
+                                          const Model& model, const CalibrationResult& fit, const Inquiry& inquiry) {
   std::vector<Term> terms;
   for (const Event& event : events) {
     terms.push_back(event.term);
   }
-  const double level = inquiry.evidence().level;
-  const Inquiry tried{measurements,
-                      model,
-                      fit,
-                      terms,
-                      {.draws = 0,
-                       .map = false,
-                       .levels = level > 0 ? std::vector<double>{0, level / 4, level} : std::vector<double>{0}}};
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < events.size(); ++i) {
-    if (tried.ofCandidate(i).bayes > tried.ofCandidate(best).bayes) {
-      best = i;
-    }
-  }
-  double effects = 0;
-  for (const GroupEvidence& group : inquiry.evidence().groups) {
-    effects = std::max(effects, group.bayes);
-  }
+  const Inquiry tried{measurements, model, fit, terms, {.draws = 0, .map = false}};
+  const std::vector<Noise> levels = levelsBelow(inquiry.noise());
+  const std::vector<double> likely = bestAtAny(tried.problem(), levels), effects = bestAtAny(inquiry.problem(), levels);
+  const auto best = static_cast<std::size_t>(std::max_element(likely.begin(), likely.end()) - likely.begin());
   const double chance = 10 + 2 * std::log(static_cast<double>(events.size()));
-  return tried.ofCandidate(best).bayes > effects + chance ? std::optional{events[best]} : std::nullopt;
+  const double most = effects.empty() ? 0 : std::max(0.0, *std::max_element(effects.begin(), effects.end()));
+  constexpr double notable = 0.1; // [px]: a tenth of a millimetre at arm's length; less is a detector's own bias
+  const GroupEvidence& found = tried.ofCandidate(best);
+  const bool matters = events[best].captures.empty() ? found.movedPx > notable : found.matters();
+  if (likely[best] <= most + chance || !matters) {
+    return std::nullopt;
+  }
+  constexpr double mostOdds = 1e12;
+  return LikelyEvent{events[best], std::min(mostOdds, std::exp((likely[best] - most) / 2))};
 }
 
 } // namespace naocal

@@ -18,8 +18,14 @@ struct Event {
 /// Boards and robot may have moved between any two poses; any capture may be bad.
 std::vector<Event> possibleEvents(const std::vector<CaptureSet>& sets, const Measurements& measurements);
 
+/// An event, and how much likelier it is than the best effect or curve, at most 1e12 to 1.
+struct LikelyEvent {
+  Event event;
+  double odds = 1;
+};
+
 /// The event that explains the misfit best, where it does so far better than chance and than any candidate effect.
-std::optional<Event> likeliestEvent(const std::vector<Event>& events, const Measurements& measurements,
-                                    const Model& model, const CalibrationResult& fit, const Inquiry& inquiry);
+std::optional<LikelyEvent> likeliestEvent(const std::vector<Event>& events, const Measurements& measurements,
+                                          const Model& model, const CalibrationResult& fit, const Inquiry& inquiry);
 
 } // namespace naocal

@@ -2,10 +2,10 @@
 
 #include "diagnose/Aliases.hpp"
 #include "diagnose/BoardShape.hpp"
-#include "diagnose/DriverColumns.hpp"
 #include "diagnose/Leftover.hpp"
 #include "diagnose/Taken.hpp"
 #include "diagnose/WhatIf.hpp"
+#include "evidence/DriverColumns.hpp"
 
 #include <vector>
 

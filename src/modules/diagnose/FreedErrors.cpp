@@ -1,7 +1,7 @@
 #include "diagnose/FreedErrors.hpp"
 
-#include "calibrate/Tails.hpp"
 #include "diagnose/Scene.hpp"
+#include "evidence/Tails.hpp"
 #include "geometry/Index.hpp"
 #include "geometry/SymmetricEigen.hpp"
 

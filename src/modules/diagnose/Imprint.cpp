@@ -112,12 +112,10 @@ std::vector<Imprint> imprints(const Measurements& measurements, const Model& mod
   std::vector<Eigen::VectorXd> refitted;
   for (std::size_t candidate : candidates) {
     const GroupEvidence& evidence = inquiry.ofCandidate(candidate);
-    Noise noise = inquiry.noise();
-    noise.pose = evidence.level;
     Imprint& imprint = result.emplace_back();
     imprint.found = evidence.bayes > 0;
     imprint.size = shownSize(evidence, inquiry.candidates()[candidate].effect);
-    const CandidateColumn column{inquiry, candidate, imprint.size, noise};
+    const CandidateColumn column{inquiry, candidate, imprint.size, inquiry.noise()};
     imprint.imitator = labelOf(model, column.like);
     refitted.push_back(fit.unknowns + column.imitation);
   }

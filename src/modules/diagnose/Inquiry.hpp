@@ -1,12 +1,9 @@
 #pragma once
 
 #include "calibrate/Calibration.hpp"
-#include "diagnose/Evidence.hpp"
-#include "diagnose/LevelTests.hpp"
-#include "diagnose/MountCurves.hpp"
-#include "residuals/Model.hpp"
+#include "evidence/Evidence.hpp"
+#include "evidence/WideModel.hpp"
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,27 +13,24 @@ namespace naocal {
 struct InquiryOptions {
   Eigen::Index draws = 199; // of pure noise, for the alarm's null distribution
   std::uint64_t seed = 1;
-  bool map = true;                           // joints and mounts over drivers beside the candidates
-  std::vector<double> levels; // of pose noise; none: those of `poseLevels`
+  bool map = true; // joints and mounts over drivers beside the candidates
 };
 
 /// A fitted model put to the question: which of these candidates, and which curve of a joint or mount over a driver,
-/// would explain what is left over? All linearised at the fit.
+/// would explain what is left over? All linearised at the fit, and at its levels of noise: what a candidate explains
+/// must not depend on how much was taken for noise without it.
 class Inquiry {
 public:
-  Inquiry(const Inquiry&) = delete; // its problem points into it
-  Inquiry& operator=(const Inquiry&) = delete;
   Inquiry(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
           const std::vector<Term>& candidates, const InquiryOptions& options = {});
 
-  const std::vector<Term>& candidates() const { return candidates_; }
-  const Residuals::Linear& linear() const { return linear_; }
-  const std::vector<MountCurve>& mounts() const { return mounts_; }
-  const DriverColumns& map() const { return map_; }
-  const ScoreProblem& problem() const { return *problem_; }
+  const std::vector<Term>& candidates() const { return wide_.candidates(); }
+  const Residuals::Linear& linear() const { return wide_.linear(); }
+  const std::vector<MountCurve>& mounts() const { return wide_.mounts(); }
+  const DriverColumns& map() const { return wide_.map(); }
+  const ScoreProblem& problem() const { return wide_.problem(); }
   const Evidence& evidence() const { return evidence_; }
-  /// The noise of the fit, with the pose level found here.
-  Noise noise() const;
+  const Noise& noise() const { return noise_; }
 
   /// Places among the candidates, the likeliest first.
   std::vector<std::size_t> candidatesByEvidence() const;
@@ -53,16 +47,12 @@ public:
   /// The place of a candidate among them, by its label.
   std::optional<std::size_t> find(const std::string& label) const;
   const GroupEvidence& ofCandidate(std::size_t candidate) const { return evidence_.groups[candidate]; }
-  std::size_t curveCount() const { return mounts_.size() + map_.cells.size(); }
-  const GroupEvidence& ofCurve(std::size_t curve) const { return evidence_.groups[candidates_.size() + curve]; }
+  std::size_t curveCount() const { return mounts().size() + map().cells.size(); }
+  const GroupEvidence& ofCurve(std::size_t curve) const { return evidence_.groups[candidates().size() + curve]; }
 
 private:
-  std::vector<Term> candidates_;
   Noise noise_;
-  std::vector<MountCurve> mounts_;
-  Residuals::Linear linear_;
-  DriverColumns map_;
-  std::unique_ptr<ScoreProblem> problem_;
+  WideModel wide_;
   Evidence evidence_;
 };
 

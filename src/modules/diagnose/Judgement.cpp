@@ -42,7 +42,7 @@ void judgeLeftOut(const GroupEvidence& evidence, double criticalP, CandidateFind
     const bool striking = evidence.pValue < criticalP;              // but it may be less likely there than not
     finding.state = untestable && taken                    ? State::aliased
                     : untestable                           ? State::absorbed
-                    : striking && evidence.bayes > 0       ? State::present
+                    : striking && evidence.bayes > 0       ? (evidence.matters() ? State::present : State::trivial)
                     : !striking && finding.power >= enough ? State::absent
                                                            : State::inconclusive;
   }

@@ -4,17 +4,15 @@
 
 namespace naocal {
 
-/// Does the model fail from pose to pose by more than readings of one pose differ?
-///   F = ((chi2(no pose noise) - chi2(poses free)) / dof[0]) / (chi2(poses free) / dof[1])
-/// where "free" lets every joint deflect anew in every pose. Where pictures hold too little to tell the noise (one mark
-/// each), the noise is taken as known: chi2 instead of F, and dof[1] is 0. Beside it how large the noise alone would be
-/// in pixels.
+/// How far the model fails from pose to pose, by more than its noise (`PoseMisfit`), and whether that is chance.
+///   statistic = chi2 / dof[0]
+/// It is a size, without a p-value of its own: its levels of noise were estimated from the same poses. The p-value is
+/// that of the most striking sign that something is missing (`Evidence`), which does not lose its meaning by that.
 struct LackOfFit {
   double statistic = 0;
-  double dof[2] = {0, 0};
+  double dof[2] = {0, 0}; // of the statistic; of what is left within poses
   double pValue = 1;
-  double noiseFloorPx =
-      0; // rms distance of corners that noise alone makes; with pose noise unless something is missing
+  double noiseFloorPx = 0; // rms distance of corners that noise alone makes
 };
 LackOfFit lackOfFit(const Inquiry& inquiry);
 

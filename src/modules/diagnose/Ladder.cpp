@@ -18,14 +18,12 @@ bool has(const Model& model, const std::string& label) {
                      [&](const Term& term) { return term.label() == label; });
 }
 
-/// No lens and no detector is known better: smaller misfits within pictures are not worth a cause [px].
-constexpr double knownLens = 0.1;
-
 } // namespace
 
 Ladder::Ladder(const Measurements& measurements, const Model& model, const DiagnosisOptions& options)
     : measurements_{measurements}, options_{options}, candidates_{candidateTerms(measurements, options.effects)},
       added_{options.with}, model_{model}, fit_{calibrated(model_, options.calibration.start)} {
+  levels_ = fit_.noise;
   std::erase_if(candidates_, [&](const Term& term) { return has(model_, term.label()); });
   for (const Term& term : candidates_) {
     CandidateFinding& finding = findings_.emplace_back(CandidateFinding{.term = term});
@@ -37,12 +35,16 @@ Ladder::Ladder(const Measurements& measurements, const Model& model, const Diagn
   }
 }
 
-/// No sighting is set aside: what a missing effect does to a board must not be taken for an accident.
+/// No sighting is set aside: what a missing effect does to a board must not be taken for an accident. Noise levels are
+/// those of the first rung, found under the widest model: all rungs are compared at the same.
 CalibrationResult Ladder::calibrated(const Model& model, std::optional<Eigen::VectorXd> start) const {
   CalibrationOptions options = options_.calibration;
   options.start = std::move(start);
   options.setAside = false;
-  options.largestCornerError = knownLens;
+  if (levels_) {
+    options.noise = *levels_;
+    options.estimateNoise = options.question = false;
+  }
   CalibrationResult result = calibrate(measurements_, model, options);
   std::size_t doubted = 0, elsewhere = 0;
   for (const Doubt& doubt : result.doubts) {
@@ -91,8 +93,12 @@ void Ladder::look(const Inquiry& inquiry, Diagnosis& diagnosis) {
   std::vector<std::size_t> order = inquiry.candidatesByStanding();
   order.resize(std::min<std::size_t>(order.size(), 10));
   const std::optional<HeldOut> held = heldOut(inquiry, model_, diagnosis.suggested, order);
+  misleading_.clear();
   for (std::size_t i = 0; i < order.size(); ++i) {
     CandidateFinding& finding = findingOf(inquiry.candidates()[order[i]]);
+    if (held && held->afterPx[i] >= held->beforePx) {
+      misleading_.push_back(finding.term.label());
+    }
     if (finding.step == diagnosis.steps.size()) {
       if (held) {
         finding.heldOutBefore = held->beforePx;

@@ -22,7 +22,8 @@ public:
 
   /// Writes down the model's rung and what each candidate would explain.
   void look(const Inquiry& inquiry, Diagnosis& diagnosis);
-  /// The candidate to add next: the likeliest, by a fit of each of the first few; absent when none beats the model.
+  /// The candidate to add next: the likeliest, by a fit of each of the first few, of those that lower the held-out
+  /// error and, where they drift, predict the last poses and beat every step; absent when none beats the model.
   std::optional<std::size_t> best(const Inquiry& inquiry);
   /// Adds it, fits, and drops what it has made superfluous. False: the ladder is as long as these captures bear.
   bool add(const Inquiry& inquiry, std::size_t candidate, Diagnosis& diagnosis);
@@ -45,6 +46,8 @@ private:
   Model with(const Term& term) const;
   /// Earlier additions that the last one has made superfluous.
   void dropSuperfluous(std::vector<std::string>& suggested);
+  /// Whether it foretells poses that it was not fitted to: of the first few only.
+  bool foretells(const Inquiry& inquiry, std::size_t candidate) const;
   double refittedDrop(const Inquiry& inquiry, std::size_t candidate) const;
 
   CalibrationResult calibrated(const Model& model, std::optional<Eigen::VectorXd> start) const;
@@ -55,6 +58,8 @@ private:
   std::vector<std::string> added_;
   std::vector<std::string> dropped_; // by the last addition
   Model model_;
+  std::optional<Noise> levels_;         // of the first rung
+  std::vector<std::string> misleading_; // labels of candidates that raise the held-out error of this rung
   CalibrationResult fit_;
   std::vector<CandidateFinding> findings_; // as the candidates
 };

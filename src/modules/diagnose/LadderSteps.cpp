@@ -2,6 +2,7 @@
 #include "calibrate/Fit.hpp"
 #include "diagnose/Alternatives.hpp"
 #include "diagnose/Ladder.hpp"
+#include "evidence/Prequential.hpp"
 #include "geometry/InParallel.hpp"
 #include "residuals/Carried.hpp"
 
@@ -27,13 +28,32 @@ Model Ladder::with(const Term& term) const {
   return makeModel(measurements_, labels, options_.without, options_.effects);
 }
 
+bool Ladder::foretells(const Inquiry& inquiry, std::size_t candidate) const {
+  const Effect& effect = inquiry.candidates()[candidate].effect;
+  const auto needs = [&](Driver driver) {
+    return std::find(effect.needs.begin(), effect.needs.end(), driver) != effect.needs.end();
+  };
+  if (std::find(misleading_.begin(), misleading_.end(), inquiry.candidates()[candidate].label()) != misleading_.end()) {
+    return false;
+  }
+  if (!needs(Driver::time) && !needs(Driver::temperature)) {
+    return true;
+  }
+  for (std::size_t cell = 0; cell < inquiry.map().cells.size(); ++cell) {
+    if (inquiry.map().cells[cell].shape == DriverCell::Shape::step &&
+        inquiry.ofCurve(inquiry.mounts().size() + cell).bayes >= inquiry.ofCandidate(candidate).bayes) {
+      return false;
+    }
+  }
+  return prequential(inquiry.problem(), inquiry.noise(), posesInTime(measurements_), candidate).predicts();
+}
+
 double Ladder::refittedDrop(const Inquiry& inquiry, std::size_t candidate) const {
-  Noise noise = inquiry.noise();
-  noise.pose = inquiry.ofCandidate(candidate).level;
+  const Noise noise = inquiry.noise();
   const Model larger = with(inquiry.candidates()[candidate]);
   const auto cost = [&](const Model& model, const Eigen::VectorXd& start) {
     Loss loss;
-    loss.scale = fit_.loss.scale * fit_.sigmaScale;
+    loss.scale = fit_.loss.scale;
     Fit from{Noise{.pixel = noise.pixel, .encoder = -1, .pose = -1}, loss, {}};
     from.minimum.state.unknowns = start;
     return naocal::refit(measurements_, model, noise, loss, std::move(from)).minimum.linear.cost;
@@ -44,12 +64,16 @@ double Ladder::refittedDrop(const Inquiry& inquiry, std::size_t candidate) const
 std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
   constexpr double near = 10;
   constexpr std::size_t most = 4;
-  std::vector<std::size_t> order = inquiry.candidatesByEvidence();
-  order.resize(std::min(most, order.size()));
-  std::erase_if(order, [&, likeliest = order.empty() ? 0 : inquiry.ofCandidate(order[0]).bayes](std::size_t candidate) {
+  std::vector<std::size_t> order;
+  for (const std::size_t candidate : inquiry.candidatesByEvidence()) {
     const double bayes = inquiry.ofCandidate(candidate).bayes;
-    return bayes <= 0 || bayes < likeliest - near;
-  });
+    if (bayes <= 0 || order.size() == most || (!order.empty() && bayes < inquiry.ofCandidate(order[0]).bayes - near)) {
+      break;
+    }
+    if (foretells(inquiry, candidate)) {
+      order.push_back(candidate);
+    }
+  }
   std::vector<double> drops(order.size());
   inParallel(order.size(), [&](std::size_t i) { drops[i] = refittedDrop(inquiry, order[i]); });
   std::optional<std::size_t> best;
@@ -61,7 +85,7 @@ std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
       finding.chi2Drop = drops[i];
     }
     const double bayes =
-        evidence.bayes * drops[i] / evidence.fall; // in the share of its predicted fall that comes true
+        evidence.bayes * drops[i] / evidence.likelihoodRatio; // in the share of its predicted fall that comes true
     if (bayes > bestBayes) {
       bestBayes = bayes;
       best = order[i];

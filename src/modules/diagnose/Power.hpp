@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagnose/Evidence.hpp"
+#include "evidence/Evidence.hpp"
 
 #include <Eigen/Core>
 #include <vector>

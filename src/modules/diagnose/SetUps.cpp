@@ -13,7 +13,6 @@ namespace {
 
 constexpr double nonsense = 100;           // [px]: neither physics nor an accident does this
 constexpr double good = 5;                 // [px]: of a set that is right but for its physics
-constexpr double gross = 3;                // [px] rms: physics of a robot that still walks is smaller
 constexpr double mends = 0.4;              // of the misfit must be left at most
 constexpr double mostOffset = radians(15); // of a robot that still stands
 constexpr double some = 0.1;               // of all corners: more than a few pictures that belong elsewhere
@@ -23,7 +22,7 @@ std::optional<double> misfitOf(const std::vector<CaptureSet>& sets, const Measur
   try {
     const Measurements measurements = measurementsOf(sets, asTheyAre.robot, asTheyAre.samePlace);
     CalibrationOptions options;
-    options.estimateNoise = false;
+    options.estimateNoise = options.question = false;
     options.robust = false;
     return calibrate(measurements, makeModel(measurements), options).rmsPx;
   } catch (const InputError&) {
@@ -65,7 +64,7 @@ GrossMisfit GrossMisfit::of(const CalibrationResult& fit, const Model& model) {
     return term.effect.name == "jointOffset" &&
            std::abs(fit.unknowns[static_cast<Eigen::Index>(term.first)]) > mostOffset;
   });
-  return {fit.rmsPx, far / std::max(1.0, all), absurd || fit.rmsPx > impossible};
+  return {.rmsPx = fit.rmsPx, .farShare = far / std::max(1.0, all), .absurd = absurd || fit.rmsPx > impossible};
 }
 
 std::optional<Suspicion> wrongSetUp(const std::vector<CaptureSet>& sets, const Measurements& measurements,
@@ -74,7 +73,7 @@ std::optional<Suspicion> wrongSetUp(const std::vector<CaptureSet>& sets, const M
     return std::nullopt;
   }
   std::optional<Suspicion> best;
-  double least = std::min(mends * std::min(misfit.rmsPx, impossible), good);
+  double least = std::min({mends * std::min(misfit.rmsPx, impossible), good, misfit.explainedPx});
   const auto consider = [&](const std::vector<CaptureSet>& corrected, const std::string& why) {
     if (const auto left = misfitOf(corrected, measurements); left && *left < least) {
       least = *left;

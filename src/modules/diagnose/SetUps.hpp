@@ -11,11 +11,15 @@ namespace naocal {
 /// What lies farther from its prediction is there by no physics of a robot that still walks [px].
 inline constexpr double impossible = 25;
 
+/// Physics of a robot that still walks is usually smaller [px rms].
+inline constexpr double gross = 3;
+
 /// How far a fit is off.
 struct GrossMisfit {
-  double rmsPx = std::numeric_limits<double>::infinity(); // infinite where no fit was possible
-  double farShare = 1;                                    // of the corners lies where no physics puts them
-  bool absurd = true;                                     // offsets that no robot has
+  double rmsPx = std::numeric_limits<double>::infinity();       // infinite where no fit was possible
+  double farShare = 1;                                          // of the corners lies where no physics puts them
+  bool absurd = true;                                           // offsets that no robot has
+  double explainedPx = std::numeric_limits<double>::infinity(); // rms with the likeliest effect in the model
 
   static GrossMisfit of(const CalibrationResult& fit, const Model& model);
 };

@@ -1,7 +1,7 @@
 #include "diagnose/Shapes.hpp"
 
-#include "diagnose/Drivers.hpp"
 #include "effects/Units.hpp"
+#include "evidence/Drivers.hpp"
 
 #include <algorithm>
 #include <cmath>

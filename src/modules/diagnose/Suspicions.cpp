@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace naocal {
 
@@ -20,10 +21,28 @@ std::optional<double> fitted(const Term& term, const Measurements& measurements)
     const Model model = makeModel(measurements, {term.label()});
     const auto found = std::find_if(model.terms().begin(), model.terms().end(),
                                     [&](const Term& other) { return other.label() == term.label(); });
-    return calibrate(measurements, model).unknowns[static_cast<Eigen::Index>(found->first)];
+    return calibrate(measurements, model, {.question = false}).unknowns[static_cast<Eigen::Index>(found->first)];
   } catch (const InputError&) {
     return std::nullopt;
   }
+}
+
+/// rms distance of corners with the likeliest effect in the model [px]. A gain is left out: a sign is one of -2.
+double explainedBy(const Inquiry& inquiry, const Measurements& measurements, const Model& model) {
+  for (const std::size_t candidate : inquiry.candidatesByEvidence()) {
+    const Term& term = inquiry.candidates()[candidate];
+    if (term.effect.name == "encoderGain" || inquiry.ofCandidate(candidate).bayes <= 0) {
+      continue;
+    }
+    try {
+      Model larger = model;
+      larger.add(term);
+      return calibrate(measurements, larger, {.estimateNoise = false, .question = false, .robust = false}).rmsPx;
+    } catch (const InputError&) {
+      break;
+    }
+  }
+  return std::numeric_limits<double>::infinity();
 }
 
 /// An effect of a size that no robot has but a wrong set-up does.
@@ -76,12 +95,15 @@ bool mayBeMirrored(const Inquiry& inquiry, std::size_t motor) {
 std::vector<Suspicion> suspicions(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                                   const Model& model, const CalibrationResult& fit, const Inquiry& inquiry) {
   const auto mirrored = [&](std::size_t motor) { return mayBeMirrored(inquiry, motor); };
-  auto setUp = wrongSetUp(sets, measurements, GrossMisfit::of(fit, model), mirrored);
+  GrossMisfit misfit = GrossMisfit::of(fit, model);
+  if (misfit.rmsPx > gross) {
+    misfit.explainedPx = explainedBy(inquiry, measurements, model);
+  }
+  auto setUp = wrongSetUp(sets, measurements, misfit, mirrored);
   if (!setUp) {
     setUp = setUpFrom(inquiry, measurements);
   }
   if (setUp) {
-    setUp->setUp = true;
     return {*setUp};
   }
   return accidents(sets, measurements, model, fit, inquiry);
@@ -92,16 +114,17 @@ std::vector<Suspicion> accidents(const std::vector<CaptureSet>& sets, const Meas
   std::vector<Event> events = possibleEvents(sets, measurements);
   const std::vector<Event> angles = wrongAngles(sets, measurements, fit);
   events.insert(events.end(), angles.begin(), angles.end());
-  const auto event = events.empty() ? std::nullopt : likeliestEvent(events, measurements, model, fit, inquiry);
-  if (!event) {
+  const auto likeliest = events.empty() ? std::nullopt : likeliestEvent(events, measurements, model, fit, inquiry);
+  if (!likeliest) {
     return {};
   }
-  if (event->captures.empty()) {
-    return {{std::nullopt, event->sentence}};
+  const auto& [event, odds] = *likeliest;
+  if (event.captures.empty()) {
+    return {{.capture = {}, .why = event.sentence, .odds = odds}};
   }
-  std::vector<Suspicion> result{{event->captures.front(), event->sentence}};
-  for (auto id = event->captures.begin() + 1; id != event->captures.end(); ++id) {
-    result.push_back({*id, fmt::format("capture {} was taken with it", *id)});
+  std::vector<Suspicion> result{{.capture = event.captures.front(), .why = event.sentence, .odds = odds}};
+  for (auto id = event.captures.begin() + 1; id != event.captures.end(); ++id) {
+    result.push_back({.capture = *id, .why = fmt::format("capture {} was taken with it", *id), .odds = odds});
   }
   return result;
 }

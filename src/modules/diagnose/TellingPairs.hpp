@@ -1,8 +1,8 @@
 #pragma once
 
 #include "calibrate/Calibration.hpp"
-#include "diagnose/DriverColumns.hpp"
 #include "diagnose/WhatIf.hpp"
+#include "evidence/DriverColumns.hpp"
 
 #include <cstddef>
 #include <cstdint>

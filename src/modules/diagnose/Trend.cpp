@@ -1,7 +1,7 @@
 #include "diagnose/Trend.hpp"
 
-#include "calibrate/Tails.hpp"
-#include "diagnose/DriverCell.hpp"
+#include "evidence/DriverCell.hpp"
+#include "evidence/Tails.hpp"
 #include "geometry/InParallel.hpp"
 #include "geometry/Index.hpp"
 

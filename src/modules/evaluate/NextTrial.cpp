@@ -88,11 +88,9 @@ Weighed weighed(const Measurements& measurements, OpenQuestion question) {
     question.suspects[i].size = inquiry.ofCandidate(i).estimate;
   }
   const std::vector<double> odds = probabilities(evidence);
-  const auto best = static_cast<std::size_t>(std::max_element(odds.begin(), odds.end()) - odds.begin());
   for (std::size_t i = 0; i < odds.size(); ++i) {
     question.suspects[i].odds = odds[i];
   }
-  fit.noise.pose = inquiry.ofCandidate(best).level;
   return {model, std::move(fit), std::move(question)};
 }
 

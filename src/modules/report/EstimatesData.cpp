@@ -24,11 +24,16 @@ std::string spaced(const std::string& name) {
   return words;
 }
 
+/// The answer over what could be missing, where that was asked; else that of the model as it is, which is `fitted`.
 json estimateJson(const std::string& name, const JsonPlace& unknown, double scale) {
-  const std::vector<double> ends = unknown.at("interval95").numbers(2, {-1e15, 1e15, ""}, "lower and upper end");
+  const auto averaged = unknown.find("averaged");
+  const JsonPlace& answer = averaged ? *averaged : unknown;
+  const std::vector<double> ends =
+      answer.at(averaged ? "interval" : "interval95").numbers(2, {-1e15, 1e15, ""}, "lower and upper end");
   return {{"name", name},
-          {"value", scale * unknown.at("value").number({-1e15, 1e15, ""})},
-          {"sigma", scale * unknown.at("sigma").number({0, 1e15, ""})},
+          {"value", scale * answer.at("value").number({-1e15, 1e15, ""})},
+          {"sigma", scale * answer.at("sigma").number({0, 1e15, ""})},
+          {"fitted", scale * unknown.at("value").number({-1e15, 1e15, ""})},
           {"low", scale * ends[0]},
           {"high", scale * ends[1]},
           {"learned", unknown.at("learned").number({-1e15, 1, ""})}};

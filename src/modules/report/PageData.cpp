@@ -49,7 +49,7 @@ json textsAt(const JsonPlace& list) {
 
 json pageData(const JsonPlace& result, const Sources& sources) {
   json data{{"robot", result.at("model").at("robot").text()},
-            {"usable", result.at("usable").boolean()},
+            {"verdict", result.at("verdict").text()},
             {"headline", headline(result)},
             {"facts", json::array()},
             {"warnings", textsAt(result.at("warnings"))},

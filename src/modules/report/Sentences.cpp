@@ -37,28 +37,24 @@ Fact noiseFact(const JsonPlace& noise) {
                            : "partly assumed, because no pose was taken more than once")};
 }
 
-/// The p-value of chi2 in words.
+/// What noise alone would leave, and how often it would look as if something were missing.
 Fact misfitFact(const JsonPlace& result) {
   const double p = numberAt(result, "pValue");
-  const std::string figure = p >= 0.001 ? fmt::format("p = {:.2g}", p) : "p < 0.001";
-  if (p >= 0.05) {
-    return {figure, fmt::format("the noise explains what is left: {:.0f} of 100 sound calibrations would look worse.",
-                                100 * p)};
-  }
-  if (p >= 0.001) {
-    return {figure, fmt::format("what is left is larger than usual: only {:.2g} of 100 sound calibrations would look "
-                                "worse.",
-                                100 * p)};
-  }
-  return {figure, fmt::format("noise alone does not explain what is left (chi2 is {:.2g} times what it should be): "
-                              "something is missing in the model, or captures are wrong.",
-                              numberAt(result, "chi2") / std::max(1.0, numberAt(result, "dof")))};
+  const std::string chance =
+      p >= 0.05 ? "the likeliest cause of more is no more striking than pure noise."
+      : p >= 0.001
+          ? fmt::format("if nothing were missing, evidence this strong for a cause would turn up once in {:.0f} "
+                        "calibrations.",
+                        1 / p)
+          : "if nothing were missing, evidence this strong for a cause would turn up less than once in 1000 "
+            "calibrations.";
+  return {fmt::format("{:.2f} px", numberAt(result, "noiseFloorPx")), "is the noise floor; " + chance};
 }
 
 } // namespace
 
 std::string headline(const JsonPlace& result) {
-  return result.at("usable").boolean() ? "This calibration can be used." : "This calibration should not be used.";
+  return result.at("sentence").text();
 }
 
 std::vector<Fact> facts(const JsonPlace& result, std::size_t pictures, std::optional<double> drawingRms) {

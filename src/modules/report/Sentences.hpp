@@ -13,7 +13,7 @@ struct Fact {
   std::string figure, sentence;
 };
 
-/// "This calibration can be used." or not.
+/// The verdict, as the library said it.
 std::string headline(const JsonPlace& result);
 
 /// What a result is worth, in plain words. `pictures`: how many show corners; `drawingRms`: of the same

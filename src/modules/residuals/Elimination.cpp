@@ -15,13 +15,15 @@ DeflectionRoot deflectionRoot(const PoseSystem& pose, const Noise& noise) {
     }
     if (size == 1) { // nearly always
       root.startVec(first);
-      root.insertBack(first, first) = std::hypot(noise.encoder * pose.errorScales[first], noise.pose, noise.stance);
+      root.insertBack(first, first) =
+          std::hypot(std::hypot(noise.encoder * pose.errorScales[first], noise.reapproach), noise.pose, noise.stance);
       ++first;
       continue;
     }
     Eigen::MatrixXd covariance = Eigen::MatrixXd::Constant(size, size, noise.pose * noise.pose);
     for (Eigen::Index i = 0; i < size; ++i) {
-      covariance(i, i) += std::pow(noise.encoder * pose.errorScales[first + i], 2);
+      covariance(i, i) +=
+          std::pow(noise.encoder * pose.errorScales[first + i], 2) + noise.reapproach * noise.reapproach;
       for (Eigen::Index j = 0; j < size; ++j) {
         covariance(i, j) += pose.stances[first + i] == pose.stances[first + j] ? noise.stance * noise.stance : 0;
       }

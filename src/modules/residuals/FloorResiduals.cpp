@@ -26,6 +26,7 @@ void Residuals::addFloorContact(const Picture& picture, const PreparedPicture& p
   work.cost += residual.squaredNorm() / (noise_.pixel * noise_.pixel);
   system.squares += residual.squaredNorm();
   system.numbers += 3;
+  system.freedom += 3;
 }
 
 /// The floor's normal in the torso is what the inertial unit says, but for `ImuReading`:
@@ -62,6 +63,7 @@ void Residuals::addImuReading(const Picture& picture, const PreparedPicture& pre
   work.cost += residual.squaredNorm() / (noise_.pixel * noise_.pixel);
   system.squares += residual.squaredNorm();
   system.numbers += 2;
+  system.freedom += 2;
 }
 
 } // namespace naocal

@@ -1,5 +1,6 @@
 #include "residuals/Grouping.hpp"
 
+#include "residuals/EncoderReadings.hpp"
 #include "residuals/Noise.hpp"
 
 #include <algorithm>
@@ -13,29 +14,30 @@ namespace naocal {
 
 namespace {
 
-/// Which part of a rest has these angles [rad]: where the robot stood, as it was read first; a new one where it did
-/// not.
-std::size_t partOf(const Eigen::VectorXd& angles, std::vector<Eigen::VectorXd>& parts) {
-  constexpr double flip = 1.5 * encoderStep; // between two steps
-  const auto found = std::find_if(parts.begin(), parts.end(), [&](const Eigen::VectorXd& first) {
-    return (first - angles).cwiseAbs().maxCoeff() < flip;
-  });
-  const auto part = static_cast<std::size_t>(found - parts.begin());
-  if (found == parts.end()) {
-    parts.push_back(angles);
-  }
-  return part;
+/// One rest: readings between which nothing moved, as far as they tell.
+struct Rest {
+  int stance = 0, approach = 0;
+  Eigen::VectorXd first;             // angles of its first reading [rad]
+  std::vector<std::size_t> readings; // of the pose
+};
+
+/// How far readings of one rest may differ, per joint [rad]; beyond that the robot moved between them.
+using Tolerance = Eigen::ArrayXd;
+
+/// Before any jitter is known: a degree. Then what jitter leaves out once in a million readings, and a step between.
+constexpr double mostJitter = 12 * encoderStep;
+
+Tolerance toleranceFor(const std::vector<double>& jitter) {
+  const Eigen::Map<const Eigen::ArrayXd> sigmas{jitter.data(), static_cast<Eigen::Index>(jitter.size())};
+  return (1.5 * encoderStep + 7 * sigmas).min(mostJitter); // of a difference of two: 5 times sqrt(2)
 }
 
-/// Pictures of one pose: those with the same stance, repeat and measured angles share a reading. As long as the robot
-/// rests, a joint keeps its rounding error, and readings that flip between two steps tell that it stands at the edge
-/// between them; every approach gives every joint a new error, and so does a reading that no flip explains.
-void groupPose(const std::vector<CaptureSet>& sets, const std::vector<std::size_t>& members, const Robot& robot,
-               std::vector<Picture>& pictures, PoseGroup& pose) {
-  constexpr double atEdge = 0.3; // of the rounding error's size: what the encoder's dither leaves
-  std::map<std::tuple<std::size_t, int, int, std::size_t>, std::size_t> known; // motor, stance, approach, part -> error
-  std::map<std::pair<int, int>, std::vector<Eigen::VectorXd>> rests;           // per stance and approach
-  std::map<std::size_t, std::set<double>> angles;                              // per error, the readings seen
+/// Groups a pose's pictures: those with the same stance, repeat and measured angles share a reading; readings of one
+/// rest share each joint's encoder error, for as long as the robot rests a joint keeps its rounding error and its
+/// place.
+std::vector<Rest> groupPose(const std::vector<CaptureSet>& sets, const std::vector<std::size_t>& members,
+                            const std::vector<Picture>& pictures, const Tolerance& tolerance, PoseGroup& pose) {
+  std::vector<Rest> rests;
   std::set<int> stances;
   std::size_t approaches = 0;
   const Picture* previous = nullptr;
@@ -50,37 +52,106 @@ void groupPose(const std::vector<CaptureSet>& sets, const std::vector<std::size_
       pose.readings.back().pictures.push_back(index);
       continue;
     }
-    pose.repeated |= last && last->repeat != capture.repeat && capture.repeatKind != RepeatKind::rest;
+    const bool anew = last && last->repeat != capture.repeat && capture.repeatKind != RepeatKind::rest;
+    pose.repeated |= anew;
     stances.insert(capture.stance);
-    approaches += !last || (last->repeat != capture.repeat && capture.repeatKind != RepeatKind::rest) ? 1 : 0;
+    approaches += !last || anew ? 1 : 0;
     // Rest after an approach has an error of its own, though the encoder's is that approach's: it stands for what
     // corners of one picture have in common. Shared, it makes twice as many false alarms where pictures are biased.
     const int approach = capture.repeatKind == RepeatKind::rest ? -1 : capture.repeat;
-    const std::size_t part = partOf(picture.instant.q, rests[{capture.stance, approach}]);
-    Reading reading{.pictures = {index}, .encoderError = std::vector<std::size_t>(robot.joints.size())};
-    for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-      const auto [entry, isNew] =
-          known.try_emplace({robot.joints[joint].motor, capture.stance, approach, part}, pose.encoderErrors.size());
-      if (isNew) {
-        pose.encoderErrors.push_back({1, picture.stance});
-      }
-      reading.encoderError[joint] = entry->second;
-      angles[entry->second].insert(picture.instant.q[static_cast<Eigen::Index>(joint)]);
+    auto rest = std::find_if(rests.begin(), rests.end(), [&](const Rest& other) {
+      return other.stance == capture.stance && other.approach == approach &&
+             ((other.first - picture.instant.q).array().abs() < tolerance).all();
+    });
+    if (rest == rests.end()) {
+      rests.push_back({capture.stance, approach, picture.instant.q, {}});
+      rest = rests.end() - 1;
     }
-    pose.readings.push_back(std::move(reading));
+    rest->readings.push_back(pose.readings.size());
+    pose.readings.push_back({.pictures = {index}, .encoderError = {}});
   }
   pose.restood = stances.size() > 1 && approaches > stances.size();
-  for (const Reading& reading : pose.readings) {
-    for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-      const std::set<double>& seen = angles.at(reading.encoderError[joint]);
-      if (seen.size() == 1) {
-        continue;
+  return rests;
+}
+
+/// What a joint was read as in one rest, once per reading.
+RestReadings readingsOf(const Rest& rest, std::size_t joint, const PoseGroup& pose,
+                        const std::vector<Picture>& pictures) {
+  std::vector<double> angles;
+  for (const std::size_t reading : rest.readings) {
+    angles.push_back(pictures[pose.readings[reading].pictures.front()].instant.q[static_cast<Eigen::Index>(joint)]);
+  }
+  return RestReadings{angles};
+}
+
+/// Per joint the readings of all rests, pose after pose.
+std::vector<std::vector<RestReadings>> allReadings(const std::vector<std::vector<Rest>>& restsOf,
+                                                   const Measurements& measurements) {
+  const std::size_t joints = measurements.robot.joints.size();
+  std::vector<std::vector<RestReadings>> readings(joints);
+  for (std::size_t pose = 0; pose < measurements.poses.size(); ++pose) {
+    for (const Rest& rest : restsOf[pose]) {
+      for (std::size_t joint = 0; joint < joints; ++joint) {
+        readings[joint].push_back(readingsOf(rest, joint, measurements.poses[pose], measurements.pictures));
       }
-      pose.encoderErrors[reading.encoderError[joint]].scale = atEdge;
-      const double edge = std::accumulate(seen.begin(), seen.end(), 0.0) / static_cast<double>(seen.size());
-      for (std::size_t index : reading.pictures) {
-        pictures[index].instant.q[static_cast<Eigen::Index>(joint)] = edge;
-        pictures[index].drawn.angle(joint) = edge;
+    }
+  }
+  return readings;
+}
+
+/// Gives each joint of each rest its encoder error, and where readings differ its likeliest place to all its pictures.
+void placeJoints(const std::vector<std::vector<Rest>>& restsOf, const std::vector<std::vector<RestReadings>>& readings,
+                 Measurements& measurements) {
+  const std::size_t joints = measurements.robot.joints.size();
+  const double rounding = encoderStep / std::sqrt(12.0);
+  std::size_t next = 0;
+  for (std::size_t number = 0; number < measurements.poses.size(); ++number) {
+    PoseGroup& pose = measurements.poses[number];
+    for (const Rest& rest : restsOf[number]) {
+      const std::size_t stance = measurements.pictures[pose.readings[rest.readings.front()].pictures.front()].stance;
+      std::vector<std::size_t> errors(joints);
+      std::map<std::size_t, std::size_t> ofMotor;
+      for (std::size_t joint = 0; joint < joints; ++joint) {
+        const auto [entry, isNew] =
+            ofMotor.try_emplace(measurements.robot.joints[joint].motor, pose.encoderErrors.size());
+        errors[joint] = entry->second;
+        const RestReadings& read = readings[joint][next];
+        const RestReadings::Place place = read.place(measurements.jitter[joint]);
+        if (isNew) {
+          pose.encoderErrors.push_back(
+              {measurements.jitter[joint] > 0 ? std::sqrt(place.variance) / rounding : 1, stance});
+        }
+        for (const std::size_t reading : rest.readings) {
+          for (const std::size_t index : pose.readings[reading].pictures) {
+            if (read.differ()) {
+              measurements.pictures[index].instant.q[static_cast<Eigen::Index>(joint)] = place.angle;
+              measurements.pictures[index].drawn.angle(joint) = place.angle;
+            }
+          }
+        }
+      }
+      for (const std::size_t reading : rest.readings) {
+        pose.readings[reading].encoderError = errors;
+      }
+      ++next;
+    }
+  }
+}
+
+/// Tells each sighting how many pictures of its rest show the same board to the same camera.
+void countRepeats(const std::vector<Rest>& rests, const PoseGroup& pose, std::vector<Picture>& pictures) {
+  for (const Rest& rest : rests) {
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<Sighting*>> seen; // by camera and board
+    for (const std::size_t reading : rest.readings) {
+      for (const std::size_t index : pose.readings[reading].pictures) {
+        for (Sighting& sighting : pictures[index].sightings) {
+          seen[{pictures[index].camera, sighting.view.board()}].push_back(&sighting);
+        }
+      }
+    }
+    for (const auto& [where, sightings] : seen) {
+      for (Sighting* sighting : sightings) {
+        sighting->repeats = sightings.size();
       }
     }
   }
@@ -112,15 +183,27 @@ void groupReadings(const std::vector<CaptureSet>& sets, Measurements& measuremen
       poses[{pictures[i].set, sets[pictures[i].set].captures[pictures[i].capture].pose}].push_back(i);
     }
   }
-  std::set<std::size_t> motors;
-  for (const auto& [name, members] : poses) {
-    PoseGroup pose;
-    pose.name = name.second;
-    groupPose(sets, members, measurements.robot, measurements.pictures, pose);
-    measurements.repeats |= pose.readings.size() > 1;
-    addFloorContact(measurements, measurements.pictures[pose.readings.front().pictures.front()]);
-    measurements.poses.push_back(std::move(pose));
+  std::vector<std::vector<Rest>> rests; // per pose
+  Tolerance tolerance = Tolerance::Constant(static_cast<Eigen::Index>(measurements.robot.joints.size()), mostJitter);
+  for (int pass = 0; pass < 2; ++pass) { // the first one only to learn how much readings jitter
+    rests.clear();
+    measurements.poses.clear();
+    for (const auto& [name, members] : poses) {
+      PoseGroup& pose = measurements.poses.emplace_back();
+      pose.name = name.second;
+      rests.push_back(groupPose(sets, members, measurements.pictures, tolerance, pose));
+    }
+    measurements.jitter = encoderJitter(allReadings(rests, measurements));
+    tolerance = toleranceFor(measurements.jitter);
   }
+  placeJoints(rests, allReadings(rests, measurements), measurements);
+  for (std::size_t pose = 0; pose < rests.size(); ++pose) {
+    const std::vector<Reading>& readings = measurements.poses[pose].readings;
+    measurements.repeats |= readings.size() > 1;
+    addFloorContact(measurements, measurements.pictures[readings.front().pictures.front()]);
+    countRepeats(rests[pose], measurements.poses[pose], measurements.pictures);
+  }
+  std::set<std::size_t> motors;
   const auto use = [&](const View& view) {
     for (std::size_t joint : view.joints()) {
       motors.insert(measurements.robot.joints[joint].motor);

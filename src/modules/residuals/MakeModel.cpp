@@ -100,6 +100,22 @@ std::string labelFor(const std::string& given, const Robot& robot) {
   return effect + place;
 }
 
+Model withWeighingOffsets(const Measurements& measurements, Model model, const std::vector<Term>& further) {
+  const auto& terms = model.terms();
+  if (std::any_of(terms.begin(), terms.end(), looksAtWeight) ||
+      std::none_of(further.begin(), further.end(), looksAtWeight)) {
+    return model;
+  }
+  for (Term& term : weighingOffsets(measurements)) {
+    const bool there =
+        std::any_of(terms.begin(), terms.end(), [&](const Term& own) { return own.label() == term.label(); });
+    if (!there) {
+      model.add(std::move(term));
+    }
+  }
+  return model;
+}
+
 Model makeModel(const Measurements& measurements, const std::vector<std::string>& with,
                 const std::vector<std::string>& without, const std::vector<Effect>& effects) {
   std::vector<Pattern> added = patterns(with), removed = patterns(without);

@@ -15,6 +15,7 @@ struct Sighting {
   View view;
   CornerBlocks corners;
   std::vector<int> ids;
+  std::size_t repeats = 1; // pictures of the same rest and camera that show this board, itself included
 };
 
 /// A target of one of the sets. `unknown`: its placement is estimated.
@@ -43,15 +44,15 @@ struct Picture {
   std::optional<View> otherSole; // standing on both feet, once per pose: how the right sole sees the left one's floor
 };
 
-/// Pictures that share one encoder reading, hence one encoder error per joint.
+/// Pictures that share one encoder reading.
 struct Reading {
   std::vector<std::size_t> pictures;
   std::vector<std::size_t> encoderError; // per joint of the robot: which of its pose's encoder errors it has
 };
 
-/// An error that readings of one joint share.
+/// An error that readings of one joint share: those of one rest.
 struct EncoderError {
-  double scale = 1;       // its size against the encoder's noise
+  double scale = 1;       // its size against `Noise::encoder`: below 1 where readings that differ tell more
   std::size_t stance = 0; // where the robot stood: readings there share what standing up anew changes, too
 };
 
@@ -74,6 +75,7 @@ struct Measurements {
   std::vector<PoseGroup> poses;
   std::vector<std::size_t> joints;   // motors of joints between some camera and some target, ascending
   std::vector<std::size_t> recorded; // motors whose angles every capture tells, ascending
+  std::vector<double> jitter; // per joint of the robot: of its encoder's readings at rest [rad]; 0: they never differ
   std::size_t cornerCount = 0;
   bool repeats = false;   // some pose was taken more than once
   bool samePlace = false; // boards and stances of equal ids are the same in all sets

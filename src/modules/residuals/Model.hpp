@@ -62,6 +62,9 @@ Model makeModel(const Measurements& measurements, const std::vector<std::string>
 /// which has no motor of its own and stands for the left one.
 std::string labelFor(const std::string& given, const Robot& robot);
 
+/// A model with the offsets that come along with `further` terms where those look at torques or the centre of mass.
+Model withWeighingOffsets(const Measurements& measurements, Model model, const std::vector<Term>& further);
+
 /// What drives effects at a picture's instant, given the unknowns: q = measured - o; torque and centre of mass of the
 /// drawn robot at those angles, the support foot's sole held still and level (both: each leg joint's two values
 /// weighted by the feet's loads, all else with the left sole held; none: the torso held, upright).

@@ -10,11 +10,21 @@ constexpr double encoderStep = 2 * std::numbers::pi / 4096;
 
 /// Standard deviations of what is random in a measurement.
 struct Noise {
-  double pixel = 0.3;                             // of a corner, per axis [px]
-  double encoder = encoderStep / std::sqrt(12.0); // of a reading, rounding included, per joint [rad]
-  double pose = 0;   // of a deflection that all captures of a pose share (stiction), per joint [rad]
-  double stance = 0; // of one that they share as long as the robot stands where it stands, per joint [rad]
+  double pixel = 0.3;                             // of a corner, per axis, anew in every picture [px]
+  double encoder = encoderStep / std::sqrt(12.0); // of a reading whose steps never differ at rest, per joint [rad]
+  double pose = 0;       // of a deflection that all captures of a pose share (stiction), per joint [rad]
+  double stance = 0;     // of one that they share as long as the robot stands where it stands, per joint [rad]
+  double reapproach = 0; // of one that they share until the pose is left and taken again, per joint [rad]
+  double pixelAlike = 0; // of a corner, per axis, alike in all pictures of a rest: its place between the pixels [px]
 };
+
+/// How much a corner counts that `repeats` pictures of one rest show, against one whose error is new in every picture:
+///   pixel^2 / (pixel^2 + repeats pixelAlike^2),
+/// so that all of them together have the variance of their mean, pixel^2 / repeats + pixelAlike^2.
+inline double cornerShare(const Noise& noise, std::size_t repeats) {
+  const double alike = noise.pixelAlike / noise.pixel;
+  return 1 / (1 + static_cast<double>(repeats) * alike * alike);
+}
 
 /// How far an inertial unit's angles are off at rest, beside its tilt in the torso. No data sheet tells; readings of a
 /// standing robot wander by some tenths of a degree.

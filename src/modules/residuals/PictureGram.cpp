@@ -21,12 +21,14 @@ void PictureGram::clear(std::size_t extras) {
   width_ = 6 + extras;
   std::fill_n(products_, width_ * (width_ + 1) / 2, Lane{});
   std::fill_n(gradient_, width_, Lane{});
-  squares_ = cost_ = corners_ = Lane{};
+  squares_ = cost_ = corners_ = freedom_ = Lane{};
 }
 
 void PictureGram::add(const CornerBlocks& corners, const ProjectedBlocks& projected,
-                      const std::vector<ExtraRow>& extraRows, double pixelNoise, const Loss& loss) {
-  const double information = 1 / (pixelNoise * pixelNoise);
+                      const std::vector<ExtraRow>& extraRows, double pixelNoise, const SightingWeight& weight,
+                      const Loss& loss) {
+  const double share = weight.share, freedom = weight.freedom();
+  const double information = share / (pixelNoise * pixelNoise);
   const std::size_t blocks = corners.size();
   const bool quadratic = loss.scale == 0;
   withWidestVectors([ =, this, &corners, &projected, &extraRows, &loss ]() __attribute__((always_inline)) {
@@ -41,9 +43,10 @@ void PictureGram::add(const CornerBlocks& corners, const ProjectedBlocks& projec
       } else {
         weigh(information * rr, loss, rho, w);
       }
+      counted += w > 0 ? Lane{} + 1 : Lane{};
+      w *= share;
       squares += w * rr;
       cost += rho;
-      counted += w > 0 ? Lane{} + 1 : Lane{};
       Lane* product = products_;
 #pragma GCC unroll 6
       for (std::size_t i = 0; i < 6; ++i) {
@@ -69,7 +72,8 @@ void PictureGram::add(const CornerBlocks& corners, const ProjectedBlocks& projec
     }
     squares_ += squares;
     cost_ += cost;
-    corners_ += counted;
+    corners_ += share * counted;
+    freedom_ += freedom * counted;
   });
 }
 

@@ -51,7 +51,7 @@ PoseSystem Residuals::emptySystem(const PoseGroup& pose) {
   PoseSystem system;
   std::vector<bool> moves(model_.unknownCount(), false);
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> deflections; // of motor and encoder error
-  const bool latent = noise_.encoder > 0 || noise_.pose > 0 || noise_.stance > 0;
+  const bool latent = noise_.encoder > 0 || noise_.pose > 0 || noise_.stance > 0 || noise_.reapproach > 0;
   for (const Reading& reading : pose.readings) {
     for (std::size_t index : reading.pictures) {
       PreparedPicture& picture = prepared_[index];

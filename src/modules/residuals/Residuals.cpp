@@ -76,7 +76,8 @@ bool Residuals::addCorners(const Sighting& sighting, const std::vector<std::size
       View::extraRows(extra, attitude, work.belief, sighting.corners[block], work.projected[block], row.u, row.v);
     }
   }
-  work.corners.add(sighting.corners, work.projected, work.extraRows, noise_.pixel, loss_);
+  work.corners.add(sighting.corners, work.projected, work.extraRows, noise_.pixel,
+                   {cornerShare(noise_, sighting.repeats), sighting.repeats}, loss_);
   return true;
 }
 
@@ -100,6 +101,7 @@ bool Residuals::addGroup(const Picture& picture, const PreparedPicture::Group& g
   work.cost += work.corners.cost();
   system.squares += work.corners.squares();
   system.numbers += 2 * work.corners.corners();
+  system.freedom += 2 * work.corners.freedom();
   return true;
 }
 
@@ -120,7 +122,7 @@ std::optional<Residuals::Linear> Residuals::linearised(const State& state) const
 bool Residuals::lineariseAt(std::size_t pose, const State& state, Linear& result) const {
   Workspace& work = Workspace::ofThisThread(measurements_);
   PoseSystem& system = result.poses[pose];
-  system.squares = system.numbers = 0;
+  system.squares = system.numbers = system.freedom = 0;
   const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
   work.sums.clear(at(system.unknowns.size() + system.joints.size()));
   for (const Reading& reading : measurements_.poses[pose].readings) {

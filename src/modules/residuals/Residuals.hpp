@@ -28,13 +28,14 @@ struct PoseSystem {
   Eigen::MatrixXd deflectionGram;     // sum of w J_t^T J_t      [px^2 / rad^2]
   Eigen::VectorXd unknownGradient;    // sum of w J_x^T r
   Eigen::VectorXd deflectionGradient; // sum of w J_t^T r
-  double squares = 0;                 // sum of w r^2            [px^2]
+  double squares = 0;                 // sum of w r^2, w the loss's weight times `cornerShare`  [px^2]
   double loss = 0;                    // sum of rho, and of what else the pose's pictures cost
-  double numbers = 0; // that count: two per corner with a weight above zero, three per sole on the floor
+  double numbers = 0; // that count: two shares per corner with a weight above zero, three per sole on the floor
+  double freedom = 0; // mean of squares / pixel^2 were there nothing but pixel noise
 };
 
-/// t = root * z with z of unit covariance: root root^T = encoder^2 diag(scales^2) + pose^2 1 1^T within a joint, and
-/// + stance^2 1 1^T within a joint and stance.
+/// t = root * z with z of unit covariance: root root^T = encoder^2 diag(scales^2) + reapproach^2 1 + pose^2 1 1^T
+/// within a joint, and + stance^2 1 1^T within a joint and stance.
 using DeflectionRoot = Eigen::SparseMatrix<double>;
 DeflectionRoot deflectionRoot(const PoseSystem& pose, const Noise& noise);
 

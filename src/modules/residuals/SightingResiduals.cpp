@@ -5,8 +5,6 @@
 
 namespace naocal {
 
-namespace {} // namespace
-
 std::vector<SightingResidual> Residuals::sightings(const State& state) const {
   std::vector<SightingResidual> result;
   Workspace& work = Workspace::ofThisThread(measurements_);
@@ -45,6 +43,7 @@ SightingResidual Residuals::sightingResidual(std::size_t picture, std::size_t in
     result.residual = result.predicted;
     return result;
   }
+  const double information = cornerShare(noise_, sighting.repeats) / (noise_.pixel * noise_.pixel);
   for (Eigen::Index i = 0; i < count; ++i) {
     const CornerBlock& corner = sighting.corners[static_cast<std::size_t>(i / 4)];
     const ProjectedBlock& seen = work.projected[static_cast<std::size_t>(i / 4)];
@@ -54,8 +53,7 @@ SightingResidual Residuals::sightingResidual(std::size_t picture, std::size_t in
       result.motionRows(2 * i, k) = seen.rowsU[k][i % 4];
       result.motionRows(2 * i + 1, k) = seen.rowsV[k][i % 4];
     }
-    result.weight[i] =
-        corner.present[i % 4] * loss_(result.residual.col(i).squaredNorm() / (noise_.pixel * noise_.pixel)).weight;
+    result.weight[i] = corner.present[i % 4] * loss_(information * result.residual.col(i).squaredNorm()).weight;
   }
   return result;
 }

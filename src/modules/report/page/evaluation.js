@@ -89,7 +89,7 @@ function choice(select, names, show) {
   show(names.length - 1);
 }
 
-at("verdict").classList.add("usable");
+at("verdict").classList.add("good");
 showVerdict(data.sentence, data.warnings);
 choice(at("table"), data.tables.map(table => table.name),
   i => fill(at("success"), data.tables[i].cells, () => 250, drawSuccess));

@@ -1,4 +1,4 @@
-#include "diagnose/PoseScores.hpp"
+#include "evidence/PoseScores.hpp"
 
 #include "geometry/InParallel.hpp"
 

@@ -1,4 +1,4 @@
-#include "diagnose/Drivers.hpp"
+#include "evidence/Drivers.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "diagnose/DriverCell.hpp"
+#include "evidence/DriverCell.hpp"
 #include "geometry/Index.hpp"
 
 #include <algorithm>

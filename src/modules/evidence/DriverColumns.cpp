@@ -1,4 +1,4 @@
-#include "diagnose/DriverColumns.hpp"
+#include "evidence/DriverColumns.hpp"
 #include "geometry/Index.hpp"
 
 #include <algorithm>

@@ -12,4 +12,7 @@ double fisherTail(double value, double freedom, double remaining);
 /// x with P(|t| <= x) = 0.95 of Student's t.
 double studentHalfWidth(double freedom);
 
+/// P(t <= value) of Student's t.
+double studentBelow(double value, double freedom);
+
 } // namespace naocal

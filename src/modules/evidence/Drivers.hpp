@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagnose/DriverColumns.hpp"
+#include "evidence/DriverColumns.hpp"
 #include "residuals/Model.hpp"
 
 #include <Eigen/Core>

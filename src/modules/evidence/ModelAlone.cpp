@@ -1,6 +1,4 @@
-#include "diagnose/ModelAlone.hpp"
-
-#include "calibrate/JointNoise.hpp"
+#include "evidence/ModelAlone.hpp"
 
 namespace naocal {
 
@@ -41,8 +39,7 @@ ModelAlone::Outcome ModelAlone::operator()(const PoseScores& scores, const Eigen
   }
   factor_.matrixL().solveInPlace(result.own);
   result.chi2 -= result.own.colwise().squaredNorm();
-  result.deviance = result.chi2.array() + logDeterminant_ + 2 * factor_.matrixLLT().diagonal().array().log().sum() +
-                    scatterPenalty(noise_.pose);
+  result.deviance = result.chi2.array() + logDeterminant_ + 2 * factor_.matrixLLT().diagonal().array().log().sum();
   return result;
 }
 

@@ -19,15 +19,14 @@ TEST_CASE("repeats tell what scatters from pose to pose and what at every approa
   plan.mechanics.poseScatter = radians(0.06);
   plan.mechanics.approachScatter = radians(0.08);
   constexpr int robots = 6;
-  double encoder = 0, pose = 0;
+  double reapproach = 0, pose = 0;
   for (std::uint64_t seed = 1; seed <= robots; ++seed) {
     const Measurements measurements = measurementsOf({simulate(robot, plan, seed).set}, robot);
     const Noise noise = calibrate(measurements, makeModel(measurements)).noise;
-    encoder += noise.encoder / robots;
+    reapproach += noise.reapproach / robots;
     pose += noise.pose / robots;
   }
-  const double reading = std::hypot(encoderStep / std::sqrt(12.0), plan.mechanics.encoderDither);
-  CHECK(encoder == Approx(std::hypot(reading, plan.mechanics.approachScatter)).epsilon(0.1));
+  CHECK(reapproach == Approx(plan.mechanics.approachScatter).epsilon(0.1));
   CHECK(pose == Approx(plan.mechanics.poseScatter).epsilon(0.2));
 }
 
@@ -56,22 +55,22 @@ CaptureSet restood(const Robot& robot, SimulationPlan plan, std::uint64_t seed) 
 
 TEST_CASE("a robot that was put down anew tells what standing anew changes") {
   // Proves that the stance's level is told from the pose's and the approach's: what settles anew with the stance (0.06
-  // degrees) is not called the encoder's noise, nor a scatter of poses; without a second stance it is the poses'.
+  // degrees) is not called the re-approach's, nor a scatter of poses; without a second stance it is the poses'.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   SimulationPlan plan;
   plan.poses = standingPoses(robot, plan, SupportFoot::left, 24, 1);
   plan.repeatKind = RepeatKind::reapproach;
   plan.mechanics.poseScatter = radians(0.06);
   constexpr int robots = 4;
-  Noise mean{0, 0, 0, 0};
+  Noise mean{.pixel = 0, .encoder = 0};
   for (std::uint64_t seed = 1; seed <= robots; ++seed) {
     const Measurements measurements = measurementsOf({restood(robot, plan, seed)}, robot);
     const Noise noise = calibrate(measurements, makeModel(measurements)).noise;
-    mean.encoder += noise.encoder / robots;
+    mean.reapproach += noise.reapproach / robots;
     mean.pose += noise.pose / robots;
     mean.stance += noise.stance / robots;
   }
-  CHECK(mean.encoder == Approx(std::hypot(encoderStep / std::sqrt(12.0), plan.mechanics.encoderDither)).epsilon(0.1));
+  CHECK(mean.reapproach < 0.25 * plan.mechanics.poseScatter);
   CHECK(mean.stance == Approx(plan.mechanics.poseScatter).epsilon(0.2));
   CHECK(mean.pose < 0.4 * plan.mechanics.poseScatter);
   const Measurements once = measurementsOf({simulate(robot, plan, 2).set}, robot);

@@ -1,4 +1,4 @@
-#include "diagnose/MountCurves.hpp"
+#include "evidence/MountCurves.hpp"
 
 #include <algorithm>
 #include <set>

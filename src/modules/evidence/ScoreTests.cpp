@@ -1,8 +1,9 @@
-#include "diagnose/ScoreTests.hpp"
+#include "evidence/ScoreTests.hpp"
 #include "geometry/Index.hpp"
 #include "geometry/SymmetricEigen.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace naocal {
 
@@ -20,8 +21,8 @@ Eigen::MatrixXd whiteningOf(const Eigen::MatrixXd& block, const Eigen::MatrixXd&
     ++lost;
   }
   const Eigen::Index kept = block.rows() - lost;
-  return eigen.values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal() *
-         eigen.vectors.rightCols(kept).transpose() * scale.asDiagonal();
+  return eigen.values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal() * eigen.vectors.rightCols(kept).transpose() *
+         scale.asDiagonal();
 }
 
 } // namespace
@@ -123,6 +124,87 @@ Eigen::MatrixXd ScoreTests::projectedScores(const PoseScores& scores, const Eige
     }
   }
   return result;
+}
+
+Eigen::MatrixXd ScoreTests::informationWith(std::size_t group, Eigen::Index count) const {
+  const ScoreProblem& problem = alone_.problem();
+  const Eigen::Index first = problem.groups[group].first;
+  const bool curve = first >= problem.candidates; // of the map
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(problem.candidates + problem.map->count, count);
+  const double information = 1 / (noise().pixel * noise().pixel);
+  for (std::size_t pose = 0; pose < problem.linear->poses.size(); ++pose) {
+    const PoseSystem& system = problem.linear->poses[pose];
+    const ModelAlone::Whitener& whitener = alone_.whitener(pose);
+    const Eigen::Index own = problem.ownOf(system), rest = at(system.unknowns.size()) - own;
+    const auto place = [&](Eigen::Index i) {
+      return at(system.unknowns[static_cast<std::size_t>(own + i)]) - problem.own();
+    };
+    // derivative of each deflection by the group's columns, and of each unknown beyond the own ones
+    Eigen::MatrixXd bends = Eigen::MatrixXd::Zero(at(system.joints.size()), count);
+    Eigen::MatrixXd moves = Eigen::MatrixXd::Zero(rest, count);
+    if (curve) {
+      for (const DriverColumns::Block& block : problem.map->blocks[pose]) {
+        const Eigen::Index column = first - problem.candidates - block.firstColumn;
+        if (column >= 0 && column < block.values.cols()) {
+          bends.middleRows(block.firstDeflection, block.values.rows()) = block.values.middleCols(column, count);
+        }
+      }
+    } else {
+      for (Eigen::Index i = 0; i < rest; ++i) {
+        if (const Eigen::Index column = place(i) - first; column >= 0 && column < count) {
+          moves(i, column) = 1;
+        }
+      }
+    }
+    const Eigen::MatrixXd cross = information * system.cross.bottomRows(rest);
+    const Eigen::MatrixXd gram = information * system.deflectionGram;
+    const auto answers = whitener.unknowns.bottomRows(rest);
+    // J_c^T Sigma^-1 and J_t^T Sigma^-1 times what the columns do
+    const Eigen::MatrixXd pixels = cross.transpose() * moves + gram * bends; // J_t^T (...) / pixel^2
+    const Eigen::MatrixXd byUnknown =
+        information * system.unknownGram.bottomRightCorner(rest, rest) * moves + cross * bends - answers * pixels;
+    for (Eigen::Index i = 0; i < rest; ++i) {
+      result.row(place(i)) += byUnknown.row(i);
+    }
+    if (problem.map->blocks[pose].empty()) {
+      continue;
+    }
+    const Eigen::MatrixXd byDeflection = pixels - gram * (whitener.inner * pixels);
+    for (const DriverColumns::Block& block : problem.map->blocks[pose]) {
+      result.middleRows(problem.candidates + block.firstColumn, block.values.cols()).noalias() +=
+          block.values.transpose() * byDeflection.middleRows(block.firstDeflection, block.values.rows());
+    }
+  }
+  result.noalias() -= explained_.transpose() * explained_.middleCols(first, count);
+  return result;
+}
+
+double ScoreTests::movedPx(std::size_t group, const Eigen::VectorXd& coefficients) const {
+  const ScoreProblem& problem = alone_.problem();
+  const Eigen::Index first = problem.groups[group].first, count = coefficients.size();
+  const bool curve = first >= problem.candidates;                                     // of the map
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(problem.own() + problem.candidates); // of all unknowns
+  change.head(problem.own()) = -alone_.factor().matrixU().solve(explained_.middleCols(first, count) * coefficients);
+  if (!curve) {
+    change.segment(problem.own() + first, count) = coefficients;
+  }
+  double squares = 0, numbers = 0;
+  for (std::size_t pose = 0; pose < problem.linear->poses.size(); ++pose) {
+    const PoseSystem& system = problem.linear->poses[pose];
+    const Eigen::VectorXd moves = change(system.unknowns);
+    numbers += system.numbers;
+    squares += moves.dot(system.unknownGram * moves);
+    for (const DriverColumns::Block& block : problem.map->blocks[pose]) {
+      const Eigen::Index column = first - problem.candidates - block.firstColumn;
+      if (curve && column >= 0 && column < block.values.cols()) {
+        const Eigen::VectorXd bend = block.values.middleCols(column, count) * coefficients;
+        const auto rows = Eigen::seqN(block.firstDeflection, bend.size());
+        squares +=
+            2 * moves.dot(system.cross(Eigen::all, rows) * bend) + bend.dot(system.deflectionGram(rows, rows) * bend);
+      }
+    }
+  }
+  return std::sqrt(2 * std::max(0.0, squares) / std::max(1.0, numbers));
 }
 
 Eigen::MatrixXd ScoreTests::falls(const PoseScores& scores, const Eigen::MatrixXd& own) const {

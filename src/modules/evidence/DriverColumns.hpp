@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagnose/DriverCell.hpp"
+#include "evidence/DriverCell.hpp"
 #include "residuals/Residuals.hpp"
 
 #include <Eigen/Core>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagnose/ModelAlone.hpp"
+#include "evidence/ModelAlone.hpp"
 
 #include <Eigen/Core>
 #include <vector>
@@ -26,6 +26,19 @@ public:
   };
   std::vector<GroupScore> groups(const PoseScores& scores, const Eigen::MatrixXd& own) const;
 
+  /// Scores of all columns, downhill, projected: one row per column, as `ScoreProblem::groups` counts them.
+  Eigen::MatrixXd projectedScores(const PoseScores& scores, const Eigen::MatrixXd& own) const;
+  /// Projected information of all columns (rows) with the first `count` ones of a group's.
+  Eigen::MatrixXd informationWith(std::size_t group, Eigen::Index count) const;
+  /// How far a group's coefficients move predicted corners, the own unknowns refitted and joints as they were read:
+  /// rms [px].
+  double movedPx(std::size_t group, const Eigen::VectorXd& coefficients) const;
+  /// Projected information of a group's own columns.
+  const Eigen::MatrixXd& informationOf(std::size_t group) const { return blocks_[group]; }
+  /// L^-1 H_og of all columns g, L of `ModelAlone::factor`: the own unknowns answer one unit of a column by -L^-T of
+  /// it.
+  const Eigen::MatrixXd& explained() const { return explained_; }
+
   /// Projected information of the candidates' columns (not of the map's).
   const Eigen::MatrixXd& information() const { return information_; }
   /// The part of a group's information that the own unknowns do not absorb.
@@ -42,7 +55,6 @@ private:
   };
   void addPose(std::size_t pose, Columns& columns);
   void project(const Columns& columns);
-  Eigen::MatrixXd projectedScores(const PoseScores& scores, const Eigen::MatrixXd& own) const;
 
   const ModelAlone& alone_;
   std::vector<Eigen::MatrixXd> deflections_; // per pose: J_t^T J_t P

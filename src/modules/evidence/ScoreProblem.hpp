@@ -1,7 +1,7 @@
 #pragma once
 
-#include "diagnose/DriverColumns.hpp"
-#include "diagnose/PoseScores.hpp"
+#include "evidence/DriverColumns.hpp"
+#include "evidence/PoseScores.hpp"
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -19,8 +19,8 @@ struct ColumnGroup {
 /// What score tests are about. `linear` has the model's own unknowns first, then the candidates' columns: those of
 /// candidate effects and of the mounts' curves; behind them come the joints' curves, the columns of `map`.
 struct ScoreProblem {
-  const Residuals::Linear* linear;
-  const DriverColumns* map;
+  const Residuals::Linear* linear = nullptr;
+  const DriverColumns* map = nullptr;
   Eigen::VectorXd unknowns;        // the own unknowns where `linear` was taken
   Eigen::VectorXd sigmas;          // their priors
   std::vector<ColumnGroup> groups; // candidate effects, the mounts' curves, then the map's cells

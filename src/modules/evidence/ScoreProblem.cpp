@@ -1,4 +1,4 @@
-#include "diagnose/ScoreProblem.hpp"
+#include "evidence/ScoreProblem.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagnose/ScoreProblem.hpp"
+#include "evidence/ScoreProblem.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -13,8 +13,8 @@ class ModelAlone {
 public:
   ModelAlone(const ScoreProblem& problem, const Noise& noise);
 
-  /// Of each set of scores (column): -2 ln of the model's restricted likelihood times the prior of the pose noise, up
-  /// to a constant; chi2 up to a constant that is the same at all levels.
+  /// Of each set of scores (column): -2 ln of the model's restricted likelihood up to a constant, and chi2 up to a
+  /// constant; both constants are the same at all levels.
   struct Outcome {
     Eigen::RowVectorXd deviance, chi2;
     Eigen::MatrixXd own; // L^-1 times the scores of the own unknowns

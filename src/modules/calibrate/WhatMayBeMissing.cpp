@@ -1,0 +1,205 @@
+#include "calibrate/WhatMayBeMissing.hpp"
+
+#include "calibrate/Uncertainty.hpp"
+#include "captures/InputError.hpp"
+#include "evidence/Drivers.hpp"
+#include "evidence/Evidence.hpp"
+#include "geometry/Index.hpp"
+#include "residuals/Candidates.hpp"
+#include "residuals/Carried.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace naocal {
+
+namespace {
+
+FittedPoint pointOf(const Fit& fit) {
+  return {fit.minimum.state, fit.noise, fit.loss};
+}
+
+/// The effects of an explanation that have a name.
+std::vector<Term> namedEffects(const WideModel& wide, const WindowModel& explanation) {
+  std::vector<Term> result;
+  for (const WindowMember& member : explanation.members) {
+    if (member.group < wide.candidates().size()) {
+      result.push_back(wide.candidates()[member.group]);
+    }
+  }
+  std::sort(result.begin(), result.end(), [](const Term& a, const Term& b) { return a.label() < b.label(); });
+  return result;
+}
+
+bool areSame(const std::vector<Term>& a, const std::vector<Term>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const Term& one, const Term& other) { return one.label() == other.label(); });
+}
+
+/// `first`, then those candidates that are not among them: so that a model's effects are the first candidates.
+std::vector<Term> inFront(const std::vector<Term>& first, const std::vector<Term>& candidates) {
+  std::vector<Term> result = first;
+  for (const Term& term : candidates) {
+    if (std::none_of(first.begin(), first.end(), [&](const Term& one) { return one.label() == term.label(); })) {
+      result.push_back(term);
+    }
+  }
+  return result;
+}
+
+/// What a linear explanation, of `own` and effects, says of a larger model's unknowns: a start for its fit. `along`:
+/// the larger model without the effects.
+Eigen::VectorXd startOf(const Model& larger, const Model& own, const Model& along, const WideModel& wide,
+                        const WindowModel& explanation, const std::vector<Term>& effects) {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(at(larger.unknownCount()));
+  result.head(at(along.unknownCount())) = carried(own, explanation.unknowns, along);
+  Eigen::Index next = at(along.unknownCount());
+  for (const Term& effect : effects) {
+    Eigen::Index column = 0;
+    for (const WindowMember& member : explanation.members) {
+      if (member.group < wide.candidates().size() && wide.candidates()[member.group].label() == effect.label()) {
+        result.segment(next, member.count) = explanation.sizes.segment(column, member.count);
+      }
+      column += member.count;
+    }
+    next += at(effect.effect.unknowns.size());
+  }
+  return result;
+}
+
+/// What a group of columns is called: "elasticity@LKneePitch", or of a curve "LKneePitch over q".
+std::string nameOf(const WideModel& wide, std::size_t group) {
+  if (group < wide.candidates().size()) {
+    return wide.candidates()[group].label();
+  }
+  const std::size_t curve = group - wide.candidates().size();
+  if (curve < wide.mounts().size()) {
+    return wide.mounts()[curve].term.place;
+  }
+  const DriverCell& cell = wide.map().cells[curve - wide.mounts().size()];
+  return wide.jointName(cell.motor) + " over " + nameAt(wide.map().drivers[cell.driver], cell.motor);
+}
+
+/// The search of the likeliest explanation.
+class Search {
+public:
+  Search(const Measurements& measurements, const Model& model, const std::optional<Repeated>& repeats,
+         const CalibrationOptions& options)
+      : measurements_{measurements}, model_{model}, repeats_{repeats}, options_{options},
+        candidates_{testableTerms(measurements, model, options.effects)} {}
+
+  /// The joints' levels under the widest model about a fit of `own` and these effects.
+  NoiseLevels levelsAt(const Model& own, const std::vector<Term>& effects, const Fit& fit, const Noise& noise) const {
+    if (!repeats_) {
+      return {noise, {}};
+    }
+    const WideModel wide{measurements_, own, inFront(effects, candidates_), pointOf(fit), false};
+    return noiseLevels(wide.problem(), noise, *repeats_);
+  }
+  Fit fitted(const Model& model, const Noise& noise, Fit from) const {
+    from = options_.robust ? robustFit(measurements_, model, noise, std::move(from)) : std::move(from);
+    const Loss loss = from.loss;
+    return refit(measurements_, model, noise, loss, std::move(from)); // to the last digit
+  }
+  WideModel wideAt(const Model& own, const std::vector<Term>& effects, const Fit& fit) const {
+    return {measurements_, own, inFront(effects, candidates_), pointOf(fit), true};
+  }
+  void ask(const WideModel& wide, Explained& explained) const {
+    const Evidence evidence = evidenceOf(wide.problem(), explained.levels.noise, options_.draws, options_.drawSeed);
+    explained.pValue = evidence.pValue;
+    explained.matters = evidence.matters;
+  }
+
+  /// One step: the effects of the window's likeliest explanation, fitted. False: they are those already in the fit, or
+  /// from far the linear explanation leads astray.
+  bool goOn(const WideModel& wide, const Model& own, Explained& explained) const {
+    const WindowModel& likeliest = explained.window.models.front();
+    const std::vector<Term> effects = namedEffects(wide, likeliest);
+    if (areSame(effects, explained.effects)) {
+      return false;
+    }
+    const Model along = withWeighingOffsets(measurements_, model_, effects);
+    Model larger = along;
+    for (const Term& effect : effects) {
+      larger.add(effect);
+    }
+    Fit from{Noise{.encoder = -1}, explained.largerFit.loss, {}, explained.largerFit.restartsChanged};
+    from.minimum.state.unknowns = startOf(larger, own, along, wide, likeliest, effects);
+    const Noise& noise = explained.levels.noise;
+    try {
+      from = fitted(larger, noise, refit(measurements_, larger, noise, from.loss, std::move(from), roughly));
+    } catch (const InputError&) {
+      return false;
+    }
+    explained.effects = effects;
+    explained.larger = larger;
+    explained.levels = levelsAt(along, effects, from, noise);
+    explained.largerFit = fitted(larger, explained.levels.noise, std::move(from));
+    return true;
+  }
+
+private:
+  const Measurements& measurements_;
+  const Model& model_;
+  const std::optional<Repeated>& repeats_;
+  const CalibrationOptions& options_;
+  std::vector<Term> candidates_;
+};
+
+} // namespace
+
+Explained explain(const Measurements& measurements, const Model& model, const Fit& fit, const Noise& noise,
+                  const std::optional<Repeated>& repeats, const CalibrationOptions& options) {
+  const Search search{measurements, model, repeats, options};
+  Explained result{search.levelsAt(model, {}, fit, noise), fit, {}, model, fit, {}, {}};
+  result.fit = result.largerFit = search.fitted(model, result.levels.noise, fit);
+  constexpr int rounds = 3;
+  for (int round = 0; round <= rounds; ++round) {
+    const Model own = withWeighingOffsets(measurements, model, result.effects);
+    const WideModel wide = search.wideAt(own, result.effects, result.largerFit);
+    result.window = modelWindow(wide, result.levels.noise);
+    result.names.clear();
+    for (std::size_t group = 0; group < wide.problem().groups.size(); ++group) {
+      result.names.push_back(nameOf(wide, group));
+    }
+    if (round == 0) {
+      search.ask(wide, result);
+    }
+    if (round == rounds || !search.goOn(wide, own, result)) {
+      break;
+    }
+  }
+  if (!result.effects.empty()) { // levels have changed
+    result.fit = search.fitted(model, result.levels.noise, std::move(result.fit));
+    search.ask(search.wideAt(model, {}, result.fit), result);
+  }
+  return result;
+}
+
+void describe(const Explained& explained, const Eigen::VectorXd& sigmas, CalibrationResult& result) {
+  const ModelWindow& window = explained.window;
+  const Eigen::VectorXd widening = levelWidening(explained.fit.minimum.linear, sigmas, explained.levels);
+  for (std::size_t i = 0; i < result.estimates.size(); ++i) {
+    const double mean = window.mean[at(i)];
+    const auto [low, high] = window.interval(at(i));
+    result.estimates[i].averaged = Averaged{.value = mean,
+                                            .sigma = std::sqrt(window.variance[at(i)]) * widening[at(i)],
+                                            .low = mean + (low - mean) * widening[at(i)],
+                                            .high = mean + (high - mean) * widening[at(i)]};
+  }
+  constexpr double worthNaming = 0.01;
+  for (const WindowModel& model : window.models) {
+    if (model.weight > worthNaming) {
+      Explanation& explanation = result.explanations.emplace_back(Explanation{{}, model.weight});
+      for (const WindowMember& member : model.members) {
+        explanation.effects.push_back(explained.names[member.group]);
+      }
+    }
+  }
+  result.misfitLeft = window.misfit;
+  result.scatter = explained.levels.scatter;
+  result.pValue = explained.pValue;
+  result.matters = explained.matters;
+}
+
+} // namespace naocal

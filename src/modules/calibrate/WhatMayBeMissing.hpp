@@ -1,0 +1,36 @@
+#pragma once
+
+#include "calibrate/Calibration.hpp"
+#include "calibrate/Fit.hpp"
+#include "evidence/ModelWindow.hpp"
+#include "evidence/WideModel.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// A model's fit put to the question what may be missing.
+struct Explained {
+  NoiseLevels levels;             // under the widest model
+  Fit fit;                        // of the model as it is, at these levels
+  std::vector<Term> effects;      // with a name, of the likeliest explanation
+  Model larger;                   // the model with them
+  Fit largerFit;                  // of that; `fit` where there are none
+  ModelWindow window;             // about it
+  std::vector<std::string> names; // per group of the window: what its effect or curve is called
+  double pValue = 1;              // that the model as it is lacks nothing (`Evidence`)
+  bool matters = false;           // what shows moves corners by more than a lens is known to
+};
+
+/// Noise levels under the widest model, and the window of explanations, linearised anew where the likeliest one leads
+/// until it stays the same: from far a linear model of a large effect falls short.
+/// `repeats`: how poses were repeated; absent: the joints' levels stay as in `noise`.
+Explained explain(const Measurements& measurements, const Model& model, const Fit& fit, const Noise& noise,
+                  const std::optional<Repeated>& repeats, const CalibrationOptions& options);
+
+/// Fills a result's averages, explanations, misfit left, scatter and p-value. `sigmas`: priors of the model's unknowns.
+void describe(const Explained& explained, const Eigen::VectorXd& sigmas, CalibrationResult& result);
+
+} // namespace naocal

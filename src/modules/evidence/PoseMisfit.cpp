@@ -1,0 +1,56 @@
+#include "evidence/PoseMisfit.hpp"
+
+#include "evidence/ModelAlone.hpp"
+
+#include <algorithm>
+
+namespace naocal {
+
+namespace {
+
+constexpr double everything = 0.05; // [rad]: a pose noise that lets every joint go where it likes
+
+Eigen::MatrixXd deflectionCovariance(const PoseSystem& pose, const Noise& noise) {
+  const DeflectionRoot root = deflectionRoot(pose, noise);
+  return Eigen::MatrixXd{root * DeflectionRoot{root.transpose()}};
+}
+
+/// chi2 of the model alone at its minimum, its unknowns' priors included.
+double chi2Of(const ModelAlone& alone) {
+  const ScoreProblem& problem = alone.problem();
+  double squares = 0;
+  for (const PoseSystem& pose : problem.linear->poses) {
+    squares += pose.squares;
+  }
+  const PoseScores scores = measuredScores(*problem.linear, alone.noise());
+  return alone(scores, problem.priorScore()).chi2[0] + problem.unknowns.cwiseQuotient(problem.sigmas).squaredNorm() +
+         squares / (alone.noise().pixel * alone.noise().pixel);
+}
+
+} // namespace
+
+PoseMisfit poseMisfit(const ScoreProblem& problem, const Noise& noise) {
+  Noise loose = noise;
+  loose.pose = everything;
+  const ModelAlone held{problem, noise}, free{problem, loose};
+  PoseMisfit result;
+  result.within = chi2Of(free);
+  result.chi2 = std::max(0.0, chi2Of(held) - result.within);
+  Eigen::MatrixXd learned = Eigen::MatrixXd::Zero(problem.own(), problem.own());
+  const double information = 1 / (noise.pixel * noise.pixel);
+  for (std::size_t number = 0; number < problem.linear->poses.size(); ++number) {
+    const PoseSystem& pose = problem.linear->poses[number];
+    const ModelAlone::Whitener& whitener = free.whitener(number);
+    const Eigen::MatrixXd gram = information * pose.deflectionGram,
+                          more = deflectionCovariance(pose, loose) - deflectionCovariance(pose, noise);
+    result.directions += (gram - gram * whitener.inner * gram).cwiseProduct(more).sum();
+    const Eigen::Index own = problem.ownOf(pose);
+    const std::vector<std::size_t> unknowns = problem.ownUnknownsOf(pose);
+    const Eigen::MatrixXd cross = information * pose.cross.topRows(own) - whitener.unknowns.topRows(own) * gram;
+    learned(unknowns, unknowns) += cross * more * cross.transpose();
+  }
+  result.freedom = std::max(1.0, result.directions - free.factor().solve(learned).trace());
+  return result;
+}
+
+} // namespace naocal
