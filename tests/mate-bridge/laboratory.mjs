@@ -30,7 +30,7 @@ await portrait(page, axe, pictures, "compare-telling");
 await chips.nth(1).click();
 check(await telling.innerText() !== sentence && await chips.nth(1).getAttribute("aria-pressed") === "true", "a click shows another pair: " + await telling.innerText());
 await tab("Learn");
-await page.getByRole("heading", {name: "Something is missing."}).waitFor();
+await page.getByRole("heading", {name: "An effect is missing in the model."}).waitFor();
 await idle();
 const before = px(await rungs.first().innerText());
 check((await page.locator(".candidates tbody tr").first().innerText()).includes(flaw), "the first candidate is the hidden flaw, " + flaw);
@@ -55,7 +55,7 @@ check(seen.every(({rows}) => rows > 0) && dimmed.length && dimmed.every(({note})
   "the candidates stay in sight, dimmed, until the new ones are there: " + dimmed[0]?.note);
 const after = px(await rungs.nth(1).innerText()), floor = px(await page.locator(".ladder .floor").innerText());
 check(after < 0.6 * before && after < 1.3 * floor, "the shown error on unseen poses falls to the noise: " + before + " px, " + after + " px, noise " + floor + " px");
-check((await page.locator("h1").innerText()).startsWith("Nothing") || !(await page.locator("h1").innerText()).includes("Something is missing"), "nothing is missing any more");
+check((await page.locator("h1").innerText()).startsWith("Nothing") || !(await page.locator("h1").innerText()).includes("is missing in the model"), "nothing is missing any more");
 await portrait(page, axe, pictures, "learn-adequate");
 
 // A point that is clicked on shows its capture.

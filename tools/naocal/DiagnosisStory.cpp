@@ -28,20 +28,20 @@ std::string bar(double value, double most, std::size_t width) {
 
 void printLadder(const Diagnosis& diagnosis) {
   const bool unseen = diagnosis.steps.front().heldOutPx.has_value();
-  fmt::print("\nerror {}\n", unseen ? "on poses that neither the fit nor the choice of effects has seen"
-                                    : "of the fit (one pose: none is left to try it on)");
+  fmt::print("\n{}\n", unseen ? "held-out error: on poses that neither the fit nor the choice of effects has seen"
+                              : "error of the fit (one pose: none is left to hold out)");
   const auto error = [](const Step& step) { return step.heldOutPx.value_or(step.rmsPx); };
   double most = diagnosis.steps.back().noiseFloorPx;
   for (const Step& step : diagnosis.steps) {
     most = std::max(most, error(step));
   }
   for (const Step& step : diagnosis.steps) {
-    fmt::print("  {:32} {} {:6.3f} px{}\n", step.added.empty() ? "the model as given" : "+ " + step.added,
+    fmt::print("  {:32} {} {:6.3f} px{}\n", step.added.empty() ? "base model" : "+ " + step.added,
                bar(error(step), most, 30), error(step),
                step.dropped.empty() ? "" : fmt::format("   no longer needed: {}", fmt::join(step.dropped, ", ")));
   }
   const double floor = diagnosis.steps.back().noiseFloorPx;
-  fmt::print("  {:32} {} {:6.3f} px\n", "noise alone", bar(floor, most, 30), floor);
+  fmt::print("  {:32} {} {:6.3f} px\n", "noise floor", bar(floor, most, 30), floor);
 }
 
 void printCurves(const Diagnosis& diagnosis) {
@@ -70,9 +70,9 @@ void printCandidates(const Diagnosis& diagnosis) {
   constexpr std::size_t shown = 8;
   double most = 0;
   for (const CandidateFinding& finding : diagnosis.ranking) {
-    most = std::max(most, finding.evidence.likelihoodRatio);
+    most = std::max(most, finding.evidence.bayes);
   }
-  fmt::print("\ncandidates, best first (bar: how much better the captures are explained)\n");
+  fmt::print("\ncandidates, best first (bar: evidence, 2 ln of the Bayes factor against the model without it)\n");
   for (std::size_t i = 0; i < std::min(shown, diagnosis.ranking.size()); ++i) {
     const CandidateFinding& finding = diagnosis.ranking[i];
     if (finding.state == State::noData) {
@@ -82,7 +82,7 @@ void printCandidates(const Diagnosis& diagnosis) {
                                                             *finding.chi2Drop, finding.evidence.likelihoodRatio)
                                               : "";
     fmt::print("  {:32} {} {:8.1f}  {:12} {}{}\n", finding.term.label(),
-               bar(finding.evidence.likelihoodRatio, most, 14), finding.evidence.likelihoodRatio, nameOf(finding.state),
+               bar(std::max(0.0, finding.evidence.bayes), most, 14), finding.evidence.bayes, nameOf(finding.state),
                sizes(finding), fall);
   }
   std::size_t absorbed = 0, noData = 0, inconclusive = 0;
@@ -91,10 +91,9 @@ void printCandidates(const Diagnosis& diagnosis) {
     noData += finding.state == State::noData;
     inconclusive += finding.state == State::inconclusive;
   }
-  fmt::print(
-      "  {} candidates in all; {} these poses cannot test, {} need data that was not recorded, {} could hide below "
-      "what these captures show\n",
-      diagnosis.ranking.size(), absorbed, noData, inconclusive);
+  fmt::print("  {} candidates in all; {} not testable here, {} need data that was not recorded, {} could hide below "
+             "what these captures show\n",
+             diagnosis.ranking.size(), absorbed, noData, inconclusive);
 }
 
 void printDiagnosis(const Diagnosis& diagnosis, const AsAsked& asked) {

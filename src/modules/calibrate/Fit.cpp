@@ -69,7 +69,7 @@ double lossScale(const std::vector<SightingResidual>& sightings, double pixelNoi
   const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
   std::nth_element(distances.begin(), middle, distances.end());
   constexpr double medianOfRayleigh = 1.17741; // median distance of a good corner in units of the noise per axis
-  constexpr double harmless = 0.1;             // [px]: no error of this size is gross, however small the noise
+  constexpr double harmless = 0.3; // [px]: what corners of printed boards scatter by; however small the noise is here
   return std::max({1.0, *middle / (medianOfRayleigh * pixelNoise), harmless / pixelNoise});
 }
 

@@ -135,7 +135,10 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
       result.unexplained = alarm && !candidate && !unknown && !missing;
       result.verdict = verdictOf(result, ladder.fit().misfit, missing, unknown);
       result.with = ladder.added();
-      result.ranking = judged(ladder.findings(), inquiry, ladder.model(), ladder.fit(), result.suggested);
+      const std::vector<std::string> leading = result.suggested.empty() && candidate
+                                                   ? std::vector{inquiry.candidates()[*candidate].label()}
+                                                   : result.suggested;
+      result.ranking = judged(ladder.findings(), inquiry, ladder.model(), ladder.fit(), leading);
       break;
     }
   }

@@ -34,8 +34,7 @@ std::string missing(const Diagnosis& diagnosis) {
   const Step &before = diagnosis.steps.front(), &after = diagnosis.steps.back();
   const std::optional<double>& heldOut = diagnosis.suggested.empty() ? before.nextPx : after.heldOutPx;
   if (before.heldOutPx && heldOut) {
-    text += fmt::format(" On poses that neither fit nor choice has seen the error {} from {:.2f} to {:.2f} px (noise "
-                        "alone: {:.2f} px).",
+    text += fmt::format(" The held-out error {} from {:.2f} to {:.2f} px (noise floor: {:.2f} px).",
                         *heldOut < *before.heldOutPx ? "falls" : "does not fall:", *before.heldOutPx, *heldOut,
                         after.noiseFloorPx);
   }

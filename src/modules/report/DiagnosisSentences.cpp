@@ -49,14 +49,8 @@ Fact alarmFact(double alarm, bool found) {
 }
 
 Fact lackOfFitFact(const JsonPlace& lackOfFit) {
-  const double p = lackOfFit.at("pValue").number(probability);
-  const bool known = lackOfFit.at("dof").numbers(2, {0, 1e15, ""}, "two degrees of freedom")[1] == 0;
-  return {fmt::format("{} = {:.3g}", known ? "chi²/dof" : "F", lackOfFit.at("statistic").number({0, 1e15, ""})),
-          fmt::format("what the model as given leaves from pose to pose, in units of {}; noise alone would exceed it "
-                      "with {}.",
-                      known ? "the noise that is assumed, as there are too few corners to tell it"
-                            : "what corners of one picture differ by, encoders' noise allowed for",
-                      chance(p))};
+  return {fmt::format("{:.2f}", lackOfFit.at("statistic").number({0, 1e15, ""})),
+          "is how far poses miss the base model, in chi² over its freedom: 1 is what noise makes."};
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // Learn: every effect at every place and the evidence for it.
 import {make, button, csv, download, empty} from "./elements.js";
-import {short, tenths, px, chance, sizeWords, stateWords, stateName, driverWords, waitingWords} from "./words.js";
+import {short, tenths, px, sizeWords, stateWords, stateName, waitingWords} from "./words.js";
 import {detail} from "./looked.js";
 import {state, act} from "./state.js";
 
@@ -24,22 +24,10 @@ export function showLearn(parent) {
       make("div", {class: "looked"}, ...(looked ? detail(looked, questions, again) : []))));
 }
 
-// Of this model alone: the bridge was not asked to add anything.
 function verdict(questions) {
-  const {suspicious, steps, candidates, map} = questions, step = steps[0], best = candidates[0];
-  if (!step || suspicious.length || step.alarm > 0.05) {
-    const {headline, sentence} = questions, stem = headline.replace(/\.$/, "");
-    const rest = sentence.startsWith(stem) ? sentence.slice(stem.length).replace(/^[\s:,;.]+/, "") : sentence; // it says the headline again
-    return make("div", {class: "verdict " + questions.verdict}, make("h1", {}, headline), make("p", {}, rest.charAt(0).toUpperCase() + rest.slice(1)));
-  }
-  const curve = map.reduce((a, b) => a.evidence > b.evidence ? a : b, {evidence: -Infinity});
-  const unknown = curve.evidence - best.evidence > Math.max(6, 0.15 * best.evidence); // as naocal diagnose decides it
-  const effect = state.set.effects.find(({name}) => name === best.label.split("@")[0]);
-  const words = unknown ? "A curve of " + curve.joint + " over " + driverWords(curve.driver) + " explains it better than any known effect: see the map."
-    : "The likeliest cause is " + best.label + (effect ? ": " + effect.what : "") + "." + (best.after === null ? ""
-      : " With it, poses that the fit has not seen would be predicted to " + px(best.after) + " instead of " + px(best.before) + ".");
-  return make("div", {class: "verdict " + (unknown ? "unknown-effect" : "effect-missing")}, make("h1", {}, "Something is missing."),
-    make("p", {}, words + " (That this is chance: " + chance(step.alarm) + ".)"));
+  const {headline, sentence} = questions, stem = headline.replace(/\.$/, "");
+  const rest = sentence.startsWith(stem) ? sentence.slice(stem.length).replace(/^[\s:,;.]+/, "") : sentence; // it says the headline again
+  return make("div", {class: "verdict " + questions.verdict}, make("h1", {}, headline), make("p", {}, rest.charAt(0).toUpperCase() + rest.slice(1)));
 }
 
 function states({candidates}, again) {

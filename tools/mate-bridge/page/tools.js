@@ -76,12 +76,12 @@ export function showTools(parent) {
       : told.running && told.ending ? typedWords(told.words) + " finishes what it has begun; once more ends it at once."
       : told.running ? typedWords(told.words) + " is running …"
       : told.exitCode === null ? "Runs in " + told.folder + "."
-      : typedWords(told.words) + (told.ending ? " was ended." : told.exitCode === 0 ? " has finished." : " ended with " + told.exitCode + ": read its last lines.");
+      : typedWords(told.words) + (told.ending ? " was ended." : told.exitCode === 0 ? " has finished." : told.exitCode === 3 ? " has finished: read its verdict in the last lines." : " ended with " + told.exitCode + ": read its last lines.");
     const atEnd = output.scrollTop + output.clientHeight > output.scrollHeight - 30;
     output.textContent = told.lines.join("\n");
     output.hidden = !told.lines.join("");
     if (atEnd) output.scrollTop = output.scrollHeight;
-    const place = told.exitCode === 0 && placeWritten(told.words);
+    const place = [0, 3].includes(told.exitCode) && placeWritten(told.words); // 3: done, but not to be used
     opened.replaceChildren(...(place ? [button("Open " + place, () => act({do: "open", paths: [place.startsWith("/") ? place : told.folder + "/" + place]}))] : []));
   };
   parent.replaceChildren(make("h1", {}, "Tools"),

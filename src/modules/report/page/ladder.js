@@ -10,10 +10,10 @@ function showLadder(parent) {
     axis.appendChild(element("div", "band")).style.width = place(floor);
     axis.appendChild(element("div", "bar")).style.width = place(error(step));
     const dropped = step.dropped.map(label => " − " + label).join("");
-    row.append(element("span", "", step.added ? "+ " + step.added + dropped : "the model as given"), axis,
+    row.append(element("span", "", step.added ? "+ " + step.added + dropped : "base model"), axis,
       element("span", "number", px(error(step))));
     const previous = error(data.steps[i ? i - 1 : i]);
-    tipOver(row, (step.added ? "with " + step.added : "the model as given") +
+    tipOver(row, (step.added ? "with " + step.added : "base model") +
       (step.dropped.length ? ", which makes superfluous: " + step.dropped.join(", ") : "") +
       (step.heldOut === null ? "" : "\non unseen poses: " + px(step.heldOut) + (i ? " (" + px(previous) + " before)" : "")) + "\non the poses it was fitted to: " + px(step.rms) +
       " rms\n" + data.floorName + ": " + px(floor) + "\nchance that noise looks like something missing: " + chance(step.alarm));
