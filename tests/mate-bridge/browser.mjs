@@ -61,6 +61,10 @@ export async function quietPage(browser, address, options = {}) {
   return page;
 }
 
+// A camera's picture has come, however slow the next ones are.
+export const livePicture = (page, timeout = 30000) =>
+  page.locator(".camera figcaption", {hasText: /\d+ × \d+ px/}).first().waitFor({timeout});
+
 export const px = text => Number(text.match(/([\d.]+) px/)[1]);
 
 // Pictures of a view in light, dark and in a narrow window, and what axe says of it.

@@ -2,14 +2,14 @@
 // as the slope over the second half of the time. Not among the tests that run each time: it takes as long as one says.
 // Usage: node endurance.mjs NAOCAL-ROBOT MATE-BRIDGE NODE_MODULES CONFIGURATION MINUTES
 import {readFileSync} from "node:fs";
-import {tools, check, panelOf, folder, quietPage, end} from "./browser.mjs";
+import {tools, check, panelOf, folder, quietPage, livePicture, end} from "./browser.mjs";
 import {robotIn} from "./robotHere.mjs";
 
 const [, , robotProgram, bridge, modules, configuration, minutes] = process.argv;
 const {launch} = tools(modules), robot = robotIn(folder(), robotProgram, configuration);
 const panel = await panelOf(bridge, "--robot", await robot.start()), browser = await launch();
 const page = await quietPage(browser, panel.address), inspector = await page.context().newCDPSession(page);
-await page.getByText("pictures a second").first().waitFor({timeout: 30000});
+await livePicture(page);
 await page.getByRole("button", {name: "Live", exact: true}).click();
 await page.getByLabel("filter values").fill("Motion.angles");
 await page.getByLabel("Motion.angles").check();

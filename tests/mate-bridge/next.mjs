@@ -4,7 +4,7 @@
 // Usage: node next.mjs NAOCAL NAOCAL-ROBOT MATE-BRIDGE NODE_MODULES CONFIGURATION PICTURES
 import {existsSync, readdirSync, readFileSync, writeFileSync} from "node:fs";
 import {join} from "node:path";
-import {tools, check, panelOf, run, folder, quietPage, portrait, end} from "./browser.mjs";
+import {tools, check, panelOf, run, folder, quietPage, livePicture, portrait, end} from "./browser.mjs";
 import {robotIn} from "./robotHere.mjs";
 
 const [, , naocal, robotProgram, bridge, modules, configuration, pictures] = process.argv;
@@ -20,7 +20,7 @@ const idle = () => page.waitForFunction(() => document.getElementById("work").te
 await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor();
 await idle();
 await tab("Calibrate"); // looks at the robot
-await page.getByText("pictures a second").first().waitFor({timeout: 60000});
+await livePicture(page, 60000);
 await tab("Next poses");
 await page.getByLabel("How many").selectOption("2");
 await page.getByRole("button", {name: "Suggest poses"}).click();

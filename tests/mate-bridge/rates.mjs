@@ -6,7 +6,7 @@
 import {connect, createServer} from "node:net";
 import {mkdirSync, readFileSync} from "node:fs";
 import {join} from "node:path";
-import {tools, check, panelOf, folder, quietPage, end} from "./browser.mjs";
+import {tools, check, panelOf, folder, quietPage, livePicture, end} from "./browser.mjs";
 import {robotIn} from "./robotHere.mjs";
 
 const [, , robotProgram, bridge, modules, configuration] = process.argv;
@@ -86,12 +86,12 @@ const processor = pid => {
 };
 const panel = await panelOf(bridge, "--robot", join(kept, "robot")), browser = await launch();
 const opened = Date.now(), page = await quietPage(browser, panel.address);
-await page.getByText("pictures a second").first().waitFor({timeout: 30000});
+await livePicture(page);
 const first = Date.now() - opened;
 check(first < 2000, "the first live picture is there in less than 2 s: " + first + " ms");
 for (const view of ["Calibrate", "Live"]) {
   await page.getByRole("button", {name: view, exact: true}).click();
-  await page.getByText("pictures a second").first().waitFor({timeout: 30000});
+  await livePicture(page);
   if (view === "Live") await page.getByLabel("Motion.angles").check();
   const before = processor(panel.pid);
   await page.waitForTimeout(10000);

@@ -4,7 +4,7 @@
 // Usage: node robot.mjs NAOCAL-ROBOT MATE-BRIDGE NODE_MODULES CONFIGURATION PICTURES
 import {existsSync, readdirSync, readFileSync} from "node:fs";
 import {join} from "node:path";
-import {tools, check, panelOf, folder, quietPage, portrait, px, end} from "./browser.mjs";
+import {tools, check, panelOf, folder, quietPage, livePicture, portrait, px, end} from "./browser.mjs";
 import {robotIn} from "./robotHere.mjs";
 
 const [, , robotProgram, bridge, modules, configuration, pictures] = process.argv;
@@ -15,7 +15,7 @@ const opened = Date.now();
 let page = await quietPage(browser, panel.address);
 const tab = name => page.getByRole("button", {name, exact: true}).click();
 
-await page.getByText("pictures a second").first().waitFor({timeout: 120000});
+await livePicture(page, 120000);
 console.log("measured: from opening to the first live picture: " + (Date.now() - opened) + " ms");
 await page.waitForTimeout(3000);
 console.log("measured: cameras: " + (await page.locator(".camera figcaption").allInnerTexts()).join("; "));
@@ -194,7 +194,7 @@ await page.keyboard.type("nao");
 await page.screenshot({path: join(pictures, "robot-gone.png")});
 await robot.start();
 await page.locator(".robot.connected").waitFor();
-await page.getByText("pictures a second").first().waitFor();
+await livePicture(page);
 check(true, "a robot that comes back is seen again");
 await page.keyboard.type("21");
 check(await page.getByLabel("robot to connect to").inputValue() === "nao21", "an address that is typed stays while the robot comes: " + await page.getByLabel("robot to connect to").inputValue());

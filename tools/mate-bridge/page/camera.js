@@ -45,8 +45,7 @@ class Camera {
     if (times.length && performance.now() - times[times.length - 1] > 3000) times.length = 0; // it had stopped
     times.push(performance.now());
     while (times.length > 30) times.shift();
-    const rate = times.length > 1 ? 1000 * (times.length - 1) / (times[times.length - 1] - times[0]) : 0;
-    this.caption.textContent = width + " × " + height + " px, " + (rate.toFixed(0) === "1" ? "1 picture" : rate.toFixed(0) + " pictures") + " a second" + words;
+    this.caption.textContent = width + " × " + height + " px" + rateOf(times) + words;
     if (words) this.rests.textContent = this.found.rests || "";
   }
 
@@ -66,6 +65,13 @@ class Camera {
     return "; " + this.found.boards.map(({board}) => "board " + board).join(", ") + ": " + all.length + " corners, predicted " +
       px(rms(all.map(({x, y, endX, endY}) => Math.hypot(endX - x, endY - y)))) + " off";
   }
+}
+
+// Of a first picture nothing can be said yet.
+function rateOf(times) {
+  if (times.length < 2) return "";
+  const rate = (1000 * (times.length - 1) / (times[times.length - 1] - times[0])).toFixed(0);
+  return ", " + rate + (rate === "1" ? " picture a second" : " pictures a second");
 }
 
 // Which of a robot's pictures are its two cameras'.
