@@ -47,9 +47,7 @@ CalibrationSession::Solved CalibrationSession::solved() const {
   const Measurements measurements = measurementsOf(sets, drawing_);
   const auto [asked, leftOut] = modelFor(measurements, model_);
   const Model model = makeModel(measurements, asked.with, asked.without, asked.effects);
-  // A gear's play in every joint is more than the levels of noise allow for, and this model has none: with levels told
-  // from corners as sharp as these the fit would bend offsets to them. What helps is measured afterwards.
-  const CalibrationResult result = calibrate(measurements, model, {.estimateNoise = false});
+  const CalibrationResult result = calibrate(measurements, model);
   const ResultInputs inputs{{folder_.string()}, {sha256(fileContent(folder_ / "captures.json"))}};
   writeAtomically(folder_ / "result.json", resultJson(sets, measurements, model, result, inputs).dump(2) + "\n");
   if (!result.converged) {

@@ -37,7 +37,7 @@ TEST_CASE("how well simulated robots calibrate their legs", "[.measure]") {
     ++robots;
     fmt::print("{:3} {} after {:.0f} s: {}\n", seed, state["phase"].get<std::string>(),
                state.value("robotSeconds", 0.0), state.value("sentence", ""));
-    if (!std::filesystem::exists(simulated.folder.path() / "recordings")) {
+    if (!std::filesystem::exists(simulated.recording())) {
       continue;
     }
     if (const char* keep = std::getenv("KEEP")) {

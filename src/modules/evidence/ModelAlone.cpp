@@ -11,15 +11,15 @@ ModelAlone::ModelAlone(const ScoreProblem& problem, const Noise& noise) : proble
     inner.diagonal().array() += 1;
     const Eigen::LLT<Eigen::MatrixXd> factor{inner};
     logDeterminant_ += 2 * factor.matrixLLT().diagonal().array().log().sum();
-    const Eigen::MatrixXd half = factor.matrixL().solve(Eigen::MatrixXd{root.transpose()});
     Whitener& whitener = whiteners_.emplace_back();
-    whitener.inner.noalias() = half.transpose() * half;
-    whitener.unknowns.noalias() = information * system.cross * whitener.inner;
+    whitener.half = factor.matrixL().solve(Eigen::MatrixXd{root.transpose()});
+    whitener.unknowns = information * (root.transpose() * Eigen::MatrixXd{system.cross.transpose()});
+    factor.matrixL().solveInPlace(whitener.unknowns);
     const Eigen::Index own = problem.ownOf(system);
     const std::vector<std::size_t> unknowns = problem.ownUnknownsOf(system);
+    const auto answers = whitener.unknowns.leftCols(own);
     hessian(unknowns, unknowns) +=
-        information * (system.unknownGram.topLeftCorner(own, own) -
-                       whitener.unknowns.topRows(own) * system.cross.topRows(own).transpose());
+        information * system.unknownGram.topLeftCorner(own, own) - answers.transpose() * answers;
   }
   factor_.compute(hessian);
 }
@@ -32,10 +32,10 @@ ModelAlone::Outcome ModelAlone::operator()(const PoseScores& scores, const Eigen
   for (std::size_t pose = 0; pose < scores.size(); ++pose) {
     const PoseSystem& system = problem_.linear->poses[pose];
     const Eigen::Index own = problem_.ownOf(system);
-    const Eigen::MatrixXd& bent = scores[pose].deflections;
-    result.chi2 -= bent.cwiseProduct(whiteners_[pose].inner * bent).colwise().sum();
+    const Eigen::MatrixXd bent = whiteners_[pose].half * scores[pose].deflections;
+    result.chi2 -= bent.colwise().squaredNorm();
     result.own(problem_.ownUnknownsOf(system), Eigen::all) +=
-        scores[pose].unknowns.topRows(own) - whiteners_[pose].unknowns.topRows(own) * bent;
+        scores[pose].unknowns.topRows(own) - whiteners_[pose].unknowns.leftCols(own).transpose() * bent;
   }
   factor_.matrixL().solveInPlace(result.own);
   result.chi2 -= result.own.colwise().squaredNorm();

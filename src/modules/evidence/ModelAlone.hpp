@@ -21,9 +21,12 @@ public:
   };
   Outcome operator()(const PoseScores& scores, const Eigen::VectorXd& priorScore) const;
 
-  struct Whitener {           // of a pose, P = S - S (S + (J_t^T J_t)^-1)^-1 S:  J^T Sigma^-1 = J^T - J^T J_t P J_t^T
-    Eigen::MatrixXd inner;    // P
-    Eigen::MatrixXd unknowns; // J_x^T J_t P
+  /// Of a pose whose deflections J_t have the covariance D = R R^T:  J^T Sigma^-1 = J^T - J^T J_t H^T H J_t^T, with
+  /// H = L^-1 R^T and L L^T = I + R^T J_t^T J_t R (J in units of the pixel noise). Halves, for the product H^T H loses
+  /// the digits that sharp corners and loose joints need.
+  struct Whitener {
+    Eigen::MatrixXd half;     // H
+    Eigen::MatrixXd unknowns; // H J_t^T J_x, of the unknowns and candidates
   };
   const Whitener& whitener(std::size_t pose) const { return whiteners_[pose]; }
   /// Of the own unknowns' information, priors included: L L^T.

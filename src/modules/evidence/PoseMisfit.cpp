@@ -43,10 +43,12 @@ PoseMisfit poseMisfit(const ScoreProblem& problem, const Noise& noise) {
     const ModelAlone::Whitener& whitener = free.whitener(number);
     const Eigen::MatrixXd gram = information * pose.deflectionGram,
                           more = deflectionCovariance(pose, loose) - deflectionCovariance(pose, noise);
-    result.directions += (gram - gram * whitener.inner * gram).cwiseProduct(more).sum();
+    const Eigen::MatrixXd bent = whitener.half * gram;
+    result.directions += (gram - bent.transpose() * bent).cwiseProduct(more).sum();
     const Eigen::Index own = problem.ownOf(pose);
     const std::vector<std::size_t> unknowns = problem.ownUnknownsOf(pose);
-    const Eigen::MatrixXd cross = information * pose.cross.topRows(own) - whitener.unknowns.topRows(own) * gram;
+    const Eigen::MatrixXd cross =
+        information * pose.cross.topRows(own) - whitener.unknowns.leftCols(own).transpose() * bent;
     learned(unknowns, unknowns) += cross * more * cross.transpose();
   }
   result.freedom = std::max(1.0, result.directions - free.factor().solve(learned).trace());

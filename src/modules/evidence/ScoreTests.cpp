@@ -48,8 +48,8 @@ void ScoreTests::addPose(std::size_t pose, Columns& columns) {
   const double information = 1 / (noise().pixel * noise().pixel);
   const Eigen::MatrixXd cross = information * system.cross, gram = information * system.deflectionGram;
   const Eigen::Index own = problem.ownOf(system), rest = at(system.unknowns.size()) - own;
-  const Eigen::MatrixXd whitened =
-      information * system.unknownGram.rightCols(rest) - whitener.unknowns * cross.bottomRows(rest).transpose();
+  const Eigen::MatrixXd whitened = information * system.unknownGram.rightCols(rest) -
+                                   whitener.unknowns.transpose() * whitener.unknowns.rightCols(rest);
   const auto unknown = [&](Eigen::Index i) { return at(system.unknowns[static_cast<std::size_t>(i)]); };
   for (Eigen::Index j = 0; j < rest; ++j) {
     const Eigen::Index column = unknown(own + j) - problem.own();
@@ -60,12 +60,12 @@ void ScoreTests::addPose(std::size_t pose, Columns& columns) {
       columns.candidates(unknown(own + i) - problem.own(), column) += whitened(own + i, j);
     }
   }
-  const Eigen::MatrixXd& deflections = deflections_.emplace_back(gram * whitener.inner);
+  const Eigen::MatrixXd& deflections = deflections_.emplace_back(whitener.half * gram);
   if (problem.map->blocks[pose].empty()) {
     return;
   }
-  const Eigen::MatrixXd mixed = cross.topRows(own) - whitener.unknowns.topRows(own) * gram;
-  const Eigen::MatrixXd deflectionInformation = gram - deflections * gram;
+  const Eigen::MatrixXd mixed = cross.topRows(own) - whitener.unknowns.leftCols(own).transpose() * deflections;
+  const Eigen::MatrixXd deflectionInformation = gram - deflections.transpose() * deflections;
   for (const DriverColumns::Block& block : problem.map->blocks[pose]) {
     const Eigen::Index count = block.values.cols();
     const Eigen::MatrixXd byBlock = mixed.middleCols(block.firstDeflection, block.values.rows()) * block.values;
@@ -108,16 +108,17 @@ Eigen::MatrixXd ScoreTests::projectedScores(const PoseScores& scores, const Eige
   for (std::size_t pose = 0; pose < scores.size(); ++pose) {
     const PoseSystem& system = problem.linear->poses[pose];
     const Eigen::Index first = problem.ownOf(system), rest = at(system.unknowns.size()) - first;
-    const Eigen::MatrixXd& bent = scores[pose].deflections;
+    const ModelAlone::Whitener& whitener = alone_.whitener(pose);
+    const Eigen::MatrixXd bent = whitener.half * scores[pose].deflections;
     const Eigen::MatrixXd part =
-        scores[pose].unknowns.bottomRows(rest) - alone_.whitener(pose).unknowns.bottomRows(rest) * bent;
+        scores[pose].unknowns.bottomRows(rest) - whitener.unknowns.rightCols(rest).transpose() * bent;
     for (Eigen::Index i = 0; i < rest; ++i) {
       result.row(at(system.unknowns[static_cast<std::size_t>(first + i)]) - problem.own()) -= part.row(i);
     }
     if (problem.map->blocks[pose].empty()) {
       continue;
     }
-    const Eigen::MatrixXd deflections = bent - deflections_[pose] * bent;
+    const Eigen::MatrixXd deflections = scores[pose].deflections - deflections_[pose].transpose() * bent;
     for (const DriverColumns::Block& block : problem.map->blocks[pose]) {
       result.middleRows(problem.candidates + block.firstColumn, block.values.cols()).noalias() -=
           block.values.transpose() * deflections.middleRows(block.firstDeflection, block.values.rows());
@@ -158,18 +159,18 @@ Eigen::MatrixXd ScoreTests::informationWith(std::size_t group, Eigen::Index coun
     }
     const Eigen::MatrixXd cross = information * system.cross.bottomRows(rest);
     const Eigen::MatrixXd gram = information * system.deflectionGram;
-    const auto answers = whitener.unknowns.bottomRows(rest);
     // J_c^T Sigma^-1 and J_t^T Sigma^-1 times what the columns do
     const Eigen::MatrixXd pixels = cross.transpose() * moves + gram * bends; // J_t^T (...) / pixel^2
-    const Eigen::MatrixXd byUnknown =
-        information * system.unknownGram.bottomRightCorner(rest, rest) * moves + cross * bends - answers * pixels;
+    const Eigen::MatrixXd bent = whitener.half * pixels;
+    const Eigen::MatrixXd byUnknown = information * system.unknownGram.bottomRightCorner(rest, rest) * moves +
+                                      cross * bends - whitener.unknowns.rightCols(rest).transpose() * bent;
     for (Eigen::Index i = 0; i < rest; ++i) {
       result.row(place(i)) += byUnknown.row(i);
     }
     if (problem.map->blocks[pose].empty()) {
       continue;
     }
-    const Eigen::MatrixXd byDeflection = pixels - gram * (whitener.inner * pixels);
+    const Eigen::MatrixXd byDeflection = pixels - deflections_[pose].transpose() * bent;
     for (const DriverColumns::Block& block : problem.map->blocks[pose]) {
       result.middleRows(problem.candidates + block.firstColumn, block.values.cols()).noalias() +=
           block.values.transpose() * byDeflection.middleRows(block.firstDeflection, block.values.rows());

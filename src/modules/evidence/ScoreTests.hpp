@@ -57,7 +57,7 @@ private:
   void project(const Columns& columns);
 
   const ModelAlone& alone_;
-  std::vector<Eigen::MatrixXd> deflections_; // per pose: J_t^T J_t P
+  std::vector<Eigen::MatrixXd> deflections_; // per pose: H J_t^T J_t (`ModelAlone::Whitener`)
   Eigen::MatrixXd explained_;                // L^-1 cross: own unknowns x columns
   Eigen::MatrixXd information_;              // projected, of the candidates
   std::vector<Eigen::MatrixXd> blocks_;      // projected, per group
