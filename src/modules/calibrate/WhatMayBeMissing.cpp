@@ -96,10 +96,17 @@ public:
     const WideModel wide{measurements_, own, inFront(effects, candidates_), pointOf(fit), false};
     return noiseLevels(wide.problem(), noise, *repeats_);
   }
-  Fit fitted(const Model& model, const Noise& noise, Fit from) const {
-    from = options_.robust ? robustFit(measurements_, model, noise, std::move(from)) : std::move(from);
+  /// Near enough to linearise at.
+  Fit near(const Model& model, const Noise& noise, Fit from) const {
     const Loss loss = from.loss;
-    return refit(measurements_, model, noise, loss, std::move(from)); // to the last digit
+    return options_.robust ? robustFit(measurements_, model, noise, std::move(from))
+                           : refit(measurements_, model, noise, loss, std::move(from), roughly);
+  }
+  /// To the last digit.
+  Fit fitted(const Model& model, const Noise& noise, Fit from) const {
+    from = near(model, noise, std::move(from));
+    const Loss loss = from.loss;
+    return refit(measurements_, model, noise, loss, std::move(from));
   }
   WideModel wideAt(const Model& own, const std::vector<Term>& effects, const Fit& fit) const {
     return {measurements_, own, inFront(effects, candidates_), pointOf(fit), true};
@@ -127,14 +134,14 @@ public:
     from.minimum.state.unknowns = startOf(larger, own, along, wide, likeliest, effects);
     const Noise& noise = explained.levels.noise;
     try {
-      from = fitted(larger, noise, refit(measurements_, larger, noise, from.loss, std::move(from), roughly));
+      from = near(larger, noise, refit(measurements_, larger, noise, from.loss, std::move(from), roughly));
     } catch (const InputError&) {
       return false;
     }
     explained.effects = effects;
     explained.larger = larger;
     explained.levels = levelsAt(along, effects, from, noise);
-    explained.largerFit = fitted(larger, explained.levels.noise, std::move(from));
+    explained.largerFit = near(larger, explained.levels.noise, std::move(from));
     return true;
   }
 
