@@ -3,6 +3,7 @@
 #include "captures/CaptureSetFile.hpp"
 #include "diagnose/Diagnosis.hpp"
 #include "diagnose/DiagnosisFile.hpp"
+#include "diagnose/OwnEffect.hpp"
 #include "geometry/Angles.hpp"
 #include "residuals/ModelFile.hpp"
 

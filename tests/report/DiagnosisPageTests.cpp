@@ -3,6 +3,7 @@
 
 #include "captures/InputError.hpp"
 #include "diagnose/DiagnosisFile.hpp"
+#include "diagnose/OwnEffect.hpp"
 #include "residuals/ModelFile.hpp"
 
 #include <catch2/catch.hpp>

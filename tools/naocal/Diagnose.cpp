@@ -7,6 +7,7 @@
 
 #include "captures/InputError.hpp"
 #include "diagnose/DiagnosisFile.hpp"
+#include "diagnose/OwnEffect.hpp"
 #include "poses/PoseFile.hpp"
 #include "residuals/ModelFile.hpp"
 
@@ -69,7 +70,9 @@ nlohmann::json modelWith(const DriverFinding& curve, const DiagnoseCommand& comm
   std::vector<std::string> with = command.options.with;
   with.insert(with.end(), diagnosis.suggested.begin(), diagnosis.suggested.end());
   nlohmann::json effect = curveEffect(curve), define = nlohmann::json::parse(command.definitions);
-  with.push_back(fmt::format("{}@{}", effect["name"].get<std::string>(), curve.place));
+  if (!diagnosis.own) {
+    with.push_back(fmt::format("{}@{}", effect["name"].get<std::string>(), curve.place));
+  }
   define.push_back(std::move(effect));
   return modelJson(with, command.options.without, std::move(define));
 }
@@ -108,7 +111,9 @@ int diagnose(DiagnoseCommand& command) {
   }
   if (command.json != "-") {
     printDiagnosis(diagnosis, asIs);
-    printOwn(beyond != nullptr, asIs, command.own);
+    if (beyond || !command.own.empty()) {
+      printOwn(beyond, diagnosis, asIs, command.own);
+    }
     printNext(next, asIs, command.poses);
   }
   return diagnosis.verdict == Verdict::badCaptures ? 3 : 0;
@@ -129,7 +134,7 @@ void addDiagnose(CLI::App& app, int& exitCode) {
   diagnoser->add_option("--without", command->options.without, "leave effects out")->delimiter(',');
   diagnoser->add_option("--model", command->model, "a model file: further terms, and effects of your own");
   diagnoser
-      ->add_option("--own", command->own,
+      ->add_option("--own,--save-model", command->own,
                    "a model file for what is beyond the catalogue, as an effect of your own to go on with")
       ->check(replaces("naocal-model"));
   diagnoser->add_option("--next", command->poses, "a file for the poses that would best tell what is left open")

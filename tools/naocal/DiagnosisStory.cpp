@@ -106,21 +106,24 @@ void printDiagnosis(const Diagnosis& diagnosis, const AsAsked& asked) {
   for (const Suspicion& suspicion : diagnosis.suspicious) {
     fmt::print("  suspicious: {}\n", suspicion.why);
   }
-  if (!diagnosis.suggested.empty()) {
+  if (!diagnosis.suggested.empty() && !diagnosis.own) {
     fmt::print("\nadd it:  naocal solve {} -o result.json\n", asked.words(diagnosis.suggested));
   }
   fmt::print("({:.2f} s)\n", diagnosis.seconds);
 }
 
-void printOwn(bool isThere, const AsAsked& asked, const std::string& file) {
-  if (isThere && file.empty()) {
-    fmt::print("try its expression as an effect of your own:  naocal diagnose {} --own own.json\n", asked.words());
-  } else if (isThere) {
-    const AsAsked withIt{asked.sets, {}, {}, file, asked.samePlace, asked.skipBad};
-    fmt::print("{} has its expression as an effect of your own; see what it explains:  naocal diagnose {}\n", file,
-               withIt.words());
-  } else if (!file.empty()) {
+void printOwn(bool isThere, const Diagnosis& diagnosis, const AsAsked& asked, const std::string& file) {
+  if (!isThere) {
     fmt::print("nothing beyond the catalogue was found that an expression follows, so {} was not written\n", file);
+  } else if (file.empty()) {
+    fmt::print("{}:  naocal diagnose {} --own own.json\n",
+               diagnosis.own ? "add it as an effect of your own" : "try its expression as an effect of your own",
+               asked.words());
+  } else {
+    const AsAsked withIt{asked.sets, {}, {}, file, asked.samePlace, asked.skipBad};
+    fmt::print("{0} has its expression as an effect of your own; see what it explains:  naocal diagnose {1}\n"
+               "and calibrate with it:  naocal solve {1} -o result.json\n",
+               file, withIt.words());
   }
 }
 

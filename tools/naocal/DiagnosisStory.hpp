@@ -10,8 +10,8 @@ namespace naocal {
 void printDiagnosis(const Diagnosis& diagnosis, const AsAsked& asked);
 
 /// What to do with a curve beyond the catalogue: have it written as an effect of one's own, or go on with the model
-/// file `file` that holds it. `isThere`: there is one.
-void printOwn(bool isThere, const AsAsked& asked, const std::string& file);
+/// file `file` that holds it. `isThere`: there is one that an expression follows.
+void printOwn(bool isThere, const Diagnosis& diagnosis, const AsAsked& asked, const std::string& file);
 
 /// Its candidates alone.
 void printCandidates(const Diagnosis& diagnosis);

@@ -75,17 +75,29 @@ Answer answered(const Measurements& measurements, const Model& model, const Cali
   return answer;
 }
 
-/// Sets aside, one after the other, sightings whose board moved beyond doubt, whatever explains the rest. Where more
-/// than a tenth seem to, it is the model that is wrong, not the captures. Returns the measurements that are left, if
-/// any were set aside.
+constexpr double mostAccidents = 0.1; // of all boards in pictures: where more seem to, it is the model that is wrong
+
+std::size_t sightingsIn(const Measurements& measurements) {
+  std::size_t result = 0;
+  for (const Picture& picture : measurements.pictures) {
+    result += picture.sightings.size();
+  }
+  return result;
+}
+
+/// Whether more boards do not fit than accidents move.
+bool doubtsTooMuch(const Measurements& measurements, const CalibrationResult& result) {
+  const auto whole = std::count_if(result.doubts.begin(), result.doubts.end(), std::mem_fn(&Doubt::whole));
+  return static_cast<double>(whole) > mostAccidents * static_cast<double>(sightingsIn(measurements));
+}
+
+/// Sets aside, one after the other, sightings whose board moved beyond doubt, whatever explains the rest. Returns the
+/// measurements that are left, if any were set aside.
 std::optional<Measurements> withoutMoved(const Measurements& measurements, const Model& model,
                                          const CalibrationOptions& options, Answer& answer) {
-  std::size_t sightings = 0;
-  for (const Picture& picture : measurements.pictures) {
-    sightings += picture.sightings.size();
-  }
+  const auto most = static_cast<std::size_t>(std::ceil(mostAccidents * static_cast<double>(sightingsIn(measurements))));
   std::optional<Measurements> kept;
-  for (std::size_t aside = 0; aside < (sightings + 9) / 10; ++aside) {
+  for (std::size_t aside = 0; aside < most; ++aside) {
     const Measurements& used = kept ? *kept : measurements;
     const auto moved = answer.explained ? mostMoved(used, answer.explained->larger, answer.explained->largerFit,
                                                     answer.explained->window.misfit)
@@ -114,8 +126,14 @@ CalibrationResult calibrate(const Measurements& measurements, const Model& model
   result.noiseSource = answer.fromRepeats ? "repeats" : "configured";
   result.restartsTried = options.restarts;
   result.doubts = doubts(used, result);
+  if (options.robust && doubtsTooMuch(used, result)) { // the model must see them
+    CalibrationOptions all = options;
+    all.robust = false;
+    all.start = result.unknowns;
+    return calibrate(measurements, model, all);
+  }
   if (answer.explained) {
-    describe(*answer.explained, model.sigmas(), result);
+    describe(*answer.explained, model, result);
   }
   judge(used, model, result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -55,9 +55,10 @@ struct Estimate {
   }
 };
 
-/// One explanation of the captures: the model with these effects and curves.
+/// One explanation of the captures: the model with these effects and curves, and without those.
 struct Explanation {
-  std::vector<std::string> effects; // labels; empty: the model as it is
+  std::vector<std::string> effects; // labels beyond the model's; empty: the model as it is
+  std::vector<std::string> without; // of those that were added to the base: it does without them
   double weight = 0;                // of 1 for all explanations
 };
 

@@ -98,6 +98,9 @@ json explanationsJson(const CalibrationResult& result) {
   json list = json::array();
   for (const Explanation& explanation : result.explanations) {
     list.push_back({{"effects", explanation.effects}, {"weight", explanation.weight}});
+    if (!explanation.without.empty()) {
+      list.back()["without"] = explanation.without;
+    }
   }
   return list;
 }

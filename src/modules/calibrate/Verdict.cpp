@@ -5,6 +5,8 @@
 #include "calibrate/Words.hpp"
 #include "geometry/Angles.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -33,39 +35,66 @@ ResultVerdict explained(const Model& model, const CalibrationResult& result, boo
   return holds ? ResultVerdict::causeMissing : ResultVerdict::doNotUse;
 }
 
-/// How many boards in pictures do not lie where all others put them, of how many.
-std::string accidentsIn(const Measurements& measurements, const CalibrationResult& result) {
-  constexpr double few = 0.05; // a picture or two in a set
-  std::size_t sightings = 0, moved = 0;
-  for (const Picture& picture : measurements.pictures) {
-    sightings += picture.sightings.size();
+/// Boards in pictures that do not lie where all others put them.
+struct Accidents {
+  std::size_t moved = 0, all = 0;
+
+  Accidents(const Measurements& measurements, const CalibrationResult& result) {
+    for (const Picture& picture : measurements.pictures) {
+      all += picture.sightings.size();
+    }
+    for (const Doubt& doubt : result.doubts) {
+      moved += doubt.whole;
+    }
   }
-  for (const Doubt& doubt : result.doubts) {
-    moved += doubt.whole;
+  /// More than a picture or two in a set.
+  bool areMany() const {
+    constexpr double few = 0.05;
+    return static_cast<double>(moved) > few * static_cast<double>(all);
   }
-  return static_cast<double>(moved) > few * static_cast<double>(sightings)
-             ? fmt::format("{} of {} boards in pictures do not lie where the others put them", moved, sightings)
-             : std::string{};
+  std::string words() const {
+    return fmt::format("{} of {} boards in pictures {} not lie where the others put {}", moved, all,
+                       moved == 1 ? "does" : "do", moved == 1 ? "it" : "them");
+  }
+};
+
+/// Of all corners but those of boards that moved [px].
+double rmsWithoutMoved(const CalibrationResult& result) {
+  double squares = 0, corners = 0;
+  for (const SightingResidual& sighting : result.asReported) {
+    const bool moved = std::any_of(result.doubts.begin(), result.doubts.end(), [&](const Doubt& doubt) {
+      return doubt.whole && doubt.picture == sighting.picture && doubt.sighting == sighting.sighting;
+    });
+    if (!moved) {
+      squares += sighting.residual.squaredNorm();
+      corners += static_cast<double>(sighting.residual.cols());
+    }
+  }
+  return std::sqrt(squares / std::max(1.0, corners));
 }
 
-/// "error 4.49 px where noise alone leaves 0.65 px"
-std::string sizes(const CalibrationResult& result) {
-  return fmt::format("the error is {:.2f} px where noise alone leaves {:.2f} px", result.rmsPx, result.noiseFloorPx);
+/// "the error is 4.49 px where noise alone leaves 0.65 px"
+std::string sizes(const CalibrationResult& result, const Accidents& accidents) {
+  return fmt::format("{}the error is {:.2f} px where noise alone leaves {:.2f} px",
+                     accidents.moved > 0 ? accidents.words() + "; without " + (accidents.moved == 1 ? "it " : "them ")
+                                         : std::string{},
+                     accidents.moved > 0 ? rmsWithoutMoved(result) : result.rmsPx, result.noiseFloorPx);
 }
 
 /// The verdict in words. `cause`: what is missing, where something is. `firm`: that forbids to use it, if anything.
-std::string sentenceOf(const CalibrationResult& result, const std::string& cause, const std::string& firm) {
+std::string sentenceOf(const CalibrationResult& result, const Accidents& accidents, const std::string& cause,
+                       const std::string& firm) {
   switch (result.verdict) {
   case ResultVerdict::good:
-    return fmt::format("This calibration is good: the model explains the captures ({}).", sizes(result));
+    return fmt::format("This calibration is good: the model explains the captures ({}).", sizes(result, accidents));
   case ResultVerdict::causeMissing:
     return fmt::format("Usable, but a cause is missing: {}; {}. Offsets hold whatever it is. Find it with 'naocal "
                        "diagnose'.",
-                       sizes(result), cause);
+                       sizes(result, accidents), cause);
   case ResultVerdict::doNotUse:
     return firm.empty() ? fmt::format("Do not use this calibration yet: {}; {}, and offsets depend on it. Find it with "
                                       "'naocal diagnose'.",
-                                      sizes(result), cause)
+                                      sizes(result, accidents), cause)
                         : fmt::format("Do not use this calibration: {}.", firm);
   }
   return {};
@@ -101,22 +130,21 @@ void judge(const Measurements& measurements, const Model& model, CalibrationResu
                                    1e3 * result.floorErrorAt2m, 1e3 * largestFloorError));
   }
   constexpr double alarm = 0.05; // how often it is raised where nothing is missing
-  const bool missing = result.pValue <= alarm && result.matters && !result.explanations.empty() &&
-                       !result.explanations.front().effects.empty();
-  const std::string accidents = accidentsIn(measurements, result);
+  const bool missing = result.pValue <= alarm && result.matters;
+  const Accidents accidents{measurements, result};
   std::string cause = "what is missing is open";
-  if (missing) {
-    cause =
-        fmt::format("the likeliest is {} ({:.0f} % of all that was considered)",
-                    fmt::join(result.explanations.front().effects, " and "), 100 * result.explanations.front().weight);
+  if (missing && !result.explanations.empty() && !result.explanations.front().effects.empty()) {
+    const Explanation& likeliest = result.explanations.front();
+    cause = fmt::format("the likeliest is {}{}{} ({:.0f} % of all that was considered)",
+                        fmt::join(likeliest.effects, " and "), likeliest.without.empty() ? "" : " instead of ",
+                        fmt::join(likeliest.without, " and "), 100 * likeliest.weight);
   }
-  if (!accidents.empty()) {
-    cause = accidents;
-  }
-  const std::string firm = result.usable ? std::string{} : result.warnings.front().sentence;
-  result.verdict = result.usable ? explained(model, result, missing || !accidents.empty()) : ResultVerdict::doNotUse;
+  // what is missing comes first: that offsets are not known well enough follows from it
+  const std::string firm =
+      result.usable || (missing && result.converged) ? std::string{} : result.warnings.front().sentence;
+  result.verdict = result.usable ? explained(model, result, missing || accidents.areMany()) : ResultVerdict::doNotUse;
   result.usable = result.verdict != ResultVerdict::doNotUse;
-  result.sentence = sentenceOf(result, cause, firm);
+  result.sentence = sentenceOf(result, accidents, cause, firm);
   std::size_t corners = 0;
   for (const Doubt& doubt : result.doubts) {
     corners += doubt.corners.size();

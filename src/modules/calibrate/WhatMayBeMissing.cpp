@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace naocal {
 
@@ -42,6 +44,38 @@ std::vector<Term> inFront(const std::vector<Term>& first, const std::vector<Term
   for (const Term& term : candidates) {
     if (std::none_of(first.begin(), first.end(), [&](const Term& one) { return one.label() == term.label(); })) {
       result.push_back(term);
+    }
+  }
+  return result;
+}
+
+/// The effects that a person added to the base model: another one may be there in their place.
+std::vector<Term> addedTo(const Model& model) {
+  std::vector<Term> result;
+  std::copy_if(model.terms().begin(), model.terms().end(), std::back_inserter(result),
+               [](const Term& term) { return !term.effect.base && !term.isPlacement && term.asked; });
+  std::sort(result.begin(), result.end(), [](const Term& a, const Term& b) { return a.label() < b.label(); });
+  return result;
+}
+
+Model without(const Model& model, const std::vector<Term>& effects) {
+  Model result;
+  for (const Term& term : model.terms()) {
+    if (std::none_of(effects.begin(), effects.end(), [&](const Term& one) { return one.label() == term.label(); })) {
+      result.add(term);
+    }
+  }
+  return result;
+}
+
+/// Places of a model's unknowns among another's, of those that it has: (place in `model`, place in `other`).
+std::vector<std::pair<Eigen::Index, Eigen::Index>> shared(const Model& model, const Model& other) {
+  std::vector<std::pair<Eigen::Index, Eigen::Index>> result;
+  for (const Term& own : model.terms()) {
+    for (const Term& term : other.terms()) {
+      for (std::size_t i = 0; own.label() == term.label() && i < own.effect.unknowns.size(); ++i) {
+        result.emplace_back(at(own.first + i), at(term.first + i));
+      }
     }
   }
   return result;
@@ -85,8 +119,11 @@ class Search {
 public:
   Search(const Measurements& measurements, const Model& model, const std::optional<Repeated>& repeats,
          const CalibrationOptions& options)
-      : measurements_{measurements}, model_{model}, repeats_{repeats}, options_{options},
-        candidates_{testableTerms(measurements, model, options.effects)} {}
+      : measurements_{measurements}, added_{addedTo(model)}, base_{without(model, added_)}, repeats_{repeats},
+        options_{options}, candidates_{testableTerms(measurements, model, options.effects)} {}
+
+  const std::vector<Term>& added() const { return added_; }
+  const Model& base() const { return base_; }
 
   /// The joints' levels under the widest model about a fit of `own` and these effects.
   NoiseLevels levelsAt(const Model& own, const std::vector<Term>& effects, const Fit& fit, const Noise& noise) const {
@@ -125,11 +162,8 @@ public:
     if (areSame(effects, explained.effects)) {
       return false;
     }
-    const Model along = withWeighingOffsets(measurements_, model_, effects);
-    Model larger = along;
-    for (const Term& effect : effects) {
-      larger.add(effect);
-    }
+    const Model along = withWeighingOffsets(measurements_, base_, effects);
+    const Model larger = with(along, effects);
     Fit from{Noise{.encoder = -1}, explained.largerFit.loss, {}, explained.largerFit.restartsChanged};
     from.minimum.state.unknowns = startOf(larger, own, along, wide, likeliest, effects);
     const Noise& noise = explained.levels.noise;
@@ -145,9 +179,26 @@ public:
     return true;
   }
 
+  /// The model as it was asked for, with what was added behind the rest, and its fit.
+  void startAt(const Model& model, const Fit& fit, Explained& explained) const {
+    explained.effects = added_;
+    explained.larger = with(withWeighingOffsets(measurements_, base_, added_), added_);
+    Fit from = fit;
+    from.minimum.state.unknowns = carried(model, fit.minimum.state.unknowns, explained.larger);
+    explained.largerFit = near(explained.larger, explained.levels.noise, std::move(from));
+  }
+
 private:
+  static Model with(Model model, const std::vector<Term>& effects) {
+    for (const Term& effect : effects) {
+      model.add(effect);
+    }
+    return model;
+  }
+
   const Measurements& measurements_;
-  const Model& model_;
+  std::vector<Term> added_;
+  Model base_; // without them
   const std::optional<Repeated>& repeats_;
   const CalibrationOptions& options_;
   std::vector<Term> candidates_;
@@ -158,50 +209,64 @@ private:
 Explained explain(const Measurements& measurements, const Model& model, const Fit& fit, const Noise& noise,
                   const std::optional<Repeated>& repeats, const CalibrationOptions& options) {
   const Search search{measurements, model, repeats, options};
-  Explained result{search.levelsAt(model, {}, fit, noise), fit, {}, model, fit, {}, {}};
+  Explained result{search.levelsAt(model, {}, fit, noise), fit, {}, model, fit, model, {}, {}};
   result.fit = result.largerFit = search.fitted(model, result.levels.noise, fit);
+  if (!search.added().empty()) {
+    search.startAt(model, result.fit, result);
+  }
   constexpr int rounds = 3;
   for (int round = 0; round <= rounds; ++round) {
-    const Model own = withWeighingOffsets(measurements, model, result.effects);
-    const WideModel wide = search.wideAt(own, result.effects, result.largerFit);
-    result.window = modelWindow(wide, result.levels.noise);
+    result.own = withWeighingOffsets(measurements, search.base(), result.effects);
+    const WideModel wide = search.wideAt(result.own, result.effects, result.largerFit);
+    result.window = modelWindow(wide, result.levels.noise, search.added().size());
     result.names.clear();
     for (std::size_t group = 0; group < wide.problem().groups.size(); ++group) {
       result.names.push_back(nameOf(wide, group));
     }
-    if (round == 0) {
+    if (round == 0 && search.added().empty()) {
       search.ask(wide, result);
     }
-    if (round == rounds || !search.goOn(wide, own, result)) {
+    if (round == rounds || !search.goOn(wide, result.own, result)) {
       break;
     }
   }
-  if (!result.effects.empty()) { // levels have changed
+  if (!areSame(result.effects, search.added())) { // levels have changed
     result.fit = search.fitted(model, result.levels.noise, std::move(result.fit));
+    search.ask(search.wideAt(model, {}, result.fit), result);
+  } else if (!search.added().empty()) {
     search.ask(search.wideAt(model, {}, result.fit), result);
   }
   return result;
 }
 
-void describe(const Explained& explained, const Eigen::VectorXd& sigmas, CalibrationResult& result) {
+void describe(const Explained& explained, const Model& model, CalibrationResult& result) {
   const ModelWindow& window = explained.window;
-  const Eigen::VectorXd widening = levelWidening(explained.fit.minimum.linear, sigmas, explained.levels);
-  for (std::size_t i = 0; i < result.estimates.size(); ++i) {
-    const double mean = window.mean[at(i)];
-    const auto [low, high] = window.interval(at(i));
-    result.estimates[i].averaged = Averaged{.value = mean,
-                                            .sigma = std::sqrt(window.variance[at(i)]) * widening[at(i)],
-                                            .low = mean + (low - mean) * widening[at(i)],
-                                            .high = mean + (high - mean) * widening[at(i)]};
+  const Eigen::VectorXd widening = levelWidening(explained.fit.minimum.linear, model.sigmas(), explained.levels);
+  for (const auto& [i, own] : shared(model, explained.own)) {
+    const double mean = window.mean[own];
+    const auto [low, high] = window.interval(own);
+    result.estimates[static_cast<std::size_t>(i)].averaged =
+        Averaged{.value = mean,
+                 .sigma = std::sqrt(window.variance[own]) * widening[i],
+                 .low = mean + (low - mean) * widening[i],
+                 .high = mean + (high - mean) * widening[i]};
   }
   constexpr double worthNaming = 0.01;
-  for (const WindowModel& model : window.models) {
-    if (model.weight > worthNaming) {
-      Explanation& explanation = result.explanations.emplace_back(Explanation{{}, model.weight});
-      for (const WindowMember& member : model.members) {
-        explanation.effects.push_back(explained.names[member.group]);
+  const std::vector<Term> added = addedTo(model);
+  for (const WindowModel& one : window.models) {
+    if (one.weight <= worthNaming) {
+      continue;
+    }
+    Explanation explanation{{}, {}, one.weight};
+    for (const WindowMember& member : one.members) {
+      explanation.effects.push_back(explained.names[member.group]);
+    }
+    for (const Term& term : added) {
+      if (std::erase(explanation.effects, term.label()) == 0) {
+        explanation.without.push_back(term.label());
       }
     }
+    result.explanations.push_back(std::move(explanation));
   }
   result.misfitLeft = window.misfit;
   result.scatter = explained.levels.scatter;

@@ -16,21 +16,23 @@ struct Explained {
   NoiseLevels levels;             // under the widest model
   Fit fit;                        // of the model as it is, at these levels
   std::vector<Term> effects;      // with a name, of the likeliest explanation
-  Model larger;                   // the model with them
+  Model larger;                   // with them in place of those that were added to the base
   Fit largerFit;                  // of that; `fit` where there are none
-  ModelWindow window;             // about it
+  Model own;                      // without either: the window's own unknowns
+  ModelWindow window;             // about `larger`
   std::vector<std::string> names; // per group of the window: what its effect or curve is called
   double pValue = 1;              // that the model as it is lacks nothing (`Evidence`)
   bool matters = false;           // what shows moves corners by more than a lens is known to
 };
 
 /// Noise levels under the widest model, and the window of explanations, linearised anew where the likeliest one leads
-/// until it stays the same: from far a linear model of a large effect falls short.
+/// until it stays the same: from far a linear model of a large effect falls short. Effects that a person added to the
+/// base are members like any other: a twin may be there in their place.
 /// `repeats`: how poses were repeated; absent: the joints' levels stay as in `noise`.
 Explained explain(const Measurements& measurements, const Model& model, const Fit& fit, const Noise& noise,
                   const std::optional<Repeated>& repeats, const CalibrationOptions& options);
 
-/// Fills a result's averages, explanations, misfit left, scatter and p-value. `sigmas`: priors of the model's unknowns.
-void describe(const Explained& explained, const Eigen::VectorXd& sigmas, CalibrationResult& result);
+/// Fills a result's averages, explanations, misfit left, scatter and p-value.
+void describe(const Explained& explained, const Model& model, CalibrationResult& result);
 
 } // namespace naocal

@@ -6,6 +6,7 @@
 #include "diagnose/FieldFinding.hpp"
 #include "diagnose/Judgement.hpp"
 #include "diagnose/Ladder.hpp"
+#include "diagnose/OwnEffect.hpp"
 #include "diagnose/Sentences.hpp"
 #include "diagnose/SetUps.hpp"
 #include "diagnose/Suspicions.hpp"
@@ -23,7 +24,8 @@ namespace {
 /// a curve must be ahead: being free it follows several effects at once, each of which is then named in turn.
 bool isUnknown(const Inquiry& inquiry, std::optional<std::size_t> candidate) {
   constexpr double better = 4, large = 500; // in 2 ln of the Bayes factor
-  const double curve = inquiry.ofCurve(inquiry.curvesByEvidence().front()).bayes;
+  const GroupEvidence& best = inquiry.ofCurve(inquiry.curvesByEvidence().front());
+  const double curve = best.matters() ? best.bayes : 0;
   const double named = candidate ? inquiry.ofCandidate(*candidate).bayes : -better;
   return curve > 0 && curve - named > std::max(better, named * named / large);
 }
@@ -135,10 +137,17 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
       result.unexplained = alarm && !candidate && !unknown && !missing;
       result.verdict = verdictOf(result, ladder.fit().misfit, missing, unknown);
       result.with = ladder.added();
+      if (unknown && !unknownField && grows) {
+        result.own = ownEffect(result.drivers.front(), measurements, ladder, result, options.inquiry);
+      }
       const std::vector<std::string> leading = result.suggested.empty() && candidate
                                                    ? std::vector{inquiry.candidates()[*candidate].label()}
                                                    : result.suggested;
       result.ranking = judged(ladder.findings(), inquiry, ladder.model(), ladder.fit(), leading);
+      if (result.own) {
+        result.suggested.push_back(result.own->label);
+        result.steps.push_back(result.own->step);
+      }
       break;
     }
   }

@@ -91,6 +91,13 @@ struct Step {
   double alarm = 1; // family-wise p-value that something is missing here
 };
 
+/// A curve that no effect of the catalogue follows, as an effect of a person's own that lowers the held-out error.
+struct OwnEffect {
+  std::string label;      // "found_LKneePitch_over_q@LKneePitch"
+  std::string definition; // JSON, as in a model file's `define`
+  Step step;              // the rung with it; its expression was chosen on all poses, its sizes in each fold
+};
+
 struct Diagnosis {
   Verdict verdict = Verdict::adequate;
   std::string sentence;
@@ -100,15 +107,16 @@ struct Diagnosis {
   bool unexplained = false;              // the alarm stands, but nothing is likely enough to be added
   double scatter = 0;                    // pose noise of the last model [rad]
   std::vector<CandidateFinding> ranking; // best first
-  std::vector<std::string> suggested;    // labels, in the order they were added
+  std::vector<std::string> suggested;    // labels, in the order they were added; that of `own` last
+  std::optional<OwnEffect> own;          // beyond the catalogue, on top of the last model
   std::vector<Step> steps;               // the ladder
   std::vector<DriverFinding> drivers;    // on the last model, best first
   std::vector<MapCell> map;              // on the last model
   std::vector<Suspicion> suspicious;
   Figures figures;
   CalibrationResult fit;         // of the model as given
-  CalibrationResult lastFit;     // with everything suggested
-  std::vector<std::string> with; // what the last model has beyond the base
+  CalibrationResult lastFit;     // with everything suggested that the catalogue has
+  std::vector<std::string> with; // what that last model has beyond the base
   double seconds = 0;
 };
 

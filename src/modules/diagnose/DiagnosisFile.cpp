@@ -1,6 +1,7 @@
 #include "diagnose/DiagnosisFile.hpp"
 
 #include "diagnose/FiguresJson.hpp"
+#include "diagnose/OwnEffect.hpp"
 #include "diagnose/Sentences.hpp"
 
 #include <algorithm>
@@ -84,18 +85,6 @@ Json driver(const DriverFinding& finding) {
 
 } // namespace
 
-Json curveEffect(const DriverFinding& curve) {
-  Json unknowns = Json::object();
-  for (const Coefficient& coefficient : curve.coefficients) {
-    const double size = std::max(1e-6, 2 * std::abs(coefficient.value));
-    unknowns[coefficient.name] = {{"unit", coefficient.unit}, {"sigma", std::stod(fmt::format("{:.2g}", size))}};
-  }
-  return {{"name", fmt::format("found_{}_over_{}", curve.place, curve.driver)},
-          {"at", curve.place},
-          {"correction", curve.expression},
-          {"unknowns", unknowns}};
-}
-
 Json diagnosisJson(const Diagnosis& diagnosis) {
   Json result{{"format", "naocal-diagnosis"},
               {"version", 1},
@@ -110,6 +99,7 @@ Json diagnosisJson(const Diagnosis& diagnosis) {
               {"alarm", diagnosis.alarm},
               {"poseScatter", diagnosis.scatter},
               {"suggested", diagnosis.suggested},
+              {"define", diagnosis.own ? Json::array({Json::parse(diagnosis.own->definition)}) : Json::array()},
               {"seconds", diagnosis.seconds}};
   for (const char* list : {"ranking", "steps", "drivers", "map", "suspicious"}) {
     result[list] = Json::array();

@@ -14,14 +14,6 @@ namespace naocal {
 
 namespace {
 
-constexpr std::size_t mostMoments = 16; // per board or stance
-
-/// A moment in one of the sets.
-struct Moment {
-  std::size_t set;
-  double time;
-};
-
 /// Sets follow each other in the order in which they were given.
 bool isAfter(const Instant& instant, const Moment& moment) {
   return instant.set > moment.set || (instant.set == moment.set && instant.time.count() > moment.time);
@@ -105,47 +97,39 @@ std::vector<double> bestAtAny(const ScoreProblem& problem, const std::vector<Noi
 /// When boards, stances or cameras were seen, by set and number.
 using Times = std::map<std::pair<std::size_t, std::size_t>, std::set<double>>;
 
+std::string inSet(std::size_t set, const std::vector<CaptureSet>& sets) {
+  return sets.size() > 1 ? " of " + sets[set].name : std::string{};
+}
+
 /// Whether there are several of them in the set.
 bool severalIn(std::size_t set, const Times& times) {
   const auto ofSet = [set](const auto& entry) { return entry.first.first == set; };
   return std::count_if(times.begin(), times.end(), ofSet) > 1;
 }
 
-} // namespace
-
-std::vector<Event> possibleEvents(const std::vector<CaptureSet>& sets, const Measurements& measurements) {
+/// Boards, stances and cameras, each moved at this many moments at most.
+std::vector<Event> movesAt(std::size_t most, const std::vector<CaptureSet>& sets, const Measurements& measurements) {
   std::vector<Event> result;
   Times boards, stances, cameras;
-  const auto inSet = [&](std::size_t set) { return sets.size() > 1 ? " of " + sets[set].name : std::string{}; };
   for (const Picture& picture : measurements.pictures) {
     const double time = picture.instant.time.count();
-    bool floor = false;
     for (const Sighting& sighting : picture.sightings) {
       if (measurements.targets[sighting.view.board()].onFloor) {
         boards[{picture.set, sighting.view.board()}].insert(time);
-        floor = true;
+        stances[{picture.set, picture.stance}].insert(time);
       }
-    }
-    if (floor) {
-      stances[{picture.set, picture.stance}].insert(time);
-    }
-    if (!picture.sightings.empty()) {
       cameras[{picture.set, picture.camera}].insert(time);
-      const int id = sets[picture.set].captures[picture.capture].id;
-      const std::string name = fmt::format("capture {}{}", id, inSet(picture.set));
-      result.push_back({{bad({picture.set, time}), picture.camera, name},
-                        {id},
-                        name + " does not belong to the rest: another picture, or other angles"});
     }
   }
   const auto addMoves = [&](const Times& times, const auto& effect, const auto& name) {
     for (const auto& [which, seen] : times) {
       const auto& [set, at] = which;
-      for (const double time : momentsBetween(seen, mostMoments)) {
-        const std::string who = name(at);
-        result.push_back({{effect(Moment{set, time}), at, fmt::format("{} {:.3f}{}", who, time, inSet(set))},
+      for (const double time : momentsBetween(seen, most)) {
+        const std::string who = name(at), where = inSet(set, sets);
+        result.push_back({{effect(Moment{set, time}), at, fmt::format("{} {:.3f}{}", who, time, where)},
+                          Moment{set, time},
                           {},
-                          fmt::format("{} moved {:.1f} s after the first capture{}", who, time, inSet(set))});
+                          fmt::format("{} moved {:.1f} s after the first capture{}", who, time, where)});
       }
     }
   };
@@ -160,6 +144,35 @@ std::vector<Event> possibleEvents(const std::vector<CaptureSet>& sets, const Mea
       stances, [](const Moment& moment) { return moved(Place::stance, moment); },
       [&](std::size_t at) { return "the robot in stance " + measurements.standings[at].name; });
   addMoves(knockable, knocked, [&](std::size_t at) { return "camera " + measurements.robot.cameras[at].name; });
+  return result;
+}
+
+} // namespace
+
+std::vector<Event> possibleEvents(const std::vector<CaptureSet>& sets, const Measurements& measurements) {
+  constexpr std::size_t most = 16; // per board, stance or camera
+  std::vector<Event> result = movesAt(most, sets, measurements);
+  for (const Picture& picture : measurements.pictures) {
+    if (!picture.sightings.empty()) {
+      const int id = sets[picture.set].captures[picture.capture].id;
+      const std::string name = fmt::format("capture {}{}", id, inSet(picture.set, sets));
+      result.push_back({{bad({picture.set, picture.instant.time.count()}), picture.camera, name},
+                        {},
+                        {id},
+                        name + " does not belong to the rest: another picture, or other angles"});
+    }
+  }
+  return result;
+}
+
+std::vector<Event> atAnyTime(const Event& event, const std::vector<CaptureSet>& sets,
+                             const Measurements& measurements) {
+  constexpr std::size_t most = 128;
+  std::vector<Event> result = movesAt(most, sets, measurements);
+  std::erase_if(result, [&](const Event& other) {
+    return other.from->set != event.from->set || other.term.at != event.term.at ||
+           other.term.effect.name != event.term.effect.name;
+  });
   return result;
 }
 

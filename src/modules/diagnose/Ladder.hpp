@@ -31,6 +31,8 @@ public:
   bool stays(const ImageField& field, const Inquiry& inquiry) const;
   /// The model's fit once more, now with boards set aside that moved for a moment: its doubts name them.
   CalibrationResult withoutMovedBoards() const;
+  /// A fit of a model that has this one's unknowns, and starts from them.
+  CalibrationResult fitOf(const Model& larger) const;
   /// What was found about each candidate.
   const std::vector<CandidateFinding>& findings() const { return findings_; }
   /// Labels of what the model has beyond the base.

@@ -64,10 +64,15 @@ double Ladder::refittedDrop(const Inquiry& inquiry, std::size_t candidate) const
 std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
   constexpr double near = 10;
   constexpr std::size_t most = 4;
-  std::vector<std::size_t> order;
-  for (const std::size_t candidate : inquiry.candidatesByEvidence()) {
-    const double bayes = inquiry.ofCandidate(candidate).bayes;
-    if (bayes <= 0 || order.size() == most || (!order.empty() && bayes < inquiry.ofCandidate(order[0]).bayes - near)) {
+  std::vector<std::size_t> order, likely = inquiry.candidatesByEvidence();
+  std::erase_if(likely, [&](std::size_t candidate) { return inquiry.ofCandidate(candidate).bayes <= 0; });
+  // one that is sure and negligible does not stand before one that matters
+  std::stable_partition(likely.begin(), likely.end(),
+                        [&](std::size_t candidate) { return inquiry.ofCandidate(candidate).matters(); });
+  for (const std::size_t candidate : likely) {
+    const GroupEvidence& here = inquiry.ofCandidate(candidate);
+    const GroupEvidence& first = inquiry.ofCandidate(order.empty() ? candidate : order.front());
+    if (order.size() == most || here.bayes < first.bayes - near || here.matters() != first.matters()) {
       break;
     }
     if (foretells(inquiry, candidate)) {
@@ -135,7 +140,7 @@ bool Ladder::stays(const ImageField& field, const Inquiry& inquiry) const {
   const std::vector<std::size_t> order = inquiry.candidatesByEvidence();
   for (std::size_t i = 0; i < std::min(most, order.size()) && inquiry.ofCandidate(order[i]).bayes > 0; ++i) {
     const Model larger = with(inquiry.candidates()[order[i]]);
-    const CalibrationResult fit = calibrated(larger, carried(model_, fit_.unknowns, larger));
+    const CalibrationResult fit = fitOf(larger);
     if (again(field, {measurements_, larger, fit}, measurements_).fit.bayes < field.fit.bayes / 2) {
       return false;
     }
@@ -143,9 +148,13 @@ bool Ladder::stays(const ImageField& field, const Inquiry& inquiry) const {
   return true;
 }
 
+CalibrationResult Ladder::fitOf(const Model& larger) const {
+  return calibrated(larger, carried(model_, fit_.unknowns, larger));
+}
+
 void Ladder::refit() {
   const Model changed = makeModel(measurements_, added_, options_.without, options_.effects);
-  fit_ = calibrated(changed, carried(model_, fit_.unknowns, changed));
+  fit_ = fitOf(changed);
   model_ = changed;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <iterator>
 
 namespace naocal {
 
@@ -71,12 +72,20 @@ std::pair<std::string, std::string> whereAndHowFar(const DriverFinding& curve) {
 std::string unknown(const Diagnosis& diagnosis) {
   const DriverFinding& curve = diagnosis.drivers.front();
   const auto [where, howFar] = whereAndHowFar(curve);
-  return fmt::format(
-      "unknown effect: no effect of the catalogue explains the misfit. It sits at {} and varies with {} "
-      "({}), by about {}{}. {}",
-      where, curve.driver, curve.what, howFar, curve.expression.empty() ? "" : "; like " + curve.expression,
-      diagnosis.suggested.empty() ? ""
-                                  : fmt::format("It is left after adding {}.", fmt::join(diagnosis.suggested, ", ")));
+  std::vector<std::string> named = diagnosis.suggested; // in the catalogue
+  std::string own;
+  if (diagnosis.own) {
+    named.pop_back();
+    own = fmt::format("As an effect of your own, {}, it lowers the held-out error from {:.2f} to {:.2f} px.",
+                      diagnosis.own->label, *std::prev(diagnosis.steps.end(), 2)->heldOutPx,
+                      *diagnosis.own->step.heldOutPx);
+  }
+  return fmt::format("unknown effect: no effect of the catalogue explains the misfit. It sits at {} and varies with {} "
+                     "({}), by about {}{}.{}{}",
+                     where, curve.driver, curve.what, howFar,
+                     curve.expression.empty() ? "" : "; like " + curve.expression,
+                     named.empty() ? "" : fmt::format(" It is left after adding {}.", fmt::join(named, ", ")),
+                     own.empty() ? "" : " " + own);
 }
 
 } // namespace

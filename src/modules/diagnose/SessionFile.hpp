@@ -30,8 +30,8 @@ struct Session {
 
 /// {"format": "naocal-session", "version": 1, "sets": [folders], "sha256": [of their captures.json], "at": 1, "ladder":
 /// [{"with": ["E@P"], "without": [], "define": [user effects], "step": "+ E@P", "from": 0, "rmsPx": 0.52, "heldOutPx":
-/// 0.55, "noiseFloorPx": 0.31, "alarm": 0.005}, ..]}; the last three are absent, or the error on unseen poses null, where
-/// they are not known.
+/// 0.55, "noiseFloorPx": 0.31, "alarm": 0.005}, ..]}; the last three are absent, or the error on unseen poses null,
+/// where they are not known.
 nlohmann::json sessionJson(const Session& session);
 
 /// Throws InputError with file, place, what was expected and found.

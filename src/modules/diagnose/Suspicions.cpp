@@ -114,9 +114,13 @@ std::vector<Suspicion> accidents(const std::vector<CaptureSet>& sets, const Meas
   std::vector<Event> events = possibleEvents(sets, measurements);
   const std::vector<Event> angles = wrongAngles(sets, measurements, fit);
   events.insert(events.end(), angles.begin(), angles.end());
-  const auto likeliest = events.empty() ? std::nullopt : likeliestEvent(events, measurements, model, fit, inquiry);
+  auto likeliest = events.empty() ? std::nullopt : likeliestEvent(events, measurements, model, fit, inquiry);
   if (!likeliest) {
     return {};
+  }
+  if (likeliest->event.from) { // when exactly
+    const std::vector<Event> same = atAnyTime(likeliest->event, sets, measurements);
+    likeliest = likeliestEvent(same, measurements, model, fit, inquiry).value_or(*likeliest);
   }
   const auto& [event, odds] = *likeliest;
   if (event.captures.empty()) {

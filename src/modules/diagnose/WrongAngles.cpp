@@ -105,6 +105,7 @@ std::vector<Event> wrongAngles(const std::vector<CaptureSet>& sets, const Measur
       const std::string ids = fmt::format("{}", fmt::join(one.captures, ", "));
       const std::string which = one.captures.size() == 1 ? "capture " + ids : "captures " + ids;
       result.push_back({{displaced(one.set, one.times), 0, fmt::format("{} of {}", which, sets[one.set].name)},
+                        {},
                         one.captures,
                         fmt::format("{} of pose {} {} not belong to the rest: {}", which, one.pose,
                                     one.captures.size() == 1 ? "does" : "do", what)});

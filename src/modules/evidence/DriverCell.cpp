@@ -78,18 +78,17 @@ DriverCell rootCell(const std::set<double>& distinct) {
 }
 
 std::vector<double> momentsBetween(const std::set<double>& times, std::size_t most) {
-  std::vector<double> all;
-  for (auto time = times.begin(); std::next(time) != times.end(); ++time) {
-    all.push_back((*time + *std::next(time)) / 2);
+  const std::vector<double> all{times.begin(), times.end()};
+  const std::size_t gaps = all.size() - 1, parts = std::min(gaps, most);
+  std::vector<double> result;
+  for (std::size_t part = 0; part < parts; ++part) {
+    std::size_t widest = part * gaps / parts;
+    for (std::size_t gap = widest; gap < (part + 1) * gaps / parts; ++gap) {
+      widest = all[gap + 1] - all[gap] > all[widest + 1] - all[widest] ? gap : widest;
+    }
+    result.push_back((all[widest] + all[widest + 1]) / 2);
   }
-  if (all.size() <= most) {
-    return all;
-  }
-  std::vector<double> some;
-  for (std::size_t i = 0; i < most; ++i) {
-    some.push_back(all[i * (all.size() - 1) / (most - 1)]);
-  }
-  return some;
+  return result;
 }
 
 } // namespace naocal

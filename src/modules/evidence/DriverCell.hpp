@@ -43,7 +43,8 @@ std::vector<DriverCell> stepCells(const std::set<double>& times);
 /// The root of a driver with these values.
 DriverCell rootCell(const std::set<double>& distinct);
 
-/// Halfway between neighbouring times, at most `most` of them, evenly chosen.
+/// The middles of gaps between neighbouring times, at most `most`: all times in so many parts, the widest gap of each.
+/// What happens once happens while nothing is recorded, and the likelier the longer that lasts.
 std::vector<double> momentsBetween(const std::set<double>& times, std::size_t most);
 
 } // namespace naocal

@@ -20,6 +20,8 @@ double tail(double fall, Eigen::Index freedom) {
 /// of them to raise it, it must be rarer by this factor (a weighted test: Genovese, Roeder and Wasserman 2006).
 constexpr double rarer = 16;
 
+constexpr double striking = 0.05; // how often pure noise may show an effect that is said to matter
+
 double smallestP(const ScoreProblem& problem, const ScoreTests& tests, const Eigen::VectorXd& ratio) {
   std::map<std::pair<bool, Eigen::Index>, double> largest; // of groups that are named or not, by their freedom
   for (std::size_t i = 0; i < problem.groups.size(); ++i) {
@@ -112,7 +114,12 @@ Evidence evidenceOf(const ScoreProblem& problem, const Noise& noise, Eigen::Inde
   if (likeliest != result.groups.end()) {
     likeliest->movedPx =
         tests.movedPx(static_cast<std::size_t>(likeliest - result.groups.begin()), likeliest->estimate);
-    result.matters = likeliest->bayes <= 0 || likeliest->matters();
+    result.matters = likeliest->bayes <= 0 || likeliest->matters() ||
+                     std::any_of(result.groups.begin(), result.groups.end(), [&](const GroupEvidence& group) {
+                       const bool named = &group < result.groups.data() + problem.named;
+                       const double often = mostOften(problem, (named ? 1 : rarer) * group.pValue);
+                       return group.bayes > 0 && group.matters() && often <= striking;
+                     });
   }
   result.information = tests.information();
   if (draws == 0) {

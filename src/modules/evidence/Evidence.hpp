@@ -27,7 +27,7 @@ struct Evidence {
   std::vector<GroupEvidence> groups; // as in the problem
   double pValue = 1;                 // family-wise: how often pure noise shows a candidate at least as striking
   Eigen::MatrixXd information;       // of the candidate effects' unknowns
-  bool matters = false;              // the likeliest group does, or none is likely
+  bool matters = false;              // a group that is beyond chance does, or none is likely
   double criticalP = 0;              // a single candidate's p-value below which the family-wise alarm is at 5 %
 };
 

@@ -29,8 +29,9 @@ using Members = std::vector<WindowMember>;
 /// scores are in units of what is plausible, and about zero sizes.
 class Window {
 public:
-  Window(const WideModel& wide, const Noise& noise)
-      : problem_{wide.problem()}, alone_{problem_, noise}, tests_{alone_}, misfit_{poseMisfit(problem_, noise)} {
+  Window(const WideModel& wide, const Noise& noise, std::size_t expected)
+      : problem_{wide.problem()}, expected_{expected}, alone_{problem_, noise}, tests_{alone_}, misfit_{poseMisfit(
+                                                                                                    problem_, noise)} {
     const PoseScores measured = measuredScores(*problem_.linear, noise);
     const Eigen::MatrixXd own = alone_(measured, problem_.priorScore()).own;
     score_ = problem_.plausible.cwiseProduct(tests_.projectedScores(measured, own).col(0));
@@ -160,14 +161,20 @@ private:
   double priorCost(const Members& members) const {
     constexpr double beyondCatalogue = 4; // that an effect has no name: a seventh as likely, as the verdict has it
     double cost = 0;
+    std::size_t named = 0;
     for (const WindowMember& member : members) {
       const double degrees = static_cast<double>(choices(member.group).size());
-      cost += member.group < problem_.named ? 2 * std::log(named_) : 2 * std::log(curves_ * degrees) + beyondCatalogue;
+      if (member.group >= problem_.named) {
+        cost += 2 * std::log(curves_ * degrees) + beyondCatalogue;
+      } else if (++named > expected_) {
+        cost += 2 * std::log(named_);
+      }
     }
     return cost;
   }
 
   const ScoreProblem& problem_;
+  std::size_t expected_;
   ModelAlone alone_;
   ScoreTests tests_;
   PoseMisfit misfit_;
@@ -252,8 +259,8 @@ std::vector<WindowModel> neighbours(Window& window, const WindowModel& best) {
 
 } // namespace
 
-ModelWindow modelWindow(const WideModel& wide, const Noise& noise) {
-  Window window{wide, noise};
+ModelWindow modelWindow(const WideModel& wide, const Noise& noise, std::size_t expected) {
+  Window window{wide, noise, expected};
   ModelWindow result;
   result.models = neighbours(window, likeliest(window));
   std::sort(result.models.begin(), result.models.end(),

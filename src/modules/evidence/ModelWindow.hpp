@@ -34,6 +34,7 @@ struct WindowModel {
 /// model, every removal, every swap of one member, and every addition (Madigan and Raftery, JASA 89 (1994) 1535;
 /// Hoeting et al., Statistical Science 14 (1999) 382), weighted by exp(-D_m / (2 misfit)) (quasi-likelihood: Burnham
 /// and Anderson, Model selection, 2002, section 2.5):
+/// Of `expected` effects it is known that they are there, not which they are: they cost no 2 ln K.
 ///   mean = sum w_m unknowns_m,   variance = sum w_m [misfit C_m + (unknowns_m - mean)^2].
 struct ModelWindow {
   std::vector<WindowModel> models;  // likeliest first; those with a weight worth the name
@@ -45,6 +46,6 @@ struct ModelWindow {
   /// The 95 % interval of an own unknown's posterior, a mixture of Student's t about each model's value: [low, high].
   std::array<double, 2> interval(Eigen::Index unknown) const;
 };
-ModelWindow modelWindow(const WideModel& wide, const Noise& noise);
+ModelWindow modelWindow(const WideModel& wide, const Noise& noise, std::size_t expected = 0);
 
 } // namespace naocal

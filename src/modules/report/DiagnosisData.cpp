@@ -85,11 +85,18 @@ json suspicionJson(const JsonPlace& entry) {
 } // namespace
 
 json diagnosisData(const JsonPlace& diagnosis) {
+  const auto defined = diagnosis.find("define");
+  const bool own = defined && !defined->elements().empty(); // the last of what is suggested
+  json named = texts(diagnosis.at("suggested"));
+  if (own && !named.empty()) {
+    named.erase(named.size() - 1);
+  }
   json data{{"verdict", std::string{verdicts()[diagnosis.at("verdict").oneOf(verdicts())]}},
             {"headline", verdictHeadline(diagnosis)},
             {"sentence", diagnosis.at("sentence").text()},
             {"floorName", floorName(diagnosis)},
             {"suggested", texts(diagnosis.at("suggested"))},
+            {"own", own},
             {"map", mapJson(diagnosis)}};
   addFigures(diagnosis, data);
   const auto list = [&](const char* key, const char* from, const auto& entryJson) {
@@ -100,7 +107,7 @@ json diagnosisData(const JsonPlace& diagnosis) {
   };
   list("steps", "steps", stepJson);
   list("candidates", "ranking", [&](const JsonPlace& entry) { return candidateJson(entry, data); });
-  list("curves", "drivers", [&](const JsonPlace& curve) { return curveJson(curve, data["suggested"]); });
+  list("curves", "drivers", [&](const JsonPlace& curve) { return curveJson(curve, named); });
   list("suspicious", "suspicious", suspicionJson);
   const auto next = diagnosis.find("next");
   if (next && !next->value().is_null() && next->at("why").value() != "") { // else nothing is open

@@ -25,6 +25,8 @@ function showLadder(parent) {
 
 function showCommand(parent) {
   if (!data.suggested.length) return;
-  parent.append(copyBox("Calibrate with what is suggested (SET: the captures' folder):",
-    "naocal solve SET --with " + data.suggested.join(",") + " -o result.json"));
+  parent.append(data.own ? copyBox("Calibrate with what is suggested (SET: the captures' folder; model.json: what stands below the first curve):",
+    "naocal solve SET --model model.json -o result.json")
+    : copyBox("Calibrate with what is suggested (SET: the captures' folder):",
+      "naocal solve SET --with " + data.suggested.join(",") + " -o result.json"));
 }
