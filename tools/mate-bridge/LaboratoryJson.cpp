@@ -112,11 +112,13 @@ Json compensationJson(const Measurements& measurements, const Model& model, cons
 Json fitJson(const Json& document, const OpenedSets& opened, const Measurements& measurements, const Model& model,
              const CalibrationResult& result) {
   const JsonPlace place{document, "the fit"};
+  const VerdictWords words = verdictWords(place);
   const std::vector<DriverValues> drivers = driversOf(measurements, model, result.unknowns);
   const TellingPairs telling = tellingPairs(measurements, model, result, drivers);
   Json fit{{"usable", result.usable},
            {"verdict", nameOf(result.verdict)},
-           {"headline", headline(place)},
+           {"headline", words.headline},
+           {"sentence", words.sentence},
            {"warnings", sentences(result.warnings)},
            {"rms", result.rmsPx},
            {"median", result.medianPx},

@@ -67,12 +67,14 @@ std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
   std::vector<std::size_t> order, likely = inquiry.candidatesByEvidence();
   std::erase_if(likely, [&](std::size_t candidate) { return inquiry.ofCandidate(candidate).bayes <= 0; });
   // one that is sure and negligible does not stand before one that matters
-  std::stable_partition(likely.begin(), likely.end(),
-                        [&](std::size_t candidate) { return inquiry.ofCandidate(candidate).matters(); });
+  std::stable_partition(likely.begin(), likely.end(), [&](std::size_t candidate) {
+    return !inquiry.evidence().matters || inquiry.ofCandidate(candidate).matters();
+  });
   for (const std::size_t candidate : likely) {
     const GroupEvidence& here = inquiry.ofCandidate(candidate);
     const GroupEvidence& first = inquiry.ofCandidate(order.empty() ? candidate : order.front());
-    if (order.size() == most || here.bayes < first.bayes - near || here.matters() != first.matters()) {
+    if (order.size() == most || here.bayes < first.bayes - near ||
+        (inquiry.evidence().matters && here.matters() != first.matters())) {
       break;
     }
     if (foretells(inquiry, candidate)) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace naocal {
@@ -54,6 +55,24 @@ double bayesOf(const ColumnGroup& group, const Eigen::MatrixXd& information, con
     mean += std::exp((degree - most) / 2) / static_cast<double>(degrees.size());
   }
   return most + 2 * std::log(mean) - 2 * std::log(static_cast<double>(group.choices));
+}
+
+/// How far chi2 falls further when an effect is added beside another one.
+double fallBeside(const ScoreProblem& problem, const ScoreTests& tests, const Eigen::VectorXd& scores,
+                  const ColumnGroup& added, const ColumnGroup& other) {
+  const auto fall = [&](const std::vector<Eigen::Index>& columns) {
+    const Eigen::VectorXd plausible = problem.plausible(columns), score = plausible.cwiseProduct(scores(columns));
+    Eigen::MatrixXd scaled = plausible.asDiagonal() * tests.information()(columns, columns) * plausible.asDiagonal();
+    scaled.diagonal().array() += 1e-4; // directions that the own unknowns absorb
+    return score.dot(scaled.ldlt().solve(score));
+  };
+  std::vector<Eigen::Index> columns(static_cast<std::size_t>(other.count));
+  std::iota(columns.begin(), columns.end(), other.first);
+  const double alone = fall(columns);
+  for (Eigen::Index i = 0; i < added.count; ++i) {
+    columns.push_back(added.first + i);
+  }
+  return fall(columns) - alone;
 }
 
 /// Estimates and Bayes factors of the measurements' groups.
@@ -114,12 +133,16 @@ Evidence evidenceOf(const ScoreProblem& problem, const Noise& noise, Eigen::Inde
   if (likeliest != result.groups.end()) {
     likeliest->movedPx =
         tests.movedPx(static_cast<std::size_t>(likeliest - result.groups.begin()), likeliest->estimate);
-    result.matters = likeliest->bayes <= 0 || likeliest->matters() ||
-                     std::any_of(result.groups.begin(), result.groups.end(), [&](const GroupEvidence& group) {
-                       const bool named = &group < result.groups.data() + problem.named;
-                       const double often = mostOften(problem, (named ? 1 : rarer) * group.pValue);
-                       return group.bayes > 0 && group.matters() && often <= striking;
-                     });
+    result.matters = likeliest->bayes <= 0 || likeliest->matters();
+    const auto first = static_cast<std::size_t>(likeliest - result.groups.begin());
+    for (std::size_t i = 0; i < problem.named && first < problem.named && !result.matters; ++i) {
+      const GroupEvidence& group = result.groups[i]; // beside one that is sure and negligible
+      const bool likely = i != first && group.bayes > 2 * std::log(static_cast<double>(problem.named));
+      result.matters =
+          likely && group.matters() &&
+          mostOften(problem, tail(fallBeside(problem, tests, scores, problem.groups[i], problem.groups[first]),
+                                  group.freedom)) <= striking;
+    }
   }
   result.information = tests.information();
   if (draws == 0) {

@@ -34,8 +34,8 @@ struct WindowModel {
 /// model, every removal, every swap of one member, and every addition (Madigan and Raftery, JASA 89 (1994) 1535;
 /// Hoeting et al., Statistical Science 14 (1999) 382), weighted by exp(-D_m / (2 misfit)) (quasi-likelihood: Burnham
 /// and Anderson, Model selection, 2002, section 2.5):
-/// Of `expected` effects it is known that they are there, not which they are: they cost no 2 ln K.
 ///   mean = sum w_m unknowns_m,   variance = sum w_m [misfit C_m + (unknowns_m - mean)^2].
+/// Of `expected` effects it is known that they are there, but not which they are: they cost no 2 ln K.
 struct ModelWindow {
   std::vector<WindowModel> models;  // likeliest first; those with a weight worth the name
   double misfit = 1;                // chi2 / freedom of the likeliest where above 1: what no model explains

@@ -48,9 +48,11 @@ json textsAt(const JsonPlace& list) {
 } // namespace
 
 json pageData(const JsonPlace& result, const Sources& sources) {
+  const VerdictWords words = verdictWords(result);
   json data{{"robot", result.at("model").at("robot").text()},
             {"verdict", result.at("verdict").text()},
-            {"headline", headline(result)},
+            {"headline", words.headline},
+            {"sentence", words.sentence},
             {"facts", json::array()},
             {"warnings", textsAt(result.at("warnings"))},
             {"weak", json::array()},

@@ -53,8 +53,17 @@ Fact misfitFact(const JsonPlace& result) {
 
 } // namespace
 
-std::string headline(const JsonPlace& result) {
-  return result.at("sentence").text();
+VerdictWords verdictWords(const JsonPlace& result) {
+  const std::string said = result.at("sentence").text(), between = ": ";
+  const std::size_t colon = said.find(between);
+  if (colon == said.npos) {
+    return {said, ""};
+  }
+  std::string rest = said.substr(colon + between.size());
+  if (!rest.empty() && rest.front() >= 'a' && rest.front() <= 'z') {
+    rest.front() = static_cast<char>(rest.front() - 'a' + 'A');
+  }
+  return {said.substr(0, colon) + ".", std::move(rest)};
 }
 
 std::vector<Fact> facts(const JsonPlace& result, std::size_t pictures, std::optional<double> drawingRms) {

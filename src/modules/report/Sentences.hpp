@@ -13,8 +13,11 @@ struct Fact {
   std::string figure, sentence;
 };
 
-/// The verdict, as the library said it.
-std::string headline(const JsonPlace& result);
+/// The verdict as the library said it: "Usable, but a cause is missing." and what follows, "The error is ...".
+struct VerdictWords {
+  std::string headline, sentence;
+};
+VerdictWords verdictWords(const JsonPlace& result);
 
 /// What a result is worth, in plain words. `pictures`: how many show corners; `drawingRms`: of the same
 /// corners with the drawing alone [px].

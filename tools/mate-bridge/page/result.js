@@ -9,7 +9,7 @@ import {state} from "./state.js";
 export function showResult(parent) {
   const {fit} = state;
   parent.replaceChildren(
-    make("div", {class: "verdict " + fit.verdict}, make("h1", {}, fit.headline),
+    make("div", {class: "verdict " + fit.verdict}, make("h1", {}, fit.headline), make("p", {}, fit.sentence),
       make("dl", {class: "figures"}, ...fit.facts.map(({figure, sentence}) => make("div", {}, make("dt", {}, figure), make("dd", {}, sentence)))),
       fit.warnings.length ? make("ul", {class: "warnings"}, ...fit.warnings.map(warning => make("li", {}, warning))) : null),
     ...applying(fit, () => showResult(parent)),

@@ -64,7 +64,7 @@ at("layer").addEventListener("change", () => {
 at("order").addEventListener("change", () => { firstShown = 0; showPage(); });
 at("previous").addEventListener("click", () => turnPage(-1));
 at("next").addEventListener("click", () => turnPage(1));
-showVerdict("Calibration of a NAO " + data.robot + " from " + data.sets.join(", "), data.warnings);
+showVerdict((data.sentence ? data.sentence + " " : "") + "From " + data.sets.join(", ") + ".", data.warnings);
 at("verdict").classList.add(data.verdict);
 document.title = "NAO " + data.robot + ": " + data.headline;
 showEstimates(at("estimates"));
