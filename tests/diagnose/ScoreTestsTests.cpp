@@ -27,15 +27,16 @@ TEST_CASE("a score test's fall of chi2 is what adding the candidate gains") {
   const ModelAlone alone{problem, noise};
   const ScoreTests tests{alone};
   const Eigen::VectorXd priorScore = problem.priorScore();
-  const PoseScores scores = measuredScores(*problem.linear, noise);
-  const Eigen::VectorXd falls = tests.falls(scores, alone(scores, priorScore).own);
+  const PoseResiduals measured = measuredResiduals(*problem.poses);
+  const Eigen::VectorXd falls = tests.falls(measured, alone(measured, priorScore).own);
 
   const Eigen::Index count = problem.own() + problem.candidates;
   Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(count, count);
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(count);
   hessian.topLeftCorner(problem.own(), problem.own()) = problem.sigmas.cwiseAbs2().cwiseInverse().asDiagonal();
   gradient.head(problem.own()) = priorScore;
-  for (const PoseSystem& pose : problem.linear->poses) {
+  for (const PoseRows& rows : *problem.poses) {
+    const PoseSystem pose = systemOf(rows);
     const Eliminated part = eliminated(pose, noise, deflectionRoot(pose, noise));
     const std::vector<Eigen::Index> columns(pose.unknowns.begin(), pose.unknowns.end());
     hessian(columns, columns) += part.hessian;
@@ -70,7 +71,7 @@ TEST_CASE("pure noise lowers chi2 by as much as a candidate has unknowns") {
   constexpr Eigen::Index draws = 3000;
   const ModelAlone alone{problem, noise};
   const ScoreTests tests{alone};
-  const PoseScores drawn = drawnScores(*problem.linear, noise, draws, 1);
+  const PoseResiduals drawn = drawnResiduals(*problem.poses, noise, draws, 1);
   const Eigen::MatrixXd falls = tests.falls(drawn, alone(drawn, Eigen::VectorXd::Zero(problem.own())).own);
   double worst = 0;
   for (std::size_t i = 0; i < problem.groups.size(); ++i) {

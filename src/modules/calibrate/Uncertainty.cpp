@@ -57,8 +57,7 @@ Estimate estimate(double value, double variance, double relativeSpread, double p
 }
 
 /// Distances of corners from where the joints' readings put them, with no deflection taken out.
-void measureDistances(const Measurements& measurements, const Model& model, const Fit& fit, CalibrationResult& result) {
-  const Residuals residuals{measurements, model, fit.noise, fit.loss};
+void measureDistances(const Residuals& residuals, const Fit& fit, CalibrationResult& result) {
   std::vector<double> distances;
   double squares = 0;
   result.asReported = residuals.sightings(residuals.start(result.unknowns));
@@ -97,13 +96,14 @@ CalibrationResult uncertain(const Measurements& measurements, const Model& model
   }
   result.dof = numbers - (1 - result.covariance.diagonal().cwiseQuotient(sigmas.cwiseAbs2()).array()).sum();
   const DriverColumns none{.blocks = std::vector<std::vector<DriverColumns::Block>>(linear.poses.size())};
-  const PoseMisfit misfit =
-      poseMisfit({.linear = &linear, .map = &none, .unknowns = result.unknowns, .sigmas = sigmas}, fit.noise);
+  const Residuals residuals{measurements, model, fit.noise, fit.loss};
+  const std::vector<PoseRows> rows = residuals.rows(fit.minimum.state).value(); // as it was linearised there
+  const PoseMisfit misfit = poseMisfit({rows, none, result.unknowns, sigmas, 0}, fit.noise);
   result.misfit = std::max({1.0, misfit.chi2 / misfit.freedom, result.chi2 / std::max(1.0, result.dof)});
   result.sigmaScale = std::sqrt(result.misfit);
   result.covariance *= result.misfit;
-  measureDistances(measurements, model, fit, result);
-  result.noiseFloorPx = noiseFloorPx(linear.poses, fit.noise);
+  measureDistances(residuals, fit, result);
+  result.noiseFloorPx = noiseFloorPx(rows, fit.noise);
   const Spread spread = spreadOver(linear, result.unknowns, sigmas, levelsOf(levels), result.misfit, true);
   for (Eigen::Index i = 0; i < sigmas.size(); ++i) {
     result.estimates.push_back(estimate(result.unknowns[i], spread.variance[i], spread.relativeSpread[i], sigmas[i]));

@@ -10,7 +10,7 @@ namespace naocal {
 namespace {
 
 /// The candidate's unknowns stand `first` and move together along `direction`.
-CandidateColumn::Pose summed(const PoseSystem& pose, const Noise& noise, Eigen::Index own, Eigen::Index first,
+CandidateColumn::Pose summed(const PoseRows& pose, const Noise& noise, Eigen::Index own, Eigen::Index first,
                              const Eigen::VectorXd& direction) {
   CandidateColumn::Pose result;
   std::vector<Eigen::Index> rows, moving; // of the sums; of `direction`
@@ -29,11 +29,8 @@ CandidateColumn::Pose summed(const PoseSystem& pose, const Noise& noise, Eigen::
   Eigen::MatrixXd together = Eigen::MatrixXd::Zero(at(rows.size()), kept + 1);
   together.topLeftCorner(kept, kept).setIdentity();
   together.col(kept).tail(at(moving.size())) = direction(moving);
-  PoseSystem part = pose;
-  part.unknownGram = together.transpose() * pose.unknownGram(rows, rows) * together;
-  part.cross = together.transpose() * pose.cross(rows, Eigen::all);
-  part.unknownGradient = together.transpose() * pose.unknownGradient(rows);
-  Eliminated whitened = eliminated(part, noise, deflectionRoot(pose, noise));
+  const PoseRows part{pose, pose.byUnknowns(Eigen::all, rows) * together, pose.byDeflections, pose.residual};
+  Eliminated whitened = eliminated(systemOf(part), noise, deflectionRoot(pose, noise));
   result.information = std::move(whitened.hessian);
   result.gradient = std::move(whitened.unknownGradient);
   return result;
@@ -57,7 +54,7 @@ CandidateColumn::CandidateColumn(const Inquiry& inquiry, std::size_t candidate, 
   information.topLeftCorner(own, own) = prior.asDiagonal();
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(own + 1);
   gradient.head(own) = prior.cwiseProduct(problem.unknowns);
-  for (const PoseSystem& pose : inquiry.linear().poses) {
+  for (const PoseRows& pose : inquiry.poses()) {
     const Pose& sums = poses.emplace_back(summed(pose, noise, own, own + problem.groups[candidate].first, direction));
     information(sums.columns, sums.columns) += sums.information;
     gradient(sums.columns) += sums.gradient;

@@ -81,8 +81,8 @@ std::vector<Noise> levelsBelow(const Noise& noise) {
 std::vector<double> bestAtAny(const ScoreProblem& problem, const std::vector<Noise>& levels) {
   std::vector<double> result(problem.groups.size(), -std::numeric_limits<double>::infinity());
   double first = 0;
+  const PoseResiduals measured = measuredResiduals(*problem.poses);
   for (const Noise& level : levels) {
-    const PoseScores measured = measuredScores(*problem.linear, level);
     const double deviance = ModelAlone{problem, level}(measured, problem.priorScore()).deviance[0] +
                             scatterPenalty(level.pose) + scatterPenalty(level.reapproach);
     first = &level == levels.data() ? deviance : first;

@@ -123,7 +123,7 @@ struct Choices {
 std::optional<HeldOut> heldOut(const Inquiry& inquiry, const Model& model, const std::vector<std::string>& chosen,
                                const std::vector<std::size_t>& candidates) {
   const ScoreProblem& problem = inquiry.problem();
-  if (inquiry.linear().poses.size() < 2) {
+  if (inquiry.poses().size() < 2) {
     return std::nullopt;
   }
   const Choices choices{inquiry, model, chosen};

@@ -32,14 +32,15 @@ void move(const Eigen::VectorXd& step, HeldOutSums& sums) {
 } // namespace
 
 HeldOutParts heldOutSums(const Inquiry& inquiry, const Eigen::VectorXd& step) {
-  const std::vector<PoseSystem>& poses = inquiry.linear().poses;
+  const std::vector<PoseRows>& poses = inquiry.poses();
   const Noise noise = inquiry.noise();
   HeldOutParts result{empty(step.size()), {}};
   result.parts.resize(std::min(folds, poses.size()), result.all);
   for (std::size_t pose = 0; pose < poses.size(); ++pose) {
-    const Eliminated part = eliminated(poses[pose], noise, deflectionRoot(poses[pose], noise));
-    add(poses[pose], part, result.all);
-    add(poses[pose], part, result.parts[pose % result.parts.size()]);
+    const PoseSystem system = systemOf(poses[pose]);
+    const Eliminated part = eliminated(system, noise, deflectionRoot(system, noise));
+    add(system, part, result.all);
+    add(system, part, result.parts[pose % result.parts.size()]);
   }
   move(step, result.all);
   for (HeldOutSums& part : result.parts) {

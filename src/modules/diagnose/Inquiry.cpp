@@ -31,7 +31,7 @@ std::vector<std::size_t> Inquiry::candidatesByEvidence() const {
 }
 
 double Inquiry::standing(const GroupEvidence& evidence) const {
-  const double numbers = 6 * static_cast<double>(linear().poses.size());
+  const double numbers = 6 * static_cast<double>(poses().size());
   return std::max(evidence.bayes, evidence.likelihoodRatio - static_cast<double>(evidence.freedom) * std::log(numbers));
 }
 

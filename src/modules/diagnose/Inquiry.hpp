@@ -25,7 +25,7 @@ public:
           const std::vector<Term>& candidates, const InquiryOptions& options = {});
 
   const std::vector<Term>& candidates() const { return wide_.candidates(); }
-  const Residuals::Linear& linear() const { return wide_.linear(); }
+  const std::vector<PoseRows>& poses() const { return wide_.poses(); }
   const std::vector<MountCurve>& mounts() const { return wide_.mounts(); }
   const DriverColumns& map() const { return wide_.map(); }
   const ScoreProblem& problem() const { return wide_.problem(); }

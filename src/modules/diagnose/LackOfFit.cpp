@@ -10,7 +10,7 @@ namespace naocal {
 LackOfFit lackOfFit(const Inquiry& inquiry) {
   const PoseMisfit misfit = poseMisfit(inquiry.problem(), inquiry.noise());
   double freedom = 0;
-  for (const PoseSystem& pose : inquiry.linear().poses) {
+  for (const PoseRows& pose : inquiry.poses()) {
     freedom += pose.freedom;
   }
   LackOfFit result;
@@ -18,7 +18,7 @@ LackOfFit lackOfFit(const Inquiry& inquiry) {
   result.dof[0] = misfit.freedom;
   result.dof[1] = std::max(0.0, freedom - misfit.directions);
   result.pValue = inquiry.evidence().pValue;
-  result.noiseFloorPx = noiseFloorPx(inquiry.linear().poses, inquiry.noise());
+  result.noiseFloorPx = noiseFloorPx(inquiry.poses(), inquiry.noise());
   return result;
 }
 

@@ -75,7 +75,7 @@ bool isSineOf(const std::string& sine, const std::string& cosine) {
 void express(const Inquiry& inquiry, const Measurements& measurements, const DriverCell& cell, DriverFinding& finding) {
   const std::vector<DriverValues>& drivers = inquiry.map().drivers;
   DriverColumns columns =
-      proportionalColumns(measurements, shapes(drivers[cell.driver], cell.motor, drivers), inquiry.linear().poses);
+      proportionalColumns(measurements, shapes(drivers[cell.driver], cell.motor, drivers), inquiry.poses());
   const std::vector<DriverCell> single = columns.cells;
   const auto nameOf = [&](std::size_t i) { return columns.drivers[single[i].driver].name; };
   for (std::size_t i = 0; i + 1 < single.size(); ++i) {

@@ -147,12 +147,12 @@ std::vector<TellingPair> differing(std::vector<TellingPair> pairs) {
 
 TellingPairs tellingPairs(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
                           const std::vector<DriverValues>& drivers, const TellingOptions& options) {
-  const auto linear = Residuals{measurements, model, fit.noise, fit.loss}.linearised(fit.state);
-  if (!linear) {
+  const auto rows = Residuals{measurements, model, fit.noise, fit.loss}.rows(fit.state);
+  if (!rows) {
     return {};
   }
   TellingPairs result;
-  result.joints = whatIfs(measurements, linear->poses, fit.noise);
+  result.joints = whatIfs(measurements, *rows, fit.noise);
   const std::vector<std::size_t> blocks = blocksOfPictures(measurements);
   const std::vector<Value> right = cornerErrors(fit, blocks, Error::right),
                            down = cornerErrors(fit, blocks, Error::down);

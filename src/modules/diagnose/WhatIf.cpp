@@ -22,22 +22,20 @@ std::vector<std::size_t> bentBy(const PoseGroup& pose, std::size_t motor, std::s
 } // namespace
 
 std::vector<WhatIfs> whatIfs(const Measurements& measurements, const Inquiry& inquiry) {
-  return whatIfs(measurements, inquiry.linear().poses, inquiry.noise());
+  return whatIfs(measurements, inquiry.poses(), inquiry.noise());
 }
 
-std::vector<WhatIfs> whatIfs(const Measurements& measurements, const std::vector<PoseSystem>& poses, Noise noise) {
+std::vector<WhatIfs> whatIfs(const Measurements& measurements, const std::vector<PoseRows>& poses, Noise noise) {
   noise.pose = 0; // what poses scatter by is to be seen, not to be explained away
   std::vector<WhatIfs> result;
   for (std::size_t motor : measurements.joints) {
     result.push_back({motor, {}});
   }
   for (std::size_t index = 0; index < measurements.poses.size(); ++index) {
-    const PoseSystem& pose = poses[index];
-    PoseSystem only = pose; // the deflections, seen as unknowns
-    only.unknownGram = pose.deflectionGram;
-    only.cross = pose.deflectionGram;
-    only.unknownGradient = pose.deflectionGradient;
-    const Eliminated whitened = eliminated(only, noise, deflectionRoot(pose, noise));
+    PoseRows rows = poses[index];
+    rows.byUnknowns = rows.byDeflections; // the deflections, seen as unknowns
+    const PoseSystem pose = systemOf(rows);
+    const Eliminated whitened = eliminated(pose, noise, deflectionRoot(pose, noise));
     for (std::size_t i = 0; i < pose.joints.size(); ++i) {
       const double information = whitened.hessian(at(i), at(i));
       if (!(information > 0)) {

@@ -24,7 +24,7 @@ struct WhatIfs {
 };
 
 /// Of each joint in use, where the residuals were linearised.
-std::vector<WhatIfs> whatIfs(const Measurements& measurements, const std::vector<PoseSystem>& poses, Noise noise);
+std::vector<WhatIfs> whatIfs(const Measurements& measurements, const std::vector<PoseRows>& poses, Noise noise);
 
 /// At an inquiry's fit.
 std::vector<WhatIfs> whatIfs(const Measurements& measurements, const Inquiry& inquiry);

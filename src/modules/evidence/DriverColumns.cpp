@@ -15,10 +15,10 @@ struct Bent {
   std::vector<std::vector<std::size_t>> pictures;
 };
 
-Bent bentBy(std::size_t motor, const PoseGroup& pose, const PoseSystem& system) {
+Bent bentBy(std::size_t motor, const PoseGroup& pose, const PosePart& part) {
   Bent result;
-  for (std::size_t i = 0; i < system.joints.size(); ++i) {
-    if (system.joints[i] != motor) {
+  for (std::size_t i = 0; i < part.joints.size(); ++i) {
+    if (part.joints[i] != motor) {
       continue;
     }
     if (result.pictures.empty()) {
@@ -26,7 +26,7 @@ Bent bentBy(std::size_t motor, const PoseGroup& pose, const PoseSystem& system) 
     }
     auto& pictures = result.pictures.emplace_back();
     for (const Reading& reading : pose.readings) {
-      if (reading.encoderError[motor] == system.errors[i]) {
+      if (reading.encoderError[motor] == part.errors[i]) {
         pictures.insert(pictures.end(), reading.pictures.begin(), reading.pictures.end());
       }
     }
@@ -66,7 +66,7 @@ std::vector<DriverCell> allShapes(const DriverValues& driver, std::size_t motor,
 /// The columns of those cells that `shapesOf(driver, motor, distinct values)` makes.
 template <typename ShapesOf>
 DriverColumns columnsOf(const Measurements& measurements, std::vector<DriverValues> drivers,
-                        const std::vector<PoseSystem>& poses, const ShapesOf& shapesOf) {
+                        const std::vector<PoseRows>& poses, const ShapesOf& shapesOf) {
   DriverColumns result{std::move(drivers), {}, 0, std::vector<std::vector<DriverColumns::Block>>(poses.size())};
   for (std::size_t motor : measurements.joints) {
     std::vector<Bent> bent;
@@ -128,12 +128,12 @@ double DriverValues::mean(const std::vector<std::size_t>& pictures) const {
 }
 
 DriverColumns driverColumns(const Measurements& measurements, std::vector<DriverValues> drivers,
-                            const std::vector<PoseSystem>& poses) {
+                            const std::vector<PoseRows>& poses) {
   return columnsOf(measurements, std::move(drivers), poses, allShapes);
 }
 
 DriverColumns proportionalColumns(const Measurements& measurements, std::vector<DriverValues> drivers,
-                                  const std::vector<PoseSystem>& poses) {
+                                  const std::vector<PoseRows>& poses) {
   return columnsOf(measurements, std::move(drivers), poses,
                    [](const auto&, std::size_t, const auto& values) { return std::vector{smoothCell(values, 1)}; });
 }

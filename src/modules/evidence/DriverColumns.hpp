@@ -44,10 +44,10 @@ struct DriverColumns {
 /// The map of each joint in `measurements.joints` over each of `drivers`. `poses`: as the residuals make them, for the
 /// places of their deflections.
 DriverColumns driverColumns(const Measurements& measurements, std::vector<DriverValues> drivers,
-                            const std::vector<PoseSystem>& poses);
+                            const std::vector<PoseRows>& poses);
 
 /// Only deflections in proportion to each of `drivers`.
 DriverColumns proportionalColumns(const Measurements& measurements, std::vector<DriverValues> drivers,
-                                  const std::vector<PoseSystem>& poses);
+                                  const std::vector<PoseRows>& poses);
 
 } // namespace naocal

@@ -115,7 +115,7 @@ double bayesFactor(const Eigen::MatrixXd& information, const Eigen::VectorXd& sc
 }
 
 Evidence evidenceOf(const ScoreProblem& problem, const Noise& noise, Eigen::Index draws, std::uint64_t seed) {
-  const PoseScores measured = measuredScores(*problem.linear, noise);
+  const PoseResiduals measured = measuredResiduals(*problem.poses);
   const ModelAlone alone{problem, noise};
   const ScoreTests tests{alone};
   const Eigen::MatrixXd own = alone(measured, problem.priorScore()).own;
@@ -148,7 +148,7 @@ Evidence evidenceOf(const ScoreProblem& problem, const Noise& noise, Eigen::Inde
   if (draws == 0) {
     return result;
   }
-  const PoseScores noiseOnly = drawnScores(*problem.linear, noise, draws, seed);
+  const PoseResiduals noiseOnly = drawnResiduals(*problem.poses, noise, draws, seed);
   const Eigen::MatrixXd drawn = tests.falls(noiseOnly, alone(noiseOnly, Eigen::VectorXd::Zero(problem.own())).own);
   std::vector<double> smallest;
   for (Eigen::Index i = 0; i < draws; ++i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "evidence/PoseResiduals.hpp"
 #include "evidence/ScoreProblem.hpp"
 
 #include <Eigen/Cholesky>
@@ -8,25 +9,25 @@
 
 namespace naocal {
 
-/// The model without any candidate at one level of noise: how likely scores are under it.
+/// The model without any candidate at one level of noise: how likely residuals are under it.
 class ModelAlone {
 public:
   ModelAlone(const ScoreProblem& problem, const Noise& noise);
 
-  /// Of each set of scores (column): -2 ln of the model's restricted likelihood up to a constant, and chi2 up to a
+  /// Of each set of residuals (column): -2 ln of the model's restricted likelihood up to a constant, and chi2 up to a
   /// constant; both constants are the same at all levels.
   struct Outcome {
     Eigen::RowVectorXd deviance, chi2;
     Eigen::MatrixXd own; // L^-1 times the scores of the own unknowns
   };
-  Outcome operator()(const PoseScores& scores, const Eigen::VectorXd& priorScore) const;
+  Outcome operator()(const PoseResiduals& residuals, const Eigen::VectorXd& priorScore) const;
 
-  /// Of a pose whose deflections J_t have the covariance D = R R^T:  J^T Sigma^-1 = J^T - J^T J_t H^T H J_t^T, with
-  /// H = L^-1 R^T and L L^T = I + R^T J_t^T J_t R (J in units of the pixel noise). Halves, for the product H^T H loses
-  /// the digits that sharp corners and loose joints need.
+  /// Of a pose whose deflections have the covariance R R^T:
+  ///   J^T Sigma^-1 J = (J^T J - (B J)^T (B J)) / pixel^2,   B = L^-1 M^T, M = J_t R / pixel, L L^T = I + M^T M.
+  /// A half, for the product B^T B loses the digits that sharp corners and loose joints need.
   struct Whitener {
-    Eigen::MatrixXd half;     // H
-    Eigen::MatrixXd unknowns; // H J_t^T J_x, of the unknowns and candidates
+    Eigen::MatrixXd half;     // B, or what has as few rows as J and the same product
+    Eigen::MatrixXd unknowns; // B J_x / pixel, of the unknowns and candidates
   };
   const Whitener& whitener(std::size_t pose) const { return whiteners_[pose]; }
   /// Of the own unknowns' information, priors included: L L^T.

@@ -32,7 +32,7 @@ public:
   Window(const WideModel& wide, const Noise& noise, std::size_t expected)
       : problem_{wide.problem()}, expected_{expected}, alone_{problem_, noise}, tests_{alone_}, misfit_{poseMisfit(
                                                                                                     problem_, noise)} {
-    const PoseScores measured = measuredScores(*problem_.linear, noise);
+    const PoseResiduals measured = measuredResiduals(*problem_.poses);
     const Eigen::MatrixXd own = alone_(measured, problem_.priorScore()).own;
     score_ = problem_.plausible.cwiseProduct(tests_.projectedScores(measured, own).col(0));
     const auto& factor = alone_.factor();

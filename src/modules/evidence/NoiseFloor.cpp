@@ -5,14 +5,13 @@
 
 namespace naocal {
 
-double noiseFloorPx(const std::vector<PoseSystem>& poses, const Noise& noise) {
+double noiseFloorPx(const std::vector<PoseRows>& poses, const Noise& noise) {
   const double corner = noise.pixel * noise.pixel + noise.pixelAlike * noise.pixelAlike;
   double numbers = 0, expected = 0;
-  for (const PoseSystem& pose : poses) {
+  for (const PoseRows& pose : poses) {
     numbers += pose.numbers;
-    const DeflectionRoot root = deflectionRoot(pose, noise);
-    expected +=
-        corner * pose.numbers + Eigen::MatrixXd{root.transpose() * Eigen::MatrixXd{pose.deflectionGram * root}}.trace();
+    const Eigen::MatrixXd moved = pose.byDeflections * deflectionRoot(pose, noise);
+    expected += corner * pose.numbers + moved.squaredNorm();
   }
   return std::sqrt(2 * expected / std::max(1.0, numbers));
 }

@@ -34,7 +34,7 @@ double devianceOf(const Candidates& all, double kappa) {
 /// D(level) of the widest model.
 double wideDeviance(const ScoreProblem& problem, const Noise& noise) {
   constexpr std::array kappas{0.1, 0.2, 0.4, 0.7, 1.0, 1.5, 2.5};
-  const PoseScores measured = measuredScores(*problem.linear, noise);
+  const PoseResiduals measured = measuredResiduals(*problem.poses);
   const ModelAlone alone{problem, noise};
   const ModelAlone::Outcome outcome = alone(measured, problem.priorScore());
   const ScoreTests tests{alone};
@@ -130,7 +130,7 @@ double scatterPenalty(double level) {
 }
 
 NoiseLevels noiseLevels(const ScoreProblem& wide, const Noise& noise, const Repeated& repeated) {
-  const DriverColumns none{.blocks = std::vector<std::vector<DriverColumns::Block>>(wide.linear->poses.size())};
+  const DriverColumns none{.blocks = std::vector<std::vector<DriverColumns::Block>>(wide.poses->size())};
   ScoreProblem problem = wide;
   problem.groups.resize(problem.named);
   problem.map = &none;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double everything = 0.05; // [rad]: a pose noise that lets every joint go where it likes
 
-Eigen::MatrixXd deflectionCovariance(const PoseSystem& pose, const Noise& noise) {
+Eigen::MatrixXd deflectionCovariance(const PosePart& pose, const Noise& noise) {
   const DeflectionRoot root = deflectionRoot(pose, noise);
   return Eigen::MatrixXd{root * DeflectionRoot{root.transpose()}};
 }
@@ -19,11 +19,11 @@ Eigen::MatrixXd deflectionCovariance(const PoseSystem& pose, const Noise& noise)
 double chi2Of(const ModelAlone& alone) {
   const ScoreProblem& problem = alone.problem();
   double squares = 0;
-  for (const PoseSystem& pose : problem.linear->poses) {
+  for (const PoseRows& pose : *problem.poses) {
     squares += pose.squares;
   }
-  const PoseScores scores = measuredScores(*problem.linear, alone.noise());
-  return alone(scores, problem.priorScore()).chi2[0] + problem.unknowns.cwiseQuotient(problem.sigmas).squaredNorm() +
+  return alone(measuredResiduals(*problem.poses), problem.priorScore()).chi2[0] +
+         problem.unknowns.cwiseQuotient(problem.sigmas).squaredNorm() +
          squares / (alone.noise().pixel * alone.noise().pixel);
 }
 
@@ -38,17 +38,18 @@ PoseMisfit poseMisfit(const ScoreProblem& problem, const Noise& noise) {
   result.chi2 = std::max(0.0, chi2Of(held) - result.within);
   Eigen::MatrixXd learned = Eigen::MatrixXd::Zero(problem.own(), problem.own());
   const double information = 1 / (noise.pixel * noise.pixel);
-  for (std::size_t number = 0; number < problem.linear->poses.size(); ++number) {
-    const PoseSystem& pose = problem.linear->poses[number];
+  for (std::size_t number = 0; number < problem.poses->size(); ++number) {
+    const PoseRows& pose = (*problem.poses)[number];
     const ModelAlone::Whitener& whitener = free.whitener(number);
-    const Eigen::MatrixXd gram = information * pose.deflectionGram,
-                          more = deflectionCovariance(pose, loose) - deflectionCovariance(pose, noise);
-    const Eigen::MatrixXd bent = whitener.half * gram;
-    result.directions += (gram - bent.transpose() * bent).cwiseProduct(more).sum();
+    const Eigen::MatrixXd more = deflectionCovariance(pose, loose) - deflectionCovariance(pose, noise);
+    const Eigen::MatrixXd bent = whitener.half * pose.byDeflections / noise.pixel;
+    result.directions += (information * (pose.byDeflections.transpose() * pose.byDeflections) - bent.transpose() * bent)
+                             .cwiseProduct(more)
+                             .sum();
     const Eigen::Index own = problem.ownOf(pose);
     const std::vector<std::size_t> unknowns = problem.ownUnknownsOf(pose);
-    const Eigen::MatrixXd cross =
-        information * pose.cross.topRows(own) - whitener.unknowns.leftCols(own).transpose() * bent;
+    const Eigen::MatrixXd cross = information * (pose.byUnknowns.leftCols(own).transpose() * pose.byDeflections) -
+                                  whitener.unknowns.leftCols(own).transpose() * bent;
     learned(unknowns, unknowns) += cross * more * cross.transpose();
   }
   result.freedom = std::max(1.0, result.directions - free.factor().solve(learned).trace());

@@ -34,14 +34,13 @@ struct Outcome {
 /// Of some poses only.
 Outcome outcomeOf(const ScoreProblem& problem, const Noise& noise, const std::vector<std::size_t>& poses,
                   std::size_t group) {
-  Residuals::Linear linear;
+  std::vector<PoseRows> rows;
   for (const std::size_t pose : poses) {
-    linear.poses.push_back(problem.linear->poses[pose]);
+    rows.push_back((*problem.poses)[pose]);
   }
   const DriverColumns none{.blocks = std::vector<std::vector<DriverColumns::Block>>(poses.size())};
-  ScoreProblem part = problem;
-  part.linear = &linear;
-  part.map = &none;
+  ScoreProblem part{rows, none, problem.unknowns, problem.sigmas, problem.candidates};
+  part.plausible = problem.plausible;
   part.groups = {problem.groups[group]};
   part.named = 1;
   const GroupEvidence evidence = evidenceOf(part, noise).groups.front();

@@ -1,4 +1,6 @@
 #include "evidence/ScoreTests.hpp"
+
+#include "evidence/GramSum.hpp"
 #include "geometry/Index.hpp"
 #include "geometry/SymmetricEigen.hpp"
 
@@ -29,48 +31,44 @@ Eigen::MatrixXd whiteningOf(const Eigen::MatrixXd& block, const Eigen::MatrixXd&
 
 ScoreTests::ScoreTests(const ModelAlone& alone) : alone_{alone} {
   const ScoreProblem& problem = alone.problem();
+  GramSum taken{problem.gram.cols()};
+  for (std::size_t pose = 0; pose < problem.poses->size(); ++pose) {
+    taken.add((*problem.poses)[pose].unknowns, alone.whitener(pose).unknowns);
+  }
+  const Eigen::MatrixXd whitened = problem.gram / (noise().pixel * noise().pixel) - taken.taken();
   Columns columns;
   columns.cross = Eigen::MatrixXd::Zero(problem.own(), problem.candidates + problem.map->count);
-  columns.candidates = Eigen::MatrixXd::Zero(problem.candidates, problem.candidates);
+  columns.cross.leftCols(problem.candidates) = whitened.topRightCorner(problem.own(), problem.candidates);
+  columns.candidates = whitened.bottomRightCorner(problem.candidates, problem.candidates);
   for (const DriverCell& cell : problem.map->cells) {
     columns.cells.push_back(Eigen::MatrixXd::Zero(cell.count, cell.count));
   }
-  for (std::size_t pose = 0; pose < problem.linear->poses.size(); ++pose) {
-    addPose(pose, columns);
+  for (std::size_t pose = 0; pose < problem.poses->size(); ++pose) {
+    addCurves(pose, columns);
   }
   project(columns);
 }
 
-void ScoreTests::addPose(std::size_t pose, Columns& columns) {
+void ScoreTests::addCurves(std::size_t pose, Columns& columns) {
   const ScoreProblem& problem = alone_.problem();
-  const PoseSystem& system = problem.linear->poses[pose];
+  const PoseRows& rows = (*problem.poses)[pose];
   const ModelAlone::Whitener& whitener = alone_.whitener(pose);
   const double information = 1 / (noise().pixel * noise().pixel);
-  const Eigen::MatrixXd cross = information * system.cross, gram = information * system.deflectionGram;
-  const Eigen::Index own = problem.ownOf(system), rest = at(system.unknowns.size()) - own;
-  const Eigen::MatrixXd whitened = information * system.unknownGram.rightCols(rest) -
-                                   whitener.unknowns.transpose() * whitener.unknowns.rightCols(rest);
-  const auto unknown = [&](Eigen::Index i) { return at(system.unknowns[static_cast<std::size_t>(i)]); };
-  for (Eigen::Index j = 0; j < rest; ++j) {
-    const Eigen::Index column = unknown(own + j) - problem.own();
-    for (Eigen::Index i = 0; i < own; ++i) {
-      columns.cross(unknown(i), column) += whitened(i, j);
-    }
-    for (Eigen::Index i = 0; i < rest; ++i) {
-      columns.candidates(unknown(own + i) - problem.own(), column) += whitened(own + i, j);
-    }
-  }
-  const Eigen::MatrixXd& deflections = deflections_.emplace_back(whitener.half * gram);
+  const Eigen::MatrixXd& deflections = deflections_.emplace_back(whitener.half * rows.byDeflections / noise().pixel);
   if (problem.map->blocks[pose].empty()) {
     return;
   }
-  const Eigen::MatrixXd mixed = cross.topRows(own) - whitener.unknowns.leftCols(own).transpose() * deflections;
-  const Eigen::MatrixXd deflectionInformation = gram - deflections.transpose() * deflections;
+  const Eigen::Index own = problem.ownOf(rows);
+  const Eigen::MatrixXd mixed = information * (rows.byUnknowns.leftCols(own).transpose() * rows.byDeflections) -
+                                whitener.unknowns.leftCols(own).transpose() * deflections;
+  const Eigen::MatrixXd deflectionInformation =
+      information * (rows.byDeflections.transpose() * rows.byDeflections) - deflections.transpose() * deflections;
   for (const DriverColumns::Block& block : problem.map->blocks[pose]) {
     const Eigen::Index count = block.values.cols();
     const Eigen::MatrixXd byBlock = mixed.middleCols(block.firstDeflection, block.values.rows()) * block.values;
     for (Eigen::Index i = 0; i < own; ++i) {
-      columns.cross.row(unknown(i)).segment(problem.candidates + block.firstColumn, count) += byBlock.row(i);
+      columns.cross.row(at(rows.unknowns[static_cast<std::size_t>(i)]))
+          .segment(problem.candidates + block.firstColumn, count) += byBlock.row(i);
     }
     const auto bent = deflectionInformation.block(block.firstDeflection, block.firstDeflection, block.values.rows(),
                                                   block.values.rows());
@@ -102,23 +100,25 @@ void ScoreTests::project(const Columns& columns) {
 }
 
 /// Scores of all columns, downhill.
-Eigen::MatrixXd ScoreTests::projectedScores(const PoseScores& scores, const Eigen::MatrixXd& own) const {
+Eigen::MatrixXd ScoreTests::projectedScores(const PoseResiduals& residuals, const Eigen::MatrixXd& own) const {
   const ScoreProblem& problem = alone_.problem();
+  const double information = 1 / (noise().pixel * noise().pixel);
   Eigen::MatrixXd result = explained_.transpose() * own;
-  for (std::size_t pose = 0; pose < scores.size(); ++pose) {
-    const PoseSystem& system = problem.linear->poses[pose];
-    const Eigen::Index first = problem.ownOf(system), rest = at(system.unknowns.size()) - first;
+  for (std::size_t pose = 0; pose < residuals.size(); ++pose) {
+    const PoseRows& rows = (*problem.poses)[pose];
+    const Eigen::Index first = problem.ownOf(rows), rest = at(rows.unknowns.size()) - first;
     const ModelAlone::Whitener& whitener = alone_.whitener(pose);
-    const Eigen::MatrixXd bent = whitener.half * scores[pose].deflections;
-    const Eigen::MatrixXd part =
-        scores[pose].unknowns.bottomRows(rest) - whitener.unknowns.rightCols(rest).transpose() * bent;
+    const Eigen::MatrixXd bent = whitener.half * residuals[pose] / noise().pixel;
+    const Eigen::MatrixXd part = information * (rows.byUnknowns.rightCols(rest).transpose() * residuals[pose]) -
+                                 whitener.unknowns.rightCols(rest).transpose() * bent;
     for (Eigen::Index i = 0; i < rest; ++i) {
-      result.row(at(system.unknowns[static_cast<std::size_t>(first + i)]) - problem.own()) -= part.row(i);
+      result.row(at(rows.unknowns[static_cast<std::size_t>(first + i)]) - problem.own()) -= part.row(i);
     }
     if (problem.map->blocks[pose].empty()) {
       continue;
     }
-    const Eigen::MatrixXd deflections = scores[pose].deflections - deflections_[pose].transpose() * bent;
+    const Eigen::MatrixXd deflections =
+        information * (rows.byDeflections.transpose() * residuals[pose]) - deflections_[pose].transpose() * bent;
     for (const DriverColumns::Block& block : problem.map->blocks[pose]) {
       result.middleRows(problem.candidates + block.firstColumn, block.values.cols()).noalias() -=
           block.values.transpose() * deflections.middleRows(block.firstDeflection, block.values.rows());
@@ -127,90 +127,58 @@ Eigen::MatrixXd ScoreTests::projectedScores(const PoseScores& scores, const Eige
   return result;
 }
 
-Eigen::MatrixXd ScoreTests::informationWith(std::size_t group, Eigen::Index count) const {
+/// What a group's first few columns do to a pose's residuals.
+Eigen::MatrixXd ScoreTests::byColumns(std::size_t group, Eigen::Index count, std::size_t pose) const {
   const ScoreProblem& problem = alone_.problem();
+  const PoseRows& rows = (*problem.poses)[pose];
   const Eigen::Index first = problem.groups[group].first;
-  const bool curve = first >= problem.candidates; // of the map
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(problem.candidates + problem.map->count, count);
-  const double information = 1 / (noise().pixel * noise().pixel);
-  for (std::size_t pose = 0; pose < problem.linear->poses.size(); ++pose) {
-    const PoseSystem& system = problem.linear->poses[pose];
-    const ModelAlone::Whitener& whitener = alone_.whitener(pose);
-    const Eigen::Index own = problem.ownOf(system), rest = at(system.unknowns.size()) - own;
-    const auto place = [&](Eigen::Index i) {
-      return at(system.unknowns[static_cast<std::size_t>(own + i)]) - problem.own();
-    };
-    // derivative of each deflection by the group's columns, and of each unknown beyond the own ones
-    Eigen::MatrixXd bends = Eigen::MatrixXd::Zero(at(system.joints.size()), count);
-    Eigen::MatrixXd moves = Eigen::MatrixXd::Zero(rest, count);
-    if (curve) {
-      for (const DriverColumns::Block& block : problem.map->blocks[pose]) {
-        const Eigen::Index column = first - problem.candidates - block.firstColumn;
-        if (column >= 0 && column < block.values.cols()) {
-          bends.middleRows(block.firstDeflection, block.values.rows()) = block.values.middleCols(column, count);
-        }
-      }
-    } else {
-      for (Eigen::Index i = 0; i < rest; ++i) {
-        if (const Eigen::Index column = place(i) - first; column >= 0 && column < count) {
-          moves(i, column) = 1;
-        }
-      }
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rows.residual.size(), count);
+  if (first < problem.candidates) {
+    const auto wanted = static_cast<std::size_t>(problem.own() + first);
+    auto unknown = std::lower_bound(rows.unknowns.begin(), rows.unknowns.end(), wanted);
+    for (; unknown != rows.unknowns.end() && *unknown < wanted + static_cast<std::size_t>(count); ++unknown) {
+      result.col(at(*unknown - wanted)) = rows.byUnknowns.col(unknown - rows.unknowns.begin());
     }
-    const Eigen::MatrixXd cross = information * system.cross.bottomRows(rest);
-    const Eigen::MatrixXd gram = information * system.deflectionGram;
-    // J_c^T Sigma^-1 and J_t^T Sigma^-1 times what the columns do
-    const Eigen::MatrixXd pixels = cross.transpose() * moves + gram * bends; // J_t^T (...) / pixel^2
-    const Eigen::MatrixXd bent = whitener.half * pixels;
-    const Eigen::MatrixXd byUnknown = information * system.unknownGram.bottomRightCorner(rest, rest) * moves +
-                                      cross * bends - whitener.unknowns.rightCols(rest).transpose() * bent;
-    for (Eigen::Index i = 0; i < rest; ++i) {
-      result.row(place(i)) += byUnknown.row(i);
-    }
-    if (problem.map->blocks[pose].empty()) {
-      continue;
-    }
-    const Eigen::MatrixXd byDeflection = pixels - deflections_[pose].transpose() * bent;
-    for (const DriverColumns::Block& block : problem.map->blocks[pose]) {
-      result.middleRows(problem.candidates + block.firstColumn, block.values.cols()).noalias() +=
-          block.values.transpose() * byDeflection.middleRows(block.firstDeflection, block.values.rows());
+    return result;
+  }
+  for (const DriverColumns::Block& block : problem.map->blocks[pose]) {
+    const Eigen::Index column = first - problem.candidates - block.firstColumn;
+    if (column >= 0 && column < block.values.cols()) {
+      result = rows.byDeflections.middleCols(block.firstDeflection, block.values.rows()) *
+               block.values.middleCols(column, count);
     }
   }
-  result.noalias() -= explained_.transpose() * explained_.middleCols(first, count);
   return result;
+}
+
+Eigen::MatrixXd ScoreTests::informationWith(std::size_t group, Eigen::Index count) const {
+  const ScoreProblem& problem = alone_.problem();
+  PoseResiduals moved;
+  for (std::size_t pose = 0; pose < problem.poses->size(); ++pose) {
+    moved.push_back(byColumns(group, count, pose));
+  }
+  return -projectedScores(moved, explained_.middleCols(problem.groups[group].first, count));
 }
 
 double ScoreTests::movedPx(std::size_t group, const Eigen::VectorXd& coefficients) const {
   const ScoreProblem& problem = alone_.problem();
-  const Eigen::Index first = problem.groups[group].first, count = coefficients.size();
-  const bool curve = first >= problem.candidates;                                     // of the map
-  Eigen::VectorXd change = Eigen::VectorXd::Zero(problem.own() + problem.candidates); // of all unknowns
-  change.head(problem.own()) = -alone_.factor().matrixU().solve(explained_.middleCols(first, count) * coefficients);
-  if (!curve) {
-    change.segment(problem.own() + first, count) = coefficients;
-  }
+  const Eigen::Index count = coefficients.size();
+  const Eigen::VectorXd own =
+      -alone_.factor().matrixU().solve(explained_.middleCols(problem.groups[group].first, count) * coefficients);
   double squares = 0, numbers = 0;
-  for (std::size_t pose = 0; pose < problem.linear->poses.size(); ++pose) {
-    const PoseSystem& system = problem.linear->poses[pose];
-    const Eigen::VectorXd moves = change(system.unknowns);
-    numbers += system.numbers;
-    squares += moves.dot(system.unknownGram * moves);
-    for (const DriverColumns::Block& block : problem.map->blocks[pose]) {
-      const Eigen::Index column = first - problem.candidates - block.firstColumn;
-      if (curve && column >= 0 && column < block.values.cols()) {
-        const Eigen::VectorXd bend = block.values.middleCols(column, count) * coefficients;
-        const auto rows = Eigen::seqN(block.firstDeflection, bend.size());
-        squares +=
-            2 * moves.dot(system.cross(Eigen::all, rows) * bend) + bend.dot(system.deflectionGram(rows, rows) * bend);
-      }
-    }
+  for (std::size_t pose = 0; pose < problem.poses->size(); ++pose) {
+    const PoseRows& rows = (*problem.poses)[pose];
+    numbers += rows.numbers;
+    squares += (rows.byUnknowns.leftCols(problem.ownOf(rows)) * own(problem.ownUnknownsOf(rows)) +
+                byColumns(group, count, pose) * coefficients)
+                   .squaredNorm();
   }
-  return std::sqrt(2 * std::max(0.0, squares) / std::max(1.0, numbers));
+  return std::sqrt(2 * squares / std::max(1.0, numbers));
 }
 
-Eigen::MatrixXd ScoreTests::falls(const PoseScores& scores, const Eigen::MatrixXd& own) const {
+Eigen::MatrixXd ScoreTests::falls(const PoseResiduals& residuals, const Eigen::MatrixXd& own) const {
   const std::vector<ColumnGroup>& groups = alone_.problem().groups;
-  const Eigen::MatrixXd all = projectedScores(scores, own);
+  const Eigen::MatrixXd all = projectedScores(residuals, own);
   Eigen::MatrixXd result(at(groups.size()), all.cols());
   for (std::size_t i = 0; i < groups.size(); ++i) {
     result.row(at(i)) = (whitening_[i] * all.middleRows(groups[i].first, groups[i].count)).colwise().squaredNorm();
@@ -218,8 +186,9 @@ Eigen::MatrixXd ScoreTests::falls(const PoseScores& scores, const Eigen::MatrixX
   return result;
 }
 
-std::vector<ScoreTests::GroupScore> ScoreTests::groups(const PoseScores& scores, const Eigen::MatrixXd& own) const {
-  const Eigen::VectorXd all = projectedScores(scores, own).col(0);
+std::vector<ScoreTests::GroupScore> ScoreTests::groups(const PoseResiduals& residuals,
+                                                       const Eigen::MatrixXd& own) const {
+  const Eigen::VectorXd all = projectedScores(residuals, own).col(0);
   std::vector<GroupScore> result;
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     const ColumnGroup& group = alone_.problem().groups[i];

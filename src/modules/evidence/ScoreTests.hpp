@@ -15,19 +15,19 @@ public:
   /// `alone` must outlive the tests.
   explicit ScoreTests(const ModelAlone& alone);
 
-  /// How far each group (row) lowers chi2 of each set of scores (column); `own`: the model's own part of those scores,
-  /// as in `ModelAlone::Outcome`.
-  Eigen::MatrixXd falls(const PoseScores& scores, const Eigen::MatrixXd& own) const;
+  /// How far each group (row) lowers chi2 of each set of residuals (column); `own`: the model's own part of their
+  /// scores, as in `ModelAlone::Outcome`.
+  Eigen::MatrixXd falls(const PoseResiduals& residuals, const Eigen::MatrixXd& own) const;
 
   /// A group's projected score and information, in the candidates' own units.
   struct GroupScore {
     Eigen::VectorXd score; // of a better fit: the estimate is information^-1 * score
     Eigen::MatrixXd information;
   };
-  std::vector<GroupScore> groups(const PoseScores& scores, const Eigen::MatrixXd& own) const;
+  std::vector<GroupScore> groups(const PoseResiduals& residuals, const Eigen::MatrixXd& own) const;
 
   /// Scores of all columns, downhill, projected: one row per column, as `ScoreProblem::groups` counts them.
-  Eigen::MatrixXd projectedScores(const PoseScores& scores, const Eigen::MatrixXd& own) const;
+  Eigen::MatrixXd projectedScores(const PoseResiduals& residuals, const Eigen::MatrixXd& own) const;
   /// Projected information of all columns (rows) with the first `count` ones of a group's.
   Eigen::MatrixXd informationWith(std::size_t group, Eigen::Index count) const;
   /// How far a group's coefficients move predicted corners, the own unknowns refitted and joints as they were read:
@@ -53,11 +53,12 @@ private:
     Eigen::MatrixXd candidates;         // candidates x candidates
     std::vector<Eigen::MatrixXd> cells; // per cell of the map
   };
-  void addPose(std::size_t pose, Columns& columns);
+  void addCurves(std::size_t pose, Columns& columns);
   void project(const Columns& columns);
+  Eigen::MatrixXd byColumns(std::size_t group, Eigen::Index count, std::size_t pose) const;
 
   const ModelAlone& alone_;
-  std::vector<Eigen::MatrixXd> deflections_; // per pose: H J_t^T J_t (`ModelAlone::Whitener`)
+  std::vector<Eigen::MatrixXd> deflections_; // per pose: B J_t / pixel (`ModelAlone::Whitener`)
   Eigen::MatrixXd explained_;                // L^-1 cross: own unknowns x columns
   Eigen::MatrixXd information_;              // projected, of the candidates
   std::vector<Eigen::MatrixXd> blocks_;      // projected, per group

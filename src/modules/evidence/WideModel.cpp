@@ -27,17 +27,16 @@ Eigen::VectorXd priorsOf(const Model& model, const Eigen::VectorXd& unknowns) {
   return sigmas;
 }
 
-/// The sums of a model at its fit; unknowns beyond the state's are zero.
-Residuals::Linear linearisedAt(const Measurements& measurements, const Model& model, const FittedPoint& point) {
+/// The rows of a model at its fit; unknowns beyond the state's are zero.
+std::vector<PoseRows> rowsAt(const Measurements& measurements, const Model& model, const FittedPoint& point) {
   const Residuals residuals{measurements, model, point.noise, point.loss};
   Residuals::State state = point.state;
   state.unknowns.conservativeResizeLike(Eigen::VectorXd::Zero(at(model.unknownCount())));
-  auto linear = residuals.linearised(state);
-  if (!linear) {
+  auto rows = residuals.rows(state);
+  if (!rows) {
     throw InputError{"the fit puts a corner that was seen behind the camera: these captures do not belong together"};
   }
-  linear->eliminated.clear(); // every level of noise makes its own
-  return *std::move(linear);
+  return *std::move(rows);
 }
 
 } // namespace
@@ -53,8 +52,9 @@ WideModel::WideModel(const Measurements& measurements, const Model& model, std::
     mounts_ = mountCurves(measurements, drivers);
   }
   Model extended = model;
+  std::vector<ColumnGroup> groups;
   const auto extend = [&](const Term& term) {
-    problem_.groups.push_back({at(extended.unknownCount()) - own, at(term.effect.unknowns.size())});
+    groups.push_back({at(extended.unknownCount()) - own, at(term.effect.unknowns.size())});
     extended.add(term);
   };
   for (const Term& candidate : candidates_) {
@@ -62,21 +62,18 @@ WideModel::WideModel(const Measurements& measurements, const Model& model, std::
   }
   for (const MountCurve& mount : mounts_) {
     extend(mount.term);
-    problem_.groups.back().part = 3;
+    groups.back().part = 3;
   }
   const Eigen::Index columns = at(extended.unknownCount()) - own;
-  linear_ = linearisedAt(measurements, extended, point);
-  map_ = driverColumns(measurements, std::move(drivers), linear_.poses);
+  poses_ = rowsAt(measurements, extended, point);
+  map_ = driverColumns(measurements, std::move(drivers), poses_);
   for (const DriverCell& cell : map_.cells) {
     const bool nested = cell.shape == DriverCell::Shape::smooth;
-    problem_.groups.push_back({columns + cell.first, cell.count, nested ? 1 : 0, cell.choices});
+    groups.push_back({columns + cell.first, cell.count, nested ? 1 : 0, cell.choices});
   }
-  problem_.linear = &linear_;
-  problem_.map = &map_;
-  problem_.unknowns = unknowns;
-  problem_.sigmas = priorsOf(model, unknowns);
+  problem_ = {poses_, map_, unknowns, priorsOf(model, unknowns), columns};
+  problem_.groups = std::move(groups);
   problem_.named = candidates_.size();
-  problem_.candidates = columns;
   problem_.plausible.resize(columns + map_.count);
   problem_.plausible << extended.sigmas().tail(columns), Eigen::VectorXd::Constant(map_.count, plausibleCurve);
   sizes_ = Eigen::VectorXd::Zero(columns + map_.count);

@@ -28,7 +28,7 @@ public:
             const FittedPoint& point, bool curves);
 
   const std::vector<Term>& candidates() const { return candidates_; }
-  const Residuals::Linear& linear() const { return linear_; }
+  const std::vector<PoseRows>& poses() const { return poses_; }
   const std::vector<MountCurve>& mounts() const { return mounts_; }
   const DriverColumns& map() const { return map_; }
   const ScoreProblem& problem() const { return problem_; }
@@ -40,7 +40,7 @@ private:
   const Measurements& measurements_;
   std::vector<Term> candidates_;
   std::vector<MountCurve> mounts_;
-  Residuals::Linear linear_;
+  std::vector<PoseRows> poses_;
   DriverColumns map_;
   ScoreProblem problem_;
   Eigen::VectorXd sizes_;

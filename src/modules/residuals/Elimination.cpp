@@ -4,7 +4,7 @@
 
 namespace naocal {
 
-DeflectionRoot deflectionRoot(const PoseSystem& pose, const Noise& noise) {
+DeflectionRoot deflectionRoot(const PosePart& pose, const Noise& noise) {
   const auto count = static_cast<Eigen::Index>(pose.joints.size());
   DeflectionRoot root(count, count);
   root.reserve(count);
@@ -39,6 +39,16 @@ DeflectionRoot deflectionRoot(const PoseSystem& pose, const Noise& noise) {
   }
   root.finalize();
   return root;
+}
+
+PoseSystem systemOf(const PoseRows& rows) {
+  const Eigen::MatrixXd byUnknowns = rows.byUnknowns.transpose(), byDeflections = rows.byDeflections.transpose();
+  return {rows,
+          byUnknowns * rows.byUnknowns,
+          byUnknowns * rows.byDeflections,
+          byDeflections * rows.byDeflections,
+          byUnknowns * rows.residual,
+          byDeflections * rows.residual};
 }
 
 Eliminated eliminated(const PoseSystem& pose, const Noise& noise, const DeflectionRoot& root) {

@@ -9,7 +9,7 @@ namespace naocal {
 /// The other sole's height over the floor and its tilt are zero but for `FloorContact`; in units of pixels, as all sums
 /// are.
 void Residuals::addFloorContact(const Picture& picture, const PreparedPicture& prepared, Workspace& work,
-                                PoseSystem& system) const {
+                                PosePart& part) const {
   const View& sole = *picture.otherSole;
   const Attitude attitude = sole.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
   const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
@@ -21,19 +21,18 @@ void Residuals::addFloorContact(const Picture& picture, const PreparedPicture& p
   work.motion.resize(6, at(prepared.floor.quantities.size()));
   sole.motion(measurements_.robot, attitude, work.belief, work.torsoFromLink, prepared.floor.quantities, {},
               work.motion);
-  work.sums.add(byMotion.transpose() * byMotion, byMotion.transpose() * residual, work.motion, prepared.floor,
-                work.slopes);
+  work.add(byMotion.transpose() * byMotion, byMotion.transpose() * residual, work.motion, prepared.floor);
   work.cost += residual.squaredNorm() / (noise_.pixel * noise_.pixel);
-  system.squares += residual.squaredNorm();
-  system.numbers += 3;
-  system.freedom += 3;
+  part.squares += residual.squaredNorm();
+  part.numbers += 3;
+  part.freedom += 3;
 }
 
 /// The floor's normal in the torso is what the inertial unit says, but for `ImuReading`:
 ///   n_imu = (Ry(angleY) Rx(angleX) Ry(pitch) Rx(roll))^T z, roll and pitch the unit's tilt
 /// Its two level components count; d(n) = omega x n.
 void Residuals::addImuReading(const Picture& picture, const PreparedPicture& prepared, Workspace& work,
-                              PoseSystem& system) const {
+                              PosePart& part) const {
   const View& torso = *prepared.torso;
   const Quantities& quantities = measurements_.quantities;
   const Attitude attitude = torso.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
@@ -58,12 +57,11 @@ void Residuals::addImuReading(const Picture& picture, const PreparedPicture& pre
       work.motion(at(6 + k), at(i)) = prepared.imu.quantities[i] == quantities.imuTilt() + k ? 1 : 0;
     }
   }
-  work.sums.add(byMotion.transpose() * byMotion, byMotion.transpose() * residual, work.motion, prepared.imu,
-                work.slopes);
+  work.add(byMotion.transpose() * byMotion, byMotion.transpose() * residual, work.motion, prepared.imu);
   work.cost += residual.squaredNorm() / (noise_.pixel * noise_.pixel);
-  system.squares += residual.squaredNorm();
-  system.numbers += 2;
-  system.freedom += 2;
+  part.squares += residual.squaredNorm();
+  part.numbers += 2;
+  part.freedom += 2;
 }
 
 } // namespace naocal

@@ -29,26 +29,26 @@ std::optional<View> torsoOverFloor(const Measurements& measurements, const Model
 
 Residuals::Residuals(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss)
     : measurements_{measurements}, model_{model}, noise_{noise}, loss_{loss}, sigmas_{model.sigmas()},
-      free_(model.unknownCount(), true), prepared_(measurements.pictures.size()), empty_(measurements.poses.size()),
+      free_(model.unknownCount(), true), prepared_(measurements.pictures.size()), columns_(measurements.poses.size()),
       roots_(measurements.poses.size()) {
   inParallel(prepared_.size(), [&](std::size_t i) {
     prepared_[i].slopes = PictureSlopes{measurements, model, measurements.pictures[i]};
     prepared_[i].torso = torsoOverFloor(measurements, model, measurements.pictures[i]);
   });
-  inParallel(empty_.size(), [&](std::size_t pose) {
-    empty_[pose] = emptySystem(measurements.poses[pose]);
-    roots_[pose] = deflectionRoot(empty_[pose], noise_);
+  inParallel(columns_.size(), [&](std::size_t pose) {
+    columns_[pose] = columnsOf(measurements.poses[pose]);
+    roots_[pose] = deflectionRoot(columns_[pose], noise_);
     for (const Reading& reading : measurements.poses[pose].readings) {
       for (std::size_t index : reading.pictures) {
-        prepare(measurements, measurements.pictures[index], empty_[pose].unknowns, prepared_[index]);
+        prepare(measurements, measurements.pictures[index], columns_[pose].unknowns, prepared_[index]);
       }
     }
   });
 }
 
 /// The unknowns that a pose depends on, and a deflection per joint on its paths and encoder error.
-PoseSystem Residuals::emptySystem(const PoseGroup& pose) {
-  PoseSystem system;
+PosePart Residuals::columnsOf(const PoseGroup& pose) {
+  PosePart part;
   std::vector<bool> moves(model_.unknownCount(), false);
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> deflections; // of motor and encoder error
   const bool latent = noise_.encoder > 0 || noise_.pose > 0 || noise_.stance > 0 || noise_.reapproach > 0;
@@ -67,11 +67,11 @@ PoseSystem Residuals::emptySystem(const PoseGroup& pose) {
     }
   }
   for (auto& [joint, number] : deflections) {
-    number = system.joints.size();
-    system.joints.push_back(joint.first);
-    system.errors.push_back(joint.second);
-    system.errorScales.push_back(pose.encoderErrors[joint.second].scale);
-    system.stances.push_back(pose.encoderErrors[joint.second].stance);
+    number = part.joints.size();
+    part.joints.push_back(joint.first);
+    part.errors.push_back(joint.second);
+    part.errorScales.push_back(pose.encoderErrors[joint.second].scale);
+    part.stances.push_back(pose.encoderErrors[joint.second].stance);
   }
   for (const Reading& reading : pose.readings) {
     for (std::size_t index : reading.pictures) {
@@ -83,10 +83,10 @@ PoseSystem Residuals::emptySystem(const PoseGroup& pose) {
   }
   for (std::size_t unknown = 0; unknown < moves.size(); ++unknown) {
     if (moves[unknown]) {
-      system.unknowns.push_back(unknown);
+      part.unknowns.push_back(unknown);
     }
   }
-  return system;
+  return part;
 }
 
 } // namespace naocal

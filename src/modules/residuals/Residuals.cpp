@@ -50,16 +50,16 @@ void Residuals::believe(const Picture& picture, const PreparedPicture& prepared,
 
 /// Adds the sums over a picture's corners to those of its pose. False: a corner is nowhere.
 bool Residuals::addPicture(const Picture& picture, const PreparedPicture& prepared, Workspace& work,
-                           PoseSystem& system) const {
+                           PosePart& part) const {
   posture(measurements_.robot, work.belief, prepared.links, work.torsoFromLink);
   if (picture.otherSole) {
-    addFloorContact(picture, prepared, work, system);
+    addFloorContact(picture, prepared, work, part);
   }
   if (prepared.torso) {
-    addImuReading(picture, prepared, work, system);
+    addImuReading(picture, prepared, work, part);
   }
   return std::all_of(prepared.groups.begin(), prepared.groups.end(),
-                     [&](const PreparedPicture::Group& group) { return addGroup(picture, group, work, system); });
+                     [&](const PreparedPicture::Group& group) { return addGroup(picture, group, work, part); });
 }
 
 /// Adds the corners of a sighting to the workspace's sums over corners. False: one of them is nowhere.
@@ -82,7 +82,7 @@ bool Residuals::addCorners(const Sighting& sighting, const std::vector<std::size
 }
 
 bool Residuals::addGroup(const Picture& picture, const PreparedPicture::Group& group, Workspace& work,
-                         PoseSystem& system) const {
+                         PosePart& part) const {
   const View& path = picture.sightings[group.sightings.front()].view;
   Attitude attitude = path.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
   if (std::find(group.extras.begin(), group.extras.end(), rowTimeExtra) != group.extras.end()) {
@@ -97,17 +97,17 @@ bool Residuals::addGroup(const Picture& picture, const PreparedPicture::Group& g
   work.motion.resize(at(6 + group.extras.size()), at(group.quantities.size()));
   path.motion(measurements_.robot, attitude, work.belief, work.torsoFromLink, group.quantities, group.extras,
               work.motion);
-  work.sums.add(work.corners.gram(), work.corners.gradient(), work.motion, group, work.slopes);
+  work.add(work.corners.gram(), work.corners.gradient(), work.motion, group);
   work.cost += work.corners.cost();
-  system.squares += work.corners.squares();
-  system.numbers += 2 * work.corners.corners();
-  system.freedom += 2 * work.corners.freedom();
+  part.squares += work.corners.squares();
+  part.numbers += 2 * work.corners.corners();
+  part.freedom += 2 * work.corners.freedom();
   return true;
 }
 
 Residuals::State Residuals::start(const Eigen::VectorXd& unknowns) const {
   State state{unknowns, {}};
-  for (const PoseSystem& pose : empty_) {
+  for (const PosePart& pose : columns_) {
     state.deflections.push_back(Eigen::VectorXd::Zero(at(pose.joints.size())));
   }
   return state;
@@ -118,36 +118,67 @@ std::optional<Residuals::Linear> Residuals::linearised(const State& state) const
   return linearise(state, *result) ? std::move(result) : std::nullopt;
 }
 
-/// A pose's sums, its deflections eliminated. False: one of its corners is nowhere.
-bool Residuals::lineariseAt(std::size_t pose, const State& state, Linear& result) const {
-  Workspace& work = Workspace::ofThisThread(measurements_);
-  PoseSystem& system = result.poses[pose];
-  system.squares = system.numbers = system.freedom = 0;
-  const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
-  work.sums.clear(at(system.unknowns.size() + system.joints.size()));
+/// Adds all of a pose's pictures to the workspace's sums. False: a corner is nowhere.
+bool Residuals::addPose(std::size_t pose, const State& state, const Eigen::VectorXd& deflections, Workspace& work,
+                        PosePart& part) const {
+  part.squares = part.numbers = part.freedom = 0;
   for (const Reading& reading : measurements_.poses[pose].readings) {
     for (std::size_t index : reading.pictures) {
       const Picture& picture = measurements_.pictures[index];
       const PreparedPicture& ready = prepared_[index];
       believe(picture, ready, state.unknowns, deflections, work);
-      if (!addPicture(picture, ready, work, system)) {
+      if (!addPicture(picture, ready, work, part)) {
         return false;
       }
     }
   }
-  system.loss = work.cost;
+  part.loss = work.cost;
+  return true;
+}
+
+/// A pose's sums, its deflections eliminated. False: one of its corners is nowhere.
+bool Residuals::lineariseAt(std::size_t pose, const State& state, Linear& result) const {
+  Workspace& work = Workspace::ofThisThread(measurements_);
+  PoseSystem& system = result.poses[pose];
+  const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
+  work.sums.clear(at(system.unknowns.size() + system.joints.size()));
+  work.wantsRows = false;
+  if (!addPose(pose, state, deflections, work, system)) {
+    return false;
+  }
   takeSums(work.sums, deflections, system);
   eliminate(system, noise_, roots_[pose], result.eliminated[pose]);
   return true;
 }
 
+std::optional<std::vector<PoseRows>> Residuals::rows(const State& state) const {
+  std::vector<PoseRows> result(columns_.size());
+  std::atomic<bool> possible = true;
+  inParallel(columns_.size(), [&](std::size_t pose) {
+    Workspace& work = Workspace::ofThisThread(measurements_);
+    PoseRows& rows = result[pose];
+    static_cast<PosePart&>(rows) = columns_[pose];
+    const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
+    work.rows.clear(at(rows.unknowns.size() + rows.joints.size()));
+    work.wantsRows = true;
+    if (!possible || !addPose(pose, state, deflections, work, rows)) {
+      possible = false;
+      return;
+    }
+    work.rows.take(deflections, rows);
+  });
+  return possible ? std::optional{std::move(result)} : std::nullopt;
+}
+
 bool Residuals::linearise(const State& state, Linear& result) const {
   if (result.poses.empty()) {
-    result.poses = empty_;
-    result.eliminated.resize(empty_.size());
+    for (const PosePart& columns : columns_) {
+      result.poses.push_back({columns, {}, {}, {}, {}, {}});
+    }
+    result.eliminated.resize(columns_.size());
   }
   std::atomic<bool> possible = true;
-  inParallel(empty_.size(), [&](std::size_t pose) {
+  inParallel(columns_.size(), [&](std::size_t pose) {
     if (possible && !lineariseAt(pose, state, result)) {
       possible = false;
     }
@@ -159,7 +190,7 @@ bool Residuals::linearise(const State& state, Linear& result) const {
   result.cost = 0.5 * inPrior.squaredNorm();
   result.gradient = inPrior.cwiseQuotient(sigmas_);
   result.hessian = sigmas_.cwiseAbs2().cwiseInverse().asDiagonal();
-  for (std::size_t pose = 0; pose < empty_.size(); ++pose) {
+  for (std::size_t pose = 0; pose < columns_.size(); ++pose) {
     const PoseSystem& system = result.poses[pose];
     const Eliminated& part = result.eliminated[pose];
     result.cost += 0.5 * (system.loss + state.deflections[pose].squaredNorm());
@@ -179,15 +210,15 @@ bool Residuals::linearise(const State& state, Linear& result) const {
 
 Residuals::State Residuals::moved(const State& state, const Linear& linear, const Eigen::VectorXd& step) const {
   State result{state.unknowns + step, {}};
-  for (std::size_t pose = 0; pose < empty_.size(); ++pose) {
-    if (empty_[pose].joints.empty()) {
+  for (std::size_t pose = 0; pose < columns_.size(); ++pose) {
+    if (columns_[pose].joints.empty()) {
       result.deflections.emplace_back();
       continue;
     }
     const Eliminated& part = linear.eliminated[pose];
     Eigen::VectorXd& deflections = result.deflections.emplace_back(-part.half.rightCols<1>());
-    for (std::size_t i = 0; i < empty_[pose].unknowns.size(); ++i) {
-      deflections -= step[at(empty_[pose].unknowns[i])] * part.half.col(at(i));
+    for (std::size_t i = 0; i < columns_[pose].unknowns.size(); ++i) {
+      deflections -= step[at(columns_[pose].unknowns[i])] * part.half.col(at(i));
     }
     part.inner.matrixU().solveInPlace(deflections);
   }

@@ -3,41 +3,15 @@
 #include "residuals/Measurements.hpp"
 #include "residuals/Model.hpp"
 #include "residuals/Noise.hpp"
+#include "residuals/PoseSystem.hpp"
 #include "residuals/PreparedPicture.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 #include <optional>
 #include <vector>
 
 namespace naocal {
-
-/// One pose's part of the normal equations, in pixels and radians and before any noise level is applied.
-///
-/// Columns: the unknowns that the pose depends on, and the deflections t of its joints (encoder errors and whatever
-/// else moves the true angle away from the reading: one per joint and distinct encoder error), linearised at t = 0.
-struct PoseSystem {
-  std::vector<std::size_t> unknowns;  // which ones, ascending
-  std::vector<std::size_t> joints;    // per deflection: its joint; deflections of one joint stand together
-  std::vector<std::size_t> errors;    // per deflection: which of its pose's encoder errors it has
-  std::vector<double> errorScales;    // per deflection: its encoder error's size against the noise level
-  std::vector<std::size_t> stances;   // per deflection: where the robot stood
-  Eigen::MatrixXd unknownGram;        // sum of w J_x^T J_x      [px^2 / unknown^2]
-  Eigen::MatrixXd cross;              // sum of w J_x^T J_t
-  Eigen::MatrixXd deflectionGram;     // sum of w J_t^T J_t      [px^2 / rad^2]
-  Eigen::VectorXd unknownGradient;    // sum of w J_x^T r
-  Eigen::VectorXd deflectionGradient; // sum of w J_t^T r
-  double squares = 0;                 // sum of w r^2, w the loss's weight times `cornerShare`  [px^2]
-  double loss = 0;                    // sum of rho, and of what else the pose's pictures cost
-  double numbers = 0; // that count: two shares per corner with a weight above zero, three per sole on the floor
-  double freedom = 0; // mean of squares / pixel^2 were there nothing but pixel noise
-};
-
-/// t = root * z with z of unit covariance: root root^T = encoder^2 diag(scales^2) + reapproach^2 1 + pose^2 1 1^T
-/// within a joint, and + stance^2 1 1^T within a joint and stance.
-using DeflectionRoot = Eigen::SparseMatrix<double>;
-DeflectionRoot deflectionRoot(const PoseSystem& pose, const Noise& noise);
 
 /// A pose's deflections integrated out: Sigma = pixel^2 I + J_t S J_t^T by Woodbury on the deflections.
 struct Eliminated {
@@ -95,6 +69,8 @@ public:
   /// The same into `result`, which is empty or was filled by this function before: its memory is used again. Poses
   /// side by side on all cores, summed in their order.
   bool linearise(const State& state, Linear& result) const;
+  /// The same as rows, for a model with many unknowns. Absent: the state is impossible.
+  std::optional<std::vector<PoseRows>> rows(const State& state) const;
   State moved(const State& state, const Linear& linear, const Eigen::VectorXd& step) const;
   const Eigen::VectorXd& scales() const { return sigmas_; }
 
@@ -113,17 +89,17 @@ public:
 private:
   struct Workspace;
   bool lineariseAt(std::size_t pose, const State& state, Linear& result) const;
-  PoseSystem emptySystem(const PoseGroup& pose);
+  bool addPose(std::size_t pose, const State& state, const Eigen::VectorXd& deflections, Workspace& work,
+               PosePart& part) const;
+  PosePart columnsOf(const PoseGroup& pose);
   void believe(const Picture& picture, const PreparedPicture& prepared, const Eigen::VectorXd& unknowns,
                const Eigen::VectorXd& deflections, Workspace& work) const;
-  bool addPicture(const Picture& picture, const PreparedPicture& prepared, Workspace& work, PoseSystem& system) const;
-  void addFloorContact(const Picture& picture, const PreparedPicture& prepared, Workspace& work,
-                       PoseSystem& system) const;
+  bool addPicture(const Picture& picture, const PreparedPicture& prepared, Workspace& work, PosePart& part) const;
+  void addFloorContact(const Picture& picture, const PreparedPicture& prepared, Workspace& work, PosePart& part) const;
   bool addCorners(const Sighting& sighting, const std::vector<std::size_t>& extras, Attitude& attitude,
                   Workspace& work) const;
-  void addImuReading(const Picture& picture, const PreparedPicture& prepared, Workspace& work,
-                     PoseSystem& system) const;
-  bool addGroup(const Picture& picture, const PreparedPicture::Group& group, Workspace& work, PoseSystem& system) const;
+  void addImuReading(const Picture& picture, const PreparedPicture& prepared, Workspace& work, PosePart& part) const;
+  bool addGroup(const Picture& picture, const PreparedPicture::Group& group, Workspace& work, PosePart& part) const;
   SightingResidual sightingResidual(std::size_t picture, std::size_t index, Workspace& work) const;
   bool addMotion(const Sighting& sighting, const PreparedPicture::Group& group, Workspace& work,
                  SightingMotion& motion) const;
@@ -135,7 +111,7 @@ private:
   Eigen::VectorXd sigmas_;
   std::vector<bool> free_;
   std::vector<PreparedPicture> prepared_; // per picture
-  std::vector<PoseSystem> empty_;         // per pose: its columns, no sums
+  std::vector<PosePart> columns_;         // per pose: nothing summed up
   std::vector<DeflectionRoot> roots_;     // per pose
 };
 

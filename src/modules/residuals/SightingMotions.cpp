@@ -8,9 +8,9 @@ namespace naocal {
 std::optional<std::vector<SightingMotion>> Residuals::sightingMotions(const State& state) const {
   std::vector<SightingMotion> result;
   Workspace& work = Workspace::ofThisThread(measurements_);
-  for (std::size_t pose = 0; pose < empty_.size(); ++pose) {
+  for (std::size_t pose = 0; pose < columns_.size(); ++pose) {
     const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
-    const Eigen::Index columns = at(empty_[pose].unknowns.size() + empty_[pose].joints.size());
+    const Eigen::Index columns = at(columns_[pose].unknowns.size() + columns_[pose].joints.size());
     for (const Reading& reading : measurements_.poses[pose].readings) {
       for (std::size_t index : reading.pictures) {
         const Picture& picture = measurements_.pictures[index];

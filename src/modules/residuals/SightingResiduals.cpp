@@ -8,7 +8,7 @@ namespace naocal {
 std::vector<SightingResidual> Residuals::sightings(const State& state) const {
   std::vector<SightingResidual> result;
   Workspace& work = Workspace::ofThisThread(measurements_);
-  for (std::size_t pose = 0; pose < empty_.size(); ++pose) {
+  for (std::size_t pose = 0; pose < columns_.size(); ++pose) {
     const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
     for (const Reading& reading : measurements_.poses[pose].readings) {
       for (std::size_t index : reading.pictures) {

@@ -3,6 +3,7 @@
 #include "residuals/NormalEquations.hpp"
 #include "residuals/PictureGram.hpp"
 #include "residuals/Residuals.hpp"
+#include "residuals/RowEquations.hpp"
 
 #include <utility>
 
@@ -43,6 +44,16 @@ struct Residuals::Workspace {
     driven.instant = std::move(instant);
   }
 
+  /// Adds a group's sums to those of its pose.
+  void add(const PictureGram::Square& gram, const PictureGram::Column& gradient, const Eigen::MatrixXd& by,
+           const PreparedPicture::Group& group) {
+    if (wantsRows) {
+      rows.add(gram, gradient, by, group, slopes);
+    } else {
+      sums.add(gram, gradient, by, group, slopes);
+    }
+  }
+
   struct PlacedBoard {
     Eigen::Matrix<double, 6, 1> placement = Eigen::Matrix<double, 6, 1>::Zero();
     RigidTransform linkFromBoard;
@@ -54,8 +65,10 @@ struct Residuals::Workspace {
   std::vector<ExtraRow> extraRows;
   PictureGram corners;
   Eigen::MatrixXd motion;
-  NormalEquations sums; // of a pose
-  double cost = 0;      // sum of rho
+  NormalEquations sums; // of a pose,
+  RowEquations rows;    // or these
+  bool wantsRows = false;
+  double cost = 0; // sum of rho
   Driven driven;
   const Picture* drivenPicture = nullptr; // the one that `driven` is of
   PictureSlopes::Scratch scratch;
