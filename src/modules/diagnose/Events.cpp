@@ -147,20 +147,44 @@ std::vector<Event> movesAt(std::size_t most, const std::vector<CaptureSet>& sets
   return result;
 }
 
+/// Pictures in which something was seen; of more than `most` those with the largest errors.
+std::vector<std::size_t> worstPictures(std::size_t most, const Measurements& measurements,
+                                       const CalibrationResult& fit) {
+  std::vector<double> squares(measurements.pictures.size(), 0), corners = squares;
+  for (const SightingResidual& sighting : fit.asReported) {
+    squares[sighting.picture] += sighting.residual.squaredNorm();
+    corners[sighting.picture] += static_cast<double>(sighting.residual.cols());
+  }
+  std::vector<std::size_t> result;
+  for (std::size_t picture = 0; picture < corners.size(); ++picture) {
+    if (corners[picture] > 0) {
+      result.push_back(picture);
+    }
+  }
+  if (result.size() > most) {
+    const auto worse = [&](std::size_t a, std::size_t b) { return squares[a] * corners[b] > squares[b] * corners[a]; };
+    std::nth_element(result.begin(), result.begin() + static_cast<std::ptrdiff_t>(most), result.end(), worse);
+    result.resize(most);
+    std::sort(result.begin(), result.end());
+  }
+  return result;
+}
+
 } // namespace
 
-std::vector<Event> possibleEvents(const std::vector<CaptureSet>& sets, const Measurements& measurements) {
+std::vector<Event> possibleEvents(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                  const CalibrationResult& fit) {
   constexpr std::size_t most = 16; // per board, stance or camera
+  constexpr std::size_t mostPictures = 128;
   std::vector<Event> result = movesAt(most, sets, measurements);
-  for (const Picture& picture : measurements.pictures) {
-    if (!picture.sightings.empty()) {
-      const int id = sets[picture.set].captures[picture.capture].id;
-      const std::string name = fmt::format("capture {}{}", id, inSet(picture.set, sets));
-      result.push_back({{bad({picture.set, picture.instant.time.count()}), picture.camera, name},
-                        {},
-                        {id},
-                        name + " does not belong to the rest: another picture, or other angles"});
-    }
+  for (const std::size_t index : worstPictures(mostPictures, measurements, fit)) {
+    const Picture& picture = measurements.pictures[index];
+    const int id = sets[picture.set].captures[picture.capture].id;
+    const std::string name = fmt::format("capture {}{}", id, inSet(picture.set, sets));
+    result.push_back({{bad({picture.set, picture.instant.time.count()}), picture.camera, name},
+                      {},
+                      {id},
+                      name + " does not belong to the rest: another picture, or other angles"});
   }
   return result;
 }
@@ -186,7 +210,8 @@ std::optional<LikelyEvent> likeliestEvent(const std::vector<Event>& events, cons
   const std::vector<Noise> levels = levelsBelow(inquiry.noise());
   const std::vector<double> likely = bestAtAny(tried.problem(), levels), effects = bestAtAny(inquiry.problem(), levels);
   const auto best = static_cast<std::size_t>(std::max_element(likely.begin(), likely.end()) - likely.begin());
-  const double chance = 10 + 2 * std::log(static_cast<double>(events.size()));
+  const std::size_t possible = std::max(events.size(), measurements.pictures.size()); // also what is not worth a look
+  const double chance = 10 + 2 * std::log(static_cast<double>(possible));
   const double most = effects.empty() ? 0 : std::max(0.0, *std::max_element(effects.begin(), effects.end()));
   constexpr double notable = 0.1; // [px]: a tenth of a millimetre at arm's length; less is a detector's own bias
   const GroupEvidence& found = tried.ofCandidate(best);

@@ -22,8 +22,10 @@ struct Event {
   std::string sentence;      // "board B was moved after 12.3 s"
 };
 
-/// Boards and robot may have moved between any two captures, at some sixteen moments each; any capture may be bad.
-std::vector<Event> possibleEvents(const std::vector<CaptureSet>& sets, const Measurements& measurements);
+/// Boards and robot may have moved between any two captures, at some sixteen moments each; any capture may be bad, of
+/// very many the 128 with the largest errors.
+std::vector<Event> possibleEvents(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                  const CalibrationResult& fit);
 
 /// The same thing at all moments between two captures, where they are many at 128 of them.
 std::vector<Event> atAnyTime(const Event& event, const std::vector<CaptureSet>& sets, const Measurements& measurements);

@@ -111,7 +111,7 @@ std::vector<Suspicion> suspicions(const std::vector<CaptureSet>& sets, const Mea
 
 std::vector<Suspicion> accidents(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                                  const Model& model, const CalibrationResult& fit, const Inquiry& inquiry) {
-  std::vector<Event> events = possibleEvents(sets, measurements);
+  std::vector<Event> events = possibleEvents(sets, measurements, fit);
   const std::vector<Event> angles = wrongAngles(sets, measurements, fit);
   events.insert(events.end(), angles.begin(), angles.end());
   auto likeliest = events.empty() ? std::nullopt : likeliestEvent(events, measurements, model, fit, inquiry);
