@@ -314,4 +314,21 @@ TEST_CASE("a diagnosis file has every key that others rely on") {
   }
 }
 
+TEST_CASE("a diagnosis file holds no more points of a figure than are asked for, and says of how many") {
+  // Proves that the file of a large set stays small, that the points kept are some of all, and that all can be had.
+  const Diagnosis diagnosis = diagnosed(simulatedSet(8, 9));
+  const nlohmann::json all = diagnosisJson(diagnosis, allOfThem), few = diagnosisJson(diagnosis, 3);
+  const auto whatIfs = [](const nlohmann::json& file) { return file.at("left").at("asGiven").at("whatIf").at(0); };
+  REQUIRE(whatIfs(all).at("points").size() > 3);
+  CHECK_FALSE(whatIfs(all).contains("of"));
+  CHECK(whatIfs(few).at("points").size() == 3);
+  CHECK(whatIfs(few).at("of") == whatIfs(all).at("points").size());
+  for (const nlohmann::json& point : whatIfs(few).at("points")) {
+    CHECK(std::count(whatIfs(all).at("points").begin(), whatIfs(all).at("points").end(), point) == 1);
+  }
+  for (const nlohmann::json& entry : few.at("ranking")) {
+    CHECK((!entry.contains("addedVariable") || entry.at("addedVariable").at("points").size() <= 3));
+  }
+}
+
 } // namespace naocal

@@ -24,7 +24,7 @@ struct DiagnoseCommand {
   std::vector<std::string> sets;
   std::string json, model, poses, own;
   std::string definitions = "[]"; // of the model's file
-  bool skipBad = false;
+  bool skipBad = false, full = false;
   DiagnosisOptions options;
   NextOptions next;
 };
@@ -97,7 +97,7 @@ int diagnose(DiagnoseCommand& command) {
   const Diagnosis diagnosis = withProgress(given, measurements, command.options);
   const NextPoses next = asked(command, given, measurements, diagnosis);
   if (!command.json.empty()) {
-    nlohmann::json json = diagnosisJson(diagnosis);
+    nlohmann::json json = diagnosisJson(diagnosis, command.full ? allOfThem : drawable);
     json["next"] = nextJson(next, given.robot);
     json["inputs"] = {{"sets", given.inputs.sets}, {"sha256", given.inputs.sha256}};
     writeJson(json, command.json);
@@ -129,6 +129,8 @@ void addDiagnose(CLI::App& app, int& exitCode) {
   diagnoser->add_option("SET", command->sets, "folders with captures.json")->required();
   diagnoser->add_option("--json", command->json, "the diagnosis as JSON to a file, or - for standard output")
       ->check(replaces("naocal-diagnosis"));
+  diagnoser->add_flag("--full", command->full,
+                      fmt::format("all points of every figure in the JSON, not only {} of them", drawable));
   diagnoser->add_option("--with", command->options.with, "effects that are in the model already: EFFECT@PLACE")
       ->delimiter(',');
   diagnoser->add_option("--without", command->options.without, "leave effects out")->delimiter(',');

@@ -38,7 +38,7 @@ Json unknowns(const CandidateFinding& finding) {
   return result;
 }
 
-Json rankingEntry(const CandidateFinding& finding) {
+Json rankingEntry(const CandidateFinding& finding, std::size_t mostPoints) {
   Json entry{{"effect", finding.term.effect.name},
              {"at", finding.term.place},
              {"unknowns", unknowns(finding)},
@@ -61,7 +61,7 @@ Json rankingEntry(const CandidateFinding& finding) {
   if (!finding.why.empty()) {
     entry["why"] = finding.why;
   }
-  addFigures(finding, entry);
+  addFigures(finding, mostPoints, entry);
   return entry;
 }
 
@@ -85,7 +85,7 @@ Json driver(const DriverFinding& finding) {
 
 } // namespace
 
-Json diagnosisJson(const Diagnosis& diagnosis) {
+Json diagnosisJson(const Diagnosis& diagnosis, std::size_t mostPoints) {
   Json result{{"format", "naocal-diagnosis"},
               {"version", 1},
               {"verdict", nameOf(diagnosis.verdict)},
@@ -105,7 +105,7 @@ Json diagnosisJson(const Diagnosis& diagnosis) {
     result[list] = Json::array();
   }
   for (const CandidateFinding& finding : diagnosis.ranking) {
-    result["ranking"].push_back(rankingEntry(finding));
+    result["ranking"].push_back(rankingEntry(finding, mostPoints));
   }
   for (const Step& step : diagnosis.steps) {
     result["steps"].push_back({{"added", step.added.empty() ? Json(nullptr) : Json(step.added)},
@@ -133,7 +133,7 @@ Json diagnosisJson(const Diagnosis& diagnosis) {
     }
     result["suspicious"].push_back(std::move(entry));
   }
-  addFigures(diagnosis, result);
+  addFigures(diagnosis, mostPoints, result);
   return result;
 }
 

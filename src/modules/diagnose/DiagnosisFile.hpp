@@ -1,12 +1,14 @@
 #pragma once
 
 #include "diagnose/Diagnosis.hpp"
+#include "diagnose/Thinned.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace naocal {
 
-/// DIAGNOSIS.json: verdict, lack of fit, ranking, ladder, curves, suspicious captures.
-nlohmann::json diagnosisJson(const Diagnosis& diagnosis);
+/// DIAGNOSIS.json: verdict, lack of fit, ranking, ladder, curves, suspicious captures; of each figure at most so many
+/// points.
+nlohmann::json diagnosisJson(const Diagnosis& diagnosis, std::size_t mostPoints = drawable);
 
 } // namespace naocal

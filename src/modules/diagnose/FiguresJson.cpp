@@ -3,6 +3,7 @@
 #include "diagnose/Alternatives.hpp"
 #include "diagnose/LeftJson.hpp"
 #include "diagnose/Shortened.hpp"
+#include "diagnose/Thinned.hpp"
 #include "geometry/Index.hpp"
 
 #include <algorithm>
@@ -85,7 +86,7 @@ Json imprintJson(const Imprint& view, const Effect& effect) {
           {"pictures", std::move(pictures)}};
 }
 
-Json addedVariableJson(const AddedVariable& view, const Effect& effect) {
+Json addedVariableJson(const AddedVariable& view, const Effect& effect, std::size_t mostPoints) {
   const bool one = effect.unknowns.size() == 1;
   Json result{{"of", one ? effect.unknowns.front().name : "size"},
               {"unit", one ? effect.unknowns.front().unit : "1"},
@@ -93,7 +94,10 @@ Json addedVariableJson(const AddedVariable& view, const Effect& effect) {
               {"sigma", view.sigma},
               {"like", view.like},
               {"points", Json::array()}};
-  for (const PoseTestimony& point : view.points) {
+  if (view.points.size() > mostPoints) {
+    result["of"] = view.points.size();
+  }
+  for (const PoseTestimony& point : thinned(view.points, mostPoints)) {
     result["points"].push_back({{"pose", point.pose ? Json(*point.pose) : Json(nullptr)},
                                 {"signature", shortened(point.signature)},
                                 {"residual", shortened(point.residual)}});
@@ -103,7 +107,7 @@ Json addedVariableJson(const AddedVariable& view, const Effect& effect) {
 
 } // namespace
 
-void addFigures(const Diagnosis& diagnosis, Json& file) {
+void addFigures(const Diagnosis& diagnosis, std::size_t mostPoints, Json& file) {
   file["poses"] = posesJson(diagnosis.figures.taken);
   file["pictures"] = picturesJson(diagnosis.figures.taken);
   file["cameras"] = Json::object();
@@ -111,12 +115,12 @@ void addFigures(const Diagnosis& diagnosis, Json& file) {
     file["cameras"][camera] = {{"width", size[0]}, {"height", size[1]}};
   }
   file["aliases"] = aliasesJson(diagnosis);
-  addLeft(diagnosis.figures, file);
+  addLeft(diagnosis.figures, mostPoints, file);
 }
 
-void addFigures(const CandidateFinding& finding, Json& entry) {
+void addFigures(const CandidateFinding& finding, std::size_t mostPoints, Json& entry) {
   if (finding.addedVariable) {
-    entry["addedVariable"] = addedVariableJson(*finding.addedVariable, finding.term.effect);
+    entry["addedVariable"] = addedVariableJson(*finding.addedVariable, finding.term.effect, mostPoints);
   }
   if (finding.imprint) {
     entry["imprint"] = imprintJson(*finding.imprint, finding.term.effect);

@@ -1,6 +1,7 @@
 #include "diagnose/LeftJson.hpp"
 
 #include "diagnose/Shortened.hpp"
+#include "diagnose/Thinned.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,16 +31,19 @@ Json recordedJson(const Figures& figures) {
   return result;
 }
 
-Json whatIfsJson(const Figures& figures, const Figures::Left& left) {
+Json whatIfsJson(const Figures& figures, const Figures::Left& left, std::size_t mostPoints) {
   Json result = Json::array();
   for (const WhatIfs& joint : left.whatIfs) {
     Json points = Json::array();
-    for (const WhatIf& point : joint.points) {
+    for (const WhatIf& point : thinned(joint.points, mostPoints)) {
       points.push_back({{"pictures", point.pictures},
                         {"deflection", shortened(point.deflection, 4)},
                         {"sigma", shortened(point.sigma, 3)}});
     }
     result.push_back({{"joint", figures.taken.joints[joint.motor]}, {"points", std::move(points)}});
+    if (joint.points.size() > mostPoints) {
+      result.back()["of"] = joint.points.size();
+    }
   }
   return result;
 }
@@ -70,7 +74,7 @@ Json shapesJson(const Figures& figures, const Figures::Left& left) {
   return result;
 }
 
-Json leftJson(const Figures& figures, const Figures::Left& left) {
+Json leftJson(const Figures& figures, const Figures::Left& left, std::size_t mostPoints) {
   Json cells = Json::array(), boards = Json::array();
   for (const Leftover::Cell& cell : left.leftover.cells) {
     cells.push_back({{"camera", figures.taken.pictures[cell.worstPicture].camera},
@@ -82,24 +86,24 @@ Json leftJson(const Figures& figures, const Figures::Left& left) {
                      {"corners", cell.corners},
                      {"worstPicture", cell.worstPicture}});
   }
-  for (const Leftover::Seen& seen : left.leftover.boards) {
+  for (const Leftover::Seen& seen : thinned(left.leftover.boards, mostPoints)) {
     boards.push_back({{"picture", seen.picture},
                       {"board", figures.taken.boards[seen.board]},
                       {"distance", shortened(seen.distance, 4)},
                       {"rmsPx", shortened(seen.rmsPx, 3)}});
   }
-  return {{"whatIf", whatIfsJson(figures, left)},
+  return {{"whatIf", whatIfsJson(figures, left, mostPoints)},
           {"boardShapes", shapesJson(figures, left)},
           {"withinPictures", {{"noisePx", left.leftover.noisePx}, {"cells", cells}, {"boards", boards}}}};
 }
 
 } // namespace
 
-void addLeft(const Figures& figures, Json& file) {
+void addLeft(const Figures& figures, std::size_t mostPoints, Json& file) {
   file["recorded"] = recordedJson(figures);
-  file["left"] = {{"asGiven", leftJson(figures, figures.given)}};
+  file["left"] = {{"asGiven", leftJson(figures, figures.given, mostPoints)}};
   if (!figures.last.whatIfs.empty()) {
-    file["left"]["withSuggested"] = leftJson(figures, figures.last);
+    file["left"]["withSuggested"] = leftJson(figures, figures.last, mostPoints);
   }
 }
 
