@@ -1,5 +1,8 @@
 #include "diagnose/HeldOutSums.hpp"
 
+#include "evidence/GramSum.hpp"
+#include "evidence/ModelAlone.hpp"
+
 #include <algorithm>
 
 namespace naocal {
@@ -8,18 +11,38 @@ namespace {
 
 constexpr std::size_t folds = 5;
 
-HeldOutSums empty(Eigen::Index size) {
-  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(size, size);
-  return {none, none, none.col(0), none.col(0)};
+/// Of every `folds`th pose from `first` on.
+HeldOutSums sumsFrom(std::size_t first, std::size_t each, const ModelAlone& alone) {
+  const std::vector<PoseRows>& poses = *alone.problem().poses;
+  const double pixel = alone.noise().pixel;
+  const Eigen::Index size = alone.problem().gram.cols();
+  HeldOutSums result;
+  result.gradient = result.plainGradient = Eigen::VectorXd::Zero(size);
+  GramSum plain{size}, taken{size};
+  for (std::size_t pose = first; pose < poses.size(); pose += each) {
+    const PoseRows& rows = poses[pose];
+    const ModelAlone::Whitener& whitener = alone.whitener(pose);
+    plain.add(rows.unknowns, rows.byUnknowns);
+    taken.add(rows.unknowns, whitener.unknowns);
+    const Eigen::VectorXd gradient = rows.byUnknowns.transpose() * rows.residual;
+    result.plainGradient(rows.unknowns) += gradient;
+    result.gradient(rows.unknowns) +=
+        gradient / (pixel * pixel) - whitener.unknowns.transpose() * (whitener.half * rows.residual) / pixel;
+    result.squares += rows.squares;
+    result.numbers += rows.numbers;
+  }
+  result.gram = plain.taken();
+  result.hessian = result.gram / (pixel * pixel) - taken.taken();
+  return result;
 }
 
-void add(const PoseSystem& pose, const Eliminated& part, HeldOutSums& sums) {
-  sums.hessian(pose.unknowns, pose.unknowns) += part.hessian;
-  sums.gradient(pose.unknowns) += part.unknownGradient;
-  sums.gram(pose.unknowns, pose.unknowns) += pose.unknownGram;
-  sums.plainGradient(pose.unknowns) += pose.unknownGradient;
-  sums.squares += pose.squares;
-  sums.numbers += pose.numbers;
+void add(const HeldOutSums& part, HeldOutSums& sums) {
+  sums.hessian += part.hessian;
+  sums.gram += part.gram;
+  sums.gradient += part.gradient;
+  sums.plainGradient += part.plainGradient;
+  sums.squares += part.squares;
+  sums.numbers += part.numbers;
 }
 
 void move(const Eigen::VectorXd& step, HeldOutSums& sums) {
@@ -32,19 +55,13 @@ void move(const Eigen::VectorXd& step, HeldOutSums& sums) {
 } // namespace
 
 HeldOutParts heldOutSums(const Inquiry& inquiry, const Eigen::VectorXd& step) {
-  const std::vector<PoseRows>& poses = inquiry.poses();
-  const Noise noise = inquiry.noise();
-  HeldOutParts result{empty(step.size()), {}};
-  result.parts.resize(std::min(folds, poses.size()), result.all);
-  for (std::size_t pose = 0; pose < poses.size(); ++pose) {
-    const PoseSystem system = systemOf(poses[pose]);
-    const Eliminated part = eliminated(system, noise, deflectionRoot(system, noise));
-    add(system, part, result.all);
-    add(system, part, result.parts[pose % result.parts.size()]);
-  }
-  move(step, result.all);
-  for (HeldOutSums& part : result.parts) {
-    move(step, part);
+  const ModelAlone alone{inquiry.problem(), inquiry.noise()};
+  const std::size_t parts = std::min(folds, inquiry.poses().size());
+  HeldOutParts result;
+  for (std::size_t part = 0; part < parts; ++part) {
+    HeldOutSums& sums = result.parts.emplace_back(sumsFrom(part, parts, alone));
+    move(step, sums);
+    part == 0 ? void(result.all = sums) : add(sums, result.all);
   }
   return result;
 }

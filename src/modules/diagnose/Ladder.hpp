@@ -50,7 +50,8 @@ private:
   void dropSuperfluous(std::vector<std::string>& suggested);
   /// Whether it foretells poses that it was not fitted to: of the first few only.
   bool foretells(const Inquiry& inquiry, std::size_t candidate) const;
-  double refittedDrop(const Inquiry& inquiry, std::size_t candidate) const;
+  /// Least cost of a model at the rung's levels of noise.
+  double leastCost(const Model& model) const;
 
   CalibrationResult calibrated(const Model& model, std::optional<Eigen::VectorXd> start) const;
 

@@ -48,17 +48,12 @@ bool Ladder::foretells(const Inquiry& inquiry, std::size_t candidate) const {
   return prequential(inquiry.problem(), inquiry.noise(), posesInTime(measurements_), candidate).predicts();
 }
 
-double Ladder::refittedDrop(const Inquiry& inquiry, std::size_t candidate) const {
-  const Noise noise = inquiry.noise();
-  const Model larger = with(inquiry.candidates()[candidate]);
-  const auto cost = [&](const Model& model, const Eigen::VectorXd& start) {
-    Loss loss;
-    loss.scale = fit_.loss.scale;
-    Fit from{Noise{.pixel = noise.pixel, .encoder = -1, .pose = -1}, loss, {}};
-    from.minimum.state.unknowns = start;
-    return naocal::refit(measurements_, model, noise, loss, std::move(from)).minimum.linear.cost;
-  };
-  return 2 * (cost(model_, fit_.unknowns) - cost(larger, carried(model_, fit_.unknowns, larger)));
+double Ladder::leastCost(const Model& model) const {
+  Loss loss;
+  loss.scale = fit_.loss.scale;
+  Fit from{Noise{.pixel = fit_.noise.pixel, .encoder = -1, .pose = -1}, loss, {}};
+  from.minimum.state.unknowns = carried(model_, fit_.unknowns, model);
+  return naocal::refit(measurements_, model, fit_.noise, loss, std::move(from)).minimum.linear.cost;
 }
 
 std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
@@ -81,18 +76,24 @@ std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
       order.push_back(candidate);
     }
   }
-  std::vector<double> drops(order.size());
-  inParallel(order.size(), [&](std::size_t i) { drops[i] = refittedDrop(inquiry, order[i]); });
+  if (order.empty()) {
+    return std::nullopt;
+  }
+  std::vector<double> costs(order.size() + 1); // the last without any of them
+  inParallel(costs.size(), [&](std::size_t i) {
+    costs[i] = leastCost(i < order.size() ? with(inquiry.candidates()[order[i]]) : model_);
+  });
   std::optional<std::size_t> best;
   double bestBayes = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const GroupEvidence& evidence = inquiry.ofCandidate(order[i]);
+    const double drop = 2 * (costs.back() - costs[i]);
     CandidateFinding& finding = findingOf(inquiry.candidates()[order[i]]);
     if (finding.evidence.bayes == evidence.bayes) { // it is this rung that its predicted fall is of
-      finding.chi2Drop = drops[i];
+      finding.chi2Drop = drop;
     }
     const double bayes =
-        evidence.bayes * drops[i] / evidence.likelihoodRatio; // in the share of its predicted fall that comes true
+        evidence.bayes * drop / evidence.likelihoodRatio; // in the share of its predicted fall that comes true
     if (bayes > bestBayes) {
       bestBayes = bayes;
       best = order[i];
