@@ -2,6 +2,7 @@
 
 #include "diagnose/HeldOutSums.hpp"
 #include "geometry/Index.hpp"
+#include "geometry/SymmetricEigen.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -14,38 +15,47 @@ namespace {
 
 using Columns = std::vector<Eigen::Index>;
 
+/// Of the information that all poses have about a direction, the least part that the other folds must have: where one
+/// fold says ten times as sharply where boards or stances lie, it is not predicted, but asked.
+constexpr double told = 0.01;
+
 /// Columns that are learned from all poses but those of one fold.
 class Fold {
 public:
-  /// `prior`: of every column its information, `start` its unknown where the sums were taken.
-  Fold(const HeldOutSums& all, const HeldOutSums& held, const Eigen::VectorXd& prior, const Eigen::VectorXd& start)
-      : all_{all}, held_{held}, hessian_{all.hessian - held.hessian}, gradient_{all.gradient - held.gradient},
-        prior_{prior}, pull_{prior.cwiseProduct(start)} {}
+  /// `prior`: of every column its information, `start` its unknown where the sums were taken. `given`: the columns that
+  /// are always learned, the first of those in all questions.
+  Fold(const HeldOutSums& all, const HeldOutSums& held, const Eigen::VectorXd& prior, const Eigen::VectorXd& start,
+       const Columns& given)
+      : held_{held}, hessian_{all.hessian - held.hessian}, gradient_{all.gradient - held.gradient}, prior_{prior},
+        pull_{prior.cwiseProduct(start)} {
+    Eigen::MatrixXd whole = all.hessian(given, given);
+    whole.diagonal() += prior(given);
+    const Eigen::LLT<Eigen::MatrixXd> factor{whole};
+    Eigen::MatrixXd rest = factor.matrixL().solve(hessian_(given, given));
+    rest = factor.matrixL().solve(rest.transpose().eval());
+    const SymmetricEigen eigen = symmetricEigen(rest);
+    Eigen::Index untold = 0;
+    while (untold < eigen.values.size() && eigen.values[untold] < told) {
+      ++untold;
+    }
+    untold_ = factor.matrixU().solve(eigen.vectors.leftCols(untold));
+    holding_ = factor.matrixL() * eigen.vectors.leftCols(untold);
+  }
 
-  /// Squares of the fold's errors [px^2] when `columns` are learned from the others.
+  /// Squares of the fold's errors [px^2] when `columns` are learned from the others; what those do not tell is learned
+  /// from the fold itself.
   double squaresLeft(const Columns& columns) const {
     Eigen::MatrixXd hessian = hessian_(columns, columns);
-    Eigen::VectorXd gradient = (gradient_ + pull_)(columns);
-    Columns unseen; // no other fold tells them
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      if (hessian(at(i), at(i)) < 1e-9 * all_.hessian(columns[i], columns[i])) {
-        unseen.push_back(at(i));
-      }
-      hessian(at(i), at(i)) += prior_[columns[i]];
-    }
-    for (const Eigen::Index row : unseen) {
-      hessian.row(row).setZero();
-      hessian.col(row).setZero();
-      hessian(row, row) = 1;
-      gradient[row] = 0;
-    }
-    Eigen::VectorXd step = -hessian.ldlt().solve(gradient);
+    hessian.diagonal() += prior_(columns);
+    hessian.topLeftCorner(holding_.rows(), holding_.rows()) += holding_ * holding_.transpose();
+    Eigen::VectorXd step = -hessian.ldlt().solve((gradient_ + pull_)(columns));
     const Eigen::MatrixXd gram = held_.gram(columns, columns);
     const Eigen::VectorXd plain = held_.plainGradient(columns);
-    if (!unseen.empty()) {
-      Eigen::MatrixXd own = gram(unseen, unseen);
+    if (untold_.cols() > 0) {
+      const Eigen::Index given = untold_.rows();
+      Eigen::MatrixXd own = untold_.transpose() * gram.topLeftCorner(given, given) * untold_;
       own.diagonal().array() += 1e-12 * (1 + own.diagonal().array());
-      step(unseen) = -own.ldlt().solve((plain + gram * step)(unseen));
+      step.head(given) -= untold_ * own.ldlt().solve(untold_.transpose() * (plain + gram * step).head(given));
     }
     return held_.squares + 2 * plain.dot(step) + step.dot(gram * step);
   }
@@ -83,9 +93,10 @@ public:
   }
 
 private:
-  const HeldOutSums &all_, &held_;
+  const HeldOutSums& held_;
   Eigen::MatrixXd hessian_;
   Eigen::VectorXd gradient_, prior_, pull_;
+  Eigen::MatrixXd untold_, holding_; // directions that the other folds do not tell, of the given columns: D, L L^T D
 };
 
 Columns range(Eigen::Index first, Eigen::Index count) {
@@ -146,7 +157,7 @@ std::optional<HeldOut> heldOut(const Inquiry& inquiry, const Model& model, const
   HeldOut result;
   result.afterPx.resize(candidates.size());
   for (const HeldOutSums& held : sums.parts) {
-    const Fold fold{sums.all, held, prior, start};
+    const Fold fold{sums.all, held, prior, start, choices.given};
     result.beforePx += fold.squaresLeft(asItIs);
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       result.afterPx[i] += fold.squaresLeft(joined(asItIs, choices.candidates[candidates[i]]));

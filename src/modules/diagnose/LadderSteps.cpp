@@ -53,7 +53,8 @@ double Ladder::leastCost(const Model& model) const {
   loss.scale = fit_.loss.scale;
   Fit from{Noise{.pixel = fit_.noise.pixel, .encoder = -1, .pose = -1}, loss, {}};
   from.minimum.state.unknowns = carried(model_, fit_.unknowns, model);
-  return naocal::refit(measurements_, model, fit_.noise, loss, std::move(from)).minimum.linear.cost;
+  constexpr double near = 0.01; // of half a chi2; falls of tens are compared
+  return naocal::refit(measurements_, model, fit_.noise, loss, std::move(from), near).minimum.linear.cost;
 }
 
 std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
