@@ -3,15 +3,16 @@
 
 #include <catch2/catch.hpp>
 #include <map>
-#include <numeric>
 #include <string>
 
 namespace naocal {
 namespace {
 
-std::vector<std::size_t> everyCandidate(const Questioned& asked) {
-  std::vector<std::size_t> all(asked.inquiry.candidates().size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
+std::vector<std::vector<std::size_t>> everyCandidate(const Questioned& asked) {
+  std::vector<std::vector<std::size_t>> all;
+  for (std::size_t candidate = 0; candidate < asked.inquiry.candidates().size(); ++candidate) {
+    all.push_back({candidate});
+  }
   return all;
 }
 

@@ -123,6 +123,10 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
     unknown = unknown || unknownField;
     const bool grows = options.grow && (!options.goesOn || options.goesOn());
     if (!grows || !alarm || unknown || !candidate || !ladder.add(inquiry, *candidate, result)) {
+      if (ladder.takeBack(result)) {
+        unknown = false;
+        continue;
+      }
       addMap(inquiry, measurements, result);
       if (unknownField) {
         result.drivers.insert(result.drivers.begin(), fieldFinding(*field, measurements));

@@ -132,7 +132,7 @@ struct Choices {
 } // namespace
 
 std::optional<HeldOut> heldOut(const Inquiry& inquiry, const Model& model, const std::vector<std::string>& chosen,
-                               const std::vector<std::size_t>& candidates) {
+                               const std::vector<std::vector<std::size_t>>& added) {
   const ScoreProblem& problem = inquiry.problem();
   if (inquiry.poses().size() < 2) {
     return std::nullopt;
@@ -155,12 +155,16 @@ std::optional<HeldOut> heldOut(const Inquiry& inquiry, const Model& model, const
     asItIs = joined(asItIs, effect);
   }
   HeldOut result;
-  result.afterPx.resize(candidates.size());
+  result.afterPx.resize(added.size());
   for (const HeldOutSums& held : sums.parts) {
     const Fold fold{sums.all, held, prior, start, choices.given};
     result.beforePx += fold.squaresLeft(asItIs);
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      result.afterPx[i] += fold.squaresLeft(joined(asItIs, choices.candidates[candidates[i]]));
+    for (std::size_t i = 0; i < added.size(); ++i) {
+      Columns larger = asItIs;
+      for (const std::size_t candidate : added[i]) {
+        larger = joined(larger, choices.candidates[candidate]);
+      }
+      result.afterPx[i] += fold.squaresLeft(larger);
     }
     Columns columns = choices.given;
     for (std::size_t i = 0; i < choices.chosen.size(); ++i) {

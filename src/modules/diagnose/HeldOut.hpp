@@ -18,11 +18,11 @@ struct HeldOut {
   double chosenPx = 0;         // rms distance of corners with as many effects as were chosen, chosen by the other folds
   double nextPx = 0;           // with one effect more, chosen likewise
   double beforePx = 0;         // with the model as it is
-  std::vector<double> afterPx; // and with each of the candidates asked for
+  std::vector<double> afterPx; // and with the candidates asked for
 };
-/// `chosen`: labels of the model's effects that were chosen on these poses. Absent: there is one pose, and none to
-/// hold.
+/// `chosen`: labels of the model's effects that were chosen on these poses. `added`: candidates that are asked for,
+/// each time one or several together. Absent: there is one pose, and none to hold.
 std::optional<HeldOut> heldOut(const Inquiry& inquiry, const Model& model, const std::vector<std::string>& chosen,
-                               const std::vector<std::size_t>& candidates);
+                               const std::vector<std::vector<std::size_t>>& added);
 
 } // namespace naocal

@@ -92,12 +92,27 @@ void Ladder::look(const Inquiry& inquiry, Diagnosis& diagnosis) {
   }
   std::vector<std::size_t> order = inquiry.candidatesByStanding();
   order.resize(std::min<std::size_t>(order.size(), 10));
-  const std::optional<HeldOut> held = heldOut(inquiry, model_, diagnosis.suggested, order);
-  misleading_.clear();
+  std::vector<std::vector<std::size_t>> asked; // each alone, then by two
+  for (const std::size_t candidate : order) {
+    asked.push_back({candidate});
+  }
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      asked.push_back({order[i], order[j]});
+    }
+  }
+  const std::optional<HeldOut> held = heldOut(inquiry, model_, diagnosis.suggested, asked);
+  misleading_ = takenBack_;
+  byTwo_.clear();
   for (std::size_t i = 0; i < order.size(); ++i) {
     CandidateFinding& finding = findingOf(inquiry.candidates()[order[i]]);
-    if (held && held->afterPx[i] >= held->beforePx) {
-      misleading_.push_back(finding.term.label());
+    if (held && held->afterPx[i] >= held->beforePx) { // of two that are missing one alone may not help
+      bool helps = false;
+      for (std::size_t k = order.size(); k < asked.size(); ++k) {
+        const bool isAmong = std::find(asked[k].begin(), asked[k].end(), order[i]) != asked[k].end();
+        helps = helps || (isAmong && held->afterPx[k] < held->beforePx);
+      }
+      (helps ? byTwo_ : misleading_).push_back(finding.term.label());
     }
     if (finding.step == diagnosis.steps.size()) {
       if (held) {
@@ -115,6 +130,9 @@ void Ladder::look(const Inquiry& inquiry, Diagnosis& diagnosis) {
   if (held) {
     step.heldOutPx = held->chosenPx;
     step.nextPx = held->nextPx;
+    if (before_ && held->chosenPx < before_->heldOutPx) {
+      before_.reset();
+    }
   }
   if (diagnosis.steps.empty()) {
     diagnosis.lackOfFit = misfit;

@@ -27,6 +27,9 @@ public:
   std::optional<std::size_t> best(const Inquiry& inquiry);
   /// Adds it, fits, and drops what it has made superfluous. False: the ladder is as long as these captures bear.
   bool add(const Inquiry& inquiry, std::size_t candidate, Diagnosis& diagnosis);
+  /// Where the ladder ends: effects that were added since one that only helps beside another, and that all together do
+  /// not lower the held-out error, are taken back. False: there are none, or they do.
+  bool takeBack(Diagnosis& diagnosis);
   /// Whether a field within pictures is still there, at least half of it, whichever of the likeliest is added.
   bool stays(const ImageField& field, const Inquiry& inquiry) const;
   /// The model's fit once more, now with boards set aside that moved for a moment: its doubts name them.
@@ -53,6 +56,18 @@ private:
   /// Least cost of a model at the rung's levels of noise.
   double leastCost(const Model& model) const;
 
+  /// The ladder before an effect was added that only helps beside another.
+  struct Before {
+    std::vector<std::string> added;
+    Model model;
+    CalibrationResult fit;
+    std::vector<CandidateFinding> findings;
+    std::vector<std::string> suggested;
+    std::size_t steps;
+    double heldOutPx;
+    std::string label; // of that effect
+  };
+
   CalibrationResult calibrated(const Model& model, std::optional<Eigen::VectorXd> start) const;
 
   const Measurements& measurements_;
@@ -62,7 +77,10 @@ private:
   std::vector<std::string> dropped_; // by the last addition
   Model model_;
   std::optional<Noise> levels_;         // of the first rung
-  std::vector<std::string> misleading_; // labels of candidates that raise the held-out error of this rung
+  std::vector<std::string> misleading_; // labels of candidates that raise the held-out error of this rung,
+  std::vector<std::string> byTwo_;      // and that lower it only beside another one
+  std::vector<std::string> takenBack_;
+  std::optional<Before> before_;
   CalibrationResult fit_;
   std::vector<CandidateFinding> findings_; // as the candidates
 };

@@ -114,6 +114,11 @@ bool Ladder::add(const Inquiry& inquiry, std::size_t candidate, Diagnosis& diagn
     return false;
   }
   const Term& term = inquiry.candidates()[candidate];
+  if (!before_ && std::find(byTwo_.begin(), byTwo_.end(), term.label()) != byTwo_.end()) {
+    const std::vector<Step>& steps = diagnosis.steps;
+    before_.emplace(Before{added_, model_, fit_, findings_, diagnosis.suggested, steps.size(),
+                           steps.back().heldOutPx.value_or(0), term.label()});
+  }
   CandidateFinding& finding = findingOf(term);
   finding.state = State::present;
   finding.evidence.bayes = std::max(finding.evidence.bayes, inquiry.ofCandidate(candidate).bayes);
@@ -136,6 +141,22 @@ bool Ladder::add(const Inquiry& inquiry, std::size_t candidate, Diagnosis& diagn
       notEquivalent(earlier.label(), diagnosis.suggested.back());
     }
   }
+  return true;
+}
+
+bool Ladder::takeBack(Diagnosis& diagnosis) {
+  if (!before_) {
+    return false;
+  }
+  added_ = std::move(before_->added);
+  model_ = std::move(before_->model);
+  fit_ = std::move(before_->fit);
+  findings_ = std::move(before_->findings);
+  dropped_.clear();
+  diagnosis.suggested = std::move(before_->suggested);
+  diagnosis.steps.resize(before_->steps - 1); // its rung is looked at once more
+  takenBack_.push_back(before_->label);
+  before_.reset();
   return true;
 }
 

@@ -36,7 +36,7 @@ std::optional<OwnEffect> ownEffect(const DriverFinding& curve, const Measurement
     return std::nullopt;
   }
   const Inquiry asked{measurements, ladder.model(), ladder.fit(), terms, {.draws = 0, .map = false}};
-  const std::optional<HeldOut> held = heldOut(asked, ladder.model(), diagnosis.suggested, {0});
+  const std::optional<HeldOut> held = heldOut(asked, ladder.model(), diagnosis.suggested, {{0}});
   if (!held || held->afterPx.front() >= held->beforePx) {
     return std::nullopt;
   }
