@@ -156,6 +156,10 @@ TEST_CASE("two hidden effects ask for two suggestions and count further ones") {
   bench.add(truthOf("s1", "pair", {knee(40), second}), said);
   CHECK(bench.marked().bothFound == true);
   CHECK(bench.marked().extra == 0);
+  said["suggested"] = json::array({"elasticity@LKneePitch"});
+  said["ranking"].push_back({{"effect", "focalLength"}, {"at", "top"}, {"state", "trivial"}});
+  bench.add(truthOf("s1", "pair", {knee(40), second}), said);
+  CHECK(bench.marked().bothFound == true); // it was told, and needs no suggestion
 }
 
 TEST_CASE("outside the catalogue the word, the joint and the driver must be right") {

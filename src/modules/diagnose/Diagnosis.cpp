@@ -20,13 +20,21 @@ namespace naocal {
 
 namespace {
 
-/// A curve of the map explains the misfit better than any effect that has a name. The larger the evidence, the further
-/// a curve must be ahead: being free it follows several effects at once, each of which is then named in turn.
+/// A curve of the map explains the misfit better than `candidate` and than any other effect that has a name, those
+/// aside that pass with time: what does not foretell is not called the cause. The larger the evidence, the further a
+/// curve must be ahead: being free it follows several effects at once, each of which is then named in turn.
 bool isUnknown(const Inquiry& inquiry, std::optional<std::size_t> candidate) {
   constexpr double better = 4, large = 500; // in 2 ln of the Bayes factor
   const GroupEvidence& best = inquiry.ofCurve(inquiry.curvesByEvidence().front());
   const double curve = best.matters() ? best.bayes : 0;
-  const double named = candidate ? inquiry.ofCandidate(*candidate).bayes : -better;
+  double named = candidate ? inquiry.ofCandidate(*candidate).bayes : -better;
+  for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
+    const std::vector<Driver>& needs = inquiry.candidates()[i].effect.needs;
+    const bool passes = std::any_of(needs.begin(), needs.end(), [](Driver driver) {
+      return driver == Driver::time || driver == Driver::temperature;
+    });
+    named = passes ? named : std::max(named, inquiry.ofCandidate(i).bayes);
+  }
   return curve > 0 && curve - named > std::max(better, named * named / large);
 }
 

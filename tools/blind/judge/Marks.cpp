@@ -54,7 +54,8 @@ void markNaming(const Truth::Effect& effect, const Answer& answer, Marks& result
   }
 }
 
-/// Each suggestion may stand for one hidden effect that it names, itself or as one that cannot be told from it.
+/// Each suggestion may stand for one hidden effect that it names, itself or as one that cannot be told from it. What is
+/// beyond doubt and moves corners by next to nothing is not suggested, but told.
 void markPair(const Case& one, Marks& result) {
   int found = 0;
   std::vector<std::string> left = one.answer.suggested;
@@ -66,6 +67,8 @@ void markPair(const Case& one, Marks& result) {
     if (match != left.end()) {
       left.erase(match);
       ++found;
+    } else if (const Answer::Candidate* told = candidateNamed(one.answer, effect.name)) {
+      found += told->state == "trivial";
     }
   }
   result.bothFound = found == static_cast<int>(one.truth.effects.size());
