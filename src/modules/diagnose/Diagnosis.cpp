@@ -29,11 +29,7 @@ bool isUnknown(const Inquiry& inquiry, std::optional<std::size_t> candidate) {
   const double curve = best.matters() ? best.bayes : 0;
   double named = candidate ? inquiry.ofCandidate(*candidate).bayes : -better;
   for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
-    const std::vector<Driver>& needs = inquiry.candidates()[i].effect.needs;
-    const bool passes = std::any_of(needs.begin(), needs.end(), [](Driver driver) {
-      return driver == Driver::time || driver == Driver::temperature;
-    });
-    named = passes ? named : std::max(named, inquiry.ofCandidate(i).bayes);
+    named = passes(inquiry.candidates()[i].effect) ? named : std::max(named, inquiry.ofCandidate(i).bayes);
   }
   return curve > 0 && curve - named > std::max(better, named * named / large);
 }

@@ -10,6 +10,9 @@
 
 namespace naocal {
 
+/// Whether an effect comes and goes: it varies with time or temperature.
+bool passes(const Effect& effect);
+
 /// The model that grows by one effect after the other, and what was found about each candidate on the way.
 class Ladder {
 public:

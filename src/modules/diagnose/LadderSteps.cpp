@@ -22,6 +22,11 @@ bool isNeeded(const Term& term, const CalibrationResult& fit, double leastZ = 2)
 
 } // namespace
 
+bool passes(const Effect& effect) {
+  return std::any_of(effect.needs.begin(), effect.needs.end(),
+                     [](Driver driver) { return driver == Driver::time || driver == Driver::temperature; });
+}
+
 Model Ladder::with(const Term& term) const {
   std::vector<std::string> labels = added_;
   labels.push_back(term.label());
@@ -29,14 +34,10 @@ Model Ladder::with(const Term& term) const {
 }
 
 bool Ladder::foretells(const Inquiry& inquiry, std::size_t candidate) const {
-  const Effect& effect = inquiry.candidates()[candidate].effect;
-  const auto needs = [&](Driver driver) {
-    return std::find(effect.needs.begin(), effect.needs.end(), driver) != effect.needs.end();
-  };
   if (std::find(misleading_.begin(), misleading_.end(), inquiry.candidates()[candidate].label()) != misleading_.end()) {
     return false;
   }
-  if (!needs(Driver::time) && !needs(Driver::temperature)) {
+  if (!passes(inquiry.candidates()[candidate].effect)) {
     return true;
   }
   for (std::size_t cell = 0; cell < inquiry.map().cells.size(); ++cell) {
@@ -58,7 +59,7 @@ double Ladder::leastCost(const Model& model) const {
 }
 
 std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
-  constexpr double near = 10;
+  constexpr double near = 10, far = 14; // in 2 ln of the Bayes factor: a thousandth as likely is no choice
   constexpr std::size_t most = 4;
   std::vector<std::size_t> order, likely = inquiry.candidatesByEvidence();
   std::erase_if(likely, [&](std::size_t candidate) { return inquiry.ofCandidate(candidate).bayes <= 0; });
@@ -66,10 +67,14 @@ std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
   std::stable_partition(likely.begin(), likely.end(), [&](std::size_t candidate) {
     return !inquiry.evidence().matters || inquiry.ofCandidate(candidate).matters();
   });
+  const auto lasting = std::find_if(likely.begin(), likely.end(), [&](std::size_t candidate) {
+    return !passes(inquiry.candidates()[candidate].effect);
+  });
+  const double least = lasting == likely.end() ? 0 : inquiry.ofCandidate(*lasting).bayes - far;
   for (const std::size_t candidate : likely) {
     const GroupEvidence& here = inquiry.ofCandidate(candidate);
     const GroupEvidence& first = inquiry.ofCandidate(order.empty() ? candidate : order.front());
-    if (order.size() == most || here.bayes < first.bayes - near ||
+    if (order.size() == most || here.bayes < first.bayes - near || here.bayes < least ||
         (inquiry.evidence().matters && here.matters() != first.matters())) {
       break;
     }
