@@ -81,6 +81,39 @@ TEST_CASE("two pictures that were swapped are named, and not the set-up") {
   }
 }
 
+TEST_CASE("a robot that slipped before its last poses is named, although these boards lost their weight") {
+  // Proves that a fit of all corners is asked where whole boards do not fit: before the last of 16 poses all boards are
+  // 40 mm to the left, which is the robot 40 mm to the right. The board that is seen there may as well have been moved.
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  SimulationPlan plan;
+  plan.poses = standingPoses(robot, plan, SupportFoot::left, 16, 1);
+  CaptureSet set = simulate(robot, plan, 4).set;
+  for (Board& board : plan.boards) {
+    board.placement->y += 0.04;
+  }
+  const CaptureSet elsewhere = simulate(robot, plan, 4).set;
+  const std::string last = set.captures.back().pose;
+  double before = 0, after = 0;
+  for (std::size_t i = 0; i < set.captures.size(); ++i) {
+    if (set.captures[i].pose == last) {
+      after = after == 0 ? set.captures[i].time.count() : after;
+      set.captures[i].corners = elsewhere.captures[i].corners;
+    } else {
+      before = set.captures[i].time.count();
+    }
+  }
+  const Diagnosis diagnosis = asked(set);
+  CAPTURE(diagnosis.sentence);
+  CHECK(diagnosis.verdict == Verdict::badCaptures);
+  REQUIRE(diagnosis.suspicious.size() == 1);
+  const Suspicion& told = diagnosis.suspicious.front();
+  CHECK(told.why.find("the robot in stance") != std::string::npos);
+  REQUIRE(told.when);
+  const double first = set.captures.front().time.count();
+  CHECK(told.when->time > before - first);
+  CHECK(told.when->time < after - first);
+}
+
 TEST_CASE("squares of another size are told with their size, and nothing else") {
   // Proves the size where the linearised estimate falls short of it: the file says 11 % more than was printed.
   CaptureSet set = simulatedSet(16, 4);

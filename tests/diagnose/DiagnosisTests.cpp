@@ -214,8 +214,8 @@ TEST_CASE("a drift that goes as the motor's warmth is named with it, however lar
 }
 
 TEST_CASE("a joint that slips once is located, and when") {
-  // Proves the map's steps: from half time on the ankle's reading is off by 0.4 degrees. Joint, driver and a moment
-  // within the two poses around it are told.
+  // Proves joint, size, moment and the time around it in which nothing was seen: from half time on the ankle reads 0.4
+  // degrees more. What it varies with is shown beside it.
   CaptureSet set = simulatedSet(24, 6);
   const auto [first, last] = span(set);
   const double slip = (first + last) / 2;
@@ -225,14 +225,20 @@ TEST_CASE("a joint that slips once is located, and when") {
   }
   const Diagnosis diagnosis = diagnosed(set);
   CAPTURE(diagnosis.sentence);
-  CHECK(diagnosis.verdict == Verdict::unknownEffect);
+  CHECK(diagnosis.verdict == Verdict::badCaptures);
+  REQUIRE(diagnosis.suspicious.size() == 1);
+  const Suspicion& told = diagnosis.suspicious.front();
+  const std::string begin = "LAnklePitch's zero changed by ";
+  REQUIRE(told.why.starts_with(begin));
+  CHECK(std::stod(told.why.substr(begin.size())) == Approx(0.4).margin(0.05));
+  REQUIRE(told.when);
+  CHECK(told.when->since < slip - first);
+  CHECK(told.when->until > slip - first);
+  CHECK(told.when->until - told.when->since < (last - first) / 6);
+  CHECK(diagnosis.suggested.empty());
   REQUIRE(!diagnosis.drivers.empty());
-  const DriverFinding& found = diagnosis.drivers.front();
-  CHECK(found.place == "LAnklePitch");
-  CHECK(found.driver == "t");
-  CHECK(found.amplitude == Approx(radians(0.2)).epsilon(0.3)); // half of the step
-  REQUIRE(found.expression.starts_with("a*(t > "));
-  CHECK(std::stod(found.expression.substr(7)) == Approx(slip - first).margin(2 * (last - first) / 24));
+  CHECK(diagnosis.drivers.front().place == "LAnklePitch");
+  CHECK(diagnosis.drivers.front().driver == "t");
 }
 
 TEST_CASE("a camera that turns in its mount is told from a joint") {
@@ -254,7 +260,7 @@ TEST_CASE("a camera that turns in its mount is told from a joint") {
       diagnosed(withLookingUp(good, "top", [half = (first + last) / 2](double time) { return time > half ? 6 : 0; }));
   CAPTURE(knocked.sentence);
   CHECK(knocked.verdict == Verdict::badCaptures);
-  CHECK(knocked.sentence.find("camera top moved") != std::string::npos);
+  CHECK(knocked.sentence.find("camera top turned") != std::string::npos);
 }
 
 TEST_CASE("accidents and wrong set-ups are named, not explained as physics") {

@@ -78,6 +78,10 @@ struct Suspicion {
   std::optional<int> capture; // its id
   std::string why;
   std::optional<double> odds = {}; // to 1 against the best effect or curve, where they were compared
+  struct When {
+    double time = 0, since = 0, until = 0; // likeliest; surely between these two [s since the first capture]
+  };
+  std::optional<When> when = {}; // of what happened between two captures
 };
 
 /// One rung of the ladder: the model with one more effect.

@@ -131,6 +131,10 @@ Json diagnosisJson(const Diagnosis& diagnosis, std::size_t mostPoints) {
     if (suspicion.odds) {
       entry["odds"] = *suspicion.odds;
     }
+    if (suspicion.when) {
+      entry["time"] = suspicion.when->time;
+      entry["between"] = {suspicion.when->since, suspicion.when->until};
+    }
     result["suspicious"].push_back(std::move(entry));
   }
   addFigures(diagnosis, mostPoints, result);

@@ -1,18 +1,21 @@
 #include "diagnose/Events.hpp"
 
-#include "evidence/ModelAlone.hpp"
-#include "evidence/NoiseLevels.hpp"
+#include "evidence/DriverCell.hpp"
+#include "geometry/Angles.hpp"
+#include "residuals/Slopes.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
+#include <iterator>
 #include <map>
 #include <set>
 
 namespace naocal {
 
 namespace {
+
+constexpr double millimetres = 1000; // in a metre
 
 /// Sets follow each other in the order in which they were given.
 bool isAfter(const Instant& instant, const Moment& moment) {
@@ -64,38 +67,35 @@ Effect knocked(const Moment& moment) {
   return turned("cameraKnocked", [moment](const Instant& instant) { return isAfter(instant, moment); });
 }
 
-/// A single bad pose makes all poses seem to scatter: without it they would scatter less.
-std::vector<Noise> levelsBelow(const Noise& noise) {
-  std::vector<Noise> result{noise};
-  if (noise.pose + noise.reapproach > 0) {
-    for (const double part : {0.0, 0.25, 0.5}) {
-      Noise& less = result.emplace_back(noise);
-      less.pose *= part;
-      less.reapproach *= part;
-    }
-  }
-  return result;
-}
-
-/// Per group, its Bayes factor where the level of noise suits it best, against the model at the first level.
-std::vector<double> bestAtAny(const ScoreProblem& problem, const std::vector<Noise>& levels) {
-  std::vector<double> result(problem.groups.size(), -std::numeric_limits<double>::infinity());
-  double first = 0;
-  const PoseResiduals measured = measuredResiduals(*problem.poses);
-  for (const Noise& level : levels) {
-    const double deviance = ModelAlone{problem, level}(measured, problem.priorScore()).deviance[0] +
-                            scatterPenalty(level.pose) + scatterPenalty(level.reapproach);
-    first = &level == levels.data() ? deviance : first;
-    const Evidence evidence = evidenceOf(problem, level);
-    for (std::size_t i = 0; i < result.size(); ++i) {
-      result[i] = std::max(result[i], evidence.groups[i].bayes - (deviance - first));
-    }
-  }
-  return result;
+/// From a moment on a joint reads more than before: a gear slipped, or its encoder.
+Effect stepped(const Moment& moment) {
+  return {
+      .name = "jointStepped",
+      .what = {},
+      .formula = {},
+      .place = Place::motor,
+      .unknowns = {{"step", "rad", 0.01}},
+      .correct = [moment](Belief& belief, const Instant& instant, std::size_t joint, std::span<const double> values) {
+        if (isAfter(instant, moment)) {
+          belief.angle(joint) -= values[0];
+        }
+      }};
 }
 
 /// When boards, stances or cameras were seen, by set and number.
 using Times = std::map<std::pair<std::size_t, std::size_t>, std::set<double>>;
+
+/// A moment in a gap between two times.
+Moment momentIn(std::size_t set, const std::set<double>& times, double time) {
+  const auto after = times.upper_bound(time);
+  return {set, time, *std::prev(after), *after};
+}
+
+/// What a moment is worth beforehand: in 2 ln of its gap's length, against the mean of `count` gaps in these times.
+double priorOf(const Moment& moment, const std::set<double>& times, std::size_t count) {
+  const double share = (moment.until - moment.since) / (*times.rbegin() - *times.begin());
+  return 2 * std::log(static_cast<double>(count) * share);
+}
 
 std::string inSet(std::size_t set, const std::vector<CaptureSet>& sets) {
   return sets.size() > 1 ? " of " + sets[set].name : std::string{};
@@ -107,10 +107,10 @@ bool severalIn(std::size_t set, const Times& times) {
   return std::count_if(times.begin(), times.end(), ofSet) > 1;
 }
 
-/// Boards, stances and cameras, each moved at this many moments at most.
+/// Boards, stances, cameras and joints' zeros, each moved at this many moments at most.
 std::vector<Event> movesAt(std::size_t most, const std::vector<CaptureSet>& sets, const Measurements& measurements) {
   std::vector<Event> result;
-  Times boards, stances, cameras;
+  Times boards, stances, cameras, joints;
   for (const Picture& picture : measurements.pictures) {
     const double time = picture.instant.time.count();
     for (const Sighting& sighting : picture.sightings) {
@@ -120,16 +120,23 @@ std::vector<Event> movesAt(std::size_t most, const std::vector<CaptureSet>& sets
       }
       cameras[{picture.set, picture.camera}].insert(time);
     }
+    for (const std::size_t joint :
+         picture.sightings.empty() ? std::vector<std::size_t>{} : jointsBetween(measurements.robot, picture)) {
+      joints[{picture.set, measurements.robot.joints[joint].motor}].insert(time);
+    }
   }
   const auto addMoves = [&](const Times& times, const auto& effect, const auto& name) {
     for (const auto& [which, seen] : times) {
       const auto& [set, at] = which;
-      for (const double time : momentsBetween(seen, most)) {
+      const std::vector<double> moments = momentsBetween(seen, most);
+      for (const double time : moments) {
+        const Moment moment = momentIn(set, seen, time);
         const std::string who = name(at), where = inSet(set, sets);
-        result.push_back({{effect(Moment{set, time}), at, fmt::format("{} {:.3f}{}", who, time, where)},
-                          Moment{set, time},
-                          {},
-                          fmt::format("{} moved {:.1f} s after the first capture{}", who, time, where)});
+        result.push_back({.term = {effect(moment), at, fmt::format("{} {:.3f}{}", who, time, where)},
+                          .from = moment,
+                          .who = who,
+                          .where = where,
+                          .prior = priorOf(moment, seen, moments.size())});
       }
     }
   };
@@ -144,6 +151,7 @@ std::vector<Event> movesAt(std::size_t most, const std::vector<CaptureSet>& sets
       stances, [](const Moment& moment) { return moved(Place::stance, moment); },
       [&](std::size_t at) { return "the robot in stance " + measurements.standings[at].name; });
   addMoves(knockable, knocked, [&](std::size_t at) { return "camera " + measurements.robot.cameras[at].name; });
+  addMoves(joints, stepped, [&](std::size_t at) { return measurements.robot.joints[at].name; });
   return result;
 }
 
@@ -172,6 +180,29 @@ std::vector<std::size_t> worstPictures(std::size_t most, const Measurements& mea
 
 } // namespace
 
+bool sameThing(const Event& one, const Event& other) {
+  if (!one.from || !other.from) {
+    return !one.from && !other.from && one.who == other.who && one.where == other.where;
+  }
+  return one.from->set == other.from->set && one.term.at == other.term.at &&
+         one.term.effect.name == other.term.effect.name;
+}
+
+std::string happened(const Event& event, const Eigen::VectorXd& values) {
+  if (!event.from) {
+    return fmt::format("{}{} {}", event.who, event.where, event.what);
+  }
+  const Place place = event.term.effect.place;
+  const std::string how =
+      place == Place::motor    ? fmt::format("{}'s zero changed by {:+.2f}°", event.who, degrees(values[0]))
+      : place == Place::camera ? fmt::format("{} turned by {:.2f}°", event.who, degrees(values.norm()))
+                               : fmt::format("{} moved by {:.0f} mm and {:.1f}°", event.who,
+                                             millimetres * values.head<2>().norm(), degrees(std::abs(values[2])));
+  const auto& [set, time, since, until] = *event.from;
+  return fmt::format("{}, {:.1f} s after the first capture{} (between {:.1f} and {:.1f} s)", how, time, event.where,
+                     since, until);
+}
+
 std::vector<Event> possibleEvents(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                                   const CalibrationResult& fit) {
   constexpr std::size_t most = 16; // per board, stance or camera
@@ -180,11 +211,13 @@ std::vector<Event> possibleEvents(const std::vector<CaptureSet>& sets, const Mea
   for (const std::size_t index : worstPictures(mostPictures, measurements, fit)) {
     const Picture& picture = measurements.pictures[index];
     const int id = sets[picture.set].captures[picture.capture].id;
-    const std::string name = fmt::format("capture {}{}", id, inSet(picture.set, sets));
-    result.push_back({{bad({picture.set, picture.instant.time.count()}), picture.camera, name},
-                      {},
-                      {id},
-                      name + " does not belong to the rest: another picture, or other angles"});
+    const std::string name = fmt::format("capture {}", id), where = inSet(picture.set, sets);
+    result.push_back(
+        {.term = {bad({.set = picture.set, .time = picture.instant.time.count()}), picture.camera, name + where},
+         .who = name,
+         .where = where,
+         .captures = {id},
+         .what = "does not belong to the rest: another picture, or other angles"});
   }
   return result;
 }
@@ -193,34 +226,8 @@ std::vector<Event> atAnyTime(const Event& event, const std::vector<CaptureSet>& 
                              const Measurements& measurements) {
   constexpr std::size_t most = 128;
   std::vector<Event> result = movesAt(most, sets, measurements);
-  std::erase_if(result, [&](const Event& other) {
-    return other.from->set != event.from->set || other.term.at != event.term.at ||
-           other.term.effect.name != event.term.effect.name;
-  });
+  std::erase_if(result, [&](const Event& other) { return !sameThing(other, event); });
   return result;
-}
-
-std::optional<LikelyEvent> likeliestEvent(const std::vector<Event>& events, const Measurements& measurements,
-                                          const Model& model, const CalibrationResult& fit, const Inquiry& inquiry) {
-  std::vector<Term> terms;
-  for (const Event& event : events) {
-    terms.push_back(event.term);
-  }
-  const Inquiry tried{measurements, model, fit, terms, {.draws = 0, .map = false}};
-  const std::vector<Noise> levels = levelsBelow(inquiry.noise());
-  const std::vector<double> likely = bestAtAny(tried.problem(), levels), effects = bestAtAny(inquiry.problem(), levels);
-  const auto best = static_cast<std::size_t>(std::max_element(likely.begin(), likely.end()) - likely.begin());
-  const std::size_t possible = std::max(events.size(), measurements.pictures.size()); // also what is not worth a look
-  const double chance = 10 + 2 * std::log(static_cast<double>(possible));
-  const double most = effects.empty() ? 0 : std::max(0.0, *std::max_element(effects.begin(), effects.end()));
-  constexpr double notable = 0.1; // [px]: a tenth of a millimetre at arm's length; less is a detector's own bias
-  const GroupEvidence& found = tried.ofCandidate(best);
-  const bool matters = events[best].captures.empty() ? found.movedPx > notable : found.matters();
-  if (likely[best] <= most + chance || !matters) {
-    return std::nullopt;
-  }
-  constexpr double mostOdds = 1e12;
-  return LikelyEvent{events[best], std::min(mostOdds, std::exp((likely[best] - most) / 2))};
 }
 
 } // namespace naocal

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagnose/Inquiry.hpp"
+#include "calibrate/Calibration.hpp"
 
 #include <optional>
 #include <string>
@@ -8,36 +8,36 @@
 
 namespace naocal {
 
-/// A moment in one of the sets.
+/// A moment in one of the sets, since its first capture.
 struct Moment {
   std::size_t set = 0;
-  double time = 0; // [s]
+  double time = 0;             // [s]
+  double since = 0, until = 0; // between these times nothing was seen [s]
 };
 
-/// Something that happened once, as a candidate: a term that corrects from a moment on, or in one capture only.
+/// Something that happened once, as a candidate: a term that corrects from a moment on, or in a few captures only.
 struct Event {
   Term term;
   std::optional<Moment> from;
+  std::string who, where;    // "board B"; " of SET" where there are several
   std::vector<int> captures; // ids of those it concerns, where they are few
-  std::string sentence;      // "board B was moved after 12.3 s"
+  std::string what;          // happened in these captures: "does not belong to the rest"
+  double prior = 0;          // of its moment, against others: in 2 ln of how long nothing was seen
 };
 
-/// Boards and robot may have moved between any two captures, at some sixteen moments each; any capture may be bad, of
-/// very many the 128 with the largest errors.
+/// Whether the same thing moved, at whatever moments of a set; or the same captures are meant.
+bool sameThing(const Event& one, const Event& other);
+
+/// "board B moved by 33 mm and 0.8°, 12.3 s after the first capture (between 8.2 and 16.4 s)". `values`: of the event's
+/// unknowns.
+std::string happened(const Event& event, const Eigen::VectorXd& values);
+
+/// Boards, robot, cameras and joints' zeros may have moved between any two captures, at some sixteen moments each; any
+/// capture may be bad, of very many the 128 with the largest errors.
 std::vector<Event> possibleEvents(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                                   const CalibrationResult& fit);
 
 /// The same thing at all moments between two captures, where they are many at 128 of them.
 std::vector<Event> atAnyTime(const Event& event, const std::vector<CaptureSet>& sets, const Measurements& measurements);
-
-/// An event, and how much likelier it is than the best effect or curve, at most 1e12 to 1.
-struct LikelyEvent {
-  Event event;
-  double odds = 1;
-};
-
-/// The event that explains the misfit best, where it does so far better than chance and than any candidate effect.
-std::optional<LikelyEvent> likeliestEvent(const std::vector<Event>& events, const Measurements& measurements,
-                                          const Model& model, const CalibrationResult& fit, const Inquiry& inquiry);
 
 } // namespace naocal

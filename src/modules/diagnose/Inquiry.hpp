@@ -47,6 +47,10 @@ public:
   /// The place of a candidate among them, by its label.
   std::optional<std::size_t> find(const std::string& label) const;
   const GroupEvidence& ofCandidate(std::size_t candidate) const { return evidence_.groups[candidate]; }
+  /// The shape of a curve, and over which driver.
+  const DriverCell& cellOf(std::size_t curve) const {
+    return curve < mounts().size() ? mounts()[curve].cell : map().cells[curve - mounts().size()];
+  }
   std::size_t curveCount() const { return mounts().size() + map().cells.size(); }
   const GroupEvidence& ofCurve(std::size_t curve) const { return evidence_.groups[candidates().size() + curve]; }
 

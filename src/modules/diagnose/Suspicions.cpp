@@ -1,9 +1,8 @@
 #include "diagnose/Suspicions.hpp"
 
 #include "captures/InputError.hpp"
-#include "diagnose/Events.hpp"
+#include "diagnose/LikelyEvent.hpp"
 #include "diagnose/SetUps.hpp"
-#include "diagnose/WrongAngles.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -99,34 +98,31 @@ std::vector<Suspicion> suspicions(const std::vector<CaptureSet>& sets, const Mea
   if (misfit.rmsPx > gross) {
     misfit.explainedPx = explainedBy(inquiry, measurements, model);
   }
-  auto setUp = wrongSetUp(sets, measurements, misfit, mirrored);
-  if (!setUp) {
-    setUp = setUpFrom(inquiry, measurements);
-  }
-  if (setUp) {
+  if (const auto setUp = wrongSetUp(sets, measurements, misfit, mirrored)) {
     return {*setUp};
   }
-  return accidents(sets, measurements, model, fit, inquiry);
+  std::vector<Suspicion> result = accidents(sets, measurements, model, fit, inquiry);
+  if (result.empty()) { // an accident is far likelier than any effect, if it is named
+    if (const auto setUp = setUpFrom(inquiry, measurements)) {
+      result.push_back(*setUp);
+    }
+  }
+  return result;
 }
 
 std::vector<Suspicion> accidents(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                                  const Model& model, const CalibrationResult& fit, const Inquiry& inquiry) {
-  std::vector<Event> events = possibleEvents(sets, measurements, fit);
-  const std::vector<Event> angles = wrongAngles(sets, measurements, fit);
-  events.insert(events.end(), angles.begin(), angles.end());
-  auto likeliest = events.empty() ? std::nullopt : likeliestEvent(events, measurements, model, fit, inquiry);
+  const auto likeliest = likeliestEvent(sets, measurements, model, fit, inquiry);
   if (!likeliest) {
     return {};
   }
-  if (likeliest->event.from) { // when exactly
-    const std::vector<Event> same = atAnyTime(likeliest->event, sets, measurements);
-    likeliest = likeliestEvent(same, measurements, model, fit, inquiry).value_or(*likeliest);
-  }
-  const auto& [event, odds] = *likeliest;
+  const auto& [event, odds, why] = *likeliest;
   if (event.captures.empty()) {
-    return {{.capture = {}, .why = event.sentence, .odds = odds}};
+    const Moment& moment = event.from.value();
+    return {
+        {.capture = {}, .why = why, .odds = odds, .when = Suspicion::When{moment.time, moment.since, moment.until}}};
   }
-  std::vector<Suspicion> result{{.capture = event.captures.front(), .why = event.sentence, .odds = odds}};
+  std::vector<Suspicion> result{{.capture = event.captures.front(), .why = why, .odds = odds}};
   for (auto id = event.captures.begin() + 1; id != event.captures.end(); ++id) {
     result.push_back({.capture = *id, .why = fmt::format("capture {} was taken with it", *id), .odds = odds});
   }

@@ -104,11 +104,12 @@ std::vector<Event> wrongAngles(const std::vector<CaptureSet>& sets, const Measur
     for (const Together& one : several) {
       const std::string ids = fmt::format("{}", fmt::join(one.captures, ", "));
       const std::string which = one.captures.size() == 1 ? "capture " + ids : "captures " + ids;
-      result.push_back({{displaced(one.set, one.times), 0, fmt::format("{} of {}", which, sets[one.set].name)},
-                        {},
-                        one.captures,
-                        fmt::format("{} of pose {} {} not belong to the rest: {}", which, one.pose,
-                                    one.captures.size() == 1 ? "does" : "do", what)});
+      result.push_back(
+          {.term = {displaced(one.set, one.times), 0, fmt::format("{} of {}", which, sets[one.set].name)},
+           .who = which,
+           .where = " of pose " + one.pose,
+           .captures = one.captures,
+           .what = fmt::format("{} not belong to the rest: {}", one.captures.size() == 1 ? "does" : "do", what)});
     }
   };
   offer(worst(approaches, mostApproaches), "somebody touched the robot, or its angles are wrong there");

@@ -99,6 +99,25 @@ std::vector<std::vector<RestReadings>> allReadings(const std::vector<std::vector
   return readings;
 }
 
+/// The jitter of each joint's encoder. What was not recorded reads zero, always, and tells of no encoder; joints of one
+/// motor share its encoder.
+std::vector<double> jitterOf(std::vector<std::vector<RestReadings>> readings, const Measurements& measurements) {
+  const auto isRecorded = [&](std::size_t joint) {
+    return std::binary_search(measurements.recorded.begin(), measurements.recorded.end(), joint);
+  };
+  for (std::size_t joint = 0; joint < readings.size(); ++joint) {
+    if (!isRecorded(joint)) {
+      readings[joint].clear();
+    }
+  }
+  const std::vector<double> ofMotors = encoderJitter(readings);
+  std::vector<double> result;
+  for (const Joint& joint : measurements.robot.joints) {
+    result.push_back(isRecorded(joint.motor) ? ofMotors[joint.motor] : 0.0);
+  }
+  return result;
+}
+
 /// Gives each joint of each rest its encoder error, and where readings differ its likeliest place to all its pictures.
 void placeJoints(const std::vector<std::vector<Rest>>& restsOf, const std::vector<std::vector<RestReadings>>& readings,
                  Measurements& measurements) {
@@ -193,7 +212,7 @@ void groupReadings(const std::vector<CaptureSet>& sets, Measurements& measuremen
       pose.name = name.second;
       rests.push_back(groupPose(sets, members, measurements.pictures, tolerance, pose));
     }
-    measurements.jitter = encoderJitter(allReadings(rests, measurements));
+    measurements.jitter = jitterOf(allReadings(rests, measurements), measurements);
     tolerance = toleranceFor(measurements.jitter);
   }
   placeJoints(rests, allReadings(rests, measurements), measurements);

@@ -153,6 +153,15 @@ void markEvent(const Truth::Event& event, const Answer& answer, Marks& result) {
   result.eventTimed = timed;
 }
 
+/// A joint that slips may be told as what happened to it, at a time.
+bool tellsStep(const Truth::Effect& effect, const Answer& answer) {
+  const std::size_t at = effect.name.find('@');
+  return effect.name.starts_with("ankleSlip@") &&
+         std::any_of(answer.suspicious.begin(), answer.suspicious.end(), [&](const Answer::Suspicion& suspicion) {
+           return suspicion.time && suspicion.why.find(effect.name.substr(at + 1)) != suspicion.why.npos;
+         });
+}
+
 void markJitter(const Case& one, Marks& result) {
   constexpr double within = 0.2;
   result.jitterAdequate = one.answer.verdict == "adequate";
@@ -207,7 +216,8 @@ Marks marks(const Case& one) {
   } else if (truth.group == "pair") {
     markPair(one, result);
   } else if (truth.group == "outside") {
-    result.placeAndDriver = result.unknownSaid && rightDriver(truth.effects.front(), answer);
+    result.placeAndDriver =
+        (result.unknownSaid && rightDriver(truth.effects.front(), answer)) || tellsStep(truth.effects.front(), answer);
   } else if (truth.group == "absorbed") {
     const Answer::Candidate* candidate = candidateNamed(answer, truth.effects.front().name);
     result.saidUntestable = candidate != nullptr && (candidate->state == "absorbed" || candidate->state == "no-data");

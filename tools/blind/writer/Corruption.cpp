@@ -64,6 +64,26 @@ std::string shakeCapture(json& captures, Chance& chance) {
   return fmt::format("capture {}", capture["id"].get<int>());
 }
 
+int boardSeenMost(const Session& session) {
+  std::vector<int> seen(session.boards.size(), 0);
+  for (const Sight& sight : session.sights) {
+    ++seen[static_cast<std::size_t>(sight.board)];
+  }
+  return static_cast<int>(std::max_element(seen.begin(), seen.end()) - seen.begin());
+}
+
+/// When these sights were taken: what nobody sees afterwards has not moved for the captures.
+template <typename Which> std::vector<double> timesOf(const Session& session, Which which) {
+  std::vector<double> result;
+  for (const Sight& sight : session.sights) {
+    if (which(sight)) {
+      result.push_back(session.readings[static_cast<std::size_t>(sight.reading)].time);
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 } // namespace
 
 const std::vector<std::string>& absorbedKinds() {
@@ -87,21 +107,17 @@ void corruptSession(const std::string& kind, Session& session, Chance& chance) {
   if (kind != "kicked board" && kind != "slipped robot") {
     return;
   }
-  const double first = session.readings.front().time, last = session.readings.back().time;
+  const bool board = kind == "kicked board";
   Displacement displacement;
-  displacement.time = first + (last - first) * chance.between(0.3, 0.7);
+  displacement.which = board ? boardSeenMost(session) : 0; // the first stance
+  const std::vector<double> seen = timesOf(session, [&](const Sight& sight) {
+    return displacement.which ==
+           (board ? sight.board : session.readings[static_cast<std::size_t>(sight.reading)].stance);
+  });
+  displacement.time = seen.front() + (seen.back() - seen.front()) * chance.between(0.3, 0.7);
   const double direction = chance.within(3.14), distance = chance.between(0.015, 0.04);
   displacement.by = {distance * std::cos(direction), distance * std::sin(direction), chance.within(0.05)};
-  if (kind == "slipped robot") {
-    session.slippedStance = displacement; // the first stance
-    return;
-  }
-  std::vector<int> seen(session.boards.size(), 0);
-  for (const Sight& sight : session.sights) {
-    ++seen[sight.board];
-  }
-  displacement.which = static_cast<int>(std::max_element(seen.begin(), seen.end()) - seen.begin());
-  session.kickedBoard = displacement;
+  (board ? session.kickedBoard : session.slippedStance) = displacement;
 }
 
 std::string corruptFile(const std::string& kind, int side, json& set, Chance& chance) {

@@ -191,23 +191,45 @@ std::optional<Happening> happening(const Question& question) {
   const Session& session = question.session;
   Happening result;
   std::pair<double, double> times;
-  if (const auto& kick = session.kickedBoard) {
-    const auto shows = [&](int reading) {
-      return std::any_of(session.sights.begin(), session.sights.end(),
-                         [&](const Sight& sight) { return sight.reading == reading && sight.board == kick->which; });
+  const auto stanceOf = [&](int reading) { return session.readings[static_cast<std::size_t>(reading)].stance; };
+  // a sight that something else ties to the rest: of the same board or stance, not both, or from beyond the moment
+  const auto tied = [&](const Sight& sight, double moment, const auto& sameOther) {
+    const auto isAfter = [&](const Sight& one) {
+      return session.readings[static_cast<std::size_t>(one.reading)].time > moment;
     };
-    times = around(session, kick->time, shows);
+    return std::any_of(session.sights.begin(), session.sights.end(), [&](const Sight& other) {
+      const bool same = other.board == sight.board && stanceOf(other.reading) == stanceOf(sight.reading);
+      return (sameOther(other, sight) && !same) || (same && isAfter(other) != isAfter(sight));
+    });
+  };
+  const auto seen = [&](int reading, const auto& which) {
+    return std::any_of(session.sights.begin(), session.sights.end(),
+                       [&](const Sight& sight) { return sight.reading == reading && which(sight); });
+  };
+  if (const auto& kick = session.kickedBoard) {
+    const auto sameStance = [&](const Sight& a, const Sight& b) { return stanceOf(a.reading) == stanceOf(b.reading); };
+    times = around(session, kick->time, [&](int reading) {
+      return seen(reading, [&](const Sight& sight) {
+        return sight.board == kick->which && tied(sight, kick->time, sameStance);
+      });
+    });
     result = {"kicked board", std::string(1, static_cast<char>('A' + kick->which)), 0, 0, {}};
   } else if (const auto& slip = session.slippedStance) {
+    const auto sameBoard = [](const Sight& a, const Sight& b) { return a.board == b.board; };
     times = around(session, slip->time, [&](int reading) {
-      return session.readings[static_cast<std::size_t>(reading)].stance == slip->which;
+      return stanceOf(reading) == slip->which &&
+             seen(reading, [&](const Sight& sight) { return tied(sight, slip->time, sameBoard); });
     });
     result = {"slipped robot", std::to_string(slip->which), 0, 0, {}};
   } else if (!question.hidden.empty() && question.hidden.front().family == &offsetStep()) {
     const Hidden& step = question.hidden.front();
     const int joint = question.robot.drawing->joint(step.place);
-    times = around(session, question.robot.flaws.joints[static_cast<std::size_t>(joint)].slipTime,
-                   [](int) { return true; });
+    const bool ofLegs = !step.place.starts_with("Head") && step.place != "LHipYawPitch"; // that turns both
+    times = around(session, question.robot.flaws.joints[static_cast<std::size_t>(joint)].slipTime, [&](int reading) {
+      const int side = session.stances[static_cast<std::size_t>(stanceOf(reading))].side;
+      return (!ofLegs || (step.place.front() == 'L') == (side == 0)) &&
+             seen(reading, [](const Sight&) { return true; });
+    });
     result = {"offset step", step.place, 0, 0, {{"step", step.values.front()}}};
   } else {
     return std::nullopt;

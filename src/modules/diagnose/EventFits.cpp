@@ -1,0 +1,43 @@
+#include "diagnose/EventFits.hpp"
+
+#include "calibrate/Fit.hpp"
+#include "captures/InputError.hpp"
+#include "geometry/InParallel.hpp"
+#include "residuals/Carried.hpp"
+
+namespace naocal {
+
+namespace {
+
+constexpr double near = 0.01; // of half a chi2; falls of tens are compared
+
+/// First with all corners in full: what has moved has lost its weight.
+FitMinimum fittedFrom(const Eigen::VectorXd& start, const Measurements& measurements, const Model& model,
+                      const CalibrationResult& fit) {
+  Fit from{Noise{.pixel = fit.noise.pixel, .encoder = -1, .pose = -1}, {}, {}};
+  from.minimum.state.unknowns = start;
+  from = refit(measurements, model, fit.noise, Loss{}, std::move(from), near);
+  return refit(measurements, model, fit.noise, fit.loss, std::move(from), near).minimum;
+}
+
+} // namespace
+
+std::vector<std::optional<EventFit>> fitted(const std::vector<Event>& events, const Measurements& measurements,
+                                            const Model& model, const CalibrationResult& fit) {
+  const double without = fittedFrom(fit.unknowns, measurements, model, fit).linear.cost;
+  std::vector<std::optional<EventFit>> result(events.size());
+  inParallel(events.size(), [&](std::size_t i) {
+    Model larger = model;
+    larger.add(events[i].term);
+    try {
+      const FitMinimum minimum = fittedFrom(carried(model, fit.unknowns, larger), measurements, larger, fit);
+      const Term& term = larger.terms().back();
+      result[i] = {2 * (without - minimum.linear.cost),
+                   minimum.state.unknowns.segment(static_cast<Eigen::Index>(term.first), term.sigmas().size())};
+    } catch (const InputError&) { // nothing explains corners behind the camera
+    }
+  });
+  return result;
+}
+
+} // namespace naocal

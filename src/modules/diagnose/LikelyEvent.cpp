@@ -1,0 +1,262 @@
+#include "diagnose/LikelyEvent.hpp"
+
+#include "diagnose/EventFits.hpp"
+#include "diagnose/Ladder.hpp"
+#include "diagnose/WrongAngles.hpp"
+#include "evidence/ModelAlone.hpp"
+#include "evidence/NoiseLevels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <functional>
+#include <limits>
+#include <numeric>
+
+namespace naocal {
+
+namespace {
+
+/// A single bad pose makes all poses seem to scatter: without it they would scatter less.
+std::vector<Noise> levelsBelow(const Noise& noise) {
+  std::vector<Noise> result{noise};
+  if (noise.pose + noise.reapproach > 0) {
+    for (const double part : {0.0, 0.25, 0.5}) {
+      Noise& less = result.emplace_back(noise);
+      less.pose *= part;
+      less.reapproach *= part;
+    }
+  }
+  return result;
+}
+
+/// Per group, its Bayes factor where the level of noise suits it best, against the model at the first level.
+std::vector<double> bestAtAny(const ScoreProblem& problem, const std::vector<Noise>& levels) {
+  std::vector<double> result(problem.groups.size(), -std::numeric_limits<double>::infinity());
+  double first = 0;
+  const PoseResiduals measured = measuredResiduals(*problem.poses);
+  for (const Noise& level : levels) {
+    const double deviance = ModelAlone{problem, level}(measured, problem.priorScore()).deviance[0] +
+                            scatterPenalty(level.pose) + scatterPenalty(level.reapproach);
+    first = &level == levels.data() ? deviance : first;
+    const Evidence evidence = evidenceOf(problem, level);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      result[i] = std::max(result[i], evidence.groups[i].bayes - (deviance - first));
+    }
+  }
+  return result;
+}
+
+/// The best evidence of what an event competes with, at any level. A step at a moment is an event itself here.
+struct Rivals {
+  double lasting = 0; // an effect that is always there
+  double passing = 0; // one that comes and goes, or a curve without a name
+
+  double best() const { return std::max(lasting, passing); }
+};
+
+Rivals rivalsIn(const Inquiry& inquiry, const std::vector<Noise>& levels) {
+  const std::vector<double> all = bestAtAny(inquiry.problem(), levels);
+  const std::size_t named = inquiry.candidates().size();
+  Rivals result;
+  for (std::size_t i = 0; i < named; ++i) {
+    double& best = passes(inquiry.candidates()[i].effect) ? result.passing : result.lasting;
+    best = std::max(best, all[i]);
+  }
+  for (std::size_t i = named; i < all.size(); ++i) {
+    if (inquiry.cellOf(i - named).shape != DriverCell::Shape::step) {
+      result.passing = std::max(result.passing, all[i]);
+    }
+  }
+  return result;
+}
+
+/// Events, and what the captures say of each.
+struct Asked {
+  std::vector<Event> events;
+  std::vector<double> bayes;           // at any level
+  std::vector<GroupEvidence> evidence; // at the fit's
+  std::vector<std::size_t> order = {}; // the likeliest first
+
+  const Event& event(std::size_t place) const { return events[order[place]]; }
+};
+
+Asked asked(std::vector<Event> events, const Measurements& measurements, const Model& model,
+            const CalibrationResult& fit, const std::vector<Noise>& levels) {
+  std::vector<Term> terms;
+  for (const Event& event : events) {
+    terms.push_back(event.term);
+  }
+  const Inquiry inquiry{measurements, model, fit, terms, {.draws = 0, .map = false}};
+  Asked result{std::move(events), bestAtAny(inquiry.problem(), levels), inquiry.evidence().groups};
+  for (std::size_t i = 0; i < result.events.size(); ++i) {
+    result.bayes[i] += result.events[i].prior;
+  }
+  result.order.resize(result.events.size());
+  std::iota(result.order.begin(), result.order.end(), std::size_t{0});
+  std::stable_sort(result.order.begin(), result.order.end(),
+                   [&](std::size_t a, std::size_t b) { return result.bayes[a] > result.bayes[b]; });
+  return result;
+}
+
+// In 2 ln: an effect that lasts is 150 times as likely beforehand as an accident, one that passes and a curve 7 times.
+constexpr double rare = 10, ahead = 4;
+
+/// What chance shows at some of so many events.
+double shownByChance(const Asked& events, const Measurements& measurements) {
+  const std::size_t possible = std::max(events.events.size(), measurements.pictures.size()); // also what is not asked
+  return rare + 2 * std::log(static_cast<double>(possible));
+}
+
+/// Whether the likeliest is ahead of its rivals, and large enough to matter.
+bool convinces(const Asked& events, const Rivals& rivals) {
+  constexpr double notable = 0.1; // [px]: a tenth of a millimetre at arm's length; less is a detector's own bias
+  const std::size_t first = events.order.front();
+  const GroupEvidence& evidence = events.evidence[first];
+  return events.bayes[first] > std::max(rivals.lasting + rare, rivals.passing + ahead) &&
+         (events.events[first].from ? evidence.movedPx > notable : evidence.matters());
+}
+
+/// The likeliest few, those that moved at all moments.
+std::vector<Event> atAllMoments(const Asked& coarse, const std::vector<CaptureSet>& sets,
+                                const Measurements& measurements) {
+  constexpr std::size_t most = 8;
+  std::vector<const Event*> things;
+  std::vector<Event> result;
+  for (std::size_t place = 0; place < coarse.order.size() && things.size() < most; ++place) {
+    const Event& event = coarse.event(place);
+    const bool is = std::any_of(things.begin(), things.end(), [&](const Event* one) { return sameThing(*one, event); });
+    if (!is) {
+      things.push_back(&event);
+      const std::vector<Event> all = event.from ? atAnyTime(event, sets, measurements) : std::vector{event};
+      result.insert(result.end(), all.begin(), all.end());
+    }
+  }
+  return result;
+}
+
+/// An event that was fitted.
+struct Tried {
+  Event event;
+  double bayes = 0; // its evidence, with the fall of chi2 that the fit found
+  Eigen::VectorXd values;
+};
+
+/// Fits of the likeliest, of each thing that may have moved at its best three moments; the best first.
+std::vector<Tried> triedOf(const Asked& events, const Measurements& measurements, const Model& model,
+                           const CalibrationResult& fit) {
+  constexpr std::size_t most = 12, moments = 3;
+  std::vector<std::size_t> chosen;
+  std::vector<Event> some;
+  for (const std::size_t i : events.order) {
+    const Event& event = events.events[i];
+    const auto before = static_cast<std::size_t>(
+        std::count_if(some.begin(), some.end(), [&](const Event& other) { return sameThing(event, other); }));
+    if (some.size() < most && before < moments) {
+      chosen.push_back(i);
+      some.push_back(event);
+    }
+  }
+  const std::vector<std::optional<EventFit>> fits = fitted(some, measurements, model, fit);
+  std::vector<Tried> result;
+  for (std::size_t i = 0; i < some.size(); ++i) {
+    if (fits[i]) {
+      const double gained = fits[i]->fall - events.evidence[chosen[i]].likelihoodRatio;
+      result.push_back({some[i], events.bayes[chosen[i]] + gained, fits[i]->values});
+    }
+  }
+  std::stable_sort(result.begin(), result.end(), [](const Tried& a, const Tried& b) { return a.bayes > b.bayes; });
+  return result;
+}
+
+constexpr double hardlyLess = 6; // likely, in 2 ln of the Bayes factor: 1 to 20
+
+/// An event with all the moments at which it would be hardly less likely.
+Event widened(Event event, const Asked& fine) {
+  double best = -std::numeric_limits<double>::infinity();
+  const auto ofThis = [&](const auto& look) {
+    for (std::size_t i = 0; i < fine.events.size(); ++i) {
+      if (sameThing(fine.events[i], event)) {
+        look(*fine.events[i].from, fine.bayes[i]);
+      }
+    }
+  };
+  ofThis([&](const Moment& moment, double bayes) { best = moment.time == event.from->time ? bayes : best; });
+  ofThis([&](const Moment& moment, double bayes) {
+    if (bayes > best - hardlyLess) {
+      event.from->since = std::min(event.from->since, moment.since);
+      event.from->until = std::max(event.from->until, moment.until);
+    }
+  });
+  return event;
+}
+
+/// ", unless it was board B (1 to 3)": each other thing that is hardly less likely.
+std::string whatElse(const std::vector<Tried>& tried) {
+  std::string text;
+  std::vector<const Event*> told{&tried.front().event};
+  for (const Tried& other : tried) {
+    const double behind = tried.front().bayes - other.bayes;
+    const bool is =
+        std::any_of(told.begin(), told.end(), [&](const Event* one) { return sameThing(other.event, *one); });
+    if (behind < hardlyLess && !is) {
+      text += fmt::format("{}{} (1 to {:.0f})", text.empty() ? ", unless it was " : " or ", other.event.who,
+                          std::exp(behind / 2));
+      told.push_back(&other.event);
+    }
+  }
+  return text;
+}
+
+/// With all corners in full, whichever board they seem to be on.
+CalibrationResult withAllCorners(const Measurements& measurements, const Model& model, const CalibrationResult& fit) {
+  CalibrationOptions options;
+  options.noise = fit.noise;
+  options.start = fit.unknowns;
+  options.estimateNoise = options.question = options.robust = options.setAside = false;
+  return calibrate(measurements, model, options);
+}
+
+std::optional<LikelyEvent> likeliestAt(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                       const Model& model, const CalibrationResult& fit, const Inquiry& inquiry) {
+  std::vector<Event> events = possibleEvents(sets, measurements, fit);
+  const std::vector<Event> angles = wrongAngles(sets, measurements, fit);
+  events.insert(events.end(), angles.begin(), angles.end());
+  if (events.empty()) {
+    return std::nullopt;
+  }
+  const std::vector<Noise> levels = levelsBelow(inquiry.noise());
+  const Rivals rivals = rivalsIn(inquiry, levels);
+  const Asked coarse = asked(std::move(events), measurements, model, fit, levels);
+  constexpr double within = 0.5; // of what the rivals explain, where the best moments are not among the first few
+  if (coarse.bayes[coarse.order.front()] < std::max(shownByChance(coarse, measurements), within * rivals.best())) {
+    return std::nullopt;
+  }
+  const Asked fine = asked(atAllMoments(coarse, sets, measurements), measurements, model, fit, levels);
+  if (!convinces(fine, rivals)) {
+    return std::nullopt;
+  }
+  const std::vector<Tried> tried = triedOf(fine, measurements, model, fit);
+  if (tried.empty()) {
+    return std::nullopt;
+  }
+  const Tried& best = tried.front();
+  const Event event = best.event.from ? widened(best.event, fine) : best.event;
+  constexpr double mostOdds = 1e12;
+  return LikelyEvent{event, std::min(mostOdds, std::exp((best.bayes - rivals.best()) / 2)),
+                     happened(event, best.values) + whatElse(tried)};
+}
+
+} // namespace
+
+std::optional<LikelyEvent> likeliestEvent(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                          const Model& model, const CalibrationResult& fit, const Inquiry& inquiry) {
+  if (std::none_of(fit.doubts.begin(), fit.doubts.end(), std::mem_fn(&Doubt::whole))) {
+    return likeliestAt(sets, measurements, model, fit, inquiry);
+  }
+  const CalibrationResult all = withAllCorners(measurements, model, fit);
+  const Inquiry again{measurements, model, all, inquiry.candidates(), {.draws = 0}};
+  return likeliestAt(sets, measurements, model, all, again);
+}
+
+} // namespace naocal
