@@ -36,6 +36,7 @@ TEST_CASE("a bad capture is found although an effect hides more") {
         diagnosis.suggested.end());
   REQUIRE(!diagnosis.suspicious.empty());
   CHECK(diagnosis.suspicious.front().capture == bad.id);
+  CHECK(diagnosis.sentence.ends_with("Missing besides: encoderGain@LKneePitch."));
 }
 
 TEST_CASE("angles that were wrong for a moment are an accident and no physics") {

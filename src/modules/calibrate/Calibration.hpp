@@ -29,7 +29,8 @@ struct CalibrationOptions {
   int restarts = 0;       // further random starts; the lowest cost wins
   std::uint64_t seed = 1;
   std::optional<Eigen::VectorXd>
-      start; // unknowns to start from, instead of zero with placements found from the pictures
+      start;                // unknowns to start from, instead of zero with placements found from the pictures
+  std::optional<Loss> loss; // under which `start` was found, where the search shall go on as it ended
 };
 
 /// An unknown's value over everything that could be missing (`ModelWindow`).

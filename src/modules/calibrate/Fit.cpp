@@ -82,9 +82,10 @@ Fit firstFit(const Measurements& measurements, const Model& model, const Noise& 
         "these captures show no corner that a camera could learn from: run 'naocal detect', or check which "
         "boards, links and support feet the file names"};
   }
-  Residuals residuals{measurements, model, noise};
+  const bool goesOn = options.start && options.loss && options.robust && options.restarts == 0;
+  Fit fit{noise, goesOn ? *options.loss : Loss{}, {}};
+  Residuals residuals{measurements, model, noise, fit.loss};
   std::optional<FitMinimum> best;
-  Fit fit{noise, {}, {}};
   std::mt19937_64 random{options.seed};
   for (int attempt = 0; attempt <= options.restarts; ++attempt) {
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.unknownCount()));

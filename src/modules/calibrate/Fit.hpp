@@ -19,7 +19,8 @@ struct Fit {
   bool restartsChanged = false;
 };
 
-/// From far: quadratic loss, from the start of `options` and as many random ones as it asks for. Ends `roughly`.
+/// From far: quadratic loss, from the start of `options` and as many random ones as it asks for; or on from that start,
+/// under the loss that it was found with. Ends `roughly`.
 Fit firstFit(const Measurements& measurements, const Model& model, const Noise& noise,
              const CalibrationOptions& options);
 

@@ -1,5 +1,6 @@
 #include "diagnose/Diagnosis.hpp"
 
+#include "calibrate/MovedSightings.hpp"
 #include "captures/InputError.hpp"
 #include "diagnose/Curves.hpp"
 #include "diagnose/DiagnosisFigures.hpp"
@@ -166,6 +167,50 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
   return result;
 }
 
+/// Whether an accident is said to have spoiled these captures, and no more than those.
+bool isSpoiled(const Suspicion& suspicion) {
+  return suspicion.capture && suspicion.odds;
+}
+
+/// Without what these captures show.
+Measurements without(const std::vector<Suspicion>& suspicious, const std::vector<CaptureSet>& sets,
+                     Measurements measurements) {
+  for (std::size_t index = 0; index < measurements.pictures.size(); ++index) {
+    const Picture& picture = measurements.pictures[index];
+    const int id = sets[picture.set].captures[picture.capture].id;
+    const bool spoiled = std::any_of(suspicious.begin(), suspicious.end(), [&](const Suspicion& suspicion) {
+      return isSpoiled(suspicion) && suspicion.capture == id && suspicion.set == picture.set;
+    });
+    for (std::size_t sighting = 0; spoiled && sighting < picture.sightings.size(); ++sighting) {
+      setAside(measurements, {index, sighting});
+    }
+  }
+  return measurements;
+}
+
+/// Questioned again without captures that an accident spoiled: what is missing beside them is told as well.
+Diagnosis questionedWithoutSpoiled(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                   const Model& asked, const DiagnosisOptions& options) {
+  constexpr int most = 4; // accidents
+  Diagnosis result = questioned(sets, measurements, asked, options);
+  for (int round = 0; options.grow && round < most && !result.suspicious.empty() && isSpoiled(result.suspicious.back());
+       ++round) {
+    const Measurements left = without(result.suspicious, sets, measurements);
+    Diagnosis next = questioned(sets, left, asked, options);
+    const std::size_t known = result.suspicious.size();
+    addNew(next.suspicious, result.suspicious);
+    next.suspicious = result.suspicious;
+    next.alarm = result.alarm;
+    next.verdict = Verdict::badCaptures;
+    next.sentence = sentence(next);
+    result = std::move(next);
+    if (result.suspicious.size() == known) {
+      break;
+    }
+  }
+  return result;
+}
+
 } // namespace
 
 Diagnosis diagnose(const std::vector<CaptureSet>& sets, const Measurements& measurements,
@@ -174,7 +219,7 @@ Diagnosis diagnose(const std::vector<CaptureSet>& sets, const Measurements& meas
   const Model asked = makeModel(measurements, options.with, options.without, options.effects);
   Diagnosis result;
   try {
-    result = questioned(sets, measurements, asked, options);
+    result = questionedWithoutSpoiled(sets, measurements, asked, options);
   } catch (const InputError& error) {
     if (measurements.cornerCount == 0) {
       throw;

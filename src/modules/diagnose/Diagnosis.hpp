@@ -77,6 +77,7 @@ struct MapCell {
 struct Suspicion {
   std::optional<int> capture; // its id
   std::string why;
+  std::size_t set = 0;             // the capture's
   std::optional<double> odds = {}; // to 1 against the best effect or curve, where they were compared
   struct When {
     double time = 0, since = 0, until = 0; // likeliest; surely between these two [s since the first capture]

@@ -136,6 +136,7 @@ std::vector<Event> movesAt(std::size_t most, const std::vector<CaptureSet>& sets
                           .from = moment,
                           .who = who,
                           .where = where,
+                          .set = set,
                           .prior = priorOf(moment, seen, moments.size())});
       }
     }

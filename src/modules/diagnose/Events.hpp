@@ -20,6 +20,7 @@ struct Event {
   Term term;
   std::optional<Moment> from;
   std::string who, where;    // "board B"; " of SET" where there are several
+  std::size_t set = 0;       // in which it happened
   std::vector<int> captures; // ids of those it concerns, where they are few
   std::string what;          // happened in these captures: "does not belong to the rest"
   double prior = 0;          // of its moment, against others: in 2 ln of how long nothing was seen

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace naocal {
@@ -44,6 +45,9 @@ CalibrationResult Ladder::calibrated(const Model& model, std::optional<Eigen::Ve
   if (levels_) {
     options.noise = *levels_;
     options.estimateNoise = options.question = false;
+    if (std::none_of(fit_.doubts.begin(), fit_.doubts.end(), std::mem_fn(&Doubt::whole))) {
+      options.loss = fit_.loss; // else boards that had no weight get it back first
+    }
   }
   CalibrationResult result = calibrate(measurements_, model, options);
   std::size_t doubted = 0, elsewhere = 0;

@@ -49,15 +49,20 @@ private:
   CandidateFinding& findingOf(const Term& term) { return findingOf(term.label()); }
   /// Both are needed: neither stands for the other.
   void notEquivalent(const std::string& one, const std::string& other);
-  void refit();
+  /// `start`: nearly the least of the grown model, where that is known.
+  void refit(const std::optional<Eigen::VectorXd>& start = {});
   /// The model with one more effect.
   Model with(const Term& term) const;
   /// Earlier additions that the last one has made superfluous.
   void dropSuperfluous(std::vector<std::string>& suggested);
   /// Whether it foretells poses that it was not fitted to: of the first few only.
   bool foretells(const Inquiry& inquiry, std::size_t candidate) const;
-  /// Least cost of a model at the rung's levels of noise.
-  double leastCost(const Model& model) const;
+  /// A model's least cost at the rung's levels of noise, to a hundredth, and where it lies.
+  struct Nearly {
+    double cost = 0;
+    Eigen::VectorXd unknowns;
+  };
+  Nearly nearlyFitted(const Model& model) const;
 
   /// The ladder before an effect was added that only helps beside another.
   struct Before {
@@ -84,6 +89,7 @@ private:
   std::vector<std::string> byTwo_;      // and that lower it only beside another one
   std::vector<std::string> takenBack_;
   std::optional<Before> before_;
+  std::optional<Eigen::VectorXd> nextStart_; // of the model with the candidate that is best
   CalibrationResult fit_;
   std::vector<CandidateFinding> findings_; // as the candidates
 };

@@ -7,6 +7,7 @@
 #include "residuals/Carried.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace naocal {
 
@@ -49,13 +50,12 @@ bool Ladder::foretells(const Inquiry& inquiry, std::size_t candidate) const {
   return prequential(inquiry.problem(), inquiry.noise(), posesInTime(measurements_), candidate).predicts();
 }
 
-double Ladder::leastCost(const Model& model) const {
-  Loss loss;
-  loss.scale = fit_.loss.scale;
-  Fit from{Noise{.pixel = fit_.noise.pixel, .encoder = -1, .pose = -1}, loss, {}};
+Ladder::Nearly Ladder::nearlyFitted(const Model& model) const {
+  Fit from{Noise{.pixel = fit_.noise.pixel, .encoder = -1, .pose = -1}, fit_.loss, {}};
   from.minimum.state.unknowns = carried(model_, fit_.unknowns, model);
   constexpr double near = 0.01; // of half a chi2; falls of tens are compared
-  return naocal::refit(measurements_, model, fit_.noise, loss, std::move(from), near).minimum.linear.cost;
+  const FitMinimum minimum = naocal::refit(measurements_, model, fit_.noise, fit_.loss, std::move(from), near).minimum;
+  return {minimum.linear.cost, minimum.state.unknowns};
 }
 
 std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
@@ -85,15 +85,15 @@ std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
   if (order.empty()) {
     return std::nullopt;
   }
-  std::vector<double> costs(order.size() + 1); // the last without any of them
-  inParallel(costs.size(), [&](std::size_t i) {
-    costs[i] = leastCost(i < order.size() ? with(inquiry.candidates()[order[i]]) : model_);
+  std::vector<Nearly> fits(order.size() + 1); // the last without any of them
+  inParallel(fits.size(), [&](std::size_t i) {
+    fits[i] = nearlyFitted(i < order.size() ? with(inquiry.candidates()[order[i]]) : model_);
   });
   std::optional<std::size_t> best;
   double bestBayes = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const GroupEvidence& evidence = inquiry.ofCandidate(order[i]);
-    const double drop = 2 * (costs.back() - costs[i]);
+    const double drop = 2 * (fits.back().cost - fits[i].cost);
     CandidateFinding& finding = findingOf(inquiry.candidates()[order[i]]);
     if (finding.evidence.bayes == evidence.bayes) { // it is this rung that its predicted fall is of
       finding.chi2Drop = drop;
@@ -103,6 +103,7 @@ std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
     if (bayes > bestBayes) {
       bestBayes = bayes;
       best = order[i];
+      nextStart_ = fits[i].unknowns;
     }
   }
   return best;
@@ -137,7 +138,7 @@ bool Ladder::add(const Inquiry& inquiry, std::size_t candidate, Diagnosis& diagn
   }
   added_.push_back(term.label());
   diagnosis.suggested.push_back(term.label());
-  refit();
+  refit(std::exchange(nextStart_, std::nullopt));
   dropSuperfluous(diagnosis.suggested);
   constexpr double evident = 3.3; // of one that is hardly needed beside the last, that may be the right one
   for (const Term& earlier : model_.terms()) {
@@ -182,9 +183,9 @@ CalibrationResult Ladder::fitOf(const Model& larger) const {
   return calibrated(larger, carried(model_, fit_.unknowns, larger));
 }
 
-void Ladder::refit() {
+void Ladder::refit(const std::optional<Eigen::VectorXd>& start) {
   const Model changed = makeModel(measurements_, added_, options_.without, options_.effects);
-  fit_ = fitOf(changed);
+  fit_ = start ? calibrated(changed, start) : fitOf(changed);
   model_ = changed;
 }
 

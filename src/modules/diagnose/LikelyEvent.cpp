@@ -17,10 +17,11 @@ namespace naocal {
 
 namespace {
 
-/// A single bad pose makes all poses seem to scatter: without it they would scatter less.
-std::vector<Noise> levelsBelow(const Noise& noise) {
+/// A single bad pose makes all of few poses seem to scatter: without it they would scatter less.
+std::vector<Noise> levelsBelow(const Noise& noise, std::size_t poses) {
+  constexpr std::size_t few = 128; // one of more that stands out by ten times their scatter still does by seven
   std::vector<Noise> result{noise};
-  if (noise.pose + noise.reapproach > 0) {
+  if (noise.pose + noise.reapproach > 0 && poses < few) {
     for (const double part : {0.0, 0.25, 0.5}) {
       Noise& less = result.emplace_back(noise);
       less.pose *= part;
@@ -30,16 +31,23 @@ std::vector<Noise> levelsBelow(const Noise& noise) {
   return result;
 }
 
-/// Per group, its Bayes factor where the level of noise suits it best, against the model at the first level.
-std::vector<double> bestAtAny(const ScoreProblem& problem, const std::vector<Noise>& levels) {
-  std::vector<double> result(problem.groups.size(), -std::numeric_limits<double>::infinity());
-  double first = 0;
+/// Per group, its Bayes factor where the level of noise suits it best, against the model at the first level, of which
+/// the evidence is known.
+std::vector<double> bestAtAny(const Inquiry& inquiry, const std::vector<Noise>& levels) {
+  const ScoreProblem& problem = inquiry.problem();
   const PoseResiduals measured = measuredResiduals(*problem.poses);
-  for (const Noise& level : levels) {
-    const double deviance = ModelAlone{problem, level}(measured, problem.priorScore()).deviance[0] +
-                            scatterPenalty(level.pose) + scatterPenalty(level.reapproach);
-    first = &level == levels.data() ? deviance : first;
-    const Evidence evidence = evidenceOf(problem, level);
+  const auto devianceAt = [&](const Noise& level) {
+    return ModelAlone{problem, level}(measured, problem.priorScore()).deviance[0] + scatterPenalty(level.pose) +
+           scatterPenalty(level.reapproach);
+  };
+  std::vector<double> result;
+  for (const GroupEvidence& group : inquiry.evidence().groups) {
+    result.push_back(group.bayes);
+  }
+  const double first = levels.size() > 1 ? devianceAt(levels.front()) : 0;
+  for (std::size_t level = 1; level < levels.size(); ++level) {
+    const double deviance = devianceAt(levels[level]);
+    const Evidence evidence = evidenceOf(problem, levels[level]);
     for (std::size_t i = 0; i < result.size(); ++i) {
       result[i] = std::max(result[i], evidence.groups[i].bayes - (deviance - first));
     }
@@ -56,7 +64,7 @@ struct Rivals {
 };
 
 Rivals rivalsIn(const Inquiry& inquiry, const std::vector<Noise>& levels) {
-  const std::vector<double> all = bestAtAny(inquiry.problem(), levels);
+  const std::vector<double> all = bestAtAny(inquiry, levels);
   const std::size_t named = inquiry.candidates().size();
   Rivals result;
   for (std::size_t i = 0; i < named; ++i) {
@@ -88,7 +96,7 @@ Asked asked(std::vector<Event> events, const Measurements& measurements, const M
     terms.push_back(event.term);
   }
   const Inquiry inquiry{measurements, model, fit, terms, {.draws = 0, .map = false}};
-  Asked result{std::move(events), bestAtAny(inquiry.problem(), levels), inquiry.evidence().groups};
+  Asked result{std::move(events), bestAtAny(inquiry, levels), inquiry.evidence().groups};
   for (std::size_t i = 0; i < result.events.size(); ++i) {
     result.bayes[i] += result.events[i].prior;
   }
@@ -225,7 +233,7 @@ std::optional<LikelyEvent> likeliestAt(const std::vector<CaptureSet>& sets, cons
   if (events.empty()) {
     return std::nullopt;
   }
-  const std::vector<Noise> levels = levelsBelow(inquiry.noise());
+  const std::vector<Noise> levels = levelsBelow(inquiry.noise(), inquiry.poses().size());
   const Rivals rivals = rivalsIn(inquiry, levels);
   const Asked coarse = asked(std::move(events), measurements, model, fit, levels);
   constexpr double within = 0.5; // of what the rivals explain, where the best moments are not among the first few

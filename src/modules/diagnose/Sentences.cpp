@@ -148,9 +148,10 @@ std::string sizes(const CandidateFinding& finding) {
 std::string sentence(const Diagnosis& diagnosis) {
   switch (diagnosis.verdict) {
   case Verdict::badCaptures:
-    return fmt::format("Something is wrong with the captures or the set-up: {}{}.", diagnosis.suspicious.front().why,
-                       diagnosis.suspicious.size() > 1 ? fmt::format("; and {} more", diagnosis.suspicious.size() - 1)
-                                                       : "");
+    return fmt::format(
+        "Something is wrong with the captures or the set-up: {}{}.{}", diagnosis.suspicious.front().why,
+        diagnosis.suspicious.size() > 1 ? fmt::format("; and {} more", diagnosis.suspicious.size() - 1) : "",
+        diagnosis.suggested.empty() ? "" : fmt::format(" Missing besides: {}.", fmt::join(diagnosis.suggested, ", ")));
   case Verdict::unknownEffect:
     return "An " + unknown(diagnosis);
   case Verdict::effectMissing:

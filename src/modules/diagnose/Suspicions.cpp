@@ -122,9 +122,10 @@ std::vector<Suspicion> accidents(const std::vector<CaptureSet>& sets, const Meas
     return {
         {.capture = {}, .why = why, .odds = odds, .when = Suspicion::When{moment.time, moment.since, moment.until}}};
   }
-  std::vector<Suspicion> result{{.capture = event.captures.front(), .why = why, .odds = odds}};
-  for (auto id = event.captures.begin() + 1; id != event.captures.end(); ++id) {
-    result.push_back({.capture = *id, .why = fmt::format("capture {} was taken with it", *id), .odds = odds});
+  std::vector<Suspicion> result;
+  for (const int id : event.captures) {
+    const std::string said = result.empty() ? why : fmt::format("capture {} was taken with it", id);
+    result.push_back({.capture = id, .why = said, .set = event.set, .odds = odds});
   }
   return result;
 }
@@ -137,9 +138,12 @@ std::vector<Suspicion> movedBoards(const std::vector<CaptureSet>& sets, const Me
       const Picture& picture = measurements.pictures[doubt.picture];
       const int id = sets[picture.set].captures[picture.capture].id;
       const std::string& board = measurements.targets[picture.sightings[doubt.sighting].view.board()].name;
-      result.push_back({id, fmt::format("board {} in capture {} lies {:.0f} px from where all other captures put it: "
-                                        "it or the robot was moved for a moment, or the picture is another one",
-                                        board, id, doubt.distance)});
+      result.push_back(
+          {.capture = id,
+           .why = fmt::format("board {} in capture {} lies {:.0f} px from where all other captures put it: "
+                              "it or the robot was moved for a moment, or the picture is another one",
+                              board, id, doubt.distance),
+           .set = picture.set});
     }
   }
   return result;

@@ -108,6 +108,7 @@ std::vector<Event> wrongAngles(const std::vector<CaptureSet>& sets, const Measur
           {.term = {displaced(one.set, one.times), 0, fmt::format("{} of {}", which, sets[one.set].name)},
            .who = which,
            .where = " of pose " + one.pose,
+           .set = one.set,
            .captures = one.captures,
            .what = fmt::format("{} not belong to the rest: {}", one.captures.size() == 1 ? "does" : "do", what)});
     }

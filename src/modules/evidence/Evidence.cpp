@@ -91,7 +91,7 @@ GroupEvidence described(const ScoreProblem& problem, const ScoreTests& tests, st
   group.estimate = plausible.cwiseProduct(wide.solve(scaledScore));
   group.covariance = plausible.asDiagonal() * wide.solve(Eigen::MatrixXd::Identity(columns.count, columns.count)) *
                      plausible.asDiagonal();
-  if (group.bayes > 0) {
+  if (group.bayes > 0 && columns.first < problem.candidates) {
     group.movedPx = tests.movedPx(i, group.estimate);
   }
   return group;
@@ -127,12 +127,18 @@ Evidence evidenceOf(const ScoreProblem& problem, const Noise& noise, Eigen::Inde
     group.likelihoodRatio = ratio[at(i)];
     group.pValue = tail(ratio[at(i)], tests.freedom(i));
   }
-  const auto likeliest =
-      std::max_element(result.groups.begin(), result.groups.end(),
-                       [](const GroupEvidence& a, const GroupEvidence& b) { return a.bayes < b.bayes; });
+  const auto likeliestFrom = [&](std::size_t from) {
+    const auto found =
+        std::max_element(result.groups.begin() + static_cast<std::ptrdiff_t>(from), result.groups.end(),
+                         [](const GroupEvidence& a, const GroupEvidence& b) { return a.bayes < b.bayes; });
+    if (found != result.groups.end()) {
+      found->movedPx = tests.movedPx(static_cast<std::size_t>(found - result.groups.begin()), found->estimate);
+    }
+    return found;
+  };
+  likeliestFrom(problem.named); // a curve
+  const auto likeliest = likeliestFrom(0);
   if (likeliest != result.groups.end()) {
-    likeliest->movedPx =
-        tests.movedPx(static_cast<std::size_t>(likeliest - result.groups.begin()), likeliest->estimate);
     result.matters = likeliest->bayes <= 0 || likeliest->matters();
     const auto first = static_cast<std::size_t>(likeliest - result.groups.begin());
     for (std::size_t i = 0; i < problem.named && first < problem.named && !result.matters; ++i) {

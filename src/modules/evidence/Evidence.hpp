@@ -13,7 +13,8 @@ struct GroupEvidence {
   double pValue = 1;          // of that ratio by chi2, as if it were the only candidate
   double bayes = 0;           // 2 ln of the Bayes factor against the model alone (`bayesFactor`)
   double keptFraction = 0;
-  double movedPx = 0; // how far it moves predicted corners, rms, the own unknowns refitted; of likely ones only
+  double movedPx = 0; // how far it moves predicted corners, rms, the own unknowns refitted; of likely effects and the
+                      // likeliest curve only
 
   /// Large enough to matter: no lens and no detector of corners is known better than to 0.1 px.
   bool matters() const { return movedPx > 0.1; }

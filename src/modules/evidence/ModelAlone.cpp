@@ -1,5 +1,7 @@
 #include "evidence/ModelAlone.hpp"
 
+#include "geometry/InParallel.hpp"
+
 #include <Eigen/QR>
 
 namespace naocal {
@@ -19,22 +21,31 @@ Eigen::MatrixXd compressed(const Eigen::MatrixXd& half) {
 ModelAlone::ModelAlone(const ScoreProblem& problem, const Noise& noise) : problem_{problem}, noise_{noise} {
   const double information = 1 / (noise.pixel * noise.pixel);
   const Eigen::Index own = problem.own();
+  whiteners_.resize(problem.poses->size());
   Eigen::MatrixXd hessian = information * problem.gram.topLeftCorner(own, own);
   hessian.diagonal() += problem.sigmas.cwiseAbs2().cwiseInverse();
-  for (const PoseRows& pose : *problem.poses) {
-    const Eigen::MatrixXd moved = pose.byDeflections * deflectionRoot(pose, noise) / noise.pixel;
-    Eigen::MatrixXd inner = moved.transpose() * moved;
-    inner.diagonal().array() += 1;
-    const Eigen::LLT<Eigen::MatrixXd> factor{inner};
-    logDeterminant_ += 2 * factor.matrixLLT().diagonal().array().log().sum();
-    Whitener& whitener = whiteners_.emplace_back();
-    whitener.half = compressed(factor.matrixL().solve(moved.transpose()));
-    whitener.unknowns.noalias() = whitener.half * pose.byUnknowns / noise.pixel;
-    const std::vector<std::size_t> unknowns = problem.ownUnknownsOf(pose);
-    const auto answers = whitener.unknowns.leftCols(problem.ownOf(pose));
-    hessian(unknowns, unknowns) -= answers.transpose() * answers;
+  for (const Taken& part : gatheredInParts(
+           whiteners_.size(), [&] { return Taken{Eigen::MatrixXd::Zero(own, own)}; },
+           [&](std::size_t pose, Taken&taken) { takeDeflections(pose, taken); })) {
+    hessian -= part.information;
+    logDeterminant_ += part.logDeterminant;
   }
   factor_.compute(hessian);
+}
+
+void ModelAlone::takeDeflections(std::size_t pose, Taken& taken) {
+  const PoseRows& rows = (*problem_.poses)[pose];
+  const Eigen::MatrixXd moved = rows.byDeflections * deflectionRoot(rows, noise_) / noise_.pixel;
+  Eigen::MatrixXd inner = moved.transpose() * moved;
+  inner.diagonal().array() += 1;
+  const Eigen::LLT<Eigen::MatrixXd> factor{inner};
+  taken.logDeterminant += 2 * factor.matrixLLT().diagonal().array().log().sum();
+  Whitener& whitener = whiteners_[pose];
+  whitener.half = compressed(factor.matrixL().solve(moved.transpose()));
+  whitener.unknowns.noalias() = whitener.half * rows.byUnknowns / noise_.pixel;
+  const std::vector<std::size_t> unknowns = problem_.ownUnknownsOf(rows);
+  const auto answers = whitener.unknowns.leftCols(problem_.ownOf(rows));
+  taken.information(unknowns, unknowns) += answers.transpose() * answers;
 }
 
 ModelAlone::Outcome ModelAlone::operator()(const PoseResiduals& residuals, const Eigen::VectorXd& priorScore) const {
@@ -43,14 +54,24 @@ ModelAlone::Outcome ModelAlone::operator()(const PoseResiduals& residuals, const
   Outcome result;
   result.own = priorScore.replicate(1, draws);
   result.chi2.setZero(draws);
-  for (std::size_t pose = 0; pose < residuals.size(); ++pose) {
-    const PoseRows& rows = (*problem_.poses)[pose];
-    const Eigen::Index own = problem_.ownOf(rows);
-    const Eigen::MatrixXd bent = whiteners_[pose].half * residuals[pose] / noise_.pixel;
-    result.chi2 -= bent.colwise().squaredNorm();
-    result.own(problem_.ownUnknownsOf(rows), Eigen::all) +=
-        information * (rows.byUnknowns.leftCols(own).transpose() * residuals[pose]) -
-        whiteners_[pose].unknowns.leftCols(own).transpose() * bent;
+  for (const Outcome& part : gatheredInParts(
+           residuals.size(),
+           [&] {
+             Outcome none{.deviance = {}, .chi2 = Eigen::RowVectorXd::Zero(draws), .own = {}};
+             none.own.setZero(priorScore.size(), draws);
+             return none;
+           },
+           [&](std::size_t pose, Outcome&sum) {
+             const PoseRows& rows = (*problem_.poses)[pose];
+             const Eigen::Index own = problem_.ownOf(rows);
+             const Eigen::MatrixXd bent = whiteners_[pose].half * residuals[pose] / noise_.pixel;
+             sum.chi2 -= bent.colwise().squaredNorm();
+             sum.own(problem_.ownUnknownsOf(rows), Eigen::all) +=
+                 information * (rows.byUnknowns.leftCols(own).transpose() * residuals[pose]) -
+                 whiteners_[pose].unknowns.leftCols(own).transpose() * bent;
+           })) {
+    result.chi2 += part.chi2;
+    result.own += part.own;
   }
   factor_.matrixL().solveInPlace(result.own);
   result.chi2 -= result.own.colwise().squaredNorm();

@@ -36,6 +36,13 @@ public:
   const Noise& noise() const { return noise_; }
 
 private:
+  /// What deflections take of the own unknowns' information.
+  struct Taken {
+    Eigen::MatrixXd information;
+    double logDeterminant = 0;
+  };
+  void takeDeflections(std::size_t pose, Taken& taken);
+
   const ScoreProblem& problem_;
   Noise noise_;
   std::vector<Whitener> whiteners_;

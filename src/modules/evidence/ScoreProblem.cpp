@@ -1,6 +1,7 @@
 #include "evidence/ScoreProblem.hpp"
 
 #include "evidence/GramSum.hpp"
+#include "geometry/InParallel.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -10,11 +11,13 @@ namespace naocal {
 ScoreProblem::ScoreProblem(const std::vector<PoseRows>& poses, const DriverColumns& map, Eigen::VectorXd unknowns,
                            Eigen::VectorXd sigmas, Eigen::Index candidates)
     : poses{&poses}, map{&map}, unknowns{std::move(unknowns)}, sigmas{std::move(sigmas)}, candidates{candidates} {
-  GramSum sum{own() + candidates};
-  for (const PoseRows& pose : poses) {
-    sum.add(pose.unknowns, pose.byUnknowns);
+  const Eigen::Index columns = own() + candidates;
+  gram = Eigen::MatrixXd::Zero(columns, columns);
+  for (GramSum& part : gatheredInParts(
+           poses.size(), [&] { return GramSum{columns}; },
+           [&](std::size_t pose, GramSum&sum) { sum.add(poses[pose].unknowns, poses[pose].byUnknowns); })) {
+    gram += part.taken();
   }
-  gram = sum.taken();
 }
 
 Eigen::Index ScoreProblem::ownOf(const PosePart& pose) const {

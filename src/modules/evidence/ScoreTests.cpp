@@ -1,6 +1,7 @@
 #include "evidence/ScoreTests.hpp"
 
 #include "evidence/GramSum.hpp"
+#include "geometry/InParallel.hpp"
 #include "geometry/Index.hpp"
 #include "geometry/SymmetricEigen.hpp"
 
@@ -31,22 +32,42 @@ Eigen::MatrixXd whiteningOf(const Eigen::MatrixXd& block, const Eigen::MatrixXd&
 
 ScoreTests::ScoreTests(const ModelAlone& alone) : alone_{alone} {
   const ScoreProblem& problem = alone.problem();
-  GramSum taken{problem.gram.cols()};
-  for (std::size_t pose = 0; pose < problem.poses->size(); ++pose) {
-    taken.add((*problem.poses)[pose].unknowns, alone.whitener(pose).unknowns);
+  const std::size_t poses = problem.poses->size();
+  Eigen::MatrixXd whitened = problem.gram / (noise().pixel * noise().pixel);
+  for (GramSum& part : gatheredInParts(
+           poses, [&] { return GramSum{problem.gram.cols()}; },
+           [&](std::size_t pose, GramSum&sum) {
+             sum.add((*problem.poses)[pose].unknowns, alone.whitener(pose).unknowns);
+           })) {
+    whitened -= part.taken();
   }
-  const Eigen::MatrixXd whitened = problem.gram / (noise().pixel * noise().pixel) - taken.taken();
-  Columns columns;
-  columns.cross = Eigen::MatrixXd::Zero(problem.own(), problem.candidates + problem.map->count);
+  deflections_.resize(poses);
+  const std::vector<Columns> parts = gatheredInParts(
+      poses, [&] { return noColumns(problem); }, [&](std::size_t pose, Columns& columns) { addCurves(pose, columns); });
+  Columns columns = noColumns(problem);
+  for (const Columns& part : parts) {
+    columns += part;
+  }
   columns.cross.leftCols(problem.candidates) = whitened.topRightCorner(problem.own(), problem.candidates);
   columns.candidates = whitened.bottomRightCorner(problem.candidates, problem.candidates);
+  project(columns);
+}
+
+ScoreTests::Columns ScoreTests::noColumns(const ScoreProblem& problem) {
+  Columns columns;
+  columns.cross = Eigen::MatrixXd::Zero(problem.own(), problem.candidates + problem.map->count);
   for (const DriverCell& cell : problem.map->cells) {
     columns.cells.push_back(Eigen::MatrixXd::Zero(cell.count, cell.count));
   }
-  for (std::size_t pose = 0; pose < problem.poses->size(); ++pose) {
-    addCurves(pose, columns);
+  return columns;
+}
+
+ScoreTests::Columns& ScoreTests::Columns::operator+=(const Columns& other) {
+  cross += other.cross;
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    cells[cell] += other.cells[cell];
   }
-  project(columns);
+  return *this;
 }
 
 void ScoreTests::addCurves(std::size_t pose, Columns& columns) {
@@ -54,7 +75,7 @@ void ScoreTests::addCurves(std::size_t pose, Columns& columns) {
   const PoseRows& rows = (*problem.poses)[pose];
   const ModelAlone::Whitener& whitener = alone_.whitener(pose);
   const double information = 1 / (noise().pixel * noise().pixel);
-  const Eigen::MatrixXd& deflections = deflections_.emplace_back(whitener.half * rows.byDeflections / noise().pixel);
+  const Eigen::MatrixXd& deflections = deflections_[pose] = whitener.half * rows.byDeflections / noise().pixel;
   if (problem.map->blocks[pose].empty()) {
     return;
   }
@@ -104,7 +125,8 @@ Eigen::MatrixXd ScoreTests::projectedScores(const PoseResiduals& residuals, cons
   const ScoreProblem& problem = alone_.problem();
   const double information = 1 / (noise().pixel * noise().pixel);
   Eigen::MatrixXd result = explained_.transpose() * own;
-  for (std::size_t pose = 0; pose < residuals.size(); ++pose) {
+  const auto none = [&] { return Eigen::MatrixXd{Eigen::MatrixXd::Zero(result.rows(), result.cols())}; };
+  const auto add = [&](std::size_t pose, Eigen::MatrixXd& sum) {
     const PoseRows& rows = (*problem.poses)[pose];
     const Eigen::Index first = problem.ownOf(rows), rest = at(rows.unknowns.size()) - first;
     const ModelAlone::Whitener& whitener = alone_.whitener(pose);
@@ -112,17 +134,20 @@ Eigen::MatrixXd ScoreTests::projectedScores(const PoseResiduals& residuals, cons
     const Eigen::MatrixXd part = information * (rows.byUnknowns.rightCols(rest).transpose() * residuals[pose]) -
                                  whitener.unknowns.rightCols(rest).transpose() * bent;
     for (Eigen::Index i = 0; i < rest; ++i) {
-      result.row(at(rows.unknowns[static_cast<std::size_t>(first + i)]) - problem.own()) -= part.row(i);
+      sum.row(at(rows.unknowns[static_cast<std::size_t>(first + i)]) - problem.own()) += part.row(i);
     }
     if (problem.map->blocks[pose].empty()) {
-      continue;
+      return;
     }
     const Eigen::MatrixXd deflections =
         information * (rows.byDeflections.transpose() * residuals[pose]) - deflections_[pose].transpose() * bent;
     for (const DriverColumns::Block& block : problem.map->blocks[pose]) {
-      result.middleRows(problem.candidates + block.firstColumn, block.values.cols()).noalias() -=
+      sum.middleRows(problem.candidates + block.firstColumn, block.values.cols()).noalias() +=
           block.values.transpose() * deflections.middleRows(block.firstDeflection, block.values.rows());
     }
+  };
+  for (const Eigen::MatrixXd& part : gatheredInParts(residuals.size(), none, add)) {
+    result -= part;
   }
   return result;
 }
@@ -162,18 +187,26 @@ Eigen::MatrixXd ScoreTests::informationWith(std::size_t group, Eigen::Index coun
 
 double ScoreTests::movedPx(std::size_t group, const Eigen::VectorXd& coefficients) const {
   const ScoreProblem& problem = alone_.problem();
-  const Eigen::Index count = coefficients.size();
-  const Eigen::VectorXd own =
-      -alone_.factor().matrixU().solve(explained_.middleCols(problem.groups[group].first, count) * coefficients);
+  const Eigen::Index count = coefficients.size(), first = problem.groups[group].first;
+  const Eigen::VectorXd own = -alone_.factor().matrixU().solve(explained_.middleCols(first, count) * coefficients);
   double squares = 0, numbers = 0;
-  for (std::size_t pose = 0; pose < problem.poses->size(); ++pose) {
-    const PoseRows& rows = (*problem.poses)[pose];
+  for (const PoseRows& rows : *problem.poses) {
     numbers += rows.numbers;
-    squares += (rows.byUnknowns.leftCols(problem.ownOf(rows)) * own(problem.ownUnknownsOf(rows)) +
-                byColumns(group, count, pose) * coefficients)
-                   .squaredNorm();
   }
-  return std::sqrt(2 * squares / std::max(1.0, numbers));
+  if (first < problem.candidates) { // |J_o o + G c|^2 by the sums of all poses
+    const Eigen::Index column = problem.own() + first;
+    squares = own.dot(problem.gram.topLeftCorner(own.size(), own.size()) * own) +
+              2 * own.dot(problem.gram.block(0, column, own.size(), count) * coefficients) +
+              coefficients.dot(problem.gram.block(column, column, count, count) * coefficients);
+  } else {
+    for (std::size_t pose = 0; pose < problem.poses->size(); ++pose) {
+      const PoseRows& rows = (*problem.poses)[pose];
+      squares += (rows.byUnknowns.leftCols(problem.ownOf(rows)) * own(problem.ownUnknownsOf(rows)) +
+                  byColumns(group, count, pose) * coefficients)
+                     .squaredNorm();
+    }
+  }
+  return std::sqrt(2 * std::max(0.0, squares) / std::max(1.0, numbers));
 }
 
 Eigen::MatrixXd ScoreTests::falls(const PoseResiduals& residuals, const Eigen::MatrixXd& own) const {
@@ -182,17 +215,6 @@ Eigen::MatrixXd ScoreTests::falls(const PoseResiduals& residuals, const Eigen::M
   Eigen::MatrixXd result(at(groups.size()), all.cols());
   for (std::size_t i = 0; i < groups.size(); ++i) {
     result.row(at(i)) = (whitening_[i] * all.middleRows(groups[i].first, groups[i].count)).colwise().squaredNorm();
-  }
-  return result;
-}
-
-std::vector<ScoreTests::GroupScore> ScoreTests::groups(const PoseResiduals& residuals,
-                                                       const Eigen::MatrixXd& own) const {
-  const Eigen::VectorXd all = projectedScores(residuals, own).col(0);
-  std::vector<GroupScore> result;
-  for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    const ColumnGroup& group = alone_.problem().groups[i];
-    result.push_back({all.segment(group.first, group.count), blocks_[i]});
   }
   return result;
 }

@@ -19,13 +19,6 @@ public:
   /// scores, as in `ModelAlone::Outcome`.
   Eigen::MatrixXd falls(const PoseResiduals& residuals, const Eigen::MatrixXd& own) const;
 
-  /// A group's projected score and information, in the candidates' own units.
-  struct GroupScore {
-    Eigen::VectorXd score; // of a better fit: the estimate is information^-1 * score
-    Eigen::MatrixXd information;
-  };
-  std::vector<GroupScore> groups(const PoseResiduals& residuals, const Eigen::MatrixXd& own) const;
-
   /// Scores of all columns, downhill, projected: one row per column, as `ScoreProblem::groups` counts them.
   Eigen::MatrixXd projectedScores(const PoseResiduals& residuals, const Eigen::MatrixXd& own) const;
   /// Projected information of all columns (rows) with the first `count` ones of a group's.
@@ -52,7 +45,10 @@ private:
     Eigen::MatrixXd cross;              // own unknowns x candidates and map columns
     Eigen::MatrixXd candidates;         // candidates x candidates
     std::vector<Eigen::MatrixXd> cells; // per cell of the map
+
+    Columns& operator+=(const Columns& other); // without the candidates
   };
+  static Columns noColumns(const ScoreProblem& problem);
   void addCurves(std::size_t pose, Columns& columns);
   void project(const Columns& columns);
   Eigen::MatrixXd byColumns(std::size_t group, Eigen::Index count, std::size_t pose) const;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <tbb/parallel_for.h>
+#include <vector>
 
 #if defined(__has_feature)
 #if __has_feature(thread_sanitizer)
@@ -31,6 +33,23 @@ template <class Body> void inParallel(std::size_t count, const Body& body) {
 #else
   tbb::parallel_for(std::size_t{0}, count, body);
 #endif
+}
+
+/// What body(i, part) gathers over i = 0 .. count - 1, in a few parts side by side, each of which `make` has begun. How
+/// many there are does not depend on the machine: summed in their order they are the same everywhere, to the last bit.
+template <class Make, class Body> auto gatheredInParts(std::size_t count, const Make& make, const Body& body) {
+  constexpr std::size_t most = 4;
+  const std::size_t parts = std::max<std::size_t>(1, std::min(most, count));
+  std::vector<decltype(make())> result;
+  for (std::size_t part = 0; part < parts; ++part) {
+    result.push_back(make());
+  }
+  inParallel(parts, [&](std::size_t part) {
+    for (std::size_t i = part * count / parts; i < (part + 1) * count / parts; ++i) {
+      body(i, result[part]);
+    }
+  });
+  return result;
 }
 
 } // namespace naocal
