@@ -1,8 +1,8 @@
 #pragma once
 
+#include "JobQueue.hpp"
 #include "LabDesk.hpp"
 #include "Server.hpp"
-#include "Worker.hpp"
 
 #include <functional>
 #include <memory>
@@ -40,7 +40,7 @@ private:
   std::size_t number_ = 0;                              // of the desk
   std::vector<std::pair<std::string, Message>> latest_; // what it told last, by kind
   std::unique_ptr<LabDesk> desk_;
-  Worker leaving_, opening_; // last: they end first
+  JobQueue leaving_, opening_; // last: they end first
 };
 
 } // namespace naocal

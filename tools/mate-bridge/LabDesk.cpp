@@ -54,7 +54,7 @@ LabDesk::~LabDesk() {
 }
 
 void LabDesk::work(std::string_view what, std::function<void(Laboratory&)> change) {
-  worker_.add([this, what, change = std::move(change)] {
+  jobs_.add([this, what, change = std::move(change)] {
     tell_("work", wireText({{"kind", "work"}, {"what", what}}));
     try {
       change(*laboratory_);

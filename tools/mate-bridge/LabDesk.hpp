@@ -1,7 +1,7 @@
 #pragma once
 
+#include "JobQueue.hpp"
 #include "OpenedSets.hpp"
-#include "Worker.hpp"
 
 #include <atomic>
 #include <functional>
@@ -55,7 +55,7 @@ private:
   std::atomic<int> questions_ = 0; // that wait
   mutable std::mutex mutex_;
   std::map<std::string, std::string> made_; // files by name
-  Worker worker_;
+  JobQueue jobs_;
 };
 
 } // namespace naocal

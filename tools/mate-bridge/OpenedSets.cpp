@@ -7,8 +7,10 @@
 #include "captures/JsonPlace.hpp"
 #include "captures/JsonText.hpp"
 
+#include <filesystem>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace naocal {
 
@@ -40,11 +42,39 @@ void addDiagnosis(const JsonPlace& diagnosis, const std::string& file, bool sets
   }
 }
 
-void addResult(const JsonPlace& result, const std::string& file, OpenedSets& opened) {
-  const StoredResult stored = readResult(file);
+void takeModel(const std::string& resultFile, OpenedSets& opened) {
+  const StoredResult stored = readResult(resultFile);
   opened.terms = stored.terms;
   opened.definitions = stored.definitions;
+}
+
+void addResult(const JsonPlace& result, const std::string& file, OpenedSets& opened) {
+  takeModel(file, opened);
   addInputs(result.at("inputs"), file, opened);
+}
+
+/// The round of a robot's recording that its calibration was solved from: the recording's first, or the folder itself.
+std::optional<std::filesystem::path> solvedRound(const std::filesystem::path& folder) {
+  for (const std::filesystem::path& round : {folder / "first", folder}) {
+    std::error_code ignored;
+    if (std::filesystem::exists(round / "captures.json", ignored) &&
+        std::filesystem::exists(round / "offsets.json", ignored) &&
+        std::filesystem::exists(round / "result.json", ignored)) {
+      return round;
+    }
+  }
+  return std::nullopt;
+}
+
+/// A folder that is opened alone: of a robot's recording the solved round, with the model that it was solved with. What
+/// was taken to check it was taken with other offsets, and is opened by its own name.
+void addAlone(const std::string& folder, OpenedSets& opened) {
+  if (const auto round = solvedRound(folder)) {
+    addSet(round->string(), opened);
+    takeModel((*round / "result.json").string(), opened);
+  } else {
+    addFolder(folder, opened);
+  }
 }
 
 /// A model: what was added, taken out and defined; of which captures is for others to say.
@@ -105,7 +135,7 @@ OpenedSets openSets(const std::vector<std::string>& paths) {
   OpenedSets opened;
   for (const std::string& path : paths) {
     if (!isDocument(path)) {
-      addFolder(path, opened);
+      paths.size() == 1 ? addAlone(path, opened) : addFolder(path, opened);
     }
   }
   for (const std::string& path : paths) {

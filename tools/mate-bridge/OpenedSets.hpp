@@ -26,10 +26,12 @@ struct OpenedSets {
   std::string sessionFile;        // that keeps the ladder from now on; may be empty
 };
 
-/// Opens capture sets (folders with captures.json), recordings of the robot (folders of sets), or one RESULT.json,
+/// Opens capture sets (folders with captures.json), folders of sets, recordings of the robot, or one RESULT.json,
 /// DIAGNOSIS.json or session together with the sets that it was made from (as they are written there, or beside it;
-/// behind an older diagnosis they are named), or a MODEL.json with sets behind it. Pictures whose corners were not
-/// looked for are searched, and nothing is written. Throws InputError that names file, what was expected and found.
+/// behind an older diagnosis they are named), or a MODEL.json with sets behind it. A robot's recording that is opened
+/// alone opens with the round that it was solved from and the model that it was solved with. Pictures whose corners
+/// were not looked for are searched, and nothing is written. Throws InputError that names file, what was expected and
+/// found.
 OpenedSets openSets(const std::vector<std::string>& paths);
 
 /// The same, and keeps a session of it in a file: goes on from it where it is there already.

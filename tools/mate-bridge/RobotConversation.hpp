@@ -1,21 +1,21 @@
 #pragma once
 
-#include "RobotLink.hpp"
+#include "RobotClient.hpp"
 #include "RobotSocket.hpp"
 
 #include <set>
 
-/// Heavy (Boost.Asio): included by RobotConversation.cpp and RobotLink.cpp only.
+/// Heavy (Boost.Asio): included by RobotConversation.cpp and RobotClient.cpp only.
 namespace naocal {
 
-/// What goes on between a RobotLink and its robot.
+/// What goes on between a RobotClient and its robot.
 class RobotConversation : public std::enable_shared_from_this<RobotConversation> {
 public:
   RobotConversation(boost::asio::io_context& context, const std::string& address, RobotCalls calls);
 
   void connect();
   void drop();
-  /// As RobotLink.
+  /// As RobotClient.
   void rest();
   void wake();
   bool connected() const { return missing_ == 0; }
@@ -23,7 +23,7 @@ public:
 
   void subscribe(const std::string& key);
   void unsubscribe(const std::string& key);
-  /// As RobotLink.
+  /// As RobotClient.
   bool introduce(const std::string& settings);
   /// False: not connected, so nothing was sent.
   bool say(ConfigFrame type, std::string_view body = {});

@@ -10,7 +10,7 @@
 #include <functional>
 #include <memory>
 
-/// Heavy (Boost.Asio): included by RobotSocket.cpp and RobotLink.cpp only.
+/// Heavy (Boost.Asio): included by RobotSocket.cpp and RobotClient.cpp only.
 namespace naocal {
 
 /// One of a robot's two sockets: connects, cuts what comes into frames, sends frames. Ends once, with a sentence.

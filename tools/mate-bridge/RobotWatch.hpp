@@ -1,9 +1,9 @@
 #pragma once
 
 #include "FloorBoards.hpp"
+#include "JobQueue.hpp"
 #include "LiveExpectation.hpp"
 #include "StandingRobot.hpp"
-#include "Worker.hpp"
 
 #include <array>
 #include <chrono>
@@ -52,7 +52,7 @@ private:
   std::chrono::steady_clock::time_point told_;
   std::map<std::string, std::chrono::steady_clock::time_point> looked_; // by camera
   std::shared_ptr<Sight> sight_;                                        // shared with the thread
-  Worker worker_;                                                       // last: it uses the others
+  JobQueue jobs_;                                                       // last: it uses the others
 };
 
 } // namespace naocal

@@ -39,13 +39,13 @@ template <typename Action> void whereItFits(const Action& action) {
 
 SeenRobot::SeenRobot(boost::asio::io_context& context, std::string address, const RobotsCalls& calls)
     : address_{std::move(address)}, calls_{calls},
-      link_{std::make_unique<RobotLink>(context, address_,
-                                        RobotCalls{[this] { changed(); },
-                                                   [this](const std::string& body) { listed("list", body); },
-                                                   [this](const std::string& body) { updated(body); },
-                                                   [this](const std::string& body) { listed("mounts", body); },
-                                                   [this](const std::string& body) { listed("keys", body); },
-                                                   [this](const std::string& body) { pictured(body); }})} {
+      link_{std::make_unique<RobotClient>(context, address_,
+                                          RobotCalls{[this] { changed(); },
+                                                     [this](const std::string& body) { listed("list", body); },
+                                                     [this](const std::string& body) { updated(body); },
+                                                     [this](const std::string& body) { listed("mounts", body); },
+                                                     [this](const std::string& body) { listed("keys", body); },
+                                                     [this](const std::string& body) { pictured(body); }})} {
   calls_.all(state());
 }
 

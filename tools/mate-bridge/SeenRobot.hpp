@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ListedMounts.hpp"
-#include "RobotLink.hpp"
+#include "RobotClient.hpp"
 #include "RobotWatch.hpp"
 #include "TakenPictures.hpp"
 #include "Viewers.hpp"
@@ -67,7 +67,7 @@ private:
   TakenPictures taken_;                       // of its calibration's captures
   std::unique_ptr<RobotWatch> watch_;         // once somebody asked for it
   ListedMounts mounts_{[this](const std::string& mount) { link_->askForKeys(mount); }};
-  std::unique_ptr<RobotLink> link_;
+  std::unique_ptr<RobotClient> link_;
 };
 
 } // namespace naocal

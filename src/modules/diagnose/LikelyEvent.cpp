@@ -82,7 +82,7 @@ Rivals rivalsIn(const Inquiry& inquiry, const std::vector<Noise>& levels) {
 /// Events, and what the captures say of each.
 struct Asked {
   std::vector<Event> events;
-  std::vector<double> bayes;           // at any level
+  std::vector<double> bayes;           // at any level, their priors included
   std::vector<GroupEvidence> evidence; // at the fit's
   std::vector<std::size_t> order = {}; // the likeliest first
 

@@ -9,14 +9,14 @@
 namespace naocal {
 
 /// One thread for work that takes long, one piece after the other. Ends after the piece that it is at.
-class Worker {
+class JobQueue {
 public:
   using Job = std::function<void()>;
 
-  Worker();
-  ~Worker();
-  Worker(const Worker&) = delete;
-  Worker& operator=(const Worker&) = delete;
+  JobQueue();
+  ~JobQueue();
+  JobQueue(const JobQueue&) = delete;
+  JobQueue& operator=(const JobQueue&) = delete;
 
   void add(Job job);
 

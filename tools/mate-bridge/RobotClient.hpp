@@ -21,11 +21,11 @@ struct RobotCalls {
 
 /// A robot's two sockets: connects, asks what there is, and when they break says why and connects anew after a second,
 /// with everything that was subscribed to. All on the thread that runs the context.
-class RobotLink {
+class RobotClient {
 public:
   /// Throws InputError for an address that cannot be one (RobotPlace.hpp).
-  RobotLink(boost::asio::io_context& context, const std::string& address, RobotCalls calls);
-  ~RobotLink();
+  RobotClient(boost::asio::io_context& context, const std::string& address, RobotCalls calls);
+  ~RobotClient();
 
   bool connected() const;
   /// How it stands, for people: "connected", "connecting", or what went wrong.

@@ -1,10 +1,10 @@
-#include "Worker.hpp"
+#include "JobQueue.hpp"
 
 namespace naocal {
 
-Worker::Worker() : thread_{[this] { run(); }} {}
+JobQueue::JobQueue() : thread_{[this] { run(); }} {}
 
-Worker::~Worker() {
+JobQueue::~JobQueue() {
   {
     const std::lock_guard lock{mutex_};
     ends_ = true;
@@ -13,7 +13,7 @@ Worker::~Worker() {
   thread_.join();
 }
 
-void Worker::add(Job job) {
+void JobQueue::add(Job job) {
   {
     const std::lock_guard lock{mutex_};
     jobs_.push_back(std::move(job));
@@ -21,7 +21,7 @@ void Worker::add(Job job) {
   changed_.notify_all();
 }
 
-void Worker::run() {
+void JobQueue::run() {
   for (;;) {
     std::unique_lock lock{mutex_};
     changed_.wait(lock, [this] { return ends_ || !jobs_.empty(); });
