@@ -188,25 +188,38 @@ Measurements without(const std::vector<Suspicion>& suspicious, const std::vector
   return measurements;
 }
 
+/// What all captures show of candidates beside the model as given, whatever was set aside later.
+void takeAlone(const std::vector<CandidateFinding>& all, std::vector<CandidateFinding>& left) {
+  for (CandidateFinding& finding : left) {
+    const auto same = std::find_if(all.begin(), all.end(), [&](const CandidateFinding& other) {
+      return other.term.label() == finding.term.label();
+    });
+    if (same != all.end()) {
+      finding.alone = same->alone;
+      finding.evidence = finding.step == 0 && finding.state != State::noData ? same->alone : finding.evidence;
+    }
+  }
+}
+
 /// Questioned again without captures that an accident spoiled: what is missing beside them is told as well.
 Diagnosis questionedWithoutSpoiled(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                                    const Model& asked, const DiagnosisOptions& options) {
   constexpr int most = 4; // accidents
   Diagnosis result = questioned(sets, measurements, asked, options);
-  for (int round = 0; options.grow && round < most && !result.suspicious.empty() && isSpoiled(result.suspicious.back());
-       ++round) {
-    const Measurements left = without(result.suspicious, sets, measurements);
-    Diagnosis next = questioned(sets, left, asked, options);
-    const std::size_t known = result.suspicious.size();
+  std::ptrdiff_t known = 0; // suspicions
+  for (int round = 0; options.grow && round < most; ++round) {
+    if (std::none_of(result.suspicious.begin() + known, result.suspicious.end(), isSpoiled)) {
+      break;
+    }
+    known = std::ssize(result.suspicious);
+    Diagnosis next = questioned(sets, without(result.suspicious, sets, measurements), asked, options);
     addNew(next.suspicious, result.suspicious);
     next.suspicious = result.suspicious;
     next.alarm = result.alarm;
+    takeAlone(result.ranking, next.ranking);
     next.verdict = Verdict::badCaptures;
     next.sentence = sentence(next);
     result = std::move(next);
-    if (result.suspicious.size() == known) {
-      break;
-    }
   }
   return result;
 }

@@ -35,6 +35,7 @@ struct CandidateFinding {
   State state = State::inconclusive;
   std::string why;                       // of noData: "no temperatures were recorded"
   GroupEvidence evidence;                // where it was strongest: alone, or after others were added
+  GroupEvidence alone;                   // beside the model as given
   std::size_t step = 0;                  // after how many additions that was
   double power = 0;                      // chance to be noticed were any one of its unknowns as large as plausible
   std::vector<double> minimalDetectable; // per unknown: noticed in 9 of 10 cases [the unknown's unit]

@@ -88,6 +88,7 @@ CandidateFinding& Ladder::findingOf(const std::string& label) {
 void Ladder::look(const Inquiry& inquiry, Diagnosis& diagnosis) {
   for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
     CandidateFinding& finding = findingOf(inquiry.candidates()[i]);
+    finding.alone = diagnosis.steps.empty() ? inquiry.ofCandidate(i) : finding.alone;
     if (inquiry.ofCandidate(i).bayes > finding.evidence.bayes) {
       finding.evidence = inquiry.ofCandidate(i);
       finding.step = diagnosis.steps.size();
