@@ -118,7 +118,9 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
       result.suspicious = accidents(sets, measurements, ladder.model(), ladder.fit(), inquiry);
     }
     const std::optional<ImageField> field = worthANote(strikingField(measurements, ladder.model(), ladder.fit()), most);
-    const bool striking = inquiry.evidence().pValue <= options.alarm && inquiry.evidence().matters;
+    constexpr double again = 0.4; // every rung is one more look: of several at 5 % each, one would be false too often
+    const double level = result.suggested.empty() ? options.alarm : again * options.alarm;
+    const bool striking = inquiry.evidence().pValue <= level && inquiry.evidence().matters;
     const bool alarm = (striking || field) && result.suspicious.empty();
     const std::optional<std::size_t> candidate = alarm ? ladder.best(inquiry) : std::nullopt;
     if (alarm && inquiry.curveCount() > 0) {
