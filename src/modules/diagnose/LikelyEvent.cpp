@@ -208,8 +208,9 @@ std::string whatElse(const std::vector<Tried>& tried) {
     const bool is =
         std::any_of(told.begin(), told.end(), [&](const Event* one) { return sameThing(other.event, *one); });
     if (behind < hardlyLess && !is) {
-      text += fmt::format("{}{} (1 to {:.0f})", text.empty() ? ", unless it was " : " or ", other.event.who,
-                          std::exp(behind / 2));
+      const double odds = std::exp(behind / 2);
+      text += fmt::format("{}{} ({})", text.empty() ? ", unless it was " : " or ", other.event.who,
+                          odds < 1.5 ? "as likely" : fmt::format("1 to {:.0f}", odds));
       told.push_back(&other.event);
     }
   }
