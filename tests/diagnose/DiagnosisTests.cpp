@@ -237,8 +237,12 @@ TEST_CASE("a joint that slips once is located, and when") {
   CHECK(told.when->until - told.when->since < (last - first) / 6);
   CHECK(diagnosis.suggested.empty());
   REQUIRE(!diagnosis.drivers.empty());
-  CHECK(diagnosis.drivers.front().place == "LAnklePitch");
-  CHECK(diagnosis.drivers.front().driver == "t");
+  const DriverFinding& found = diagnosis.drivers.front();
+  CHECK(found.place == "LAnklePitch");
+  CHECK(found.driver == "t");
+  CHECK(found.amplitude == Approx(radians(0.2)).epsilon(0.3)); // half of the step
+  REQUIRE(found.expression.starts_with("a*(t > "));
+  CHECK(std::stod(found.expression.substr(7)) == Approx(slip - first).margin(2 * (last - first) / 24));
 }
 
 TEST_CASE("a camera that turns in its mount is told from a joint") {

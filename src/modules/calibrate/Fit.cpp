@@ -136,6 +136,14 @@ Fit refit(const Measurements& measurements, const Model& model, const Noise& noi
   return {noise, loss, *std::move(minimum), from.restartsChanged};
 }
 
+Fit nearlyFitted(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss,
+                 const Eigen::VectorXd& unknowns) {
+  Fit from{
+      Noise{.pixel = noise.pixel, .encoder = -1, .pose = -1}, loss, {}}; // other levels: deflections are found anew
+  from.minimum.state.unknowns = unknowns;
+  return refit(measurements, model, noise, loss, std::move(from), nearly);
+}
+
 Fit robustFit(const Measurements& measurements, const Model& model, const Noise& noise, Fit from) {
   for (int round = 0; round < 6; ++round) {
     const Residuals here{measurements, model, from.noise, from.loss};

@@ -28,6 +28,13 @@ Fit firstFit(const Measurements& measurements, const Model& model, const Noise& 
 Fit refit(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss, Fit from,
           double smallestFall = LevenbergMarquardtOptions{}.smallestFall);
 
+/// Fits that are only compared stop here: their costs differ by tens.
+constexpr double nearly = 0.01;
+
+/// On from unknowns whose deflections are not known; ends `nearly`.
+Fit nearlyFitted(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss,
+                 const Eigen::VectorXd& unknowns);
+
 /// On from a fit: corners far off their prediction lose their weight. The loss's scale follows the median distance, so
 /// that a model that misses something is not mistaken for a board full of false corners. Ends `roughly`.
 Fit robustFit(const Measurements& measurements, const Model& model, const Noise& noise, Fit from);

@@ -5,19 +5,17 @@
 #include "geometry/InParallel.hpp"
 #include "residuals/Carried.hpp"
 
+#include <utility>
+
 namespace naocal {
 
 namespace {
 
-constexpr double near = 0.01; // of half a chi2; falls of tens are compared
-
 /// First with all corners in full: what has moved has lost its weight.
 FitMinimum fittedFrom(const Eigen::VectorXd& start, const Measurements& measurements, const Model& model,
                       const CalibrationResult& fit) {
-  Fit from{Noise{.pixel = fit.noise.pixel, .encoder = -1, .pose = -1}, {}, {}};
-  from.minimum.state.unknowns = start;
-  from = refit(measurements, model, fit.noise, Loss{}, std::move(from), near);
-  return refit(measurements, model, fit.noise, fit.loss, std::move(from), near).minimum;
+  Fit full = nearlyFitted(measurements, model, fit.noise, Loss{}, start);
+  return refit(measurements, model, fit.noise, fit.loss, std::move(full), nearly).minimum;
 }
 
 } // namespace

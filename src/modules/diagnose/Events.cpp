@@ -223,11 +223,13 @@ std::vector<Event> possibleEvents(const std::vector<CaptureSet>& sets, const Mea
   return result;
 }
 
-std::vector<Event> atAnyTime(const Event& event, const std::vector<CaptureSet>& sets,
+std::vector<Event> atAnyTime(const std::vector<Event>& things, const std::vector<CaptureSet>& sets,
                              const Measurements& measurements) {
   constexpr std::size_t most = 128;
   std::vector<Event> result = movesAt(most, sets, measurements);
-  std::erase_if(result, [&](const Event& other) { return !sameThing(other, event); });
+  std::erase_if(result, [&](const Event& event) {
+    return std::none_of(things.begin(), things.end(), [&](const Event& thing) { return sameThing(event, thing); });
+  });
   return result;
 }
 

@@ -38,7 +38,8 @@ std::string happened(const Event& event, const Eigen::VectorXd& values);
 std::vector<Event> possibleEvents(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                                   const CalibrationResult& fit);
 
-/// The same thing at all moments between two captures, where they are many at 128 of them.
-std::vector<Event> atAnyTime(const Event& event, const std::vector<CaptureSet>& sets, const Measurements& measurements);
+/// The same things at all moments between two captures, where they are many at 128 of them.
+std::vector<Event> atAnyTime(const std::vector<Event>& things, const std::vector<CaptureSet>& sets,
+                             const Measurements& measurements);
 
 } // namespace naocal

@@ -51,10 +51,8 @@ bool Ladder::foretells(const Inquiry& inquiry, std::size_t candidate) const {
 }
 
 Ladder::Nearly Ladder::nearlyFitted(const Model& model) const {
-  Fit from{Noise{.pixel = fit_.noise.pixel, .encoder = -1, .pose = -1}, fit_.loss, {}};
-  from.minimum.state.unknowns = carried(model_, fit_.unknowns, model);
-  constexpr double near = 0.01; // of half a chi2; falls of tens are compared
-  const FitMinimum minimum = naocal::refit(measurements_, model, fit_.noise, fit_.loss, std::move(from), near).minimum;
+  const FitMinimum minimum =
+      naocal::nearlyFitted(measurements_, model, fit_.noise, fit_.loss, carried(model_, fit_.unknowns, model)).minimum;
   return {minimum.linear.cost, minimum.state.unknowns};
 }
 

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -129,17 +130,15 @@ bool convinces(const Asked& events, const Rivals& rivals) {
 std::vector<Event> atAllMoments(const Asked& coarse, const std::vector<CaptureSet>& sets,
                                 const Measurements& measurements) {
   constexpr std::size_t most = 8;
-  std::vector<const Event*> things;
-  std::vector<Event> result;
+  std::vector<Event> things;
   for (std::size_t place = 0; place < coarse.order.size() && things.size() < most; ++place) {
     const Event& event = coarse.event(place);
-    const bool is = std::any_of(things.begin(), things.end(), [&](const Event* one) { return sameThing(*one, event); });
-    if (!is) {
-      things.push_back(&event);
-      const std::vector<Event> all = event.from ? atAnyTime(event, sets, measurements) : std::vector{event};
-      result.insert(result.end(), all.begin(), all.end());
+    if (std::none_of(things.begin(), things.end(), [&](const Event& one) { return sameThing(one, event); })) {
+      things.push_back(event);
     }
   }
+  std::vector<Event> result = atAnyTime(things, sets, measurements);
+  std::copy_if(things.begin(), things.end(), std::back_inserter(result), [](const Event& one) { return !one.from; });
   return result;
 }
 
