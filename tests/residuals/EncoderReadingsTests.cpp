@@ -6,10 +6,12 @@
 #include "synthetic/Simulation.hpp"
 #include "synthetic/StandingPoses.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
 #include <random>
+#include <set>
 #include <string>
 #include <tuple>
 
@@ -100,6 +102,36 @@ TEST_CASE("readings that never differ leave the whole step open") {
   const RestReadings::Place place = rest.place(0);
   CHECK(place.angle == Approx(0.3));
   CHECK(std::sqrt(place.variance) == Approx(encoderStep / std::sqrt(12.0)).epsilon(0.05)); // integrated on a grid
+}
+
+TEST_CASE("readings between two of an encoder's steps give a rest one place") {
+  // Proves it of what a robot records whose pictures lie in time between readings that toggle: parts of a step apart is
+  // no jitter, and no picture of the rest is believed to have seen its joint elsewhere than the others.
+  const RestReadings rest{{265.58 * encoderStep, 266 * encoderStep}};
+  CHECK_FALSE(rest.differ());
+  CHECK(rest.place(0).angle == Approx(265.79 * encoderStep));
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  SimulationPlan plan;
+  plan.poses = standingPoses(robot, plan, SupportFoot::left, 4, 1);
+  CaptureSet set = simulate(robot, plan, 3).set;
+  double part = 0; // of a step
+  for (Capture& capture : set.captures) {
+    const auto head = std::find(set.jointNames.begin(), set.jointNames.end(), "HeadYaw") - set.jointNames.begin();
+    const auto& first = *std::find_if(set.captures.begin(), set.captures.end(),
+                                      [&](const Capture& one) { return one.pose == capture.pose; });
+    capture.joints.measured = first.joints.measured;
+    part = part > 0.2 ? 0 : part + 0.1;
+    capture.joints.measured[static_cast<std::size_t>(head)] += part * encoderStep;
+  }
+  const Measurements measurements = measurementsOf({set}, robot);
+  for (const PoseGroup& pose : measurements.poses) {
+    CHECK(pose.readings.size() > 1);
+    std::set<double> places;
+    for (const Reading& reading : pose.readings) {
+      places.insert(measurements.pictures[reading.pictures.front()].instant.q[0]);
+    }
+    CHECK(places.size() == 1);
+  }
 }
 
 TEST_CASE("readings that lie too far apart for their joint's jitter still have a place") {

@@ -39,12 +39,16 @@ double peakOf(const std::vector<double>& curve) {
 
 } // namespace
 
-RestReadings::RestReadings(const std::vector<double>& angles)
-    : lowest_{*std::min_element(angles.begin(), angles.end())} {
+RestReadings::RestReadings(const std::vector<double>& angles) {
+  const double least = *std::min_element(angles.begin(), angles.end());
   std::map<int, int> counts;
+  double beside = 0; // of whole steps
   for (const double angle : angles) {
-    ++counts[static_cast<int>(std::lround((angle - lowest_) / encoderStep))];
+    const auto step = static_cast<int>(std::lround((angle - least) / encoderStep));
+    ++counts[step];
+    beside += angle - least - step * encoderStep;
   }
+  lowest_ = least + beside / static_cast<double>(angles.size());
   counts_.assign(counts.begin(), counts.end());
 }
 

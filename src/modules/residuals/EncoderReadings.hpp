@@ -8,10 +8,10 @@ namespace naocal {
 /// An encoder's readings while its joint rested: how often each step was read, steps counted from the lowest one.
 class RestReadings {
 public:
-  /// `angles`: as read [rad], at least one.
+  /// `angles`: as read [rad], at least one. Readings taken between two of the encoder's (a picture's time lies between
+  /// them) are parts of a step apart: they count as the nearest step.
   explicit RestReadings(const std::vector<double>& angles);
 
-  double lowest() const { return lowest_; } // [rad]
   /// Whether readings differ, so that they say something about the encoder's jitter.
   bool differ() const { return counts_.size() > 1; }
   int highest() const { return counts_.back().first; } // step above the lowest one
@@ -31,7 +31,7 @@ public:
 private:
   template <class Visit> void overPlaces(double jitter, const Visit& visit) const;
 
-  double lowest_ = 0;
+  double lowest_ = 0;                       // angle of step 0: the mean of all readings less their steps [rad]
   std::vector<std::pair<int, int>> counts_; // step, how often
 };
 

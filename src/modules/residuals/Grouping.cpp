@@ -118,7 +118,7 @@ std::vector<double> jitterOf(std::vector<std::vector<RestReadings>> readings, co
   return result;
 }
 
-/// Gives each joint of each rest its encoder error, and where readings differ its likeliest place to all its pictures.
+/// Gives each joint of each rest its encoder error, and its likeliest place to all pictures of the rest.
 void placeJoints(const std::vector<std::vector<Rest>>& restsOf, const std::vector<std::vector<RestReadings>>& readings,
                  Measurements& measurements) {
   const std::size_t joints = measurements.robot.joints.size();
@@ -142,10 +142,8 @@ void placeJoints(const std::vector<std::vector<Rest>>& restsOf, const std::vecto
         }
         for (const std::size_t reading : rest.readings) {
           for (const std::size_t index : pose.readings[reading].pictures) {
-            if (read.differ()) {
-              measurements.pictures[index].instant.q[static_cast<Eigen::Index>(joint)] = place.angle;
-              measurements.pictures[index].drawn.angle(joint) = place.angle;
-            }
+            measurements.pictures[index].instant.q[static_cast<Eigen::Index>(joint)] = place.angle;
+            measurements.pictures[index].drawn.angle(joint) = place.angle;
           }
         }
       }
