@@ -3,6 +3,7 @@
 #include "geometry/Angles.hpp"
 
 #include <catch2/catch.hpp>
+#include <functional>
 
 namespace naocal {
 
@@ -40,12 +41,19 @@ struct Person {
   }
   /// The next state that it tells.
   json next() { return json::parse(debug.receive(2).value().body).at(0)["value"]; }
-  json until(const std::string& phase) {
+  /// The first state that is so; a calibration that ends before it fails the test.
+  json until(const std::function<bool(const json&)>& isSo) {
     json state = next();
-    while (state["phase"] != phase) {
+    while (!isSo(state)) {
+      INFO(state.dump());
+      REQUIRE(state["phase"] != "failed");
+      REQUIRE(state["phase"] != "finished");
       state = next();
     }
     return state;
+  }
+  json until(const std::string& phase) {
+    return until([&](const json& state) { return state["phase"] == phase; });
   }
 
   SimulatedProcess simulated;
@@ -97,12 +105,9 @@ TEST_CASE("a calibration that is ended while its ways are checked stays ended, a
   // Proves that what its work finds afterwards is neither taken up nor told.
   Person person{SimulatedProcess::plan(1, 0)};
   person.set("run", "left leg");
-  json state = person.next();
-  while (state["phase"] != "preparing" && state["phase"] != "waiting") { // whichever is seen first
-    state = person.next();
-  }
+  person.until([](const json& one) { return one["phase"] == "preparing" || one["phase"] == "waiting"; });
   person.set("run", "");
-  state = person.until("failed");
+  json state = person.until("failed");
   for (int i = 0; i < 150; ++i) { // longer than the check takes
     state = person.next();
   }
@@ -116,13 +121,14 @@ TEST_CASE("a robot that is ended on one foot is held on its way back") {
   Person person{SimulatedProcess::plan(1, radians(5))};
   auto player = MateClient::debug(person.simulated.process->sockets().debugPort());
   person.set("run", "left leg");
-  json state = person.next();
-  for (int answered = 0; state["phase"] != "collecting" || state["pose"] < 2; state = person.next()) {
+  int answered = 0;
+  person.until([&](const json& state) {
     if (state["phase"] == "waiting" && state["questionNumber"] > answered) {
       answered = state["questionNumber"];
       person.set("confirmed", answered);
     }
-  }
+    return state["phase"] == "collecting" && state["pose"] >= 2;
+  });
   CHECK(person.simulated.world.truth().supportFoot == SupportFoot::left);
   person.simulated.process->configuration().set("Brain.BehaviorModule", "isCameraCalibration", true); // no look now
   person.set("run", "");
@@ -143,10 +149,8 @@ TEST_CASE("a calibration says what it waits for") {
   Person person{SimulatedProcess::plan(1, 0)};
   person.simulated.world.block(CameraName::bottom, true);
   person.set("run", "head");
-  json state = person.next();
-  while (state["sentence"].get<std::string>().find("waits until") == std::string::npos) {
-    state = person.next();
-  }
+  const json state = person.until(
+      [](const json& one) { return one["sentence"].get<std::string>().find("waits until") != std::string::npos; });
   CHECK(state["sentence"] == "Pose H00 waits until the bottom camera gives pictures.");
   person.simulated.world.block(CameraName::bottom, false);
   CHECK(person.until("finished")["errorAfter"].is_number());

@@ -15,10 +15,13 @@ using nlohmann::json;
 
 namespace {
 
-/// The state of a calibration that a client has subscribed to, once it is in this phase.
+/// The state of a calibration that a client has subscribed to, once it is in this phase; one that ends before it fails
+/// the test.
 json until(MateClient& debug, const std::string& phase) {
   json state = {{"phase", ""}};
   while (state["phase"] != phase) {
+    REQUIRE(state["phase"] != "failed");
+    REQUIRE(state["phase"] != "finished");
     state = json::parse(debug.receive(2).value().body).at(0)["value"];
   }
   return state;

@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -14,9 +13,8 @@ struct LevenbergMarquardtOptions {
   int maxIterations = 300;
   double firstDamping = 1e-3; // in units of 1 / scale^2
   double smallestFall =
-      1e-9;               // stop when the quadratic model predicts a smaller fall of the cost [1 = half a chi2 unit]
-  double settled = 1e-3;  // a fall over the last ten iterations below which a search that could not go on has arrived
-  double creeping = 1e-4; // the same as part of the cost, where only steps that are damped a thousandfold still fall
+      1e-9;              // stop when the quadratic model predicts a smaller fall of the cost [1 = half a chi2 unit]
+  double settled = 1e-3; // a fall over the last ten iterations below which a search that could not go on has arrived
 };
 
 /// Where the search ended.
@@ -26,12 +24,6 @@ template <typename State, typename Linear> struct Minimum {
   int iterations = 0;
   bool converged = false;
 };
-
-/// How far the cost fell over the last ten iterations; infinitely far where there were fewer.
-inline double fallenOverTen(const std::vector<double>& costs, double now) {
-  constexpr std::size_t some = 10;
-  return costs.size() > some ? costs[costs.size() - 1 - some] - now : std::numeric_limits<double>::infinity();
-}
 
 /// Levenberg-Marquardt with Nielsen's damping (Madsen, Nielsen, Tingleff: Methods for non-linear least squares
 /// problems, 2nd ed. 2004, algorithm 3.16), damping scaled by the Hessian's diagonal.
@@ -43,7 +35,7 @@ inline double fallenOverTen(const std::vector<double>& costs, double now) {
 ///   const Eigen::VectorXd& scales()                    how far each number plausibly moves
 /// `linearise` gets one of two `Linear`s, filled before by itself or empty, so that it may use their memory again.
 /// Where the cost has a kink or a narrow bent valley (a gear's gap), steps never bring what is predicted: such a search
-/// has converged when it hardly falls any more, be it against chi2's own scatter or against what is left to explain.
+/// has converged when it hardly fell any more.
 /// An impossible state is never rewarded: the step that led there is refused. Absent: already the start is impossible.
 template <typename Problem, typename State>
 auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarquardtOptions& options = {})
@@ -90,9 +82,8 @@ auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarq
       }
     }
   }
-  const double fallen = fallenOverTen(costs, minimum.linear.cost);
-  const bool creeps = damping > 1e3 && fallen < options.creeping * minimum.linear.cost;
-  minimum.converged |= fallen < options.settled || creeps;
+  constexpr std::size_t some = 10;
+  minimum.converged |= costs.size() > some && costs[costs.size() - 1 - some] - minimum.linear.cost < options.settled;
   return minimum;
 }
 
