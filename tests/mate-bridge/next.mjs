@@ -70,7 +70,7 @@ async function toApply(name) {
 // A result is put on the robot: what its own calibration would set, beside what is on it now.
 await toApply("few");
 const changes = page.locator(".confirm tbody tr");
-await page.waitForFunction(() => !/–/.test(document.querySelector(".confirm table").innerText));
+await page.waitForFunction(() => !/–/.test(document.querySelector(".confirm table")?.innerText ?? "–"));
 const told = await changes.allInnerTexts();
 check(told.some(row => row.startsWith("lKneePitch")) && told.some(row => row.startsWith("top camera")), "what would be set is listed beside what is there: " + told.join("; "));
 check(await page.getByText("These captures are of head synthetic-1 and body synthetic-1").count() === 1, "the question says whose captures they are");
@@ -83,7 +83,7 @@ await page.getByLabel("filter modules").fill("JointCalibrationProvider");
 await page.getByRole("button", {name: "Motion.JointCalibrationProvider", exact: true}).click();
 await page.getByLabel("lKneePitch", {exact: true}).waitFor();
 const knee = Number(told.find(row => row.startsWith("lKneePitch")).split("\t").at(-1).replace("−", "-").replace("°", ""));
-await page.waitForFunction(wanted => Math.abs(Number(document.getElementById("parameter-lKneePitch").value) - wanted) < 0.006, knee);
+await page.waitForFunction(wanted => Math.abs(Number(document.getElementById("parameter-lKneePitch")?.value) - wanted) < 0.006, knee);
 check(knee !== 0, "and is on the robot then: " + knee + "°");
 const had = told.find(row => row.startsWith("lKneePitch")).split("\t").at(-2);
 await tab("Result");
@@ -91,7 +91,7 @@ await page.getByRole("button", {name: "Put back …"}).click();
 check((await changes.allInnerTexts()).find(row => row.startsWith("lKneePitch")).split("\t").at(-1) === had, "what it had can be put back: " + had);
 await page.getByRole("button", {name: /^Put back on/}).click();
 await tab("Configuration");
-await page.waitForFunction(wanted => Math.abs(Number(document.getElementById("parameter-lKneePitch").value) - wanted) < 0.006, Number(had.replace("−", "-").replace("°", "")));
+await page.waitForFunction(wanted => Math.abs(Number(document.getElementById("parameter-lKneePitch")?.value) - wanted) < 0.006, Number(had.replace("−", "-").replace("°", "")));
 check(true, "and is on the robot again");
 
 // Another robot's captures are not put on it without a warning.

@@ -77,7 +77,7 @@ await page.getByRole("button", {name: "Undo …"}).click();
 await page.getByRole("button", {name: /^Undo on/}).click();
 await page.getByText("No offsets: joint readings are used as they are.").waitFor();
 check(true, "undo takes the offsets back");
-await page.waitForFunction(() => [...document.querySelectorAll("button")].find(one => one.textContent === "Undo …").disabled);
+await page.waitForFunction(() => [...document.querySelectorAll("button")].find(one => one.textContent === "Undo …")?.disabled);
 check(true, "what was taken back cannot be taken back again");
 
 // Stop ends a calibration at once, from any view, when it is pressed; so does s, but not the browser's own Ctrl+S.
@@ -158,7 +158,7 @@ await page.getByLabel("filter modules").fill("CalibrationRunner");
 await page.getByRole("button", {name: "Brain.CalibrationRunner", exact: true}).click();
 await page.getByLabel("repeats", {exact: true}).fill("3");
 await page.getByRole("button", {name: "set repeats"}).click();
-await page.waitForFunction(() => document.getElementById("parameter-repeats").value === "3" && !document.querySelector(".edited"));
+await page.waitForFunction(() => document.getElementById("parameter-repeats")?.value === "3" && !document.querySelector(".edited"));
 await portrait(page, axe, pictures, "configuration");
 check(await page.locator("#parameter-run").count() === 0, "nothing moves the robot from its parameters");
 await page.getByLabel("checkPoses", {exact: true}).fill('"many"');

@@ -12,7 +12,7 @@ const panel = await panelOf(bridge);
 const browser = await launch(), page = await quietPage(browser, panel.address);
 const click = name => page.getByRole("button", {name, exact: true}).click();
 const status = page.locator("#toolStatus"), line = page.locator("#toolLine"), output = page.locator("#toolOutput");
-const ended = () => page.waitForFunction(() => /finished|ended with/.test(document.getElementById("toolStatus").textContent), null, {timeout: 120000});
+const ended = () => page.waitForFunction(() => /finished|ended with/.test(document.getElementById("toolStatus")?.textContent), null, {timeout: 120000});
 
 const statOf = pid => { try { return readFileSync("/proc/" + pid + "/stat", "utf8").replace(/^.*\) \S+ /s, ""); } catch { return null; } };
 
@@ -43,14 +43,14 @@ await page.getByLabel("write the plan to").fill(join(here, "poses.json"));
 await page.getByLabel("chosen among").fill("20000");
 await page.getByLabel("poses", {exact: true}).fill("5");
 await click("Run");
-await page.waitForFunction(() => /^naocal poses .*finished/.test(document.getElementById("toolStatus").textContent), null, {timeout: 120000});
+await page.waitForFunction(() => /^naocal poses .*finished/.test(document.getElementById("toolStatus")?.textContent), null, {timeout: 120000});
 check(JSON.parse(readFileSync(join(here, "poses.json"))).poses.length === 5, "five poses are planned");
 await portrait(page, axe, pictures, "tools-finished");
 
 await page.getByLabel("stand on").selectOption("both");
 await page.getByLabel("further options").fill("--sellect 3");
 await click("Run");
-await page.waitForFunction(() => /ended with/.test(document.getElementById("toolStatus").textContent), null, {timeout: 60000});
+await page.waitForFunction(() => /ended with/.test(document.getElementById("toolStatus")?.textContent), null, {timeout: 60000});
 check((await output.innerText()).includes("--sellect"), "a slip is told in the program's words: " + (await output.innerText()).trim());
 
 await click("Solve");
@@ -58,7 +58,7 @@ await page.getByLabel("captures", {exact: true}).fill(join(here, "a robot"));
 await page.getByLabel("write the result to").fill(join(here, "result.json"));
 await page.getByLabel("add effects").fill("focalLength@top");
 await click("Run");
-await page.waitForFunction(() => /^naocal solve .*finished/.test(document.getElementById("toolStatus").textContent), null, {timeout: 120000});
+await page.waitForFunction(() => /^naocal solve .*finished/.test(document.getElementById("toolStatus")?.textContent), null, {timeout: 120000});
 await portrait(page, axe, pictures, "tools-solve");
 await click("Open " + join(here, "result.json"));
 await page.getByRole("button", {name: "remove focalLength@top"}).waitFor({timeout: 60000});
@@ -77,7 +77,7 @@ check(child && !open.some(one => one.startsWith("socket:")), "a command holds no
 await click("End it");
 await page.getByText("finishes what it has begun").waitFor();
 await click("End it");
-await page.waitForFunction(() => /was ended/.test(document.getElementById("toolStatus").textContent), null, {timeout: 30000});
+await page.waitForFunction(() => /was ended/.test(document.getElementById("toolStatus")?.textContent), null, {timeout: 30000});
 check(true, "a long command is ended: " + await status.innerText());
 
 const refused = await page.evaluate(words => new Promise(resolve => {
