@@ -3,15 +3,19 @@
 #include "model/Load.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace naocal {
 
 namespace {
 
-bool looksAtGrowth(const Model& model) {
-  return std::any_of(model.terms().begin(), model.terms().end(), [](const Term& term) {
-    return std::find(term.effect.needs.begin(), term.effect.needs.end(), Driver::torqueGrowth) !=
-           term.effect.needs.end();
+/// Whether an effect of the model looks at one of these.
+bool looksAt(const Model& model, std::initializer_list<Driver> drivers) {
+  const auto isOne = [&](Driver driver) { return std::find(drivers.begin(), drivers.end(), driver) != drivers.end(); };
+  return std::any_of(model.terms().begin(), model.terms().end(), [&](const Term& term) {
+    return std::any_of(term.effect.needs.begin(), term.effect.needs.end(), isOne) ||
+           std::any_of(term.effect.elsewhere.begin(), term.effect.elsewhere.end(),
+                       [&](const Elsewhere& other) { return isOne(other.driver); });
   });
 }
 
@@ -65,6 +69,17 @@ Load loadOf(const Robot& robot, const Belief& belief, const Instant& instant, bo
   return hanging;
 }
 
+/// Torques and centre of mass at an instant's angles.
+Load takeLoad(const Robot& robot, const Picture& picture, bool withGrowthByAngle, Instant& instant) {
+  Belief belief = picture.drawn;
+  belief.values.head(instant.q.size()) = instant.q;
+  Load load = loadOf(robot, belief, instant, withGrowthByAngle);
+  instant.torque = load.torque;
+  instant.torqueGrowth = load.torqueGrowth;
+  instant.com = load.com.head<2>();
+  return load;
+}
+
 } // namespace
 
 bool carriesSole(const Robot& robot, std::size_t joint) {
@@ -80,7 +95,7 @@ Driven drivenAt(const Measurements& measurements, const Model& model, const Pict
                 const Eigen::VectorXd& unknowns) {
   const Robot& robot = measurements.robot;
   const Eigen::Index joints = at(robot.joints.size()), offsets = at(model.offsets().size());
-  const bool growth = looksAtGrowth(model);
+  const bool growth = looksAt(model, {Driver::torqueGrowth});
   Driven result{picture.instant, Eigen::MatrixXd::Zero(joints, offsets), Eigen::MatrixXd::Zero(joints, offsets),
                 Eigen::MatrixXd::Zero(growth ? joints : 0, offsets), Eigen::MatrixXd::Zero(2, offsets)};
   for (Eigen::Index i = 0; i < offsets; ++i) {
@@ -92,12 +107,10 @@ Driven drivenAt(const Measurements& measurements, const Model& model, const Pict
       }
     }
   }
-  Belief belief = picture.drawn;
-  belief.values.head(joints) = result.instant.q;
-  const Load load = loadOf(robot, belief, result.instant, growth);
-  result.instant.torque = load.torque;
-  result.instant.torqueGrowth = load.torqueGrowth;
-  result.instant.com = load.com.head<2>();
+  if (!growth && !looksAt(model, {Driver::torque, Driver::com})) {
+    return result;
+  }
+  const Load load = takeLoad(robot, picture, growth, result.instant);
   for (Eigen::Index i = 0; i < offsets; ++i) {
     for (Eigen::Index joint = 0; joint < joints; ++joint) {
       if (result.angleByOffset(joint, i) != 0) {
@@ -114,7 +127,17 @@ Driven drivenAt(const Measurements& measurements, const Model& model, const Pict
 
 Instant instantOf(const Measurements& measurements, const Model& model, const Picture& picture,
                   const Eigen::VectorXd& unknowns) {
-  return drivenAt(measurements, model, picture, unknowns).instant;
+  Instant result = picture.instant;
+  for (const std::size_t index : model.offsets()) {
+    const Term& offset = model.terms()[index];
+    for (std::size_t joint = 0; joint < measurements.robot.joints.size(); ++joint) {
+      if (measurements.robot.joints[joint].motor == offset.at) {
+        result.q[at(joint)] -= unknowns[at(offset.first)];
+      }
+    }
+  }
+  takeLoad(measurements.robot, picture, false, result);
+  return result;
 }
 
 } // namespace naocal

@@ -17,7 +17,8 @@ struct Driven {
 
 /// At given unknowns: q = measured - o; torque and centre of mass of the drawn robot at those angles, the support
 /// foot's sole held still and level (both: each leg joint's two values weighted by the feet's loads, everything else
-/// with the left sole held; none: the torso held, upright).
+/// with the left sole held; none: the torso held, upright). Where no effect of the model looks at the load, torque and
+/// centre of mass are left as they are: it is most of the work.
 Driven drivenAt(const Measurements& measurements, const Model& model, const Picture& picture,
                 const Eigen::VectorXd& unknowns);
 
