@@ -28,6 +28,14 @@ void takeSums(const NormalEquations& sums, const Eigen::VectorXd& deflections, P
   system.unknownGradient -= system.cross * deflections;
 }
 
+/// Where a pose's deflections would rest if everything were linear, its unknowns moved `along`.
+Eigen::VectorXd restingDeflections(const Eliminated& part, const Eigen::VectorXd& along = {}) {
+  Eigen::VectorXd result = -part.half.rightCols<1>();
+  result.noalias() -= part.half.leftCols(along.size()) * along;
+  part.inner.matrixU().solveInPlace(result);
+  return result;
+}
+
 } // namespace
 
 /// What is believed at the picture's instant, and the values of its slopes there.
@@ -113,11 +121,6 @@ Residuals::State Residuals::start(const Eigen::VectorXd& unknowns) const {
   return state;
 }
 
-std::optional<Residuals::Linear> Residuals::linearised(const State& state) const {
-  std::optional<Linear> result{std::in_place};
-  return linearise(state, *result) ? std::move(result) : std::nullopt;
-}
-
 /// Adds all of a pose's pictures to the workspace's sums. False: a corner is nowhere.
 bool Residuals::addPose(std::size_t pose, const State& state, const Eigen::VectorXd& deflections, Workspace& work,
                         PosePart& part) const {
@@ -136,19 +139,42 @@ bool Residuals::addPose(std::size_t pose, const State& state, const Eigen::Vecto
   return true;
 }
 
-/// A pose's sums, its deflections eliminated. False: one of its corners is nowhere.
-bool Residuals::lineariseAt(std::size_t pose, const State& state, Linear& result) const {
+/// A pose's sums at these deflections, which are then eliminated. False: one of its corners is nowhere.
+bool Residuals::lineariseAt(std::size_t pose, const State& state, const Eigen::VectorXd& inSigmas, PoseSystem& system,
+                            Eliminated& part) const {
   Workspace& work = Workspace::ofThisThread(measurements_);
-  PoseSystem& system = result.poses[pose];
-  const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
+  const Eigen::VectorXd deflections = roots_[pose] * inSigmas;
   work.sums.clear(at(system.unknowns.size() + system.joints.size()));
   work.wantsRows = false;
   if (!addPose(pose, state, deflections, work, system)) {
     return false;
   }
   takeSums(work.sums, deflections, system);
-  eliminate(system, noise_, roots_[pose], result.eliminated[pose]);
+  eliminate(system, noise_, roots_[pose], part);
   return true;
+}
+
+/// Goes on from a pose's sums to where its deflections rest.
+void Residuals::settle(std::size_t pose, State& state, PoseSystem& system, Eliminated& part) const {
+  constexpr int most = 20;
+  constexpr double little = 1e-4; // of the cost, which a step would gain
+  Eigen::VectorXd& here = state.deflections[pose];
+  for (int step = 0; step < most; ++step) {
+    Eigen::VectorXd there = restingDeflections(part);
+    const double gained = 0.5 * (part.inner.matrixU() * (there - here)).squaredNorm();
+    if (!(gained > little)) {
+      return;
+    }
+    PoseSystem onward{columns_[pose], {}, {}, {}, {}, {}};
+    Eliminated onwardPart;
+    if (!lineariseAt(pose, state, there, onward, onwardPart) ||
+        onward.loss + there.squaredNorm() >= system.loss + here.squaredNorm()) {
+      return;
+    }
+    here.swap(there);
+    system = std::move(onward);
+    part = std::move(onwardPart);
+  }
 }
 
 std::optional<std::vector<PoseRows>> Residuals::rows(const State& state) const {
@@ -170,7 +196,8 @@ std::optional<std::vector<PoseRows>> Residuals::rows(const State& state) const {
   return possible ? std::optional{std::move(result)} : std::nullopt;
 }
 
-bool Residuals::linearise(const State& state, Linear& result) const {
+/// Poses side by side. False: one of them is impossible.
+template <class AtPose> bool Residuals::linearisePoses(Linear& result, const AtPose& atPose) const {
   if (result.poses.empty()) {
     for (const PosePart& columns : columns_) {
       result.poses.push_back({columns, {}, {}, {}, {}, {}});
@@ -179,13 +206,15 @@ bool Residuals::linearise(const State& state, Linear& result) const {
   }
   std::atomic<bool> possible = true;
   inParallel(columns_.size(), [&](std::size_t pose) {
-    if (possible && !lineariseAt(pose, state, result)) {
+    if (possible && !atPose(pose, result.poses[pose], result.eliminated[pose])) {
       possible = false;
     }
   });
-  if (!possible) {
-    return false;
-  }
+  return possible;
+}
+
+/// Poses in their order, and the priors.
+void Residuals::addUp(const State& state, Linear& result) const {
   const Eigen::VectorXd inPrior = state.unknowns.cwiseQuotient(sigmas_);
   result.cost = 0.5 * inPrior.squaredNorm();
   result.gradient = inPrior.cwiseQuotient(sigmas_);
@@ -205,7 +234,34 @@ bool Residuals::linearise(const State& state, Linear& result) const {
       result.hessian(at(i), at(i)) = 1;
     }
   }
-  return true;
+}
+
+std::optional<Residuals::Linear> Residuals::linearised(const State& state) const {
+  std::optional<Linear> result{std::in_place};
+  const bool possible = linearisePoses(*result, [&](std::size_t pose, PoseSystem& system, Eliminated& part) {
+    return lineariseAt(pose, state, state.deflections[pose], system, part);
+  });
+  if (!possible) {
+    return std::nullopt;
+  }
+  addUp(state, *result);
+  return result;
+}
+
+bool Residuals::linearise(State& state, Linear& result) const {
+  const bool possible = linearisePoses(result, [&](std::size_t pose, PoseSystem& system, Eliminated& part) {
+    if (!lineariseAt(pose, state, state.deflections[pose], system, part)) {
+      return false;
+    }
+    if (!columns_[pose].joints.empty()) {
+      settle(pose, state, system, part);
+    }
+    return true;
+  });
+  if (possible) {
+    addUp(state, result);
+  }
+  return possible;
 }
 
 Residuals::State Residuals::moved(const State& state, const Linear& linear, const Eigen::VectorXd& step) const {
@@ -216,11 +272,11 @@ Residuals::State Residuals::moved(const State& state, const Linear& linear, cons
       continue;
     }
     const Eliminated& part = linear.eliminated[pose];
-    Eigen::VectorXd& deflections = result.deflections.emplace_back(-part.half.rightCols<1>());
+    Eigen::VectorXd along = Eigen::VectorXd::Zero(part.half.cols() - 1);
     for (std::size_t i = 0; i < columns_[pose].unknowns.size(); ++i) {
-      deflections -= step[at(columns_[pose].unknowns[i])] * part.half.col(at(i));
+      along[at(i)] = step[at(columns_[pose].unknowns[i])];
     }
-    part.inner.matrixU().solveInPlace(deflections);
+    result.deflections.push_back(restingDeflections(part, along));
   }
   return result;
 }

@@ -64,11 +64,13 @@ public:
   };
 
   State start(const Eigen::VectorXd& unknowns) const;
-  /// Absent, or false: the state is impossible.
+  /// Absent: the state is impossible. Poses side by side on all cores, summed in their order.
   std::optional<Linear> linearised(const State& state) const;
-  /// The same into `result`, which is empty or was filled by this function before: its memory is used again. Poses
-  /// side by side on all cores, summed in their order.
-  bool linearise(const State& state, Linear& result) const;
+  /// The same where deflections have come to rest at the state's unknowns (variable projection: Golub and Pereyra,
+  /// Inverse Problems 19 (2003) R1), so that the cost follows the unknowns alone: where corners lose their weight the
+  /// gradient by the unknowns tells nothing of what deflections would still gain. False: the state is impossible.
+  /// `result` is empty or was filled by this function before: its memory is used again.
+  bool linearise(State& state, Linear& result) const;
   /// The same as rows, for a model with many unknowns. Absent: the state is impossible.
   std::optional<std::vector<PoseRows>> rows(const State& state) const;
   State moved(const State& state, const Linear& linear, const Eigen::VectorXd& step) const;
@@ -88,7 +90,11 @@ public:
 
 private:
   struct Workspace;
-  bool lineariseAt(std::size_t pose, const State& state, Linear& result) const;
+  bool lineariseAt(std::size_t pose, const State& state, const Eigen::VectorXd& inSigmas, PoseSystem& system,
+                   Eliminated& part) const;
+  void settle(std::size_t pose, State& state, PoseSystem& system, Eliminated& part) const;
+  template <class AtPose> bool linearisePoses(Linear& result, const AtPose& atPose) const;
+  void addUp(const State& state, Linear& result) const;
   bool addPose(std::size_t pose, const State& state, const Eigen::VectorXd& deflections, Workspace& work,
                PosePart& part) const;
   PosePart columnsOf(const PoseGroup& pose);
