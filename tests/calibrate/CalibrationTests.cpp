@@ -1,13 +1,16 @@
 #include "calibrate/Calibration.hpp"
 
 #include "calibrate/Comparison.hpp"
+#include "calibrate/Uncertainty.hpp"
 #include "captures/Files.hpp"
 #include "captures/InputError.hpp"
 #include "synthetic/HandMadePoses.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <random>
 
 namespace naocal {
@@ -125,6 +128,34 @@ TEST_CASE("captures without any corner and terms without any place are refused w
   CaptureSet other = made.simulation.set;
   other.bodyId = "somebody else";
   CHECK_THROWS_WITH(measurementsOf({made.simulation.set, other}, made.robot), Catch::Contains("one robot"));
+}
+
+TEST_CASE("a fit that bends joints until it sees what lies behind the camera is refused") {
+  // Proves it of a head that was turned round by its offset and back by its deflections: what the readings say of the
+  // corners then is no number, and none may be told.
+  const Made made;
+  const Noise noise{0.3, 6e-4, 1e-3};
+  const Residuals residuals{made.measurements, made.model, noise};
+  const std::size_t head = made.robot.jointIndex("HeadYaw").value();
+  Fit fit{noise, {}, {}};
+  fit.minimum.state = residuals.start(calibrate(made.measurements, made.model).unknowns);
+  fit.minimum.linear = residuals.linearised(fit.minimum.state).value();
+  for (std::size_t pose = 0; pose < fit.minimum.linear.poses.size(); ++pose) {
+    const PoseSystem& system = fit.minimum.linear.poses[pose];
+    Eigen::VectorXd turned = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(system.joints.size()));
+    for (std::size_t i = 0; i < system.joints.size(); ++i) {
+      turned[static_cast<Eigen::Index>(i)] = system.joints[i] == head ? std::numbers::pi : 0;
+    }
+    const Eigen::MatrixXd root = deflectionRoot(system, noise);
+    fit.minimum.state.deflections[pose] = root.lu().solve(turned);
+  }
+  for (const Term& term : made.model.terms()) {
+    if (term.label() == "jointOffset@HeadYaw") {
+      fit.minimum.state.unknowns[static_cast<Eigen::Index>(term.first)] += std::numbers::pi;
+    }
+  }
+  REQUIRE(residuals.linearised(fit.minimum.state)); // so it sees them
+  CHECK_THROWS_AS(uncertain(made.measurements, made.model, fit, {noise}), InputError);
 }
 
 } // namespace naocal

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <functional>
 
 namespace naocal {
@@ -75,28 +74,11 @@ Answer answered(const Measurements& measurements, const Model& model, const Cali
   return answer;
 }
 
-// Of all boards in pictures. So many may be set aside; where twice as many do not fit, it is the model that is wrong.
-constexpr double mostAccidents = 0.1, tooMany = 0.2;
-
-std::size_t sightingsIn(const Measurements& measurements) {
-  std::size_t result = 0;
-  for (const Picture& picture : measurements.pictures) {
-    result += picture.sightings.size();
-  }
-  return result;
-}
-
-/// Whether more boards do not fit than accidents move.
-bool doubtsTooMuch(const Measurements& measurements, const CalibrationResult& result) {
-  const auto whole = std::count_if(result.doubts.begin(), result.doubts.end(), std::mem_fn(&Doubt::whole));
-  return static_cast<double>(whole) > tooMany * static_cast<double>(sightingsIn(measurements));
-}
-
 /// Sets aside, one after the other, sightings whose board moved beyond doubt, whatever explains the rest. Returns the
 /// measurements that are left, if any were set aside.
 std::optional<Measurements> withoutMoved(const Measurements& measurements, const Model& model,
                                          const CalibrationOptions& options, Answer& answer) {
-  const auto most = static_cast<std::size_t>(std::ceil(mostAccidents * static_cast<double>(sightingsIn(measurements))));
+  const std::size_t most = Accidents{measurements, {}}.mostSetAside();
   std::optional<Measurements> kept;
   for (std::size_t aside = 0; aside < most; ++aside) {
     const Measurements& used = kept ? *kept : measurements;
@@ -127,7 +109,7 @@ CalibrationResult calibrate(const Measurements& measurements, const Model& model
   result.noiseSource = answer.fromRepeats ? "repeats" : "configured";
   result.restartsTried = options.restarts;
   result.doubts = doubts(used, result);
-  if (options.robust && doubtsTooMuch(used, result)) { // the model must see them
+  if (options.robust && Accidents{used, result.doubts}.areTooMany()) {
     CalibrationOptions all = options;
     all.robust = false;
     all.start = result.unknowns;

@@ -26,4 +26,18 @@ std::vector<Doubt> doubts(const Measurements& measurements, const CalibrationRes
   return all;
 }
 
+Accidents::Accidents(const Measurements& measurements, const std::vector<Doubt>& doubts) {
+  for (const Picture& picture : measurements.pictures) {
+    all += picture.sightings.size();
+  }
+  for (const Doubt& doubt : doubts) {
+    moved += doubt.whole ? 1 : 0;
+  }
+}
+
+std::size_t Accidents::mostSetAside() const {
+  constexpr double share = 0.1;
+  return static_cast<std::size_t>(std::ceil(share * static_cast<double>(all)));
+}
+
 } // namespace naocal

@@ -1,7 +1,6 @@
 #include "calibrate/Fit.hpp"
 
 #include "calibrate/StartingPlacements.hpp"
-#include "captures/InputError.hpp"
 
 #include <algorithm>
 #include <random>
@@ -75,6 +74,12 @@ double lossScale(const std::vector<SightingResidual>& sightings, double pixelNoi
 
 } // namespace
 
+InputError behindTheCamera() {
+  return InputError{
+      "the search ends where a corner that was seen lies behind the camera: these captures do not belong together; "
+      "check joints' signs, cameras' names and the boards"};
+}
+
 Fit firstFit(const Measurements& measurements, const Model& model, const Noise& noise,
              const CalibrationOptions& options) {
   if (measurements.cornerCount == 0) {
@@ -128,9 +133,7 @@ Fit refit(const Measurements& measurements, const Model& model, const Noise& noi
         levenbergMarquardt(residuals, residuals.start(from.minimum.state.unknowns), {.smallestFall = smallestFall});
   }
   if (!minimum) {
-    throw InputError{
-        "the search ends where a corner that was seen lies behind the camera: these captures do not belong "
-        "together; check joints' signs, cameras' names and the boards"};
+    throw behindTheCamera();
   }
   minimum->iterations += from.minimum.iterations;
   return {noise, loss, *std::move(minimum), from.restartsChanged};

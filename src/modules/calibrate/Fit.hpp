@@ -1,6 +1,7 @@
 #pragma once
 
 #include "calibrate/Calibration.hpp"
+#include "captures/InputError.hpp"
 #include "solve/LevenbergMarquardt.hpp"
 
 namespace naocal {
@@ -18,6 +19,9 @@ struct Fit {
   FitMinimum minimum;
   bool restartsChanged = false;
 };
+
+/// A search ended where a corner that was seen lies behind its camera: what to say of such captures.
+InputError behindTheCamera();
 
 /// From far: quadratic loss, from the start of `options` and as many random ones as it asks for; or on from that start,
 /// under the loss that it was found with. Ends `roughly`.

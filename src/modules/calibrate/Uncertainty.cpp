@@ -67,6 +67,9 @@ void measureDistances(const Residuals& residuals, const Fit& fit, CalibrationRes
       squares += sighting.residual.col(i).squaredNorm();
     }
   }
+  if (!std::isfinite(squares)) { // deflected as fitted, none was
+    throw behindTheCamera();
+  }
   result.rmsPx = std::sqrt(squares / static_cast<double>(distances.size()));
   const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
   std::nth_element(distances.begin(), middle, distances.end());

@@ -1,5 +1,6 @@
 #include "calibrate/Verdict.hpp"
 
+#include "calibrate/Doubts.hpp"
 #include "calibrate/FloorError.hpp"
 #include "calibrate/WeakDirections.hpp"
 #include "calibrate/Words.hpp"
@@ -35,28 +36,10 @@ ResultVerdict explained(const Model& model, const CalibrationResult& result, boo
   return holds ? ResultVerdict::causeMissing : ResultVerdict::doNotUse;
 }
 
-/// Boards in pictures that do not lie where all others put them.
-struct Accidents {
-  std::size_t moved = 0, all = 0;
-
-  Accidents(const Measurements& measurements, const CalibrationResult& result) {
-    for (const Picture& picture : measurements.pictures) {
-      all += picture.sightings.size();
-    }
-    for (const Doubt& doubt : result.doubts) {
-      moved += doubt.whole;
-    }
-  }
-  /// More than a picture or two in a set.
-  bool areMany() const {
-    constexpr double few = 0.05;
-    return static_cast<double>(moved) > few * static_cast<double>(all);
-  }
-  std::string words() const {
-    return fmt::format("{} of {} boards in pictures {} not lie where the others put {}", moved, all,
-                       moved == 1 ? "does" : "do", moved == 1 ? "it" : "them");
-  }
-};
+std::string words(const Accidents& accidents) {
+  return fmt::format("{} of {} boards in pictures {} not lie where the others put {}", accidents.moved, accidents.all,
+                     accidents.moved == 1 ? "does" : "do", accidents.moved == 1 ? "it" : "them");
+}
 
 /// Of all corners but those of boards that moved [px].
 double rmsWithoutMoved(const CalibrationResult& result) {
@@ -76,9 +59,9 @@ double rmsWithoutMoved(const CalibrationResult& result) {
 /// "the error is 4.49 px where noise alone leaves 0.65 px"
 std::string sizes(const CalibrationResult& result, const Accidents& accidents) {
   return fmt::format("{}the error is {:.2f} px where noise alone leaves {:.2f} px",
-                     accidents.moved > 0 ? accidents.words() + "; without " + (accidents.moved == 1 ? "it " : "them ")
-                                         : std::string{},
-                     accidents.moved > 0 ? rmsWithoutMoved(result) : result.rmsPx, result.noiseFloorPx);
+                     accidents.any() ? words(accidents) + "; without " + (accidents.moved == 1 ? "it " : "them ")
+                                     : std::string{},
+                     accidents.any() ? rmsWithoutMoved(result) : result.rmsPx, result.noiseFloorPx);
 }
 
 /// The verdict in words. `cause`: what is missing, where something is. `firm`: that forbids to use it, if anything.
@@ -131,7 +114,7 @@ void judge(const Measurements& measurements, const Model& model, CalibrationResu
   }
   constexpr double alarm = 0.05; // how often it is raised where nothing is missing
   const bool missing = result.pValue <= alarm && result.matters;
-  const Accidents accidents{measurements, result};
+  const Accidents accidents{measurements, result.doubts};
   std::string cause = "what is missing is open";
   if (missing && !result.explanations.empty() && !result.explanations.front().effects.empty()) {
     const Explanation& likeliest = result.explanations.front();

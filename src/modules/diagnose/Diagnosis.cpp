@@ -122,14 +122,15 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
     const double level = result.suggested.empty() ? options.alarm : again * options.alarm;
     const bool striking = inquiry.evidence().pValue <= level && inquiry.evidence().matters;
     const bool alarm = (striking || field) && result.suspicious.empty();
-    const std::optional<std::size_t> candidate = alarm ? ladder.best(inquiry) : std::nullopt;
+    const std::optional<Ladder::Choice> next = alarm ? ladder.best(inquiry) : std::nullopt;
+    const std::optional<std::size_t> candidate = next ? std::optional{next->candidate} : std::nullopt;
     if (alarm && inquiry.curveCount() > 0) {
       unknown = isUnknown(inquiry, candidate);
     }
     const bool unknownField = alarm && field && !explains(inquiry, candidate, *field) && ladder.stays(*field, inquiry);
     unknown = unknown || unknownField;
     const bool grows = options.grow && (!options.goesOn || options.goesOn());
-    if (!grows || !alarm || unknown || !candidate || !ladder.add(inquiry, *candidate, result)) {
+    if (!grows || !alarm || unknown || !candidate || !ladder.add(inquiry, *next, result)) {
       if (ladder.takeBack(result)) {
         unknown = false;
         continue;

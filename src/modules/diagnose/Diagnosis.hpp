@@ -6,6 +6,7 @@
 #include "diagnose/Imprint.hpp"
 #include "diagnose/Inquiry.hpp"
 #include "diagnose/LackOfFit.hpp"
+#include "diagnose/Moment.hpp"
 #include "effects/AllEffects.hpp"
 
 #include <functional>
@@ -80,10 +81,7 @@ struct Suspicion {
   std::string why;
   std::size_t set = 0;             // the capture's
   std::optional<double> odds = {}; // to 1 against the best effect or curve, where they were compared
-  struct When {
-    double time = 0, since = 0, until = 0; // likeliest; surely between these two [s since the first capture]
-  };
-  std::optional<When> when = {}; // of what happened between two captures
+  std::optional<Moment> when = {}; // of what happened between two captures
 };
 
 /// One rung of the ladder: the model with one more effect.

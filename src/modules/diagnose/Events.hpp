@@ -1,19 +1,13 @@
 #pragma once
 
 #include "calibrate/Calibration.hpp"
+#include "diagnose/Moment.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace naocal {
-
-/// A moment in one of the sets, since its first capture.
-struct Moment {
-  std::size_t set = 0;
-  double time = 0;             // [s]
-  double since = 0, until = 0; // between these times nothing was seen [s]
-};
 
 /// Something that happened once, as a candidate: a term that corrects from a moment on, or in a few captures only.
 struct Event {

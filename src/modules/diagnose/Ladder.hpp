@@ -25,11 +25,16 @@ public:
 
   /// Writes down the model's rung and what each candidate would explain.
   void look(const Inquiry& inquiry, Diagnosis& diagnosis);
-  /// The candidate to add next: the likeliest, by a fit of each of the first few, of those that lower the held-out
-  /// error and, where they drift, predict the last poses and beat every step; absent when none beats the model.
-  std::optional<std::size_t> best(const Inquiry& inquiry);
+  /// A candidate to add, and nearly the least of the model with it.
+  struct Choice {
+    std::size_t candidate = 0;
+    Eigen::VectorXd start;
+  };
+  /// What to add next: the likeliest, by a fit of each of the first few, of those that lower the held-out error and,
+  /// where they drift, predict the last poses and beat every step; absent when none beats the model.
+  std::optional<Choice> best(const Inquiry& inquiry);
   /// Adds it, fits, and drops what it has made superfluous. False: the ladder is as long as these captures bear.
-  bool add(const Inquiry& inquiry, std::size_t candidate, Diagnosis& diagnosis);
+  bool add(const Inquiry& inquiry, const Choice& choice, Diagnosis& diagnosis);
   /// Where the ladder ends: effects that were added since one that only helps beside another, and that all together do
   /// not lower the held-out error, are taken back. False: there are none, or they do.
   bool takeBack(Diagnosis& diagnosis);
@@ -49,7 +54,7 @@ private:
   CandidateFinding& findingOf(const Term& term) { return findingOf(term.label()); }
   /// Both are needed: neither stands for the other.
   void notEquivalent(const std::string& one, const std::string& other);
-  /// `start`: nearly the least of the grown model, where that is known.
+  /// The model with what was added, from `start`, else from where the present one's unknowns are.
   void refit(const std::optional<Eigen::VectorXd>& start = {});
   /// The model with one more effect.
   Model with(const Term& term) const;
@@ -89,7 +94,6 @@ private:
   std::vector<std::string> byTwo_;      // and that lower it only beside another one
   std::vector<std::string> takenBack_;
   std::optional<Before> before_;
-  std::optional<Eigen::VectorXd> nextStart_; // of the model with the candidate that is best
   CalibrationResult fit_;
   std::vector<CandidateFinding> findings_; // as the candidates
 };

@@ -56,7 +56,7 @@ Ladder::Nearly Ladder::nearlyFitted(const Model& model) const {
   return {minimum.linear.cost, minimum.state.unknowns};
 }
 
-std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
+std::optional<Ladder::Choice> Ladder::best(const Inquiry& inquiry) {
   constexpr double near = 10, far = 14; // in 2 ln of the Bayes factor: a thousandth as likely is no choice
   constexpr std::size_t most = 4;
   std::vector<std::size_t> order, likely = inquiry.candidatesByEvidence();
@@ -87,7 +87,7 @@ std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
   inParallel(fits.size(), [&](std::size_t i) {
     fits[i] = nearlyFitted(i < order.size() ? with(inquiry.candidates()[order[i]]) : model_);
   });
-  std::optional<std::size_t> best;
+  std::optional<Choice> best;
   double bestBayes = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const GroupEvidence& evidence = inquiry.ofCandidate(order[i]);
@@ -100,8 +100,7 @@ std::optional<std::size_t> Ladder::best(const Inquiry& inquiry) {
         evidence.bayes * drop / evidence.likelihoodRatio; // in the share of its predicted fall that comes true
     if (bayes > bestBayes) {
       bestBayes = bayes;
-      best = order[i];
-      nextStart_ = fits[i].unknowns;
+      best = Choice{order[i], fits[i].unknowns};
     }
   }
   return best;
@@ -112,12 +111,12 @@ void Ladder::notEquivalent(const std::string& one, const std::string& other) {
   std::erase(findingOf(other).equivalent, one);
 }
 
-bool Ladder::add(const Inquiry& inquiry, std::size_t candidate, Diagnosis& diagnosis) {
+bool Ladder::add(const Inquiry& inquiry, const Choice& choice, Diagnosis& diagnosis) {
   const std::size_t most = std::max<std::size_t>(1, measurements_.poses.size() / 4);
   if (diagnosis.steps.size() > most) {
     return false;
   }
-  const Term& term = inquiry.candidates()[candidate];
+  const Term& term = inquiry.candidates()[choice.candidate];
   if (!before_ && std::find(byTwo_.begin(), byTwo_.end(), term.label()) != byTwo_.end()) {
     const std::vector<Step>& steps = diagnosis.steps;
     before_.emplace(Before{added_, model_, fit_, findings_, diagnosis.suggested, steps.size(),
@@ -125,8 +124,8 @@ bool Ladder::add(const Inquiry& inquiry, std::size_t candidate, Diagnosis& diagn
   }
   CandidateFinding& finding = findingOf(term);
   finding.state = State::present;
-  finding.evidence.bayes = std::max(finding.evidence.bayes, inquiry.ofCandidate(candidate).bayes);
-  for (std::size_t other : equivalents(inquiry, candidate)) {
+  finding.evidence.bayes = std::max(finding.evidence.bayes, inquiry.ofCandidate(choice.candidate).bayes);
+  for (std::size_t other : equivalents(inquiry, choice.candidate)) {
     finding.equivalent.push_back(inquiry.candidates()[other].label());
     CandidateFinding& twin = findingOf(inquiry.candidates()[other]);
     if (twin.state != State::present) {
@@ -136,7 +135,7 @@ bool Ladder::add(const Inquiry& inquiry, std::size_t candidate, Diagnosis& diagn
   }
   added_.push_back(term.label());
   diagnosis.suggested.push_back(term.label());
-  refit(std::exchange(nextStart_, std::nullopt));
+  refit(choice.start);
   dropSuperfluous(diagnosis.suggested);
   constexpr double evident = 3.3; // of one that is hardly needed beside the last, that may be the right one
   for (const Term& earlier : model_.terms()) {

@@ -118,9 +118,7 @@ std::vector<Suspicion> accidents(const std::vector<CaptureSet>& sets, const Meas
   }
   const auto& [event, odds, why] = *likeliest;
   if (event.captures.empty()) {
-    const Moment& moment = event.from.value();
-    return {
-        {.capture = {}, .why = why, .odds = odds, .when = Suspicion::When{moment.time, moment.since, moment.until}}};
+    return {{.capture = {}, .why = why, .odds = odds, .when = event.from.value()}};
   }
   std::vector<Suspicion> result;
   for (const int id : event.captures) {

@@ -24,9 +24,9 @@ ModelAlone::ModelAlone(const ScoreProblem& problem, const Noise& noise) : proble
   whiteners_.resize(problem.poses->size());
   Eigen::MatrixXd hessian = information * problem.gram.topLeftCorner(own, own);
   hessian.diagonal() += problem.sigmas.cwiseAbs2().cwiseInverse();
-  for (const Taken& part : gatheredInParts(
-           whiteners_.size(), [&] { return Taken{Eigen::MatrixXd::Zero(own, own)}; },
-           [&](std::size_t pose, Taken&taken) { takeDeflections(pose, taken); })) {
+  const auto none = [&] { return Taken{Eigen::MatrixXd::Zero(own, own)}; };
+  const auto take = [&](std::size_t pose, Taken& taken) { takeDeflections(pose, taken); };
+  for (const Taken& part : gatheredInParts(whiteners_.size(), none, take)) {
     hessian -= part.information;
     logDeterminant_ += part.logDeterminant;
   }
@@ -54,22 +54,21 @@ ModelAlone::Outcome ModelAlone::operator()(const PoseResiduals& residuals, const
   Outcome result;
   result.own = priorScore.replicate(1, draws);
   result.chi2.setZero(draws);
-  for (const Outcome& part : gatheredInParts(
-           residuals.size(),
-           [&] {
-             Outcome none{.deviance = {}, .chi2 = Eigen::RowVectorXd::Zero(draws), .own = {}};
-             none.own.setZero(priorScore.size(), draws);
-             return none;
-           },
-           [&](std::size_t pose, Outcome&sum) {
-             const PoseRows& rows = (*problem_.poses)[pose];
-             const Eigen::Index own = problem_.ownOf(rows);
-             const Eigen::MatrixXd bent = whiteners_[pose].half * residuals[pose] / noise_.pixel;
-             sum.chi2 -= bent.colwise().squaredNorm();
-             sum.own(problem_.ownUnknownsOf(rows), Eigen::all) +=
-                 information * (rows.byUnknowns.leftCols(own).transpose() * residuals[pose]) -
-                 whiteners_[pose].unknowns.leftCols(own).transpose() * bent;
-           })) {
+  const auto none = [&] {
+    return Outcome{.deviance = {},
+                   .chi2 = Eigen::RowVectorXd::Zero(draws),
+                   .own = Eigen::MatrixXd::Zero(priorScore.size(), draws)};
+  };
+  const auto add = [&](std::size_t pose, Outcome& sum) {
+    const PoseRows& rows = (*problem_.poses)[pose];
+    const Eigen::Index own = problem_.ownOf(rows);
+    const Eigen::MatrixXd bent = whiteners_[pose].half * residuals[pose] / noise_.pixel;
+    sum.chi2 -= bent.colwise().squaredNorm();
+    sum.own(problem_.ownUnknownsOf(rows), Eigen::all) +=
+        information * (rows.byUnknowns.leftCols(own).transpose() * residuals[pose]) -
+        whiteners_[pose].unknowns.leftCols(own).transpose() * bent;
+  };
+  for (const Outcome& part : gatheredInParts(residuals.size(), none, add)) {
     result.chi2 += part.chi2;
     result.own += part.own;
   }

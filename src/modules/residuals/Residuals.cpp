@@ -168,7 +168,7 @@ void Residuals::settle(std::size_t pose, State& state, PoseSystem& system, Elimi
     PoseSystem onward{columns_[pose], {}, {}, {}, {}, {}};
     Eliminated onwardPart;
     if (!lineariseAt(pose, state, there, onward, onwardPart) ||
-        onward.loss + there.squaredNorm() >= system.loss + here.squaredNorm()) {
+        !(onward.loss + there.squaredNorm() < system.loss + here.squaredNorm())) {
       return;
     }
     here.swap(there);
