@@ -30,15 +30,24 @@ private:
   std::vector<char> has_;
 };
 
-/// Where `item` stands in `list`, to which it is added where it is new.
-template <typename Item> Eigen::Index place(std::vector<Item>& list, Item item) {
-  const auto known = std::find(list.begin(), list.end(), item);
-  const Eigen::Index result = known - list.begin();
-  if (known == list.end()) {
-    list.push_back(item);
+/// A list of numbers below `end`, each once, in the order they came.
+template <typename Number> class Listed {
+public:
+  Listed(std::size_t end, std::vector<Number>& list) : known_(end, -1), list_{list} {}
+  /// Where it stands in the list, to which it is added where it is new.
+  Eigen::Index of(Number number) {
+    Eigen::Index& place = known_[static_cast<std::size_t>(number)];
+    if (place < 0) {
+      place = static_cast<Eigen::Index>(list_.size());
+      list_.push_back(number);
+    }
+    return place;
   }
-  return result;
-}
+
+private:
+  std::vector<Eigen::Index> known_;
+  std::vector<Number>& list_;
+};
 
 /// The board whose placement or shape a quantity is, if it is one.
 std::optional<std::size_t> boardOf(const Quantities& quantities, std::size_t quantity) {
@@ -55,10 +64,15 @@ PreparedPicture::Group groupOf(const View& view, const Quantities& quantities, c
   group.quantities.reserve(most);
   group.columns.reserve(most);
   group.shares.reserve(most);
+  const std::vector<std::size_t>& deflections = prepared.deflections;
+  const std::size_t columns =
+      unknowns.size() + (deflections.empty() ? 0 : 1 + *std::max_element(deflections.begin(), deflections.end()));
+  Listed columnPlaces{columns, group.columns};
+  Listed quantityPlaces{quantities.size(), group.quantities};
   const auto add = [&](Eigen::Index column, std::size_t quantity, std::size_t slope) {
     const auto board = boardOf(quantities, quantity);
     if (!board || *board == view.board()) {
-      group.shares.push_back({place(group.columns, column), place(group.quantities, quantity), slope});
+      group.shares.push_back({columnPlaces.of(column), quantityPlaces.of(quantity), slope});
     }
   };
   for (std::size_t i = 0; i < slopes.size(); ++i) {
