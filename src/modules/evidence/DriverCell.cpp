@@ -33,6 +33,17 @@ Eigen::RowVectorXd DriverCell::basis(double x) const {
   return {};
 }
 
+std::set<double> distinctValues(const std::vector<double>& values) {
+  const std::set<double> sorted(values.begin(), values.end());
+  std::set<double> result;
+  for (const double value : sorted) {
+    if (result.empty() || value - *result.rbegin() > leastChange) {
+      result.insert(result.end(), value);
+    }
+  }
+  return result;
+}
+
 DriverCell smoothCell(const std::set<double>& distinct, Eigen::Index degree) {
   DriverCell cell;
   cell.least = *distinct.begin();

@@ -34,6 +34,11 @@ struct DriverCell {
   Eigen::RowVectorXd basis(double x) const;
 };
 
+/// How much a driver must change to have changed, in its unit: less is a sum's rounding.
+constexpr double leastChange = 1e-9;
+
+/// A driver's values, each once: those that differ by rounding only are one.
+std::set<double> distinctValues(const std::vector<double>& values);
 /// Polynomials up to a degree over a driver's distinct values, of which there are two or more; as many as those allow.
 DriverCell smoothCell(const std::set<double>& distinct, Eigen::Index degree);
 /// Ripples of two and more periods per turn: one per turn is an effect with a name.

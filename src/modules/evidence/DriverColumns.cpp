@@ -81,9 +81,11 @@ DriverColumns columnsOf(const Measurements& measurements, std::vector<DriverValu
         continue;
       }
       const std::vector<double> values = valuesAt(bent, result.drivers[driver]);
-      const std::set<double> distinct(values.begin(), values.end());
-      if (distinct.size() < 2 ||
-          std::any_of(values.begin(), values.end(), [](double x) { return !std::isfinite(x); })) {
+      if (std::any_of(values.begin(), values.end(), [](double x) { return !std::isfinite(x); })) {
+        continue;
+      }
+      const std::set<double> distinct = distinctValues(values);
+      if (distinct.size() < 2) {
         continue;
       }
       for (DriverCell cell : shapesOf(result.drivers[driver], motor, distinct)) {

@@ -16,7 +16,7 @@ void add(std::vector<DriverValues>& drivers, DriverValues driver, const std::vec
   }
   const auto [least, most] = std::minmax_element(driver.atPicture.begin(), driver.atPicture.end());
   if (std::all_of(driver.atPicture.begin(), driver.atPicture.end(), [](double x) { return std::isfinite(x); }) &&
-      *most > *least) {
+      *most - *least > leastChange) {
     drivers.push_back(std::move(driver));
   }
 }

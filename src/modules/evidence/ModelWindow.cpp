@@ -51,8 +51,8 @@ public:
     const Eigen::MatrixXd information = informationOf(members, count);
     const Eigen::VectorXd score = score_(columns);
     double best = std::numeric_limits<double>::infinity(), sum = 0;
-    Eigen::VectorXd sizes;
-    Eigen::MatrixXd spread;
+    Eigen::VectorXd sizes = Eigen::VectorXd::Zero(count);
+    Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(count, count);
     for (const auto& [width, odds] : plausibleWidths) {
       Eigen::MatrixXd posterior = information;
       posterior.diagonal().array() += 1 / (width * width);

@@ -55,12 +55,13 @@ std::vector<MountCurve> mountCurves(const Measurements& measurements, const std:
       if (!canDrive(drivers[i], measurements.robot, camera)) {
         continue;
       }
-      std::set<double> distinct;
+      std::vector<double> values;
       for (std::size_t picture = 0; picture < measurements.pictures.size(); ++picture) {
         if (measurements.pictures[picture].camera == camera && !measurements.pictures[picture].sightings.empty()) {
-          distinct.insert(drivers[i].atPicture[picture]);
+          values.push_back(drivers[i].atPicture[picture]);
         }
       }
+      const std::set<double> distinct = distinctValues(values);
       if (distinct.size() < 2) {
         continue;
       }

@@ -69,15 +69,43 @@ Load loadOf(const Robot& robot, const Belief& belief, const Instant& instant, bo
   return hanging;
 }
 
-/// Torques and centre of mass at an instant's angles.
-Load takeLoad(const Robot& robot, const Picture& picture, bool withGrowthByAngle, Instant& instant) {
+/// `loaded`, `growth`: whether torques and the centre of mass, and how torques' growth follows the offsets, are wanted.
+Driven driven(const Measurements& measurements, const Model& model, const Picture& picture,
+              const Eigen::VectorXd& unknowns, bool loaded, bool growth) {
+  const Robot& robot = measurements.robot;
+  const Eigen::Index joints = at(robot.joints.size()), offsets = at(model.offsets().size());
+  Driven result{picture.instant, Eigen::MatrixXd::Zero(joints, offsets), Eigen::MatrixXd::Zero(joints, offsets),
+                Eigen::MatrixXd::Zero(growth ? joints : 0, offsets), Eigen::MatrixXd::Zero(2, offsets)};
+  for (Eigen::Index i = 0; i < offsets; ++i) {
+    const Term& offset = model.terms()[model.offsets()[static_cast<std::size_t>(i)]];
+    for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+      if (robot.joints[joint].motor == offset.at) {
+        result.instant.q[at(joint)] -= unknowns[at(offset.first)];
+        result.angleByOffset(at(joint), i) = -1;
+      }
+    }
+  }
+  if (!loaded) {
+    return result;
+  }
   Belief belief = picture.drawn;
-  belief.values.head(instant.q.size()) = instant.q;
-  Load load = loadOf(robot, belief, instant, withGrowthByAngle);
-  instant.torque = load.torque;
-  instant.torqueGrowth = load.torqueGrowth;
-  instant.com = load.com.head<2>();
-  return load;
+  belief.values.head(joints) = result.instant.q;
+  const Load load = loadOf(robot, belief, result.instant, growth);
+  result.instant.torque = load.torque;
+  result.instant.torqueGrowth = load.torqueGrowth;
+  result.instant.com = load.com.head<2>();
+  for (Eigen::Index i = 0; i < offsets; ++i) {
+    for (Eigen::Index joint = 0; joint < joints; ++joint) {
+      if (result.angleByOffset(joint, i) != 0) {
+        result.torqueByOffset.col(i) -= load.torqueByAngle.col(joint);
+        if (growth) {
+          result.growthByOffset.col(i) -= load.growthByAngle.col(joint);
+        }
+        result.comByOffset.col(i) -= load.comByAngle.col(joint).head<2>();
+      }
+    }
+  }
+  return result;
 }
 
 } // namespace
@@ -93,51 +121,14 @@ bool carriesSole(const Robot& robot, std::size_t joint) {
 
 Driven drivenAt(const Measurements& measurements, const Model& model, const Picture& picture,
                 const Eigen::VectorXd& unknowns) {
-  const Robot& robot = measurements.robot;
-  const Eigen::Index joints = at(robot.joints.size()), offsets = at(model.offsets().size());
   const bool growth = looksAt(model, {Driver::torqueGrowth});
-  Driven result{picture.instant, Eigen::MatrixXd::Zero(joints, offsets), Eigen::MatrixXd::Zero(joints, offsets),
-                Eigen::MatrixXd::Zero(growth ? joints : 0, offsets), Eigen::MatrixXd::Zero(2, offsets)};
-  for (Eigen::Index i = 0; i < offsets; ++i) {
-    const Term& offset = model.terms()[model.offsets()[static_cast<std::size_t>(i)]];
-    for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-      if (robot.joints[joint].motor == offset.at) {
-        result.instant.q[at(joint)] -= unknowns[at(offset.first)];
-        result.angleByOffset(at(joint), i) = -1;
-      }
-    }
-  }
-  if (!growth && !looksAt(model, {Driver::torque, Driver::com})) {
-    return result;
-  }
-  const Load load = takeLoad(robot, picture, growth, result.instant);
-  for (Eigen::Index i = 0; i < offsets; ++i) {
-    for (Eigen::Index joint = 0; joint < joints; ++joint) {
-      if (result.angleByOffset(joint, i) != 0) {
-        result.torqueByOffset.col(i) -= load.torqueByAngle.col(joint);
-        if (growth) {
-          result.growthByOffset.col(i) -= load.growthByAngle.col(joint);
-        }
-        result.comByOffset.col(i) -= load.comByAngle.col(joint).head<2>();
-      }
-    }
-  }
-  return result;
+  const bool loaded = growth || looksAt(model, {Driver::torque, Driver::com});
+  return driven(measurements, model, picture, unknowns, loaded, growth);
 }
 
 Instant instantOf(const Measurements& measurements, const Model& model, const Picture& picture,
                   const Eigen::VectorXd& unknowns) {
-  Instant result = picture.instant;
-  for (const std::size_t index : model.offsets()) {
-    const Term& offset = model.terms()[index];
-    for (std::size_t joint = 0; joint < measurements.robot.joints.size(); ++joint) {
-      if (measurements.robot.joints[joint].motor == offset.at) {
-        result.q[at(joint)] -= unknowns[at(offset.first)];
-      }
-    }
-  }
-  takeLoad(measurements.robot, picture, false, result);
-  return result;
+  return driven(measurements, model, picture, unknowns, true, false).instant;
 }
 
 } // namespace naocal
