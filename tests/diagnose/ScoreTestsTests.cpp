@@ -1,5 +1,6 @@
 #include "Questioned.hpp"
 #include "diagnose/Power.hpp"
+#include "evidence/GramSum.hpp"
 #include "evidence/ScoreTests.hpp"
 
 #include <Eigen/LU>
@@ -146,6 +147,13 @@ TEST_CASE("how far an effect moves corners is what predictions show when it is p
     CAPTURE(label);
     CHECK(tests.movedPx(candidate, sizes) == Approx(std::sqrt(squares / corners)).epsilon(0.04));
   }
+}
+
+TEST_CASE("a sum over poses without a row is zero") {
+  // Proves that poses in which no corner counts are no reason to stop, however many columns there are.
+  GramSum sum{64};
+  sum.add({0, 1, 2}, Eigen::MatrixXd{0, 3});
+  CHECK(sum.taken().isZero(0));
 }
 
 } // namespace naocal

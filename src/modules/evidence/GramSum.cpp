@@ -33,6 +33,9 @@ Eigen::MatrixXd GramSum::taken() {
 }
 
 void GramSum::multiply() {
+  if (count_ == 0) { // Eigen divides by the number of rows
+    return;
+  }
   sum_.selfadjointView<Eigen::Lower>().rankUpdate(waiting_.topRows(count_).transpose());
   waiting_.topRows(count_).setZero();
   count_ = 0;
