@@ -57,6 +57,9 @@ public:
       Eigen::MatrixXd posterior = information;
       posterior.diagonal().array() += 1 / (width * width);
       const Eigen::LLT<Eigen::MatrixXd> factor{posterior};
+      if (factor.info() != Eigen::Success) { // members that are one to the last digit: a model without weight
+        continue;
+      }
       const Eigen::VectorXd estimate = factor.solve(score);
       const double cost = 2 * factor.matrixLLT().diagonal().array().log().sum() +
                           2 * static_cast<double>(count) * std::log(width) - score.dot(estimate) - 2 * std::log(odds);
