@@ -2,9 +2,11 @@
 #include "diagnose/Diagnosis.hpp"
 #include "geometry/Angles.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <functional>
+#include <tuple>
 
 namespace naocal {
 namespace {
@@ -113,6 +115,39 @@ TEST_CASE("a robot that slipped before its last poses is named, although these b
   const double first = set.captures.front().time.count();
   CHECK(told.when->time > before - first);
   CHECK(told.when->time < after - first);
+}
+
+TEST_CASE("a robot that was put down anew half a metre away is named with the time, not another pattern") {
+  // Proves it where no search can start, or ends behind a camera: from some capture on all boards lie elsewhere, which
+  // is the robot that does; what was seen on both sides of the moment bounds it.
+  const auto [poses, shift, turn, share] =
+      GENERATE(std::tuple{std::size_t{16}, 1.0, 0.7, 0.6}, std::tuple{std::size_t{8}, 0.3, 0.7, 0.3});
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  SimulationPlan plan;
+  plan.poses = standingPoses(robot, plan, SupportFoot::left, poses, 1);
+  CaptureSet set = simulate(robot, plan, 1).set;
+  for (Board& board : plan.boards) {
+    Placement& place = *board.placement;
+    const Eigen::Vector2d there = Eigen::Rotation2Dd{turn} * Eigen::Vector2d{place.x, place.y};
+    place.x = there.x();
+    place.y = there.y() + shift;
+    place.yaw += turn;
+  }
+  const CaptureSet elsewhere = simulate(robot, plan, 1).set;
+  const auto first = static_cast<std::size_t>(share * static_cast<double>(set.captures.size()));
+  for (std::size_t i = first; i < set.captures.size(); ++i) {
+    set.captures[i].corners = elsewhere.captures[i].corners;
+  }
+  const Diagnosis diagnosis = asked(set);
+  CAPTURE(diagnosis.sentence);
+  CHECK(diagnosis.verdict == Verdict::badCaptures);
+  REQUIRE(diagnosis.suspicious.size() == 1);
+  const Suspicion& told = diagnosis.suspicious.front();
+  CHECK(told.why.starts_with("the robot in stance 0 was put down anew"));
+  REQUIRE(told.when);
+  const double begin = set.captures.front().time.count();
+  CHECK(told.when->since <= set.captures[first].time.count() - begin);
+  CHECK(told.when->until >= set.captures[first - 1].time.count() - begin);
 }
 
 TEST_CASE("squares of another size are told with their size, and nothing else") {

@@ -1,5 +1,6 @@
 #include "diagnose/LikelyEvent.hpp"
 
+#include "captures/InputError.hpp"
 #include "diagnose/EventFits.hpp"
 #include "diagnose/Ladder.hpp"
 #include "diagnose/WrongAngles.hpp"
@@ -216,13 +217,18 @@ std::string whatElse(const std::vector<Tried>& tried) {
   return text;
 }
 
-/// With all corners in full, whichever board they seem to be on.
-CalibrationResult withAllCorners(const Measurements& measurements, const Model& model, const CalibrationResult& fit) {
+/// With all corners in full, whichever board they seem to be on. Absent where that puts one behind its camera.
+std::optional<CalibrationResult> withAllCorners(const Measurements& measurements, const Model& model,
+                                                const CalibrationResult& fit) {
   CalibrationOptions options;
   options.noise = fit.noise;
   options.start = fit.unknowns;
   options.estimateNoise = options.question = options.robust = options.setAside = false;
-  return calibrate(measurements, model, options);
+  try {
+    return calibrate(measurements, model, options);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
 }
 
 std::optional<LikelyEvent> likeliestAt(const std::vector<CaptureSet>& sets, const Measurements& measurements,
@@ -262,9 +268,12 @@ std::optional<LikelyEvent> likeliestEvent(const std::vector<CaptureSet>& sets, c
   if (std::none_of(fit.doubts.begin(), fit.doubts.end(), std::mem_fn(&Doubt::whole))) {
     return likeliestAt(sets, measurements, model, fit, inquiry);
   }
-  const CalibrationResult all = withAllCorners(measurements, model, fit);
-  const Inquiry again{measurements, model, all, inquiry.candidates(), {.draws = 0}};
-  return likeliestAt(sets, measurements, model, all, again);
+  const std::optional<CalibrationResult> all = withAllCorners(measurements, model, fit);
+  if (!all) {
+    return likeliestAt(sets, measurements, model, fit, inquiry);
+  }
+  const Inquiry again{measurements, model, *all, inquiry.candidates(), {.draws = 0}};
+  return likeliestAt(sets, measurements, model, *all, again);
 }
 
 } // namespace naocal
