@@ -1,8 +1,13 @@
 #include "calibrate/Fit.hpp"
 
 #include "calibrate/StartingPlacements.hpp"
+#include "evidence/NoiseFloor.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
 #include <random>
 
 namespace naocal {
@@ -58,18 +63,63 @@ Eigen::VectorXd randomStart(const Measurements& measurements, const Model& model
   return alignedUnknowns(measurements, model, unknowns);
 }
 
-double lossScale(const std::vector<SightingResidual>& sightings, double pixelNoise) {
+/// Which part of all corners lies within `distance` noise levels of its prediction, where all are good (Rayleigh).
+struct Quantile {
+  double share, distance;
+};
+constexpr Quantile medianCorner{0.5, 1.17741}, farCorner{0.9, 2.14597};
+
+/// Noise per axis of which this part of all corners would lie as near as it does [px].
+double spreadOf(const std::vector<SightingResidual>& sightings, const Quantile& quantile) {
   std::vector<double> distances;
   for (const SightingResidual& sighting : sightings) {
     for (Eigen::Index i = 0; i < sighting.weight.size(); ++i) {
-      distances.push_back(sighting.residual.col(i).norm());
+      const double distance = sighting.residual.col(i).norm();
+      distances.push_back(std::isfinite(distance) ? distance : std::numeric_limits<double>::infinity());
     }
   }
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  constexpr double medianOfRayleigh = 1.17741; // median distance of a good corner in units of the noise per axis
+  const auto there =
+      distances.begin() + static_cast<std::ptrdiff_t>(quantile.share * static_cast<double>(distances.size()));
+  std::nth_element(distances.begin(), there, distances.end());
+  return *there / quantile.distance;
+}
+
+double lossScale(const std::vector<SightingResidual>& sightings, double pixelNoise) {
   constexpr double harmless = 0.3; // [px]: what corners of printed boards scatter by; however small the noise is here
-  return std::max({1.0, *middle / (medianOfRayleigh * pixelNoise), harmless / pixelNoise});
+  return std::max({1.0, spreadOf(sightings, medianCorner) / pixelNoise, harmless / pixelNoise});
+}
+
+/// By how much a corner lies off where the joints' readings put it beyond what noise does: a variance per axis [px^2],
+/// of all but the farthest tenth. 0: within a fifth of the noise. Absent where one lies behind its camera.
+std::optional<double> misfitOf(const Residuals& residuals, const Residuals::State& state) {
+  constexpr double sound = 1.2;
+  const double spread = spreadOf(residuals.sightings(residuals.start(state.unknowns)), farCorner);
+  if (!std::isfinite(spread)) {
+    return std::nullopt;
+  }
+  const double floor = noiseFloorPx(residuals.rows(state).value(), residuals.noise()) / std::numbers::sqrt2;
+  return spread < sound * floor ? 0 : spread * spread - floor * floor;
+}
+
+/// The same unknowns under another noise and loss; deflections come to rest there. Absent where that puts a corner
+/// behind its camera.
+std::optional<Fit> restated(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss,
+                            const Fit& from) {
+  Residuals residuals{measurements, model, noise, loss};
+  residuals.freeOnly(std::vector<bool>(model.unknownCount(), false));
+  auto minimum = levenbergMarquardt(residuals, residuals.start(from.minimum.state.unknowns));
+  if (!minimum) {
+    return std::nullopt;
+  }
+  residuals.freeOnly(std::vector<bool>(model.unknownCount(), true));
+  auto linear = residuals.linearised(minimum->state);
+  if (!linear) {
+    return std::nullopt;
+  }
+  minimum->linear = *std::move(linear);
+  minimum->iterations = from.minimum.iterations;
+  minimum->converged = from.minimum.converged;
+  return Fit{noise, loss, *std::move(minimum), from.restartsChanged};
 }
 
 } // namespace
@@ -155,6 +205,29 @@ Fit robustFit(const Measurements& measurements, const Model& model, const Noise&
       break;
     }
     from = refit(measurements, model, noise, Loss{scale}, std::move(from), roughly);
+  }
+  return from;
+}
+
+Fit weighedByMisfit(const Measurements& measurements, const Model& model, Fit from) {
+  constexpr int rounds = 2;
+  const Noise noise = from.noise;
+  const Loss loss = from.loss;
+  for (int round = 0; round < rounds; ++round) {
+    const std::optional<double> misfit = misfitOf({measurements, model, noise, from.loss}, from.minimum.state);
+    if (!misfit || *misfit == 0) {
+      break;
+    }
+    Noise wide = noise;
+    wide.pixel = std::hypot(noise.pixel, std::sqrt(*misfit));
+    const double wider = wide.pixel / noise.pixel;
+    const Loss farther{loss.scale == 0 ? 0 : std::max(loss.scale, wider)}; // far corners are the model's doing
+    auto there = restated(measurements, model, noise, farther,
+                          refit(measurements, model, wide, Loss{farther.scale / wider}, from));
+    if (!there) {
+      break;
+    }
+    from = *std::move(there);
   }
   return from;
 }

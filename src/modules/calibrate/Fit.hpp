@@ -43,4 +43,10 @@ Fit nearlyFitted(const Measurements& measurements, const Model& model, const Noi
 /// that a model that misses something is not mistaken for a board full of false corners. Ends `roughly`.
 Fit robustFit(const Measurements& measurements, const Model& model, const Noise& noise, Fit from);
 
+/// On from a fit of a model that lacks an effect of another kind than its noise: what it leaves beyond the noise floor
+/// counts as noise of every corner. Else it bends joints, which may scatter, to follow what sharp corners say of each
+/// other, and lies up to several times farther from the pictures than it need. The fit is stated at the noise of
+/// `from`.
+Fit weighedByMisfit(const Measurements& measurements, const Model& model, Fit from);
+
 } // namespace naocal

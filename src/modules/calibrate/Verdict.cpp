@@ -18,12 +18,11 @@ namespace {
 /// Whether what the captures show is explained, and where it is not, whether the offsets hold all the same.
 /// Thresholds were set on a study of 248 simulated robots (misfits in chi2 per freedom).
 ResultVerdict explained(const Model& model, const CalibrationResult& result, bool missing) {
-  constexpr double sound = 1.6;              // of the misfit left where nothing is missing
-  constexpr double bearable = 1.5;           // of the misfit left beside what may be missing
-  constexpr double most = 0.8 * mostScatter; // [rad]: more is no gear's stiction
-  constexpr double widest = radians(0.5);    // [rad]: half of an offset's 95 % interval
+  constexpr double sound = 1.6;           // of the misfit left where nothing is missing
+  constexpr double bearable = 1.5;        // of the misfit left beside what may be missing
+  constexpr double widest = radians(0.5); // [rad]: half of an offset's 95 % interval
   const bool fits = result.misfitLeft < sound || result.rmsPx < result.noiseFloorPx;
-  if (!missing && fits && result.noise.pose < most) {
+  if (!missing && fits && result.noise.pose < suspectScatter) {
     return ResultVerdict::good;
   }
   bool holds = result.misfitLeft < bearable;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <utility>
 
@@ -31,6 +32,11 @@ std::vector<Term> namedEffects(const WideModel& wide, const WindowModel& explana
   }
   std::sort(result.begin(), result.end(), [](const Term& a, const Term& b) { return a.label() < b.label(); });
   return result;
+}
+
+/// It deflects a joint, as noise does.
+bool isOfJoint(const Term& term) {
+  return term.effect.place == Place::motor || term.effect.place == Place::joint;
 }
 
 bool areSame(const std::vector<Term>& a, const std::vector<Term>& b) {
@@ -230,8 +236,12 @@ Explained explain(const Measurements& measurements, const Model& model, const Fi
       break;
     }
   }
-  if (!areSame(result.effects, search.added())) { // levels have changed
+  if (!areSame(result.effects, search.added())) { // something is missing, and levels have changed
     result.fit = search.fitted(model, result.levels.noise, std::move(result.fit));
+    const bool scatters = result.levels.noise.pose >= suspectScatter;
+    if (!scatters && std::any_of(result.effects.begin(), result.effects.end(), std::not_fn(isOfJoint))) {
+      result.fit = weighedByMisfit(measurements, model, std::move(result.fit));
+    }
     search.ask(search.wideAt(model, {}, result.fit), result);
   } else if (!search.added().empty()) {
     search.ask(search.wideAt(model, {}, result.fit), result);

@@ -25,6 +25,8 @@ struct Repeated {
 
 /// No more than real gears have [rad]: what candidates cannot explain within that is misfit, not noise.
 constexpr double mostScatter = 0.15 * 3.14159265358979323846 / 180;
+/// More than this is no gear's stiction, but a misfit that joints' levels take as far as they may [rad].
+constexpr double suspectScatter = 0.8 * mostScatter;
 
 /// -2 ln of the half-Cauchy prior of pose noise [rad], up to a constant, of 0.02 degrees: few poses hardly tell its
 /// level (Gelman, Bayesian Analysis 1 (2006) 515).
