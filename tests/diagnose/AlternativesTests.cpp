@@ -1,5 +1,6 @@
 #include "Questioned.hpp"
 #include "diagnose/Alternatives.hpp"
+#include "diagnose/Diagnosis.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -30,6 +31,29 @@ TEST_CASE("evident effects that do different things to the pictures are never ea
       }
     }
   }
+}
+
+TEST_CASE("play that load never holds cannot be told from hysteresis, and is told from it where load does") {
+  // Proves that a law with a threshold is compared with its limits by fits: the head's weight never exceeds friction,
+  // the knee's nearly always does.
+  const std::string joint = GENERATE("HeadPitch", "LKneePitch");
+  const bool alike = joint == "HeadPitch";
+  CaptureSet set = simulatedSet(16, 4);
+  const auto place = std::find(set.jointNames.begin(), set.jointNames.end(), joint) - set.jointNames.begin();
+  constexpr double gap = 0.006; // [rad]
+  for (Capture& capture : set.captures) {
+    capture.joints.measured[static_cast<std::size_t>(place)] +=
+        gap / 2 * capture.joints.approach[static_cast<std::size_t>(place)];
+  }
+  const Diagnosis diagnosis = diagnose({set}, measurementsOf({set}, loadRobot(configurationDirectory(), set.model)));
+  CAPTURE(diagnosis.sentence);
+  const auto found =
+      std::find_if(diagnosis.ranking.begin(), diagnosis.ranking.end(),
+                   [&](const CandidateFinding& finding) { return finding.term.label() == "hysteresis@" + joint; });
+  REQUIRE(found != diagnosis.ranking.end());
+  CHECK(found->state == State::present);
+  const std::string play = "gearPlay@" + joint;
+  CHECK((std::find(found->equivalent.begin(), found->equivalent.end(), play) != found->equivalent.end()) == alike);
 }
 
 } // namespace naocal

@@ -1,5 +1,6 @@
 #include "diagnose/Ladder.hpp"
 
+#include "captures/InputError.hpp"
 #include "diagnose/HeldOut.hpp"
 #include "diagnose/Power.hpp"
 #include "diagnose/SetUps.hpp"
@@ -14,9 +15,16 @@ namespace naocal {
 
 namespace {
 
-bool has(const Model& model, const std::string& label) {
-  return std::any_of(model.terms().begin(), model.terms().end(),
-                     [&](const Term& term) { return term.label() == label; });
+/// A calibration; of captures of which an accident leads the search astray, with joints held to their readings and
+/// every corner in full.
+CalibrationResult calibratedSomehow(const Measurements& measurements, const Model& model, CalibrationOptions options) {
+  try {
+    return calibrate(measurements, model, options);
+  } catch (const InputError&) {
+    options.estimateNoise = options.robust = false;
+    options.noise.pose = options.noise.reapproach = options.noise.stance = 0;
+    return calibrate(measurements, model, options);
+  }
 }
 
 } // namespace
@@ -25,7 +33,7 @@ Ladder::Ladder(const Measurements& measurements, const Model& model, const Diagn
     : measurements_{measurements}, options_{options}, candidates_{candidateTerms(measurements, options.effects)},
       added_{options.with}, model_{model}, fit_{calibrated(model_, options.calibration.start)} {
   levels_ = fit_.noise;
-  std::erase_if(candidates_, [&](const Term& term) { return has(model_, term.label()); });
+  std::erase_if(candidates_, [&](const Term& term) { return model_.find(term.label()) != nullptr; });
   for (const Term& term : candidates_) {
     CandidateFinding& finding = findings_.emplace_back(CandidateFinding{.term = term});
     finding.evidence.bayes = -std::numeric_limits<double>::infinity();
@@ -49,7 +57,7 @@ CalibrationResult Ladder::calibrated(const Model& model, std::optional<Eigen::Ve
       options.loss = fit_.loss; // else boards that had no weight get it back first
     }
   }
-  CalibrationResult result = calibrate(measurements_, model, options);
+  CalibrationResult result = calibratedSomehow(measurements_, model, options);
   std::size_t doubted = 0, elsewhere = 0;
   for (const Doubt& doubt : result.doubts) {
     (doubt.whole && doubt.distance > impossible ? elsewhere : doubted) += doubt.corners.size();
@@ -72,7 +80,7 @@ CalibrationResult Ladder::withoutMovedBoards() const {
 std::vector<Term> Ladder::testable() const {
   std::vector<Term> result;
   for (const CandidateFinding& finding : findings_) {
-    if (finding.state != State::noData && !has(model_, finding.term.label())) {
+    if (finding.state != State::noData && !model_.find(finding.term.label())) {
       result.push_back(finding.term);
     }
   }

@@ -52,6 +52,12 @@ public:
 private:
   CandidateFinding& findingOf(const std::string& label);
   CandidateFinding& findingOf(const Term& term) { return findingOf(term.label()); }
+  /// These captures cannot tell them apart.
+  void equivalent(const Term& chosen, const Term& other);
+  /// Effects of which the chosen one is a limit, or that are one of it: they are equivalent where a fit with them in
+  /// its place is hardly worse. Linearised at no size they show nothing of it.
+  void compareLimits(const Term& chosen);
+  Eigen::VectorXd startInstead(const Term& chosen, const Term& other, const Model& instead) const;
   /// Both are needed: neither stands for the other.
   void notEquivalent(const std::string& one, const std::string& other);
   /// The model with what was added, from `start`, else from where the present one's unknowns are.
@@ -67,7 +73,7 @@ private:
     double cost = 0;
     Eigen::VectorXd unknowns;
   };
-  Nearly nearlyFitted(const Model& model) const;
+  Nearly nearlyFitted(const Model& model, const Eigen::VectorXd& start) const;
 
   /// The ladder before an effect was added that only helps beside another.
   struct Before {

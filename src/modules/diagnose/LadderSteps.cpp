@@ -4,6 +4,7 @@
 #include "diagnose/Ladder.hpp"
 #include "evidence/Prequential.hpp"
 #include "geometry/InParallel.hpp"
+#include "geometry/Index.hpp"
 #include "residuals/Carried.hpp"
 
 #include <algorithm>
@@ -12,6 +13,13 @@
 namespace naocal {
 
 namespace {
+
+/// Where `whole` becomes `part`, if it does.
+const Limit* limitThatIs(const Effect& part, const Effect& whole) {
+  const auto found = std::find_if(whole.limits.begin(), whole.limits.end(),
+                                  [&](const Limit& limit) { return limit.effect == part.name; });
+  return found == whole.limits.end() ? nullptr : &*found;
+}
 
 /// Its unknowns differ from zero by more than so many of their errors (Wald).
 bool isNeeded(const Term& term, const CalibrationResult& fit, double leastZ = 2) {
@@ -50,9 +58,8 @@ bool Ladder::foretells(const Inquiry& inquiry, std::size_t candidate) const {
   return prequential(inquiry.problem(), inquiry.noise(), posesInTime(measurements_), candidate).predicts();
 }
 
-Ladder::Nearly Ladder::nearlyFitted(const Model& model) const {
-  const FitMinimum minimum =
-      naocal::nearlyFitted(measurements_, model, fit_.noise, fit_.loss, carried(model_, fit_.unknowns, model)).minimum;
+Ladder::Nearly Ladder::nearlyFitted(const Model& model, const Eigen::VectorXd& start) const {
+  const FitMinimum minimum = naocal::nearlyFitted(measurements_, model, fit_.noise, fit_.loss, start).minimum;
   return {minimum.linear.cost, minimum.state.unknowns};
 }
 
@@ -85,7 +92,8 @@ std::optional<Ladder::Choice> Ladder::best(const Inquiry& inquiry) {
   }
   std::vector<Nearly> fits(order.size() + 1); // the last without any of them
   inParallel(fits.size(), [&](std::size_t i) {
-    fits[i] = nearlyFitted(i < order.size() ? with(inquiry.candidates()[order[i]]) : model_);
+    const Model model = i < order.size() ? with(inquiry.candidates()[order[i]]) : model_;
+    fits[i] = nearlyFitted(model, carried(model_, fit_.unknowns, model));
   });
   std::optional<Choice> best;
   double bestBayes = 0;
@@ -104,6 +112,53 @@ std::optional<Ladder::Choice> Ladder::best(const Inquiry& inquiry) {
     }
   }
   return best;
+}
+
+void Ladder::equivalent(const Term& chosen, const Term& other) {
+  findingOf(chosen).equivalent.push_back(other.label());
+  CandidateFinding& twin = findingOf(other);
+  if (twin.state != State::present) {
+    twin.state = State::aliased;
+    twin.equivalent.push_back(chosen.label());
+  }
+}
+
+void Ladder::compareLimits(const Term& chosen) {
+  constexpr double hardlyLess = 14; // in chi2: as of equivalent candidates
+  for (const Term& other : candidates_) {
+    const std::vector<std::string>& known = findingOf(chosen).equivalent;
+    if (other.at != chosen.at || other.effect.place != chosen.effect.place ||
+        std::find(known.begin(), known.end(), other.label()) != known.end()) {
+      continue;
+    }
+    const Limit* const ofOther = limitThatIs(chosen.effect, other.effect);
+    if (!ofOther && !limitThatIs(other.effect, chosen.effect)) {
+      continue;
+    }
+    std::vector<std::string> labels = added_;
+    std::replace(labels.begin(), labels.end(), chosen.label(), other.label());
+    const Model instead = makeModel(measurements_, labels, options_.without, options_.effects);
+    const double cost = nearlyFitted(instead, startInstead(chosen, other, instead)).cost;
+    if (2 * (cost - nearlyFitted(model_, fit_.unknowns).cost) < hardlyLess) {
+      equivalent(chosen, other);
+    }
+  }
+}
+
+Eigen::VectorXd Ladder::startInstead(const Term& chosen, const Term& other, const Model& instead) const {
+  Eigen::VectorXd start = carried(model_, fit_.unknowns, instead);
+  const Term& from = *model_.find(chosen.label());
+  const Term& to = *instead.find(other.label());
+  const Limit* const limit = limitThatIs(chosen.effect, other.effect);
+  for (std::size_t i = 0; i < to.effect.unknowns.size(); ++i) {
+    const std::string& name = to.effect.unknowns[i].name;
+    double& value = start[at(to.first + i)];
+    for (std::size_t k = 0; k < from.effect.unknowns.size(); ++k) {
+      value = from.effect.unknowns[k].name == name ? fit_.unknowns[at(from.first + k)] : value;
+    }
+    value = limit && limit->unknown == name ? limit->value : value;
+  }
+  return start;
 }
 
 void Ladder::notEquivalent(const std::string& one, const std::string& other) {
@@ -126,17 +181,13 @@ bool Ladder::add(const Inquiry& inquiry, const Choice& choice, Diagnosis& diagno
   finding.state = State::present;
   finding.evidence.bayes = std::max(finding.evidence.bayes, inquiry.ofCandidate(choice.candidate).bayes);
   for (std::size_t other : equivalents(inquiry, choice.candidate)) {
-    finding.equivalent.push_back(inquiry.candidates()[other].label());
-    CandidateFinding& twin = findingOf(inquiry.candidates()[other]);
-    if (twin.state != State::present) {
-      twin.state = State::aliased;
-      twin.equivalent.push_back(term.label());
-    }
+    equivalent(term, inquiry.candidates()[other]);
   }
   added_.push_back(term.label());
   diagnosis.suggested.push_back(term.label());
   refit(choice.start);
   dropSuperfluous(diagnosis.suggested);
+  compareLimits(term);
   constexpr double evident = 3.3; // of one that is hardly needed beside the last, that may be the right one
   for (const Term& earlier : model_.terms()) {
     const auto found = std::find(diagnosis.suggested.begin(), diagnosis.suggested.end() - 1, earlier.label());

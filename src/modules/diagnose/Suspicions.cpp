@@ -18,9 +18,8 @@ namespace {
 std::optional<double> fitted(const Term& term, const Measurements& measurements) {
   try {
     const Model model = makeModel(measurements, {term.label()});
-    const auto found = std::find_if(model.terms().begin(), model.terms().end(),
-                                    [&](const Term& other) { return other.label() == term.label(); });
-    return calibrate(measurements, model, {.question = false}).unknowns[static_cast<Eigen::Index>(found->first)];
+    const std::size_t first = model.find(term.label())->first;
+    return calibrate(measurements, model, {.question = false}).unknowns[static_cast<Eigen::Index>(first)];
   } catch (const InputError&) {
     return std::nullopt;
   }

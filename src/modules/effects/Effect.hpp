@@ -57,6 +57,12 @@ struct Elsewhere {
   std::size_t joint;
 };
 
+/// Another effect, which an effect becomes where one of its unknowns has this value.
+struct Limit {
+  std::string effect, unknown;
+  double value = 0;
+};
+
 /// A physical cause of a difference between drawing and picture.
 ///
 /// `correct` changes what is believed at an instant. It is called once per joint that the motor drives for
@@ -69,12 +75,13 @@ struct Effect {
   std::string formula;    // for people: "q_true = q_measured - o"
   Place place = Place::motor;
   std::vector<Unknown> unknowns;
-  std::vector<Driver> needs = {};                 // at the joint that is corrected
-  std::vector<Elsewhere> elsewhere = {};          // and at others
-  bool linear = true;                             // the correction is linear in the unknowns
-  bool kink = false;                              // not smooth in what drives it
-  bool base = false;                              // in every model that is not asked to leave it out
-  bool shared = false;                            // a board's effect that may be one for all boards
+  std::vector<Driver> needs = {};        // at the joint that is corrected
+  std::vector<Elsewhere> elsewhere = {}; // and at others
+  std::vector<Limit> limits = {};        // at the ends of its unknowns' plausible range, if it has other names there
+  bool linear = true;                    // the correction is linear in the unknowns
+  bool kink = false;                     // not smooth in what drives it
+  bool base = false;                     // in every model that is not asked to leave it out
+  bool shared = false;                   // a board's effect that may be one for all boards
   std::optional<std::size_t> only = std::nullopt; // a user's effect at one joint: its motor
   std::string definition = "";                    // a user's effect: its JSON
   std::function<void(Belief&, const Instant&, std::size_t at, std::span<const double> values)> correct;

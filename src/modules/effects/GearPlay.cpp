@@ -13,6 +13,7 @@ Effect gearPlay() {
           .place = Place::motor,
           .unknowns = {{"D", "rad", 0.01}, {"t", "Nm", 0.1}},
           .needs = {Driver::torque, Driver::approach},
+          .limits = {{"backlash", "t", 0.05 - gearFriction}, {"hysteresis", "t", 0.5 - gearFriction}},
           .linear = false,
           .kink = true,
           .correct = [](Belief& belief, const Instant& instant, std::size_t joint, std::span<const double> values) {

@@ -21,6 +21,12 @@ Eigen::VectorXd Term::sigmas() const {
   return result;
 }
 
+const Term* Model::find(const std::string& label) const {
+  const auto found =
+      std::find_if(terms_.begin(), terms_.end(), [&](const Term& term) { return term.label() == label; });
+  return found == terms_.end() ? nullptr : &*found;
+}
+
 Eigen::VectorXd Model::sigmas() const {
   Eigen::VectorXd result(static_cast<Eigen::Index>(unknownCount_));
   for (const Term& term : terms_) {

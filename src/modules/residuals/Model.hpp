@@ -34,6 +34,8 @@ public:
   void add(Term term);
 
   const std::vector<Term>& terms() const { return terms_; }
+  /// The term with this label; null where there is none.
+  const Term* find(const std::string& label) const;
   /// Which terms are joint offsets: on them depend angles, torques and the centre of mass that drive other effects.
   const std::vector<std::size_t>& offsets() const { return offsets_; }
   std::size_t unknownCount() const { return unknownCount_; }
