@@ -84,6 +84,22 @@ TEST_CASE("what the simulator builds into a joint is estimated within 3 sigma, o
   CHECK_THROWS_WITH(simulate(robot, plan, 3), Catch::Contains("gearPlay@LKneePitch, found gearPlay@nowhere"));
 }
 
+TEST_CASE("an effect that is larger than is plausible keeps its size") {
+  // Proves that its prior gives way: the knee creeps by 0.12 mrad a second, twelve times what is plausible.
+  constexpr double creep = 1.2e-4; // [rad/s]
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  CaptureSet set = simulate(robot, handMadePlan(robot, 48), 5).set;
+  const auto knee = std::find(set.jointNames.begin(), set.jointNames.end(), "LKneePitch") - set.jointNames.begin();
+  for (Capture& capture : set.captures) {
+    capture.joints.measured[static_cast<std::size_t>(knee)] -=
+        creep * (capture.time - set.captures.front().time).count();
+  }
+  const Estimate estimate = estimateOf(measurementsOf({set}, robot), "timeDrift@LKneePitch");
+  INFO(estimate.value << " ± " << estimate.sigma);
+  CHECK(std::abs(estimate.value - creep) < 3 * estimate.sigma);
+  CHECK(estimate.sigma < 0.2 * creep);
+}
+
 TEST_CASE("a model that lacks an effect lies nearly as near to the pictures as it can") {
   // Proves it where joints scatter by 0.05 degrees and the file has one camera's focal length 4 % too long: levels and
   // averages are those of the noise, but the first error that is shown is at most a tenth above that of a search for

@@ -4,6 +4,7 @@
 #include "calibrate/Fit.hpp"
 #include "calibrate/MovedSightings.hpp"
 #include "calibrate/PixelNoise.hpp"
+#include "calibrate/Priors.hpp"
 #include "calibrate/Uncertainty.hpp"
 #include "calibrate/Verdict.hpp"
 #include "calibrate/WhatMayBeMissing.hpp"
@@ -97,6 +98,12 @@ std::optional<Measurements> withoutMoved(const Measurements& measurements, const
   return kept;
 }
 
+std::optional<Model> withPriorsFor(const Model& model, const Fit& fit) {
+  const Eigen::MatrixXd& hessian = fit.minimum.linear.hessian;
+  const Eigen::MatrixXd covariance = hessian.ldlt().solve(Eigen::MatrixXd::Identity(hessian.rows(), hessian.cols()));
+  return withPriorsFor(model, fit.minimum.state.unknowns, covariance.diagonal());
+}
+
 } // namespace
 
 CalibrationResult calibrate(const Measurements& measurements, const Model& model, const CalibrationOptions& options) {
@@ -105,7 +112,13 @@ CalibrationResult calibrate(const Measurements& measurements, const Model& model
   const auto kept =
       options.robust && options.setAside ? withoutMoved(measurements, model, options, answer) : std::nullopt;
   const Measurements& used = kept ? *kept : measurements;
-  CalibrationResult result = uncertain(used, model, answer.fit, answer.levels);
+  const std::optional<Model> wider = withPriorsFor(model, answer.fit);
+  if (wider) {
+    const Loss loss = answer.fit.loss;
+    answer.fit = refit(used, *wider, answer.levels.noise, loss, std::move(answer.fit));
+  }
+  const Model& believed = wider ? *wider : model;
+  CalibrationResult result = uncertain(used, believed, answer.fit, answer.levels);
   result.noiseSource = answer.fromRepeats ? "repeats" : "configured";
   result.restartsTried = options.restarts;
   result.doubts = doubts(used, result);
@@ -118,7 +131,7 @@ CalibrationResult calibrate(const Measurements& measurements, const Model& model
   if (answer.explained) {
     describe(*answer.explained, model, result);
   }
-  judge(used, model, result);
+  judge(used, believed, result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }

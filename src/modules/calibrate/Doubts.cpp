@@ -1,11 +1,12 @@
 #include "calibrate/Doubts.hpp"
 
+#include "calibrate/Fit.hpp"
+
 #include <cmath>
 
 namespace naocal {
 
 std::vector<Doubt> doubts(const Measurements& measurements, const CalibrationResult& result) {
-  constexpr double trusted = 0.7; // weights below are beyond 5 sigma: once in 200 000 good corners
   std::vector<Doubt> all;
   for (const SightingResidual& seen : result.sightings) {
     const Sighting& sighting = measurements.pictures[seen.picture].sightings[seen.sighting];
@@ -19,7 +20,7 @@ std::vector<Doubt> doubts(const Measurements& measurements, const CalibrationRes
     }
     if (!doubt.corners.empty()) {
       doubt.distance = std::sqrt(squares / static_cast<double>(doubt.corners.size()));
-      doubt.whole = doubt.corners.size() >= 2 && 2 * doubt.corners.size() > sighting.ids.size();
+      doubt.whole = hasLostWeight(seen);
       all.push_back(std::move(doubt));
     }
   }

@@ -209,21 +209,33 @@ Fit robustFit(const Measurements& measurements, const Model& model, const Noise&
   return from;
 }
 
+bool hasLostWeight(const SightingResidual& sighting) {
+  return sighting.weight.size() > 1 && 2 * (sighting.weight.array() < trusted).count() > sighting.weight.size();
+}
+
+Fit inFull(const Measurements& measurements, const Model& model, Fit from) {
+  const Residuals residuals{measurements, model, from.noise, from.loss};
+  const std::vector<SightingResidual> sightings = residuals.sightings(from.minimum.state);
+  if (std::none_of(sightings.begin(), sightings.end(), hasLostWeight)) {
+    return from;
+  }
+  const double distance = spreadOf(residuals.sightings(residuals.start(from.minimum.state.unknowns)), farCorner);
+  const Noise noise = from.noise;
+  const Loss farther{std::max(from.loss.scale, distance / noise.pixel)};
+  return std::isfinite(distance) ? refit(measurements, model, noise, farther, std::move(from)) : from;
+}
+
 Fit weighedByMisfit(const Measurements& measurements, const Model& model, Fit from) {
   constexpr int rounds = 2;
-  const Noise noise = from.noise;
-  const Loss loss = from.loss;
   for (int round = 0; round < rounds; ++round) {
-    const std::optional<double> misfit = misfitOf({measurements, model, noise, from.loss}, from.minimum.state);
+    const std::optional<double> misfit = misfitOf({measurements, model, from.noise, from.loss}, from.minimum.state);
     if (!misfit || *misfit == 0) {
       break;
     }
-    Noise wide = noise;
-    wide.pixel = std::hypot(noise.pixel, std::sqrt(*misfit));
-    const double wider = wide.pixel / noise.pixel;
-    const Loss farther{loss.scale == 0 ? 0 : std::max(loss.scale, wider)}; // far corners are the model's doing
-    auto there = restated(measurements, model, noise, farther,
-                          refit(measurements, model, wide, Loss{farther.scale / wider}, from));
+    Noise wide = from.noise;
+    wide.pixel = std::hypot(from.noise.pixel, std::sqrt(*misfit));
+    const Loss same{from.loss.scale * from.noise.pixel / wide.pixel}; // [px]
+    auto there = restated(measurements, model, from.noise, from.loss, refit(measurements, model, wide, same, from));
     if (!there) {
       break;
     }

@@ -43,6 +43,15 @@ Fit nearlyFitted(const Measurements& measurements, const Model& model, const Noi
 /// that a model that misses something is not mistaken for a board full of false corners. Ends `roughly`.
 Fit robustFit(const Measurements& measurements, const Model& model, const Noise& noise, Fit from);
 
+/// A corner of less weight is beyond 5 sigma: one of 200 000 good ones.
+constexpr double trusted = 0.7;
+/// Most corners of a board in a picture are such.
+bool hasLostWeight(const SightingResidual& sighting);
+
+/// On from a fit of a model that lacks an effect: where whole boards lost their weight, which a wrong model predicts
+/// worst and which are not false, corners lose it only beyond what the model leaves of nearly all of them.
+Fit inFull(const Measurements& measurements, const Model& model, Fit from);
+
 /// On from a fit of a model that lacks an effect of another kind than its noise: what it leaves beyond the noise floor
 /// counts as noise of every corner. Else it bends joints, which may scatter, to follow what sharp corners say of each
 /// other, and lies up to several times farther from the pictures than it need. The fit is stated at the noise of

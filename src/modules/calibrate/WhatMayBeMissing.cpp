@@ -237,7 +237,7 @@ Explained explain(const Measurements& measurements, const Model& model, const Fi
     }
   }
   if (!areSame(result.effects, search.added())) { // something is missing, and levels have changed
-    result.fit = search.fitted(model, result.levels.noise, std::move(result.fit));
+    result.fit = inFull(measurements, model, search.fitted(model, result.levels.noise, std::move(result.fit)));
     const bool scatters = result.levels.noise.pose >= suspectScatter;
     if (!scatters && std::any_of(result.effects.begin(), result.effects.end(), std::not_fn(isOfJoint))) {
       result.fit = weighedByMisfit(measurements, model, std::move(result.fit));

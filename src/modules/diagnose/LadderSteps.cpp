@@ -1,5 +1,6 @@
 // How the ladder goes on: what is added, what becomes superfluous.
 #include "calibrate/Fit.hpp"
+#include "calibrate/Priors.hpp"
 #include "diagnose/Alternatives.hpp"
 #include "diagnose/Ladder.hpp"
 #include "evidence/Prequential.hpp"
@@ -93,7 +94,17 @@ std::optional<Ladder::Choice> Ladder::best(const Inquiry& inquiry) {
   std::vector<Nearly> fits(order.size() + 1); // the last without any of them
   inParallel(fits.size(), [&](std::size_t i) {
     const Model model = i < order.size() ? with(inquiry.candidates()[order[i]]) : model_;
-    fits[i] = nearlyFitted(model, carried(model_, fit_.unknowns, model));
+    const Eigen::VectorXd start = carried(model_, fit_.unknowns, model);
+    Eigen::VectorXd expected = start, variances = carried(model_, fit_.covariance.diagonal(), model);
+    if (i < order.size()) {
+      const Term& term = *model.find(inquiry.candidates()[order[i]].label());
+      const GroupEvidence& evidence = inquiry.ofCandidate(order[i]);
+      const Eigen::ArrayXd information = evidence.covariance.diagonal().array().inverse();
+      const Eigen::ArrayXd posterior = (information + term.sigmas().array().square().inverse()).inverse();
+      expected.segment(at(term.first), posterior.size()) = posterior * information * evidence.estimate.array();
+      variances.segment(at(term.first), posterior.size()) = posterior;
+    }
+    fits[i] = nearlyFitted(withPriorsFor(model, expected, variances).value_or(model), start);
   });
   std::optional<Choice> best;
   double bestBayes = 0;
