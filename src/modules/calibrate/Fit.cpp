@@ -89,6 +89,17 @@ double lossScale(const std::vector<SightingResidual>& sightings, double pixelNoi
   return std::max({1.0, spreadOf(sightings, medianCorner) / pixelNoise, harmless / pixelNoise});
 }
 
+/// rms distance of all corners from where the joints' readings put them [px].
+double rmsAsReported(const Measurements& measurements, const Model& model, const Fit& fit) {
+  const Residuals residuals{measurements, model, fit.noise, fit.loss};
+  double squares = 0, count = 0;
+  for (const SightingResidual& sighting : residuals.sightings(residuals.start(fit.minimum.state.unknowns))) {
+    squares += sighting.residual.squaredNorm();
+    count += static_cast<double>(sighting.residual.cols());
+  }
+  return std::sqrt(squares / count);
+}
+
 /// By how much a corner lies off where the joints' readings put it beyond what noise does: a variance per axis [px^2],
 /// of all but the farthest tenth. 0: within a fifth of the noise. Absent where one lies behind its camera.
 std::optional<double> misfitOf(const Residuals& residuals, const Residuals::State& state) {
@@ -225,23 +236,26 @@ Fit inFull(const Measurements& measurements, const Model& model, Fit from) {
   return std::isfinite(distance) ? refit(measurements, model, noise, farther, std::move(from)) : from;
 }
 
-Fit weighedByMisfit(const Measurements& measurements, const Model& model, Fit from) {
+Fit weighedByMisfit(const Measurements& measurements, const Model& model, const Fit& from) {
   constexpr int rounds = 2;
+  constexpr double nearer = 0.9; // of the error: else the weights that are right for noise stay
+  Fit fit = from;
   for (int round = 0; round < rounds; ++round) {
-    const std::optional<double> misfit = misfitOf({measurements, model, from.noise, from.loss}, from.minimum.state);
+    const std::optional<double> misfit = misfitOf({measurements, model, fit.noise, fit.loss}, fit.minimum.state);
     if (!misfit || *misfit == 0) {
       break;
     }
-    Noise wide = from.noise;
-    wide.pixel = std::hypot(from.noise.pixel, std::sqrt(*misfit));
-    const Loss same{from.loss.scale * from.noise.pixel / wide.pixel}; // [px]
-    auto there = restated(measurements, model, from.noise, from.loss, refit(measurements, model, wide, same, from));
+    Noise wide = fit.noise;
+    wide.pixel = std::hypot(fit.noise.pixel, std::sqrt(*misfit));
+    const Loss same{fit.loss.scale * fit.noise.pixel / wide.pixel}; // [px]
+    auto there = restated(measurements, model, fit.noise, fit.loss, refit(measurements, model, wide, same, fit));
     if (!there) {
       break;
     }
-    from = *std::move(there);
+    fit = *std::move(there);
   }
-  return from;
+  const double before = rmsAsReported(measurements, model, from), after = rmsAsReported(measurements, model, fit);
+  return after < nearer * before || !std::isfinite(before) ? fit : from;
 }
 
 } // namespace naocal

@@ -55,7 +55,7 @@ Fit inFull(const Measurements& measurements, const Model& model, Fit from);
 /// On from a fit of a model that lacks an effect of another kind than its noise: what it leaves beyond the noise floor
 /// counts as noise of every corner. Else it bends joints, which may scatter, to follow what sharp corners say of each
 /// other, and lies up to several times farther from the pictures than it need. The fit is stated at the noise of
-/// `from`.
-Fit weighedByMisfit(const Measurements& measurements, const Model& model, Fit from);
+/// `from`, and is that one where the error would hardly fall.
+Fit weighedByMisfit(const Measurements& measurements, const Model& model, const Fit& from);
 
 } // namespace naocal

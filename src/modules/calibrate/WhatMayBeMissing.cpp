@@ -240,7 +240,7 @@ Explained explain(const Measurements& measurements, const Model& model, const Fi
     result.fit = inFull(measurements, model, search.fitted(model, result.levels.noise, std::move(result.fit)));
     const bool scatters = result.levels.noise.pose >= suspectScatter;
     if (!scatters && std::any_of(result.effects.begin(), result.effects.end(), std::not_fn(isOfJoint))) {
-      result.fit = weighedByMisfit(measurements, model, std::move(result.fit));
+      result.fit = weighedByMisfit(measurements, model, result.fit);
     }
     search.ask(search.wideAt(model, {}, result.fit), result);
   } else if (!search.added().empty()) {
