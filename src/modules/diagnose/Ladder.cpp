@@ -17,7 +17,7 @@ namespace {
 
 /// A calibration; of captures of which an accident leads the search astray, with joints held to their readings and
 /// every corner in full.
-CalibrationResult calibratedSomehow(const Measurements& measurements, const Model& model, CalibrationOptions options) {
+CalibrationResult calibratedOrHeld(const Measurements& measurements, const Model& model, CalibrationOptions options) {
   try {
     return calibrate(measurements, model, options);
   } catch (const InputError&) {
@@ -57,7 +57,7 @@ CalibrationResult Ladder::calibrated(const Model& model, std::optional<Eigen::Ve
       options.loss = fit_.loss; // else boards that had no weight get it back first
     }
   }
-  CalibrationResult result = calibratedSomehow(measurements_, model, options);
+  CalibrationResult result = calibratedOrHeld(measurements_, model, options);
   std::size_t doubted = 0, elsewhere = 0;
   for (const Doubt& doubt : result.doubts) {
     (doubt.whole && doubt.distance > impossible ? elsewhere : doubted) += doubt.corners.size();

@@ -64,6 +64,8 @@ private:
   void refit(const std::optional<Eigen::VectorXd>& start = {});
   /// The model with one more effect.
   Model with(const Term& term) const;
+  /// The same with a candidate, its priors as wide as the evidence of its size asks for.
+  Model withSized(const Inquiry& inquiry, std::size_t candidate) const;
   /// Earlier additions that the last one has made superfluous.
   void dropSuperfluous(std::vector<std::string>& suggested);
   /// Whether it foretells poses that it was not fitted to: of the first few only.

@@ -43,6 +43,22 @@ Model Ladder::with(const Term& term) const {
   return makeModel(measurements_, labels, options_.without, options_.effects);
 }
 
+Model Ladder::withSized(const Inquiry& inquiry, std::size_t candidate) const {
+  const Model model = with(inquiry.candidates()[candidate]);
+  const Term* const term = model.find(inquiry.candidates()[candidate].label());
+  if (!term) { // a person left it out
+    return model;
+  }
+  const GroupEvidence& evidence = inquiry.ofCandidate(candidate);
+  const Eigen::ArrayXd information = evidence.covariance.diagonal().array().inverse();
+  const Eigen::ArrayXd posterior = (information + term->sigmas().array().square().inverse()).inverse();
+  Eigen::VectorXd expected = carried(model_, fit_.unknowns, model),
+                  variances = carried(model_, fit_.covariance.diagonal(), model);
+  expected.segment(at(term->first), posterior.size()) = posterior * information * evidence.estimate.array();
+  variances.segment(at(term->first), posterior.size()) = posterior;
+  return withPriorsFor(model, expected, variances).value_or(model);
+}
+
 bool Ladder::foretells(const Inquiry& inquiry, std::size_t candidate) const {
   if (std::find(misleading_.begin(), misleading_.end(), inquiry.candidates()[candidate].label()) != misleading_.end()) {
     return false;
@@ -93,18 +109,8 @@ std::optional<Ladder::Choice> Ladder::best(const Inquiry& inquiry) {
   }
   std::vector<Nearly> fits(order.size() + 1); // the last without any of them
   inParallel(fits.size(), [&](std::size_t i) {
-    const Model model = i < order.size() ? with(inquiry.candidates()[order[i]]) : model_;
-    const Eigen::VectorXd start = carried(model_, fit_.unknowns, model);
-    Eigen::VectorXd expected = start, variances = carried(model_, fit_.covariance.diagonal(), model);
-    if (i < order.size()) {
-      const Term& term = *model.find(inquiry.candidates()[order[i]].label());
-      const GroupEvidence& evidence = inquiry.ofCandidate(order[i]);
-      const Eigen::ArrayXd information = evidence.covariance.diagonal().array().inverse();
-      const Eigen::ArrayXd posterior = (information + term.sigmas().array().square().inverse()).inverse();
-      expected.segment(at(term.first), posterior.size()) = posterior * information * evidence.estimate.array();
-      variances.segment(at(term.first), posterior.size()) = posterior;
-    }
-    fits[i] = nearlyFitted(withPriorsFor(model, expected, variances).value_or(model), start);
+    const Model model = i < order.size() ? withSized(inquiry, order[i]) : model_;
+    fits[i] = nearlyFitted(model, carried(model_, fit_.unknowns, model));
   });
   std::optional<Choice> best;
   double bestBayes = 0;
@@ -149,6 +155,9 @@ void Ladder::compareLimits(const Term& chosen) {
     std::vector<std::string> labels = added_;
     std::replace(labels.begin(), labels.end(), chosen.label(), other.label());
     const Model instead = makeModel(measurements_, labels, options_.without, options_.effects);
+    if (!model_.find(chosen.label()) || !instead.find(other.label())) { // a person left it out
+      continue;
+    }
     const double cost = nearlyFitted(instead, startInstead(chosen, other, instead)).cost;
     if (2 * (cost - nearlyFitted(model_, fit_.unknowns).cost) < hardlyLess) {
       equivalent(chosen, other);

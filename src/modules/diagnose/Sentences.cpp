@@ -139,6 +139,11 @@ std::string sizes(const CandidateFinding& finding) {
     const Unknown& unknown = finding.term.effect.unknowns[i];
     const auto row = static_cast<Eigen::Index>(i);
     const double value = finding.evidence.estimate[row], sigma = std::sqrt(finding.evidence.covariance(row, row));
+    constexpr double told = 10; // in what is plausible: captures that tell it no better do not tell it
+    if (!(sigma < told * unknown.sigma)) {
+      parts.push_back(unknown.name + " undetermined");
+      continue;
+    }
     const auto [unit, scale] = shownUnit(unknown.unit);
     parts.push_back(withUnit(fmt::format("{} = {:.3g} ± {:.1g}", unknown.name, scale * value, scale * sigma), unit));
   }
