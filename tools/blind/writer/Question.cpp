@@ -14,6 +14,7 @@ namespace {
 
 constexpr double mostPhysicalSizes = 6; // a flaw larger than so many of its physical sizes is drawn anew
 constexpr double visible = 10;          // where poses show a flaw less, the question belongs to the absorbed ones
+constexpr double untestable = 1e-4;     // of the evidence: what is left where unknowns imitate a flaw, to first order
 
 const Family& familyNamed(const std::string& effect) {
   for (const std::vector<Family>* families : {&catalogue(), &outside()}) {
@@ -105,11 +106,11 @@ bool hide(const Item& item, double haste, Question& question, Chance& chance) {
   const Noncentrality noncentrality{question.robot, question.session, question.plan.noise};
   const Hiding hiding{question.robot, question.session, noncentrality};
   const auto sized = [&](const Family& family, double wanted) {
-    return hiding.sized(family, somePlace(family, question.plan, chance), randomShape(family, chance), wanted,
-                        (1 + haste) * mostPhysicalSizes);
+    auto hidden = hiding.sized(family, somePlace(family, question.plan, chance), randomShape(family, chance), wanted,
+                               (1 + haste) * mostPhysicalSizes);
+    return hidden && hidden->kept > untestable ? hidden : std::nullopt;
   };
   if (item.group == "absorbed") {
-    constexpr double untestable = 1e-4; // of the evidence
     const auto [family, place] = absorbedEffect(item.kind, question.plan);
     question.hidden.push_back(hiding.given(*family, place, physicalSize(*family, chance)));
     return question.hidden.front().kept < untestable;
@@ -130,7 +131,7 @@ bool hide(const Item& item, double haste, Question& question, Chance& chance) {
     const Hidden hidden = hiding.given(
         family, somePlace(family, question.plan, chance),
         scaled(plausibleShape(family, chance), chance.between(plausibleSizes.front(), plausibleSizes.back())));
-    if (hidden.noncentrality < (1 - haste) * plain) {
+    if (hidden.noncentrality < (1 - haste) * plain || hidden.kept < untestable) {
       return false;
     }
     question.twins = twinsOf(hidden, hiding, question.plan, alike - haste * (alike - hardly));
@@ -144,7 +145,8 @@ bool hide(const Item& item, double haste, Question& question, Chance& chance) {
                   : item.plausible > 0    ? scaled(plausibleShape(family, chance), item.plausible)
                                           : physicalSize(family, chance);
     question.hidden.push_back(hiding.given(family, somePlace(family, question.plan, chance), std::move(values)));
-    return question.hidden.front().noncentrality > (1 - haste) * visible;
+    const Hidden& hidden = question.hidden.front();
+    return hidden.noncentrality > (1 - haste) * visible && hidden.kept > untestable;
   }
   if (const auto hidden = sized(family, item.noncentrality)) {
     question.hidden.push_back(*hidden);
