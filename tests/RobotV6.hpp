@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/Robot.hpp"
+#include "robot/Robot.hpp"
 
 namespace naocal {
 

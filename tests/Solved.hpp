@@ -2,8 +2,8 @@
 
 #include "calibrate/Calibration.hpp"
 #include "calibrate/Comparison.hpp"
-#include "captures/CaptureSetFile.hpp"
-#include "captures/Files.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "io/Files.hpp"
 
 #include <filesystem>
 #include <nlohmann/json.hpp>

@@ -1,8 +1,7 @@
 #include "brain/CalibrationBoards.hpp"
 
-#include "captures/BoardReader.hpp"
-#include "captures/JsonPlace.hpp"
-#include "captures/PatternReader.hpp"
+#include "data/BoardFile.hpp"
+#include "io/JsonReader.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "captures/Capture.hpp"
+#include "data/Capture.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "brain/CalibrationModel.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 #include "residuals/Model.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include "brain/CalibrationRunner.hpp"
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -2,12 +2,12 @@
 
 #include "brain/CalibrationModel.hpp"
 #include "calibrate/Comparison.hpp"
-#include "captures/CaptureSetFile.hpp"
-#include "captures/Files.hpp"
-#include "captures/InputError.hpp"
-#include "captures/PictureFile.hpp"
-#include "detect/Detection.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "detect/BoardDetector.hpp"
 #include "diagnose/DiagnosisFile.hpp"
+#include "io/Files.hpp"
+#include "io/GreyImage.hpp"
+#include "io/InputError.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -2,10 +2,10 @@
 
 #include "calibrate/ResultFile.hpp"
 #include "calibrate/ShownOffsets.hpp"
-#include "captures/Capture.hpp"
+#include "data/Capture.hpp"
 #include "hardware/CameraFrame.hpp"
-#include "model/Robot.hpp"
 #include "residuals/ModelFile.hpp"
+#include "robot/Robot.hpp"
 
 #include <filesystem>
 #include <string>

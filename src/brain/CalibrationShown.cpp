@@ -1,6 +1,6 @@
 #include "brain/CalibrationShown.hpp"
 
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -3,7 +3,7 @@
 #include "brain/CalibrationStep.hpp"
 #include "calibrate/ResultFile.hpp"
 #include "calibrate/ShownOffsets.hpp"
-#include "captures/Capture.hpp"
+#include "data/Capture.hpp"
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>

@@ -3,9 +3,9 @@
 #include "brain/CalibrationModel.hpp"
 #include "brain/LegPoses.hpp"
 #include "brain/SavedCalibration.hpp"
-#include "captures/Files.hpp"
-#include "captures/InputError.hpp"
-#include "geometry/Angles.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+#include "math/Angles.hpp"
 
 #include <cmath>
 #include <deque>

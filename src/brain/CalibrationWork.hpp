@@ -3,11 +3,11 @@
 #include "brain/CalibrationSession.hpp"
 #include "brain/CalibrationShown.hpp"
 #include "brain/CalibrationStep.hpp"
-#include "brain/Worker.hpp"
 #include "framework/Configuration.hpp"
 #include "framework/Latest.hpp"
 #include "hardware/RobotInterface.hpp"
-#include "model/Robot.hpp"
+#include "math/Worker.hpp"
+#include "robot/Robot.hpp"
 
 #include <array>
 #include <atomic>

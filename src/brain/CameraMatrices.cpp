@@ -1,7 +1,7 @@
 #include "brain/CameraMatrices.hpp"
 
-#include "geometry/Index.hpp"
-#include "model/Kinematics.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "robot/Kinematics.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -6,7 +6,7 @@
 #include "framework/Module.hpp"
 #include "framework/Production.hpp"
 #include "hardware/exchange/JointMoment.hpp"
-#include "model/Robot.hpp"
+#include "robot/Robot.hpp"
 
 #include <Eigen/Geometry>
 

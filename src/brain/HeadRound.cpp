@@ -1,5 +1,5 @@
 #include "brain/CalibrationStep.hpp"
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

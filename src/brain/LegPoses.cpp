@@ -1,7 +1,7 @@
 #include "brain/LegPoses.hpp"
 
-#include "captures/InputError.hpp"
-#include "geometry/Index.hpp"
+#include "io/InputError.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

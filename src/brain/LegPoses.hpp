@@ -1,9 +1,9 @@
 #pragma once
 
 #include "brain/CalibrationStep.hpp"
-#include "model/Robot.hpp"
 #include "poses/OneFootWays.hpp"
 #include "poses/PoseFile.hpp"
+#include "robot/Robot.hpp"
 
 namespace naocal {
 

@@ -1,6 +1,6 @@
 #include "brain/NewFrame.hpp"
 
-#include "captures/PictureFile.hpp"
+#include "io/GreyImage.hpp"
 
 #include <nlohmann/json.hpp>
 #include <opencv2/imgproc.hpp>

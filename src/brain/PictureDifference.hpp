@@ -1,6 +1,6 @@
 #pragma once
 
-#include "captures/GreyPicture.hpp"
+#include "io/GreyImage.hpp"
 
 namespace naocal {
 

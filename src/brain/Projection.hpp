@@ -1,6 +1,6 @@
 #pragma once
 
-#include "captures/Capture.hpp"
+#include "data/Capture.hpp"
 #include "framework/Module.hpp"
 #include "framework/Parameter.hpp"
 #include "framework/Production.hpp"

@@ -2,10 +2,10 @@
 
 #include "brain/CalibrationSession.hpp"
 #include "brain/StillPicture.hpp"
-#include "brain/Worker.hpp"
 #include "framework/Dependency.hpp"
 #include "framework/Module.hpp"
 #include "hardware/replay/ReplayWorld.hpp"
+#include "math/Worker.hpp"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 #include "brain/SavedCalibration.hpp"
 
-#include "geometry/Angles.hpp"
 #include "hardware/Joints.hpp"
+#include "math/Angles.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "brain/NewFrame.hpp"
-#include "captures/Capture.hpp"
+#include "data/Capture.hpp"
 
 namespace naocal {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "captures/GreyPicture.hpp"
 #include "hardware/RobotState.hpp"
+#include "io/GreyImage.hpp"
 
 #include <cstdint>
 #include <memory>

@@ -1,6 +1,6 @@
 #include "motion/CommandSender.hpp"
 
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 #include "motion/Lights.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "motion/JointCalibrationProvider.hpp"
 
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 
 #include <cctype>
 #include <fmt/format.h>

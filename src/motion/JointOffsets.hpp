@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hardware/exchange/CompensatedAngles.hpp"
-#include "model/Robot.hpp"
+#include "robot/Robot.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

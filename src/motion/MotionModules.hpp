@@ -2,8 +2,8 @@
 
 #include "framework/Thread.hpp"
 #include "hardware/RobotInterface.hpp"
-#include "model/Robot.hpp"
 #include "motion/PosePlayer.hpp"
+#include "robot/Robot.hpp"
 
 namespace naocal {
 

@@ -1,6 +1,6 @@
 #include "motion/PosePlayer.hpp"
 
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

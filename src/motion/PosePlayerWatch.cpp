@@ -1,4 +1,4 @@
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 #include "motion/PosePlayer.hpp"
 
 #include <algorithm>

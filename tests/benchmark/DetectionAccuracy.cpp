@@ -1,5 +1,5 @@
-#include "detect/Detection.hpp"
-#include "geometry/Angles.hpp"
+#include "detect/BoardDetector.hpp"
+#include "math/Angles.hpp"
 #include "synthetic/Rendering.hpp"
 
 #include <Eigen/Geometry>

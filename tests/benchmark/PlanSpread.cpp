@@ -1,5 +1,5 @@
 #include "poses/PlanSpread.hpp"
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 
 #include <cstdlib>
 #include <fmt/core.h>

@@ -2,8 +2,8 @@
 
 #include "calibrate/Calibration.hpp"
 #include "calibrate/StartingPlacements.hpp"
+#include "math/LevenbergMarquardt.hpp"
 #include "residuals/Residuals.hpp"
-#include "solve/LevenbergMarquardt.hpp"
 
 #include <algorithm>
 #include <benchmark/benchmark.h>

@@ -1,7 +1,7 @@
 #include "SolveProblems.hpp"
 
-#include "geometry/Angles.hpp"
-#include "geometry/RigidTransform.hpp"
+#include "math/Angles.hpp"
+#include "math/RigidTransform.hpp"
 #include "synthetic/HandMadePoses.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace naocal {
 
 namespace {
 
-const std::vector<std::string> offsetJoints{"HeadYaw",   "HeadPitch", "LHipYawPitch", "LHipRoll",
+const std::vector<std::string> offsetJoints{"HeadYaw",   "HeadPitch",  "LHipYawPitch", "LHipRoll",
                                             "LHipPitch", "LKneePitch", "LAnklePitch",  "LAnkleRoll"};
 
 std::vector<PlainProblem::Step> stepsTo(const Robot& robot, std::size_t link) {

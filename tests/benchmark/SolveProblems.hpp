@@ -2,8 +2,8 @@
 
 #include "PlainModel.hpp"
 
-#include "captures/Capture.hpp"
-#include "model/Robot.hpp"
+#include "data/Capture.hpp"
+#include "robot/Robot.hpp"
 
 #include <cstdint>
 
@@ -20,7 +20,8 @@ struct OffsetProblem {
 /// always inside the picture.
 OffsetProblem offsetProblem(const Robot& robot, std::uint64_t seed);
 
-/// 24 poses x 2 cameras x 3 samples of a simulated robot that stands on its left foot among boards of unknown placement.
+/// 24 poses x 2 cameras x 3 samples of a simulated robot that stands on its left foot among boards of unknown
+/// placement.
 CaptureSet fullSet(const Robot& robot, std::uint64_t seed);
 
 } // namespace naocal

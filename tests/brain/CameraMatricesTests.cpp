@@ -1,6 +1,6 @@
 #include "brain/CameraMatrices.hpp"
 
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

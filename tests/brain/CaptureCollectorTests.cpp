@@ -2,10 +2,10 @@
 #include "brain/CaptureCollector.hpp"
 #include "brain/ImageReader.hpp"
 #include "brain/Projection.hpp"
-#include "captures/Files.hpp"
 #include "framework/Configuration.hpp"
 #include "framework/Database.hpp"
 #include "framework/Thread.hpp"
+#include "io/Files.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #include "brain/LegPoses.hpp"
 
-#include "geometry/Angles.hpp"
-#include "poses/Stability.hpp"
+#include "math/Angles.hpp"
+#include "robot/Balance.hpp"
 
 #include <catch2/catch.hpp>
 #include <set>
@@ -99,8 +99,8 @@ TEST_CASE("poses without a safe way to them are refused by name") {
 }
 
 TEST_CASE("a robot is held between one foot and both, and let go before its first pose") {
-  // Proves the order: hold it and confirm, the way onto the foot, let it go and confirm, the poses, hold it and confirm,
-  // the way back; onto a second foot there is no question, for it is held still.
+  // Proves the order: hold it and confirm, the way onto the foot, let it go and confirm, the poses, hold it and
+  // confirm, the way back; onto a second foot there is no question, for it is held still.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   const PoseFile file = readPoseFile(configurationDirectory() / "poses/V6.json", robot);
   const LegPoses poses{robot, file, SupportFoot::right, stand()};

@@ -2,8 +2,8 @@
 
 #include "../RobotV6.hpp"
 #include "../TemporaryFolder.hpp"
-#include "captures/CaptureSetFile.hpp"
-#include "captures/PictureFile.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "io/GreyImage.hpp"
 
 #include <catch2/catch.hpp>
 #include <csignal>

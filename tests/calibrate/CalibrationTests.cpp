@@ -2,8 +2,8 @@
 
 #include "calibrate/Comparison.hpp"
 #include "calibrate/Uncertainty.hpp"
-#include "captures/Files.hpp"
-#include "captures/InputError.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
 #include "synthetic/HandMadePoses.hpp"
 
 #include <Eigen/LU>

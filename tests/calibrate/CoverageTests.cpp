@@ -1,6 +1,6 @@
 #include "calibrate/Calibration.hpp"
 #include "calibrate/Uncertainty.hpp"
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 #include "synthetic/Simulation.hpp"
 #include "synthetic/StandingPoses.hpp"
 

@@ -1,6 +1,6 @@
 #include "calibrate/Calibration.hpp"
-#include "captures/CaptureSetFile.hpp"
-#include "captures/Files.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "io/Files.hpp"
 
 #include "SharedData.hpp"
 #include "Solved.hpp"

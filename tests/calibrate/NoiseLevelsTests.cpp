@@ -1,5 +1,5 @@
 #include "calibrate/Calibration.hpp"
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 #include "synthetic/Simulation.hpp"
 #include "synthetic/StandingPoses.hpp"
 

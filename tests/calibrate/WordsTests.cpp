@@ -1,5 +1,5 @@
 #include "calibrate/Words.hpp"
-#include "effects/AllEffects.hpp"
+#include "effects/Catalogue.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 #include "../SharedData.hpp"
 #include "Scenes.hpp"
-#include "captures/PictureFile.hpp"
+#include "io/GreyImage.hpp"
 
 #include <catch2/catch.hpp>
 #include <opencv2/calib3d.hpp>

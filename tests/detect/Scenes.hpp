@@ -1,7 +1,7 @@
 #pragma once
 
-#include "detect/Detection.hpp"
-#include "geometry/Angles.hpp"
+#include "detect/BoardDetector.hpp"
+#include "math/Angles.hpp"
 #include "synthetic/Rendering.hpp"
 
 #include <Eigen/Geometry>

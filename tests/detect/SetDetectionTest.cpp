@@ -1,7 +1,7 @@
 #include "Scenes.hpp"
 
-#include "captures/PictureFile.hpp"
-#include "detect/SetDetection.hpp"
+#include "detect/BoardDetector.hpp"
+#include "io/GreyImage.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>

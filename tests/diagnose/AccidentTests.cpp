@@ -1,6 +1,6 @@
 #include "SimulatedSets.hpp"
 #include "diagnose/Diagnosis.hpp"
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

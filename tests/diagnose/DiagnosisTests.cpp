@@ -1,10 +1,10 @@
 #include "SharedData.hpp"
 #include "SimulatedSets.hpp"
-#include "captures/CaptureSetFile.hpp"
+#include "data/CaptureSetFile.hpp"
 #include "diagnose/Diagnosis.hpp"
 #include "diagnose/DiagnosisFile.hpp"
 #include "diagnose/OwnEffect.hpp"
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 #include "residuals/ModelFile.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "Questioned.hpp"
 #include "evidence/Prequential.hpp"
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 
 #include <catch2/catch.hpp>
 #include <functional>

@@ -1,8 +1,8 @@
 #include "diagnose/SessionFile.hpp"
 
 #include "TemporaryFolder.hpp"
-#include "captures/Files.hpp"
-#include "captures/InputError.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

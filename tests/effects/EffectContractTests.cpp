@@ -1,7 +1,7 @@
-#include "effects/AllEffects.hpp"
-#include "effects/Units.hpp"
+#include "effects/Catalogue.hpp"
+#include "io/Units.hpp"
 
-#include "model/Kinematics.hpp"
+#include "robot/Kinematics.hpp"
 
 #include <array>
 #include <catch2/catch.hpp>

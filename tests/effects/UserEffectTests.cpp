@@ -1,8 +1,8 @@
 #include "effects/UserEffect.hpp"
 
-#include "captures/InputError.hpp"
-#include "captures/JsonText.hpp"
-#include "model/Kinematics.hpp"
+#include "io/InputError.hpp"
+#include "io/JsonReader.hpp"
+#include "robot/Kinematics.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

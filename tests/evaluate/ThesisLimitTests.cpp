@@ -1,6 +1,6 @@
 #include "evaluate/ThesisStageFor.hpp"
 #include "evaluate/ThesisTrial.hpp"
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 #include "synthetic/SimulationPlan.hpp"
 
 #include <Eigen/LU>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "TemporaryFolder.hpp"
-#include "captures/Files.hpp"
 #include "framework/Configuration.hpp"
+#include "io/Files.hpp"
 
 #include <filesystem>
 #include <nlohmann/json.hpp>

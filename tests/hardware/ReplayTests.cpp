@@ -2,9 +2,9 @@
 
 #include "../RobotV6.hpp"
 #include "../TemporaryFolder.hpp"
-#include "captures/CaptureSetFile.hpp"
-#include "captures/InputError.hpp"
-#include "captures/PictureFile.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "io/GreyImage.hpp"
+#include "io/InputError.hpp"
 #include "synthetic/Rendering.hpp"
 #include "synthetic/Simulation.hpp"
 #include "synthetic/StandingPoses.hpp"

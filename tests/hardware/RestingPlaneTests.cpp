@@ -1,8 +1,8 @@
 #include "hardware/simulated/RestingPlane.hpp"
 
 #include "../RobotV6.hpp"
-#include "geometry/Angles.hpp"
-#include "poses/Outline.hpp"
+#include "math/Angles.hpp"
+#include "math/Polygon.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
 #include "hardware/simulated/SimulatedWorld.hpp"
 
 #include "../RobotV6.hpp"
-#include "detect/Detection.hpp"
+#include "detect/BoardDetector.hpp"
 
 #include <atomic>
 #include <catch2/catch.hpp>

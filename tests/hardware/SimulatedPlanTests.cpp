@@ -2,8 +2,8 @@
 
 #include "../RobotV6.hpp"
 #include "../TemporaryFolder.hpp"
-#include "captures/Files.hpp"
-#include "captures/InputError.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
 
 #include <catch2/catch.hpp>
 

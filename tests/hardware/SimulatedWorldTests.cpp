@@ -1,7 +1,7 @@
 #include "hardware/simulated/SimulatedWorld.hpp"
 
 #include "../RobotV6.hpp"
-#include "detect/Detection.hpp"
+#include "detect/BoardDetector.hpp"
 #include "synthetic/StandingPoses.hpp"
 
 #include <catch2/catch.hpp>
@@ -112,8 +112,8 @@ TEST_CASE("a simulated robot falls over when its pose is not stable") {
   CHECK(world.truth().fallen);
 }
 
-// Proves that a robot whose eyes ask for it is held where it would fall, with its lower sole flat on the floor, and falls
-// when it is let go, unless it stands by itself then.
+// Proves that a robot whose eyes ask for it is held where it would fall, with its lower sole flat on the floor, and
+// falls when it is let go, unless it stands by itself then.
 TEST_CASE("a simulated robot is held as long as its eyes are yellow") {
   SimulatedPlan plan = quick();
   plan.offsetRange = 0;

@@ -1,8 +1,8 @@
 #include "Desks.hpp"
 
 #include "TemporaryFolder.hpp"
-#include "captures/CaptureSetFile.hpp"
-#include "captures/Files.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "io/Files.hpp"
 #include "synthetic/Simulation.hpp"
 #include "synthetic/StandingPoses.hpp"
 

@@ -1,6 +1,6 @@
 #include "LiveExpectation.hpp"
 
-#include "model/Kinematics.hpp"
+#include "robot/Kinematics.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -2,9 +2,9 @@
 
 #include "Laboratory.hpp"
 #include "TemporaryFolder.hpp"
-#include "captures/CaptureSetFile.hpp"
-#include "captures/Files.hpp"
-#include "captures/InputError.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
 #include "synthetic/Simulation.hpp"
 #include "synthetic/StandingPoses.hpp"
 

@@ -4,8 +4,8 @@
 #include "RobotPlace.hpp"
 #include "RobotWatch.hpp"
 
-#include "captures/InputError.hpp"
 #include "framework/ShownRobot.hpp"
+#include "io/InputError.hpp"
 
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>

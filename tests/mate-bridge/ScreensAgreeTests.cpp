@@ -2,7 +2,7 @@
 #include "SharedData.hpp"
 #include "TemporaryFolder.hpp"
 
-#include "captures/Files.hpp"
+#include "io/Files.hpp"
 
 #include <cstdlib>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #include "FloorBoards.hpp"
 #include "StandingRobot.hpp"
 
-#include "captures/CaptureSetFile.hpp"
-#include "model/Kinematics.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "robot/Kinematics.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

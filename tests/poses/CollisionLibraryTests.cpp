@@ -1,6 +1,6 @@
 #include "PlainRobot.hpp"
 #include "RobotV6.hpp"
-#include "poses/SelfCollision.hpp"
+#include "robot/SelfCollision.hpp"
 
 #include <catch2/catch.hpp>
 #include <fcl/narrowphase/collision_object.h>

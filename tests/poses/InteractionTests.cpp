@@ -1,7 +1,7 @@
 #include "RobotV6.hpp"
 #include "poses/CriteriaComparison.hpp"
 #include "poses/Interaction.hpp"
-#include "poses/Stability.hpp"
+#include "robot/Balance.hpp"
 #include "synthetic/SimulationPlan.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 #include "QuickPlan.hpp"
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 #include "poses/BoardPlaces.hpp"
 #include "poses/Mirror.hpp"
 #include "poses/PoseOrder.hpp"

@@ -1,7 +1,7 @@
 #include "RobotV6.hpp"
 #include "TemporaryFolder.hpp"
-#include "captures/Files.hpp"
-#include "captures/InputError.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
 #include "poses/PoseFile.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,9 +1,9 @@
 #include "poses/PoseGenerator.hpp"
 #include "RobotV6.hpp"
-#include "captures/InputError.hpp"
-#include "model/Masses.hpp"
-#include "poses/Outline.hpp"
-#include "poses/PoseSelection.hpp"
+#include "io/InputError.hpp"
+#include "math/Polygon.hpp"
+#include "math/SubsetSelection.hpp"
+#include "robot/Gravity.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 #include "RobotV6.hpp"
-#include "geometry/Angles.hpp"
-#include "poses/SelfCollision.hpp"
+#include "math/Angles.hpp"
+#include "robot/SelfCollision.hpp"
 
 #include <catch2/catch.hpp>
 #include <vector>

@@ -1,8 +1,8 @@
-#include "poses/Stability.hpp"
 #include "RobotV6.hpp"
-#include "captures/InputError.hpp"
-#include "geometry/Angles.hpp"
-#include "poses/Outline.hpp"
+#include "io/InputError.hpp"
+#include "math/Angles.hpp"
+#include "math/Polygon.hpp"
+#include "robot/Balance.hpp"
 #include <algorithm>
 
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "TemporaryFolder.hpp"
-#include "captures/Files.hpp"
+#include "io/Files.hpp"
 
 #include <array>
 #include <cstdio>

@@ -1,9 +1,9 @@
 #include "Browser.hpp"
 #include "Result.hpp"
 
-#include "captures/InputError.hpp"
 #include "diagnose/DiagnosisFile.hpp"
 #include "diagnose/OwnEffect.hpp"
+#include "io/InputError.hpp"
 #include "residuals/ModelFile.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
 #include "Browser.hpp"
 #include "Result.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 #include "Result.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 
 #include <catch2/catch.hpp>
 #include <map>

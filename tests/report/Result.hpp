@@ -2,8 +2,8 @@
 
 #include "TemporaryFolder.hpp"
 #include "calibrate/ResultFile.hpp"
-#include "captures/CaptureSetFile.hpp"
-#include "captures/Files.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "io/Files.hpp"
 #include "report/Report.hpp"
 #include "synthetic/HandMadePoses.hpp"
 

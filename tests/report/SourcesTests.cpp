@@ -1,6 +1,6 @@
 #include "Result.hpp"
 
-#include "captures/PictureFile.hpp"
+#include "io/GreyImage.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

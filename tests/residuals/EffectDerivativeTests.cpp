@@ -1,5 +1,5 @@
-#include "captures/JsonText.hpp"
 #include "effects/UserEffect.hpp"
+#include "io/JsonReader.hpp"
 #include "residuals/Candidates.hpp"
 #include "residuals/Slopes.hpp"
 

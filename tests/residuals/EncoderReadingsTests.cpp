@@ -1,6 +1,6 @@
 #include "residuals/EncoderReadings.hpp"
 
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 #include "residuals/Measurements.hpp"
 #include "residuals/Noise.hpp"
 #include "synthetic/Simulation.hpp"

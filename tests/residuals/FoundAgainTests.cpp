@@ -1,6 +1,6 @@
+#include "math/LevenbergMarquardt.hpp"
 #include "residuals/Candidates.hpp"
 #include "residuals/Residuals.hpp"
-#include "solve/LevenbergMarquardt.hpp"
 
 #include "synthetic/HandMadePoses.hpp"
 

@@ -1,5 +1,5 @@
-#include "captures/Files.hpp"
-#include "model/Masses.hpp"
+#include "io/Files.hpp"
+#include "robot/Gravity.hpp"
 #include "synthetic/SyntheticBody.hpp"
 
 #include "SharedData.hpp"

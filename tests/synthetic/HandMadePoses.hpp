@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/Robot.hpp"
+#include "robot/Robot.hpp"
 #include "synthetic/Simulation.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-#include "captures/PictureFile.hpp"
-#include "detect/Detection.hpp"
+#include "detect/BoardDetector.hpp"
+#include "io/GreyImage.hpp"
 #include "synthetic/Pictures.hpp"
 #include "synthetic/StandingPoses.hpp"
 

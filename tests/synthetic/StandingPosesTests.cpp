@@ -1,5 +1,5 @@
 #include "RobotV6.hpp"
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 #include "synthetic/Simulation.hpp"
 #include "synthetic/StandingPoses.hpp"
 

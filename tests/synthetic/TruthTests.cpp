@@ -1,5 +1,5 @@
 #include "RobotV6.hpp"
-#include "captures/CaptureSetFile.hpp"
+#include "data/CaptureSetFile.hpp"
 #include "synthetic/HandMadePoses.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 #include "Browser.hpp"
 
-#include "captures/Files.hpp"
+#include "io/Files.hpp"
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,9 +1,9 @@
 #include "CaptureFolders.hpp"
 
-#include "captures/CaptureSetFile.hpp"
-#include "captures/Files.hpp"
-#include "captures/InputError.hpp"
-#include "detect/SetDetection.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "detect/BoardDetector.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include "Programs.hpp"
 #include "Wire.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include "StandingRobot.hpp"
 
-#include "detect/Lens.hpp"
+#include "detect/LensDistortion.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "captures/Capture.hpp"
-#include "geometry/RigidTransform.hpp"
+#include "data/Capture.hpp"
+#include "math/RigidTransform.hpp"
 
 #include <Eigen/Core>
 #include <deque>

@@ -3,8 +3,8 @@
 #include "Laboratory.hpp"
 #include "Wire.hpp"
 
-#include "captures/Files.hpp"
-#include "captures/InputError.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

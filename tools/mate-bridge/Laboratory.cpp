@@ -3,8 +3,8 @@
 #include "LaboratoryJson.hpp"
 
 #include "calibrate/ResultFile.hpp"
-#include "captures/Files.hpp"
-#include "captures/InputError.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
 #include "residuals/Candidates.hpp"
 #include "residuals/ModelFile.hpp"
 

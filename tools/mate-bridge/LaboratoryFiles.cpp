@@ -3,9 +3,9 @@
 #include "PassingFolder.hpp"
 
 #include "calibrate/Comparison.hpp"
-#include "captures/Files.hpp"
-#include "captures/InputError.hpp"
 #include "diagnose/DiagnosisFile.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
 #include "poses/PoseFile.hpp"
 #include "report/Report.hpp"
 #include "residuals/ModelFile.hpp"

@@ -1,7 +1,7 @@
 #include "Laboratory.hpp"
 
-#include "captures/InputError.hpp"
 #include "effects/UserEffect.hpp"
+#include "io/InputError.hpp"
 #include "residuals/ModelFile.hpp"
 
 #include <algorithm>

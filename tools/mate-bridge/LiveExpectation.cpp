@@ -1,9 +1,9 @@
 #include "LiveExpectation.hpp"
 
 #include "calibrate/Words.hpp"
-#include "detect/Lens.hpp"
-#include "effects/AllEffects.hpp"
-#include "model/Kinematics.hpp"
+#include "detect/LensDistortion.hpp"
+#include "effects/Catalogue.hpp"
+#include "robot/Kinematics.hpp"
 
 #include <algorithm>
 #include <cctype>

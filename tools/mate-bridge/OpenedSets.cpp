@@ -2,10 +2,9 @@
 
 #include "CaptureFolders.hpp"
 
-#include "captures/Files.hpp"
-#include "captures/InputError.hpp"
-#include "captures/JsonPlace.hpp"
-#include "captures/JsonText.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+#include "io/JsonReader.hpp"
 
 #include <filesystem>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "captures/Capture.hpp"
+#include "data/Capture.hpp"
 #include "diagnose/SessionFile.hpp"
-#include "model/Robot.hpp"
+#include "robot/Robot.hpp"
 
 #include <filesystem>
 #include <map>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 
 #include <filesystem>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 #include "Programs.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 
 #include <csignal>
 #include <cstdlib>

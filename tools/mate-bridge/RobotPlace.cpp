@@ -1,6 +1,6 @@
 #include "RobotPlace.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 
 #include <charconv>
 #include <fmt/format.h>

@@ -2,11 +2,11 @@
 
 #include "Wire.hpp"
 
-#include "captures/BoardReader.hpp"
-#include "captures/InputError.hpp"
-#include "captures/JsonPlace.hpp"
-#include "captures/PictureFile.hpp"
-#include "detect/Detection.hpp"
+#include "data/BoardFile.hpp"
+#include "detect/BoardDetector.hpp"
+#include "io/GreyImage.hpp"
+#include "io/InputError.hpp"
+#include "io/JsonReader.hpp"
 
 #include <mutex>
 #include <nlohmann/json.hpp>

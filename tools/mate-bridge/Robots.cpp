@@ -2,7 +2,7 @@
 
 #include "Wire.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -3,7 +3,7 @@
 #include "RobotFrames.hpp"
 #include "Wire.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 
 #include <charconv>
 #include <limits>

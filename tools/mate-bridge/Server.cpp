@@ -3,7 +3,7 @@
 #include "Exchange.hpp"
 #include "Live.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/http/read.hpp>

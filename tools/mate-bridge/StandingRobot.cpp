@@ -1,8 +1,8 @@
 #include "StandingRobot.hpp"
 
-#include "detect/Lens.hpp"
-#include "model/Kinematics.hpp"
-#include "model/Masses.hpp"
+#include "detect/LensDistortion.hpp"
+#include "robot/Gravity.hpp"
+#include "robot/Kinematics.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "captures/Capture.hpp"
-#include "geometry/RigidTransform.hpp"
-#include "model/Robot.hpp"
+#include "data/Capture.hpp"
+#include "math/RigidTransform.hpp"
+#include "robot/Robot.hpp"
 
 #include <Eigen/Core>
 #include <array>

@@ -3,7 +3,7 @@
 #include "Panel.hpp"
 #include "page/Page.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 #include "residuals/KeptMemory.hpp"
 
 #include <CLI/CLI.hpp>

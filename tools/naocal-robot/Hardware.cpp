@@ -1,6 +1,6 @@
 #include "Hardware.hpp"
 
-#include "captures/CaptureSetFile.hpp"
+#include "data/CaptureSetFile.hpp"
 #include "framework/ConfigurationLayers.hpp"
 #include "framework/Errors.hpp"
 #include "hardware/nao/LolaRobot.hpp"

@@ -4,7 +4,7 @@
 #include "hardware/RobotInterface.hpp"
 #include "hardware/replay/ReplayWorld.hpp"
 #include "hardware/simulated/SimulatedPlan.hpp"
-#include "model/Robot.hpp"
+#include "robot/Robot.hpp"
 
 #include <cstdint>
 #include <memory>

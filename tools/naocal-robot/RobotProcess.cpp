@@ -1,8 +1,8 @@
 #include "RobotProcess.hpp"
 
 #include "brain/CalibrationModel.hpp"
-#include "captures/Files.hpp"
 #include "framework/Errors.hpp"
+#include "io/Files.hpp"
 #include "motion/MotionModules.hpp"
 
 #include <fmt/format.h>

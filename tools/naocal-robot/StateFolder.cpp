@@ -1,6 +1,6 @@
 #include "StateFolder.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 
 #include <cstdlib>
 

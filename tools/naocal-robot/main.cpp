@@ -1,8 +1,8 @@
 #include "Hardware.hpp"
 #include "RobotProcess.hpp"
 #include "StateFolder.hpp"
-#include "captures/InputError.hpp"
 #include "hardware/simulated/SimulatedPlanFile.hpp"
+#include "io/InputError.hpp"
 
 #include <CLI/CLI.hpp>
 #include <atomic>

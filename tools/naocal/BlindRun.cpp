@@ -1,10 +1,10 @@
 #include "BlindRun.hpp"
 #include "Subprocess.hpp"
 
-#include "captures/Files.hpp"
-#include "captures/InputError.hpp"
-#include "model/Robot.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
 #include "residuals/ModelFile.hpp"
+#include "robot/Robot.hpp"
 
 #include <chrono>
 #include <fmt/format.h>

@@ -2,9 +2,9 @@
 #include "Outputs.hpp"
 #include "Sets.hpp"
 
-#include "captures/CaptureSetFile.hpp"
-#include "captures/InputError.hpp"
-#include "detect/SetDetection.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "detect/BoardDetector.hpp"
+#include "io/InputError.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

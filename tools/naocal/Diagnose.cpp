@@ -5,9 +5,9 @@
 #include "Progress.hpp"
 #include "Sets.hpp"
 
-#include "captures/InputError.hpp"
 #include "diagnose/DiagnosisFile.hpp"
 #include "diagnose/OwnEffect.hpp"
+#include "io/InputError.hpp"
 #include "poses/PoseFile.hpp"
 #include "residuals/ModelFile.hpp"
 

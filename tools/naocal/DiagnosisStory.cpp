@@ -1,7 +1,7 @@
 #include "DiagnosisStory.hpp"
 
 #include "diagnose/Sentences.hpp"
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 
 #include <algorithm>
 #include <cmath>

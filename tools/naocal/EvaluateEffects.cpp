@@ -4,7 +4,7 @@
 #include "Progress.hpp"
 #include "Shard.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 
 #include <CLI/CLI.hpp>
 #include <atomic>

@@ -3,8 +3,8 @@
 #include "Progress.hpp"
 #include "Sets.hpp"
 
-#include "captures/InputError.hpp"
 #include "evaluate/NextTrial.hpp"
+#include "io/InputError.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -8,7 +8,7 @@
 #include "ThesisRun.hpp"
 #include "ThesisStory.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

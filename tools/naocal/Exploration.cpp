@@ -2,7 +2,7 @@
 
 #include "DiagnosisStory.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 #include "residuals/ModelFile.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "Commands.hpp"
 #include "Exploration.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 #include "residuals/ModelFile.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,8 +1,8 @@
 #include "Outputs.hpp"
 
-#include "captures/CaptureSetFile.hpp"
-#include "captures/Files.hpp"
-#include "captures/InputError.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
 #include "synthetic/Simulation.hpp"
 
 #include <CLI/CLI.hpp>

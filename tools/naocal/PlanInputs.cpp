@@ -1,7 +1,7 @@
 #include "PlanInputs.hpp"
 
-#include "captures/CaptureSetFile.hpp"
-#include "captures/InputError.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "io/InputError.hpp"
 #include "poses/PoseFile.hpp"
 #include "synthetic/SimulationPlan.hpp"
 

@@ -1,6 +1,6 @@
 #include "PlanStory.hpp"
 
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 #include "poses/BoardPlaces.hpp"
 
 #include <algorithm>

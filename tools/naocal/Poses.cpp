@@ -3,8 +3,8 @@
 #include "PlanInputs.hpp"
 #include "PlanStory.hpp"
 #include "Sets.hpp"
-#include "captures/InputError.hpp"
-#include "geometry/Angles.hpp"
+#include "io/InputError.hpp"
+#include "math/Angles.hpp"
 #include "poses/PlanFile.hpp"
 
 #include <CLI/CLI.hpp>

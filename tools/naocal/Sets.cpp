@@ -2,8 +2,8 @@
 
 #include "Outputs.hpp"
 
-#include "captures/CaptureSetFile.hpp"
-#include "captures/Files.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "io/Files.hpp"
 
 #include <filesystem>
 #include <fmt/core.h>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "calibrate/ResultFile.hpp"
-#include "captures/Capture.hpp"
-#include "model/Robot.hpp"
+#include "data/Capture.hpp"
+#include "robot/Robot.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>

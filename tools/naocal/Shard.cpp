@@ -1,6 +1,6 @@
 #include "Shard.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 
 #include <cstdio>
 #include <fmt/format.h>

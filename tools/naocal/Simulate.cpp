@@ -4,9 +4,9 @@
 #include "Sets.hpp"
 #include "SimulateOptions.hpp"
 
-#include "captures/CaptureSetFile.hpp"
-#include "captures/Files.hpp"
-#include "captures/InputError.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
 #include "synthetic/Pictures.hpp"
 
 #include <CLI/CLI.hpp>

@@ -2,8 +2,8 @@
 
 #include "Outputs.hpp"
 
-#include "captures/InputError.hpp"
-#include "geometry/Angles.hpp"
+#include "io/InputError.hpp"
+#include "math/Angles.hpp"
 #include "poses/PoseFile.hpp"
 #include "synthetic/StandingPoses.hpp"
 

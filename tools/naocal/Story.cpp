@@ -1,8 +1,8 @@
 #include "Story.hpp"
 
 #include "calibrate/Verdict.hpp"
-#include "geometry/Angles.hpp"
-#include "geometry/ShownUnit.hpp"
+#include "io/Units.hpp"
+#include "math/Angles.hpp"
 
 #include <algorithm>
 #include <cmath>

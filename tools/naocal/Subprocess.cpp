@@ -1,6 +1,6 @@
 #include "Subprocess.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 
 #include <array>
 #include <csignal>

@@ -1,6 +1,6 @@
 #include "Commands.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 #include "residuals/KeptMemory.hpp"
 
 #include <CLI/CLI.hpp>

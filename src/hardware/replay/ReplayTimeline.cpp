@@ -1,7 +1,7 @@
 #include "hardware/replay/ReplayTimeline.hpp"
 
-#include "captures/InputError.hpp"
-#include "captures/PictureFile.hpp"
+#include "io/GreyImage.hpp"
+#include "io/InputError.hpp"
 
 #include <algorithm>
 #include <cmath>

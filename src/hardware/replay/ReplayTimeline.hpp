@@ -1,6 +1,6 @@
 #pragma once
 
-#include "captures/Capture.hpp"
+#include "data/Capture.hpp"
 #include "hardware/CameraFrame.hpp"
 
 #include <vector>

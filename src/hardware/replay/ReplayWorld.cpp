@@ -1,6 +1,6 @@
 #include "hardware/replay/ReplayWorld.hpp"
 
-#include "captures/CaptureSetFile.hpp"
+#include "data/CaptureSetFile.hpp"
 #include "hardware/CameraLoopStep.hpp"
 #include "hardware/replay/ReplayTimeline.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "captures/Capture.hpp"
-#include "geometry/Angles.hpp"
-#include "model/Robot.hpp"
+#include "data/Capture.hpp"
+#include "math/Angles.hpp"
+#include "robot/Robot.hpp"
 #include "synthetic/Randomness.hpp"
 
 namespace naocal {

@@ -1,6 +1,6 @@
 #include "hardware/simulated/SimulatedBody.hpp"
 
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -153,8 +153,7 @@ void SimulatedBody::settle(Seconds step) {
   const auto [points, centre] = contactOf(torsoFromLink);
   const std::size_t leftCount = drawing_.sole("left")->outline.size();
   const Eigen::Vector3d up = worldFromTorso_.linear().transpose() * Eigen::Vector3d::UnitZ();
-  const auto resting =
-      held_ ? std::optional{held(points, torsoFromSole)} : restingPlane(points, centre, up, mostTilt);
+  const auto resting = held_ ? std::optional{held(points, torsoFromSole)} : restingPlane(points, centre, up, mostTilt);
   if (!resting) {
     const Eigen::Vector3d ahead =
         worldFromTorso_.linear() * (centre - torsoFromSole[anchored_ == SupportFoot::right].translation());

@@ -1,10 +1,8 @@
 #include "hardware/simulated/SimulatedPlanFile.hpp"
 
-#include "captures/BoardReader.hpp"
-#include "captures/Files.hpp"
-#include "captures/JsonPlace.hpp"
-#include "captures/JsonText.hpp"
-#include "captures/PatternReader.hpp"
+#include "data/BoardFile.hpp"
+#include "io/Files.hpp"
+#include "io/JsonReader.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "calibrate/BoardAlignment.hpp"
-#include "calibrate/BoardPose.hpp"
-#include "geometry/Index.hpp"
+#include "camera/BoardPose.hpp"
+#include "math/LinearAlgebra.hpp"
 #include "residuals/PictureGram.hpp"
 
 #include <Eigen/Cholesky>

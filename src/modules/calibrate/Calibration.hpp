@@ -1,6 +1,6 @@
 #pragma once
 
-#include "effects/AllEffects.hpp"
+#include "effects/Catalogue.hpp"
 #include "evidence/NoiseLevels.hpp"
 #include "residuals/Residuals.hpp"
 

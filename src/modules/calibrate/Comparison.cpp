@@ -1,7 +1,7 @@
 #include "calibrate/Comparison.hpp"
 
 #include "calibrate/Prediction.hpp"
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 
 #include <algorithm>
 #include <cmath>

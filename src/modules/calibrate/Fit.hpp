@@ -1,8 +1,8 @@
 #pragma once
 
 #include "calibrate/Calibration.hpp"
-#include "captures/InputError.hpp"
-#include "solve/LevenbergMarquardt.hpp"
+#include "io/InputError.hpp"
+#include "math/LevenbergMarquardt.hpp"
 
 namespace naocal {
 

@@ -1,5 +1,5 @@
 #include "calibrate/FloorError.hpp"
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

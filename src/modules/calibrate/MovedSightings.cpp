@@ -1,6 +1,6 @@
 #include "calibrate/MovedSightings.hpp"
 
-#include "evidence/Tails.hpp"
+#include "math/Statistics.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

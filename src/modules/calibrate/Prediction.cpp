@@ -1,7 +1,7 @@
 #include "calibrate/Prediction.hpp"
 
 #include "calibrate/StartingPlacements.hpp"
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 #include "residuals/ModelFile.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "calibrate/Priors.hpp"
 
 #include "evidence/Evidence.hpp"
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <algorithm>
 #include <cmath>

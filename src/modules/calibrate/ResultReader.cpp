@@ -1,7 +1,7 @@
 #include "calibrate/ResultFile.hpp"
 
-#include "captures/Files.hpp"
-#include "captures/InputError.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

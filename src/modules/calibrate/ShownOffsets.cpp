@@ -1,6 +1,6 @@
 #include "calibrate/ShownOffsets.hpp"
 
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 #include "residuals/Slopes.hpp"
 
 #include <cmath>

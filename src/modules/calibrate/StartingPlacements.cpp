@@ -1,9 +1,9 @@
 #include "calibrate/StartingPlacements.hpp"
 
 #include "calibrate/BoardAlignment.hpp"
-#include "calibrate/BoardPose.hpp"
-#include "geometry/Angles.hpp"
-#include "solve/LevenbergMarquardt.hpp"
+#include "camera/BoardPose.hpp"
+#include "math/Angles.hpp"
+#include "math/LevenbergMarquardt.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 
 #include "evidence/NoiseFloor.hpp"
 #include "evidence/PoseMisfit.hpp"
-#include "evidence/Tails.hpp"
-#include "geometry/InParallel.hpp"
+#include "math/Parallel.hpp"
+#include "math/Statistics.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "calibrate/FloorError.hpp"
 #include "calibrate/WeakDirections.hpp"
 #include "calibrate/Words.hpp"
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,6 @@
 #include "calibrate/WeakDirections.hpp"
 #include "calibrate/Words.hpp"
-#include "geometry/Index.hpp"
-#include "geometry/SymmetricEigen.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 #include "calibrate/WhatMayBeMissing.hpp"
 
 #include "calibrate/Uncertainty.hpp"
-#include "captures/InputError.hpp"
 #include "evidence/Drivers.hpp"
 #include "evidence/Evidence.hpp"
-#include "geometry/Index.hpp"
+#include "io/InputError.hpp"
+#include "math/LinearAlgebra.hpp"
 #include "residuals/Candidates.hpp"
 #include "residuals/Carried.hpp"
 

@@ -1,8 +1,8 @@
 #include "detect/PrintCheck.hpp"
 
-#include "detect/BoardLayout.hpp"
-#include "detect/LocalHomography.hpp"
-#include "detect/Markers.hpp"
+#include "data/Board.hpp"
+#include "detect/CornerRefinement.hpp"
+#include "detect/MarkerDetector.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

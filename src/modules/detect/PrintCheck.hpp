@@ -1,8 +1,8 @@
 #pragma once
 
-#include "captures/Capture.hpp"
-#include "detect/Lens.hpp"
-#include "detect/SmoothPicture.hpp"
+#include "data/Capture.hpp"
+#include "detect/CornerRefinement.hpp"
+#include "detect/LensDistortion.hpp"
 
 #include <Eigen/Core>
 #include <map>

@@ -1,7 +1,7 @@
 #include "diagnose/AddedVariables.hpp"
 
 #include "diagnose/CandidateColumn.hpp"
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "diagnose/Alternatives.hpp"
 
 #include "diagnose/Power.hpp"
-#include "geometry/SymmetricEigen.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <Eigen/SVD>
 #include <algorithm>

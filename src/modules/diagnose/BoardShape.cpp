@@ -1,7 +1,7 @@
 #include "diagnose/BoardShape.hpp"
 
 #include "diagnose/FieldBasis.hpp"
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <cassert>
 

@@ -1,6 +1,6 @@
 #include "diagnose/CandidateColumn.hpp"
 
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

@@ -1,7 +1,6 @@
 #include "diagnose/Diagnosis.hpp"
 
 #include "calibrate/MovedSightings.hpp"
-#include "captures/InputError.hpp"
 #include "diagnose/Curves.hpp"
 #include "diagnose/DiagnosisFigures.hpp"
 #include "diagnose/FieldFinding.hpp"
@@ -11,6 +10,7 @@
 #include "diagnose/Sentences.hpp"
 #include "diagnose/SetUps.hpp"
 #include "diagnose/Suspicions.hpp"
+#include "io/InputError.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -7,7 +7,7 @@
 #include "diagnose/Inquiry.hpp"
 #include "diagnose/LackOfFit.hpp"
 #include "diagnose/Moment.hpp"
-#include "effects/AllEffects.hpp"
+#include "effects/Catalogue.hpp"
 
 #include <functional>
 #include <optional>

@@ -1,8 +1,8 @@
 #include "diagnose/EventFits.hpp"
 
 #include "calibrate/Fit.hpp"
-#include "captures/InputError.hpp"
-#include "geometry/InParallel.hpp"
+#include "io/InputError.hpp"
+#include "math/Parallel.hpp"
 #include "residuals/Carried.hpp"
 
 #include <utility>

@@ -1,7 +1,7 @@
 #include "diagnose/Events.hpp"
 
 #include "evidence/DriverCell.hpp"
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 #include "residuals/Slopes.hpp"
 
 #include <algorithm>

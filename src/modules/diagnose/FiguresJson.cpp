@@ -4,7 +4,7 @@
 #include "diagnose/LeftJson.hpp"
 #include "diagnose/Shortened.hpp"
 #include "diagnose/Thinned.hpp"
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -1,9 +1,8 @@
 #include "diagnose/FreedErrors.hpp"
 
 #include "diagnose/Scene.hpp"
-#include "evidence/Tails.hpp"
-#include "geometry/Index.hpp"
-#include "geometry/SymmetricEigen.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "math/Statistics.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,8 +1,7 @@
 #include "diagnose/HeldOut.hpp"
 
 #include "diagnose/HeldOutSums.hpp"
-#include "geometry/Index.hpp"
-#include "geometry/SymmetricEigen.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

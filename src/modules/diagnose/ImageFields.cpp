@@ -1,7 +1,7 @@
 #include "diagnose/ImageFields.hpp"
 
 #include "diagnose/FieldBasis.hpp"
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <algorithm>
 

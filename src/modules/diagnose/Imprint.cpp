@@ -2,7 +2,7 @@
 
 #include "diagnose/CandidateColumn.hpp"
 #include "diagnose/Scene.hpp"
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <algorithm>
 #include <cmath>

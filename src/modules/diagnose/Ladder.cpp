@@ -1,9 +1,9 @@
 #include "diagnose/Ladder.hpp"
 
-#include "captures/InputError.hpp"
 #include "diagnose/HeldOut.hpp"
 #include "diagnose/Power.hpp"
 #include "diagnose/SetUps.hpp"
+#include "io/InputError.hpp"
 #include "residuals/Candidates.hpp"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 #include "diagnose/Alternatives.hpp"
 #include "diagnose/Ladder.hpp"
 #include "evidence/Prequential.hpp"
-#include "geometry/InParallel.hpp"
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "math/Parallel.hpp"
 #include "residuals/Carried.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "diagnose/Leftover.hpp"
 
 #include "diagnose/Scene.hpp"
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

@@ -1,11 +1,11 @@
 #include "diagnose/LikelyEvent.hpp"
 
-#include "captures/InputError.hpp"
 #include "diagnose/EventFits.hpp"
 #include "diagnose/Ladder.hpp"
 #include "diagnose/WrongAngles.hpp"
 #include "evidence/ModelAlone.hpp"
 #include "evidence/NoiseLevels.hpp"
+#include "io/InputError.hpp"
 
 #include <algorithm>
 #include <cmath>

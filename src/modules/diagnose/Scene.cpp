@@ -1,6 +1,6 @@
 #include "diagnose/Scene.hpp"
 
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <limits>
 

@@ -1,9 +1,8 @@
 #include "diagnose/SessionFile.hpp"
 
-#include "captures/Files.hpp"
-#include "captures/InputError.hpp"
-#include "captures/JsonPlace.hpp"
-#include "captures/JsonText.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+#include "io/JsonReader.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,8 +1,8 @@
 #include "diagnose/SetUps.hpp"
 
-#include "captures/InputError.hpp"
 #include "evidence/DriverCell.hpp"
-#include "geometry/Angles.hpp"
+#include "io/InputError.hpp"
+#include "math/Angles.hpp"
 
 #include <algorithm>
 #include <cmath>

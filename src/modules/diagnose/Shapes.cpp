@@ -1,7 +1,7 @@
 #include "diagnose/Shapes.hpp"
 
-#include "effects/Units.hpp"
 #include "evidence/Drivers.hpp"
+#include "io/Units.hpp"
 
 #include <algorithm>
 #include <cmath>

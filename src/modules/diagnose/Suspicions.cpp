@@ -1,8 +1,8 @@
 #include "diagnose/Suspicions.hpp"
 
-#include "captures/InputError.hpp"
 #include "diagnose/LikelyEvent.hpp"
 #include "diagnose/SetUps.hpp"
+#include "io/InputError.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "diagnose/TellingPairs.hpp"
 
 #include "diagnose/Trend.hpp"
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "diagnose/TellingSentences.hpp"
 
-#include "geometry/Angles.hpp"
-#include "geometry/ShownUnit.hpp"
+#include "io/Units.hpp"
+#include "math/Angles.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,9 +1,9 @@
 #include "diagnose/Trend.hpp"
 
 #include "evidence/DriverCell.hpp"
-#include "evidence/Tails.hpp"
-#include "geometry/InParallel.hpp"
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "math/Parallel.hpp"
+#include "math/Statistics.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

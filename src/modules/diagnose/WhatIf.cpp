@@ -1,6 +1,6 @@
 #include "diagnose/WhatIf.hpp"
 
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <cmath>
 

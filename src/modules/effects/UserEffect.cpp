@@ -1,9 +1,9 @@
 #include "effects/UserEffect.hpp"
 
-#include "effects/AllEffects.hpp"
+#include "effects/Catalogue.hpp"
 #include "effects/Expression.hpp"
-#include "effects/NearNames.hpp"
-#include "effects/Units.hpp"
+#include "io/InputError.hpp"
+#include "io/Units.hpp"
 
 #include <algorithm>
 #include <cmath>

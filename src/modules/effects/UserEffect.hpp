@@ -1,8 +1,8 @@
 #pragma once
 
-#include "captures/InputError.hpp"
-#include "captures/JsonPlace.hpp"
 #include "effects/Effect.hpp"
+#include "io/InputError.hpp"
+#include "io/JsonReader.hpp"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "evaluate/NumericPixels.hpp"
 
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 
 namespace naocal {
 

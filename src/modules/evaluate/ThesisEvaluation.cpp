@@ -1,6 +1,6 @@
 #include "evaluate/ThesisEvaluation.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 
 #include <algorithm>
 #include <cmath>

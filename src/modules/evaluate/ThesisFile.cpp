@@ -1,7 +1,6 @@
-#include "captures/Files.hpp"
-#include "captures/JsonPlace.hpp"
-#include "captures/JsonText.hpp"
 #include "evaluate/ThesisEvaluation.hpp"
+#include "io/Files.hpp"
+#include "io/JsonReader.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "evaluate/ThesisNoise.hpp"
 
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 
 #include <cmath>
 

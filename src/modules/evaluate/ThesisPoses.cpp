@@ -1,12 +1,12 @@
 #include "evaluate/ThesisPoses.hpp"
 
-#include "captures/InputError.hpp"
 #include "evaluate/ThesisStage.hpp"
-#include "geometry/Index.hpp"
+#include "io/InputError.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "math/SubsetSelection.hpp"
 #include "poses/Mirror.hpp"
 #include "poses/PlannedInformation.hpp"
 #include "poses/PoseGenerator.hpp"
-#include "poses/PoseSelection.hpp"
 #include "poses/ThesisSelection.hpp"
 #include "synthetic/SimulationPlan.hpp"
 

@@ -1,7 +1,7 @@
 #include "evaluate/ThesisScenery.hpp"
 
-#include "geometry/Index.hpp"
-#include "poses/Stability.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "robot/Balance.hpp"
 #include "synthetic/SimulationPlan.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 #include "evaluate/GlobalSearch.hpp"
 #include "evaluate/NumericPixels.hpp"
-#include "solve/LevenbergMarquardt.hpp"
+#include "math/LevenbergMarquardt.hpp"
 
 #include <algorithm>
 #include <cmath>

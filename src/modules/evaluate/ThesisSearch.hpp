@@ -1,7 +1,7 @@
 #pragma once
 
 #include "evaluate/ThesisNoise.hpp"
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 #include "residuals/Residuals.hpp"
 
 namespace naocal {

@@ -1,7 +1,7 @@
 #include "evaluate/ThesisStage.hpp"
 
 #include "evaluate/ThesisScenery.hpp"
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "evaluate/ThesisTrial.hpp"
 
 #include "evaluate/ThesisSearch.hpp"
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "evidence/DriverCell.hpp"
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <algorithm>
 #include <cmath>

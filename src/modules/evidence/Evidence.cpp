@@ -1,7 +1,7 @@
 #include "evidence/Evidence.hpp"
 
-#include "evidence/Tails.hpp"
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "math/Statistics.hpp"
 
 #include <algorithm>
 #include <cmath>

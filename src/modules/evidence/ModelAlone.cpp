@@ -1,6 +1,6 @@
 #include "evidence/ModelAlone.hpp"
 
-#include "geometry/InParallel.hpp"
+#include "math/Parallel.hpp"
 
 #include <Eigen/QR>
 

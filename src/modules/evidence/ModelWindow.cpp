@@ -2,8 +2,8 @@
 
 #include "evidence/Evidence.hpp"
 #include "evidence/PoseMisfit.hpp"
-#include "evidence/Tails.hpp"
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "math/Statistics.hpp"
 
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>

@@ -1,8 +1,8 @@
 #include "evidence/NoiseLevels.hpp"
 
 #include "evidence/ScoreTests.hpp"
-#include "geometry/Angles.hpp"
-#include "geometry/InParallel.hpp"
+#include "math/Angles.hpp"
+#include "math/Parallel.hpp"
 
 #include <algorithm>
 #include <array>

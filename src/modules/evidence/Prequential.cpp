@@ -2,7 +2,7 @@
 
 #include "evidence/Evidence.hpp"
 #include "evidence/PoseMisfit.hpp"
-#include "evidence/Tails.hpp"
+#include "math/Statistics.hpp"
 
 #include <algorithm>
 #include <cmath>

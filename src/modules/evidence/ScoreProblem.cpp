@@ -1,7 +1,7 @@
 #include "evidence/ScoreProblem.hpp"
 
 #include "evidence/GramSum.hpp"
-#include "geometry/InParallel.hpp"
+#include "math/Parallel.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,9 +1,8 @@
 #include "evidence/ScoreTests.hpp"
 
 #include "evidence/GramSum.hpp"
-#include "geometry/InParallel.hpp"
-#include "geometry/Index.hpp"
-#include "geometry/SymmetricEigen.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "math/Parallel.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "evidence/WideModel.hpp"
 
-#include "captures/InputError.hpp"
 #include "evidence/Drivers.hpp"
-#include "geometry/Index.hpp"
+#include "io/InputError.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <algorithm>
 #include <cmath>

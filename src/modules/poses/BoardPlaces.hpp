@@ -1,9 +1,9 @@
 #pragma once
 
-#include "captures/Capture.hpp"
-#include "model/Robot.hpp"
-#include "poses/Outline.hpp"
-#include "poses/Stability.hpp"
+#include "data/Capture.hpp"
+#include "math/Polygon.hpp"
+#include "robot/Balance.hpp"
+#include "robot/Robot.hpp"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "poses/BoardTolerance.hpp"
 
-#include "geometry/InParallel.hpp"
+#include "math/Parallel.hpp"
 
 #include <algorithm>
 #include <cmath>

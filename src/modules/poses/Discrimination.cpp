@@ -1,6 +1,6 @@
 #include "poses/Discrimination.hpp"
 
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <Eigen/Cholesky>
 #include <cmath>

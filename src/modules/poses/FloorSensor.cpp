@@ -1,6 +1,6 @@
 #include "poses/FloorSensor.hpp"
 
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "captures/Capture.hpp"
-#include "model/Kinematics.hpp"
+#include "data/Capture.hpp"
+#include "robot/Kinematics.hpp"
 
 #include <map>
 #include <string>

@@ -1,8 +1,8 @@
 #include "poses/Mirror.hpp"
 
-#include "captures/InputError.hpp"
-#include "geometry/Angles.hpp"
-#include "geometry/Index.hpp"
+#include "io/InputError.hpp"
+#include "math/Angles.hpp"
+#include "math/LinearAlgebra.hpp"
 #include "poses/BoardPlaces.hpp"
 
 #include <Eigen/Geometry>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "captures/Capture.hpp"
-#include "model/Robot.hpp"
+#include "data/Capture.hpp"
+#include "robot/Robot.hpp"
 
 #include <Eigen/Core>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "poses/MirroredPlan.hpp"
 
-#include "captures/InputError.hpp"
-#include "geometry/Index.hpp"
+#include "io/InputError.hpp"
+#include "math/LinearAlgebra.hpp"
 #include "poses/BoardPlaces.hpp"
 #include "poses/Mirror.hpp"
 #include "poses/PoseChecks.hpp"

@@ -1,11 +1,11 @@
 #include "poses/OneFoot.hpp"
 
-#include "captures/InputError.hpp"
-#include "geometry/Index.hpp"
-#include "model/Masses.hpp"
+#include "io/InputError.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "math/Polygon.hpp"
 #include "poses/BoardPlaces.hpp"
-#include "poses/Outline.hpp"
-#include "poses/Stability.hpp"
+#include "robot/Balance.hpp"
+#include "robot/Gravity.hpp"
 
 #include <Eigen/Geometry>
 #include <array>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "captures/Capture.hpp"
-#include "model/Belief.hpp"
-#include "model/LegInverseKinematics.hpp"
+#include "data/Capture.hpp"
+#include "robot/LegKinematics.hpp"
+#include "robot/ModelState.hpp"
 
 #include <optional>
 #include <vector>

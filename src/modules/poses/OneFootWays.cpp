@@ -1,6 +1,6 @@
 #include "poses/OneFootWays.hpp"
 
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <algorithm>
 #include <utility>

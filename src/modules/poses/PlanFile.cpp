@@ -1,8 +1,8 @@
 #include "poses/PlanFile.hpp"
 
-#include "captures/CaptureWords.hpp"
-#include "captures/Files.hpp"
-#include "captures/InputError.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
 #include "poses/PoseFile.hpp"
 #include "poses/PoseJson.hpp"
 

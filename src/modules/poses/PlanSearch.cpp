@@ -1,7 +1,7 @@
 #include "poses/PlanSearch.hpp"
 
-#include "captures/InputError.hpp"
-#include "geometry/InParallel.hpp"
+#include "io/InputError.hpp"
+#include "math/Parallel.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

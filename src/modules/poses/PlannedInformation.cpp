@@ -1,6 +1,6 @@
 #include "poses/PlannedInformation.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 #include "residuals/Candidates.hpp"
 #include "residuals/Carried.hpp"
 

@@ -1,6 +1,6 @@
 #include "poses/PoseCandidates.hpp"
 
-#include "geometry/InParallel.hpp"
+#include "math/Parallel.hpp"
 
 #include <Eigen/Cholesky>
 #include <mutex>

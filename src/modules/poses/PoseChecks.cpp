@@ -1,6 +1,6 @@
 #include "poses/PoseChecks.hpp"
 
-#include "poses/Outline.hpp"
+#include "math/Polygon.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "poses/PoseOptions.hpp"
-#include "poses/SelfCollision.hpp"
+#include "robot/SelfCollision.hpp"
 
 #include <optional>
 #include <random>

@@ -1,7 +1,7 @@
 #include "poses/PoseCriterion.hpp"
 
-#include "geometry/SymmetricEigen.hpp"
-#include "poses/PoseSelection.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "math/SubsetSelection.hpp"
 
 #include <Eigen/Cholesky>
 #include <limits>

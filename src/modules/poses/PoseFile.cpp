@@ -1,6 +1,6 @@
 #include "poses/PoseFile.hpp"
 
-#include "captures/CaptureWords.hpp"
+#include "data/CaptureSetFile.hpp"
 #include "poses/OneFoot.hpp"
 #include "poses/PoseJson.hpp"
 #include "poses/PoseOrder.hpp"

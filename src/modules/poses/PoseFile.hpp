@@ -1,8 +1,8 @@
 #pragma once
 
-#include "captures/Capture.hpp"
-#include "model/Robot.hpp"
+#include "data/Capture.hpp"
 #include "poses/NextPoses.hpp"
+#include "robot/Robot.hpp"
 
 #include <array>
 #include <filesystem>

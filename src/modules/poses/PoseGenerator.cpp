@@ -1,7 +1,7 @@
 #include "poses/PoseGenerator.hpp"
 
-#include "captures/InputError.hpp"
-#include "poses/PoseSelection.hpp"
+#include "io/InputError.hpp"
+#include "math/SubsetSelection.hpp"
 #include "poses/RandomAttitude.hpp"
 
 #include <fmt/format.h>

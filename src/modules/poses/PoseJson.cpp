@@ -1,6 +1,6 @@
 #include "poses/PoseJson.hpp"
 
-#include "captures/CaptureWords.hpp"
+#include "data/CaptureSetFile.hpp"
 #include "poses/PoseFile.hpp"
 
 #include <cmath>

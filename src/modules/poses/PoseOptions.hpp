@@ -1,8 +1,8 @@
 #pragma once
 
+#include "math/Sampling.hpp"
 #include "poses/Scene.hpp"
-#include "poses/Stability.hpp"
-#include "poses/UnitPoints.hpp"
+#include "robot/Balance.hpp"
 
 #include <cstdint>
 

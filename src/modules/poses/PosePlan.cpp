@@ -1,6 +1,6 @@
 #include "poses/PosePlan.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 #include "poses/BoardPlaces.hpp"
 #include "poses/Mirror.hpp"
 #include "poses/MirroredPlan.hpp"

@@ -1,10 +1,9 @@
 #include "poses/PoseFile.hpp"
 
-#include "captures/BoardReader.hpp"
-#include "captures/CaptureWords.hpp"
-#include "captures/Files.hpp"
-#include "captures/JsonPlace.hpp"
-#include "captures/JsonText.hpp"
+#include "data/BoardFile.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "io/Files.hpp"
+#include "io/JsonReader.hpp"
 
 #include <algorithm>
 #include <cmath>

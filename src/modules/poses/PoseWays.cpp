@@ -1,6 +1,6 @@
 #include "poses/PoseWays.hpp"
 
-#include "geometry/InParallel.hpp"
+#include "math/Parallel.hpp"
 
 #include <numeric>
 

@@ -1,8 +1,8 @@
 #include "poses/Scene.hpp"
 
-#include "captures/InputError.hpp"
-#include "geometry/Index.hpp"
-#include "poses/Stability.hpp"
+#include "io/InputError.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "robot/Balance.hpp"
 
 #include <cmath>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "captures/Capture.hpp"
-#include "geometry/Angles.hpp"
-#include "model/Picture.hpp"
+#include "camera/ObservationChain.hpp"
+#include "data/Capture.hpp"
+#include "math/Angles.hpp"
 
 #include <map>
 #include <optional>

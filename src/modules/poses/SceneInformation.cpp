@@ -1,4 +1,4 @@
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 #include "poses/Scene.hpp"
 #include "residuals/FloorContact.hpp"
 

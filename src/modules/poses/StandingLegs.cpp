@@ -1,8 +1,8 @@
 #include "poses/StandingLegs.hpp"
 
-#include "geometry/Angles.hpp"
-#include "model/Masses.hpp"
-#include "poses/Outline.hpp"
+#include "math/Angles.hpp"
+#include "math/Polygon.hpp"
+#include "robot/Gravity.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "poses/Surroundings.hpp"
 
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 
 #include <cmath>
 #include <map>

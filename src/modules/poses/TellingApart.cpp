@@ -1,9 +1,9 @@
 #include "poses/TellingApart.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
+#include "math/SubsetSelection.hpp"
 #include "poses/Approach.hpp"
 #include "poses/Discrimination.hpp"
-#include "poses/PoseSelection.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

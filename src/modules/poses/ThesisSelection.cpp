@@ -1,7 +1,7 @@
 #include "poses/ThesisSelection.hpp"
 
-#include "geometry/InParallel.hpp"
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "math/Parallel.hpp"
 
 namespace naocal {
 

@@ -1,6 +1,6 @@
 #include "poses/WornRobots.hpp"
 
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <algorithm>
 #include <random>

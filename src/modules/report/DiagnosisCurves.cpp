@@ -1,6 +1,6 @@
 #include "report/DiagnosisCurves.hpp"
 
-#include "geometry/ShownUnit.hpp"
+#include "io/Units.hpp"
 #include "residuals/ModelFile.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "report/DiagnosisData.hpp"
 
-#include "geometry/ShownUnit.hpp"
+#include "io/Units.hpp"
 #include "report/DiagnosisCurves.hpp"
 #include "report/DiagnosisSentences.hpp"
 #include "report/FiguresData.hpp"

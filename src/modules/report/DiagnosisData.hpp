@@ -1,6 +1,6 @@
 #pragma once
 
-#include "captures/JsonPlace.hpp"
+#include "io/JsonReader.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

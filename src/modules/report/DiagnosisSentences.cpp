@@ -1,6 +1,6 @@
 #include "report/DiagnosisSentences.hpp"
 
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 
 #include <fmt/format.h>
 

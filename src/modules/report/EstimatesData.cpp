@@ -1,6 +1,6 @@
 #include "report/EstimatesData.hpp"
 
-#include "geometry/ShownUnit.hpp"
+#include "io/Units.hpp"
 
 #include <algorithm>
 #include <cctype>

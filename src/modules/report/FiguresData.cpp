@@ -1,8 +1,8 @@
 #include "report/FiguresData.hpp"
 
+#include "io/Units.hpp"
 #include "report/AliasesData.hpp"
 #include "report/LeftData.hpp"
-#include "geometry/ShownUnit.hpp"
 
 #include <nlohmann/json.hpp>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "report/LeftData.hpp"
 
-#include "geometry/Angles.hpp"
-#include "geometry/ShownUnit.hpp"
+#include "io/Units.hpp"
+#include "math/Angles.hpp"
 
 #include <nlohmann/json.hpp>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "report/PageData.hpp"
 
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 #include "report/EstimatesData.hpp"
 #include "report/PictureData.hpp"
 #include "report/SeenPictures.hpp"

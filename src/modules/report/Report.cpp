@@ -1,7 +1,7 @@
 #include "report/Report.hpp"
 
-#include "captures/Files.hpp"
-#include "captures/JsonText.hpp"
+#include "io/Files.hpp"
+#include "io/JsonReader.hpp"
 #include "report/DiagnosisData.hpp"
 #include "report/EvaluationData.hpp"
 #include "report/PageData.hpp"

@@ -1,6 +1,6 @@
 #include "report/Sentences.hpp"
 
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 
 #include <cmath>
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 #include "report/Sources.hpp"
 
 #include "calibrate/Comparison.hpp"
-#include "captures/CaptureSetFile.hpp"
-#include "captures/Files.hpp"
-#include "captures/InputError.hpp"
-#include "model/Robot.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+#include "robot/Robot.hpp"
 
 #include <algorithm>
 #include <cmath>

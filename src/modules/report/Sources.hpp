@@ -1,7 +1,7 @@
 #pragma once
 
-#include "captures/Capture.hpp"
-#include "captures/JsonPlace.hpp"
+#include "data/Capture.hpp"
+#include "io/JsonReader.hpp"
 #include "report/SeenPictures.hpp"
 
 #include <filesystem>

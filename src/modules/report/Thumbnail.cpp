@@ -1,7 +1,7 @@
 #include "report/Thumbnail.hpp"
 
-#include "captures/InputError.hpp"
-#include "captures/PictureFile.hpp"
+#include "io/GreyImage.hpp"
+#include "io/InputError.hpp"
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>

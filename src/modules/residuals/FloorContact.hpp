@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/RigidTransform.hpp"
+#include "math/RigidTransform.hpp"
 
 namespace naocal {
 

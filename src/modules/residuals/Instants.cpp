@@ -1,6 +1,6 @@
 #include "residuals/Instants.hpp"
-#include "geometry/Index.hpp"
-#include "model/Load.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "robot/Gravity.hpp"
 
 #include <algorithm>
 #include <initializer_list>

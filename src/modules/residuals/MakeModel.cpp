@@ -1,5 +1,4 @@
-#include "captures/InputError.hpp"
-#include "effects/NearNames.hpp"
+#include "io/InputError.hpp"
 #include "residuals/Candidates.hpp"
 #include "residuals/Placements.hpp"
 

@@ -1,6 +1,6 @@
 #include "residuals/Measurements.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 #include "residuals/Grouping.hpp"
 #include "residuals/Places.hpp"
 #include "residuals/RecordedPicture.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "captures/Capture.hpp"
+#include "camera/ObservationChain.hpp"
+#include "data/Capture.hpp"
 #include "effects/Effect.hpp"
-#include "model/Picture.hpp"
 
 #include <cstddef>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "effects/AllEffects.hpp"
+#include "effects/Catalogue.hpp"
 #include "residuals/Measurements.hpp"
 
 #include <Eigen/Core>

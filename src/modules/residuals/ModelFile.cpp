@@ -1,9 +1,9 @@
 #include "residuals/ModelFile.hpp"
 
-#include "captures/Files.hpp"
-#include "captures/JsonText.hpp"
-#include "effects/AllEffects.hpp"
+#include "effects/Catalogue.hpp"
 #include "effects/UserEffect.hpp"
+#include "io/Files.hpp"
+#include "io/JsonReader.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/Picture.hpp"
+#include "camera/ObservationChain.hpp"
 #include "residuals/Noise.hpp"
 
 #include <Eigen/Core>

@@ -1,6 +1,6 @@
 #include "residuals/Places.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

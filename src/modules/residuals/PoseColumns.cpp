@@ -1,6 +1,6 @@
 // What the residuals' sums are over: each pose's unknowns and deflections, known before any sum is taken.
-#include "geometry/InParallel.hpp"
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "math/Parallel.hpp"
 #include "residuals/Residuals.hpp"
 
 #include <algorithm>

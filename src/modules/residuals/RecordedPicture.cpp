@@ -1,6 +1,6 @@
 #include "residuals/RecordedPicture.hpp"
 
-#include "captures/InputError.hpp"
+#include "io/InputError.hpp"
 
 #include <cmath>
 #include <fmt/format.h>

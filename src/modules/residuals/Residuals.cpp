@@ -1,6 +1,6 @@
 #include "residuals/Residuals.hpp"
-#include "geometry/InParallel.hpp"
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "math/Parallel.hpp"
 #include "residuals/Workspace.hpp"
 
 #include <algorithm>

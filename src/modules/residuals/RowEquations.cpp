@@ -1,6 +1,6 @@
 #include "residuals/RowEquations.hpp"
 
-#include "geometry/Index.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "synthetic/HiddenFlaw.hpp"
 
-#include "captures/InputError.hpp"
-#include "effects/AllEffects.hpp"
-#include "geometry/Angles.hpp"
+#include "effects/Catalogue.hpp"
+#include "io/InputError.hpp"
+#include "math/Angles.hpp"
 
 #include <algorithm>
 #include <array>

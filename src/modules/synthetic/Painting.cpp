@@ -1,6 +1,6 @@
 #include "synthetic/Painting.hpp"
 
-#include "detect/Markers.hpp"
+#include "detect/MarkerDetector.hpp"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "captures/Capture.hpp"
-#include "captures/GreyPicture.hpp"
-#include "geometry/RigidTransform.hpp"
+#include "data/Capture.hpp"
+#include "io/GreyImage.hpp"
+#include "math/RigidTransform.hpp"
 
 #include <Eigen/Core>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "synthetic/RenderingSensor.hpp"
 
-#include "captures/PictureFile.hpp"
+#include "io/GreyImage.hpp"
 
 #include <algorithm>
 #include <boost/random/normal_distribution.hpp>

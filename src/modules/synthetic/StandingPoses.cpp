@@ -1,9 +1,9 @@
 #include "synthetic/StandingPoses.hpp"
 
-#include "captures/InputError.hpp"
-#include "geometry/RigidTransform.hpp"
-#include "model/LegInverseKinematics.hpp"
+#include "io/InputError.hpp"
+#include "math/RigidTransform.hpp"
 #include "poses/PoseGenerator.hpp"
+#include "robot/LegKinematics.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

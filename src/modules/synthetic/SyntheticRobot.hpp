@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/Angles.hpp"
+#include "math/Angles.hpp"
 #include "synthetic/Randomness.hpp"
 #include "synthetic/RobotErrors.hpp"
 #include "synthetic/SyntheticBody.hpp"

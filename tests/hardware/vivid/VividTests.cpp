@@ -1,6 +1,6 @@
 #include "VividDriver.hpp"
 
-#include "detect/Detection.hpp"
+#include "detect/BoardDetector.hpp"
 #include "hardware/nao/VideoCameras.hpp"
 #include "synthetic/Rendering.hpp"
 #include "synthetic/SimulationPlan.hpp"

@@ -1,0 +1,308 @@
+#include "camera/ObservationChain.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace naocal {
+
+View::View(const Robot& robot, const Quantities& quantities, std::size_t camera, std::size_t targetLink, bool onFloor,
+           std::size_t board)
+    : View{robot, quantities, camera, robot.cameras[camera].link, targetLink, onFloor, board} {}
+
+View View::betweenLinks(const Robot& robot, const Quantities& quantities, std::size_t eyeLink, std::size_t sole) {
+  return {robot, quantities, std::nullopt, eyeLink, sole, true, 0};
+}
+
+View::View(const Robot& robot, const Quantities& quantities, std::optional<std::size_t> camera, std::size_t eyeLink,
+           std::size_t targetLink, bool onFloor, std::size_t board)
+    : quantities_{quantities}, camera_{camera}, eye_{eyeLink}, target_{targetLink}, board_{board}, onFloor_{onFloor},
+      side_(robot.links.size(), 0) {
+  links_ = linksTowards(robot, {eyeLink, targetLink});
+  for (std::optional<std::size_t> link = eyeLink; link; link = robot.links[*link].parent) {
+    side_[*link] -= 1;
+  }
+  for (std::optional<std::size_t> link = targetLink; link; link = robot.links[*link].parent) {
+    side_[*link] += 1; // links that carry both cancel
+  }
+  for (std::size_t link : links_) {
+    if (side_[link] != 0 && robot.links[link].joint) {
+      joints_.push_back(*robot.links[link].joint);
+    }
+  }
+}
+
+Attitude View::pathAttitude(const Robot& robot, const Belief& belief, const Posture& torsoFromLink) const {
+  const RigidTransform linkFromEye = camera_ ? linkFromOptical(robot.cameras[*camera_], belief) : RigidTransform{};
+  Attitude result;
+  result.opticalFromTorso = (torsoFromLink[eye_] * linkFromEye).inverse();
+  result.opticalFromTarget = result.opticalFromTorso * torsoFromLink[target_];
+  result.opticalFromWorld = result.opticalFromTarget * placed(belief.ground()).inverse();
+  return result;
+}
+
+void View::placeBoard(const RigidTransform& linkFromBoard, Attitude& attitude) const {
+  attitude.opticalFromBoard = (onFloor_ ? attitude.opticalFromWorld : attitude.opticalFromTarget) * linkFromBoard;
+}
+
+Attitude View::attitude(const Robot& robot, const Belief& belief, const Posture& torsoFromLink) const {
+  Attitude result = pathAttitude(robot, belief, torsoFromLink);
+  placeBoard(placed(belief.boardPlacement(board_)), result);
+  return result;
+}
+
+bool View::project(const Attitude& attitude, const Belief& belief, const CornerBlocks& corners,
+                   ProjectedBlocks& projected) const {
+  constexpr double nearest = 1e-3; // [m]: closer than that, or behind, nothing is seen
+  const Eigen::Matrix3d r = attitude.opticalFromBoard.rotation;
+  const Eigen::Vector3d t = attitude.opticalFromBoard.translation;
+  const Eigen::Matrix<double, 9, 1> lens = belief.lens();
+  const double fx = lens[0], fy = lens[1], cx = lens[2], cy = lens[3];
+  const double k1 = lens[4], k2 = lens[5], p1 = lens[6], p2 = lens[7], k3 = lens[8];
+  const double scale = 1 + belief.boardScale(board_), bow = belief.boardBow(board_);
+  const double rowTime = belief.rowTime();
+  const Eigen::Matrix<double, 6, 1> drift = attitude.drift;
+  projected.resize(corners.size());
+  Lane least = Lane{} + 1;
+  withWidestVectors([ =, &corners, &projected, &least ]() __attribute__((always_inline)) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const CornerBlock& corner = corners[i];
+      ProjectedBlock& out = projected[i];
+      const Lane px = scale * corner.x, py = scale * corner.y, pz = scale * corner.z + bow * corner.bulge;
+      Lane depth = r(2, 0) * px + r(2, 1) * py + r(2, 2) * pz + t[2];
+      Lane across = r(0, 0) * px + r(0, 1) * py + r(0, 2) * pz + t[0];
+      Lane down = r(1, 0) * px + r(1, 1) * py + r(1, 2) * pz + t[1];
+      if (rowTime != 0) {
+        const Lane time = rowTime * (corner.v - cy), a = across, b = down, c = depth;
+        across += time * (drift[1] * c - drift[2] * b + drift[3]);
+        down += time * (drift[2] * a - drift[0] * c + drift[4]);
+        depth += time * (drift[0] * b - drift[1] * a + drift[5]);
+      }
+      least = depth < least ? depth : least;
+      const Lane inverseDepth = 1 / depth;
+      const Lane x = across * inverseDepth, y = down * inverseDepth;
+      const Lane rr = x * x + y * y;
+      const Lane radial = 1 + rr * (k1 + rr * (k2 + rr * k3));
+      const Lane radialSlope = 2 * (k1 + rr * (2 * k2 + rr * (3 * k3)));
+      out.x = x;
+      out.y = y;
+      out.u = fx * (x * radial + 2 * p1 * x * y + p2 * (rr + 2 * x * x)) + cx;
+      out.v = fy * (y * radial + p1 * (rr + 2 * y * y) + 2 * p2 * x * y) + cy;
+      const Lane mixed = x * y * radialSlope + 2 * p1 * x + 2 * p2 * y;
+      const Lane slopes[2][2] = {{fx * (radial + x * x * radialSlope + 2 * p1 * y + 6 * p2 * x), fx * mixed},
+                                 {fy * mixed, fy * (radial + y * y * radialSlope + 6 * p1 * y + 2 * p2 * x)}};
+      Lane* rows[2] = {out.rowsU, out.rowsV};
+      for (int axis = 0; axis < 2; ++axis) {
+        const Lane a = slopes[axis][0], b = slopes[axis][1], c = -(a * x + b * y);
+        Lane* row = rows[axis]; // the gradient in X, Y, Z is (a, b, c) / Z; the first three are p x gradient
+        row[0] = y * c - b;
+        row[1] = a - x * c;
+        row[2] = x * b - y * a;
+        row[3] = a * inverseDepth;
+        row[4] = b * inverseDepth;
+        row[5] = c * inverseDepth;
+      }
+    }
+  });
+  return std::min({least[0], least[1], least[2], least[3]}) >= nearest;
+}
+
+void View::extraRows(std::size_t extra, const Attitude& attitude, const Belief& belief, const CornerBlock& corners,
+                     const ProjectedBlock& projected, Lane& du, Lane& dv) {
+  const auto lens = belief.lens();
+  const double fx = lens[0], fy = lens[1];
+  const Lane &x = projected.x, &y = projected.y;
+  const Lane rr = x * x + y * y;
+  du = dv = Lane{};
+  switch (extra) {
+  case 0:
+    du = (projected.u - lens[2]) / fx;
+    return;
+  case 1:
+    dv = (projected.v - lens[3]) / fy;
+    return;
+  case 2:
+    du = Lane{} + 1;
+    return;
+  case 3:
+    dv = Lane{} + 1;
+    return;
+  case 4:
+    du = fx * x * rr;
+    dv = fy * y * rr;
+    return;
+  case 5:
+    du = fx * x * rr * rr;
+    dv = fy * y * rr * rr;
+    return;
+  case 6:
+    du = fx * 2 * x * y;
+    dv = fy * (rr + 2 * y * y);
+    return;
+  case 7:
+    du = fx * (rr + 2 * x * x);
+    dv = fy * 2 * x * y;
+    return;
+  case 8:
+    du = fx * x * rr * rr * rr;
+    dv = fy * y * rr * rr * rr;
+    return;
+  case rowTimeExtra:
+    for (Eigen::Index i = 0; i < 6; ++i) {
+      du += attitude.drift[i] * projected.rowsU[i];
+      dv += attitude.drift[i] * projected.rowsV[i];
+    }
+    du *= corners.v - lens[3];
+    dv *= corners.v - lens[3];
+    return;
+  default:
+    break;
+  }
+  const Eigen::Matrix3d& r = attitude.opticalFromBoard.rotation;
+  Lane mx = corners.x, my = corners.y, mz = corners.z; // the point's motion in the board's frame
+  if (extra == boardBowExtra) {
+    mx = my = Lane{};
+    mz = corners.bulge;
+  }
+  const Lane dx = r(0, 0) * mx + r(0, 1) * my + r(0, 2) * mz;
+  const Lane dy = r(1, 0) * mx + r(1, 1) * my + r(1, 2) * mz;
+  const Lane dz = r(2, 0) * mx + r(2, 1) * my + r(2, 2) * mz;
+  du = projected.rowsU[3] * dx + projected.rowsU[4] * dy + projected.rowsU[5] * dz;
+  dv = projected.rowsV[3] * dx + projected.rowsV[4] * dy + projected.rowsV[5] * dz;
+}
+
+std::optional<std::size_t> View::extra(std::size_t quantity) const {
+  if (quantity >= quantities_.lens() && quantity < quantities_.lens() + lensCount) {
+    return quantity - quantities_.lens();
+  }
+  if (quantity == quantities_.board(board_) + 6) {
+    return boardScaleExtra;
+  }
+  if (quantity == quantities_.board(board_) + 7) {
+    return boardBowExtra;
+  }
+  return quantity == quantities_.rowTime() ? std::optional{rowTimeExtra} : std::nullopt;
+}
+
+namespace {
+
+using Twist = Eigen::Matrix<double, 6, 1>;
+
+inline Twist turnAbout(const Eigen::Vector3d& axisInOptical, const Eigen::Vector3d& pivotInOptical) {
+  Twist twist; // p moves by omega x (p - pivot) = omega x p + pivot x omega
+  twist.head<3>() = axisInOptical;
+  twist.tail<3>() = pivotInOptical.cross(axisInOptical);
+  return twist;
+}
+
+/// A frame placed by (x, y, z, roll, pitch, yaw) moves, and what is fixed in it, by the placement's n-th number.
+Twist placementMotion(const RigidTransform& opticalFromParent, const Twist& placement, std::size_t number) {
+  Twist twist = Twist::Zero();
+  if (number < 3) {
+    twist.tail<3>() = opticalFromParent.rotation.col(static_cast<Eigen::Index>(number));
+    return twist;
+  }
+  // parentFromFrame = T Rz(yaw) Ry(pitch) Rx(roll)
+  const double pitch = placement[4], yaw = placement[5];
+  const Eigen::Vector3d axis = number == 3   ? rotationZ(yaw) * rotationY(pitch).col(0)
+                               : number == 4 ? Eigen::Vector3d{-std::sin(yaw), std::cos(yaw), 0}
+                                             : Eigen::Vector3d::UnitZ();
+  return turnAbout(opticalFromParent.rotation * axis, opticalFromParent * Eigen::Vector3d{placement.head<3>()});
+}
+
+} // namespace
+
+/// Angles, axes and lengths: what lies beyond the link moves; a link that carries the camera moves the scene backwards.
+View::Twist View::linkMotion(const Robot& robot, const Attitude& attitude, const Belief& belief,
+                             const Posture& torsoFromLink, std::size_t quantity) const {
+  if (quantity >= quantities_.length(0)) {
+    Twist sum = Twist::Zero();
+    const std::size_t length = quantity - quantities_.length(0);
+    for (std::size_t index : links_) {
+      const Link& link = robot.links[index];
+      for (const Link::Stretch& stretch : link.stretches) {
+        if (stretch.length == length && link.parent) {
+          sum.tail<3>() += side_[index] * (attitude.opticalFromTorso.rotation *
+                                           (torsoFromLink[*link.parent].rotation * stretch.direction));
+        }
+      }
+    }
+    return sum;
+  }
+  const bool isAngle = quantity < quantities_.axis(0);
+  const std::size_t joint = isAngle ? quantity : (quantity - quantities_.axis(0)) / 3;
+  const std::size_t link = robot.joints[joint].link;
+  if (side_[link] == 0) {
+    return Twist::Zero();
+  }
+  const RigidTransform& torsoFromThis = torsoFromLink[link];
+  Eigen::Vector3d turn = belief.axis(joint);
+  if (!isAngle) {
+    // exp([a q]x) with a -> a + da turns by J_l(a q) q da; seen from behind the rotation, by its transpose.
+    const auto component = static_cast<Eigen::Index>((quantity - quantities_.axis(0)) % 3);
+    const double angle = belief.angle(joint);
+    turn = angle * leftJacobian(belief.axis(joint) * angle).row(component).transpose();
+  }
+  const Eigen::Vector3d turnInTorso = torsoFromThis.rotation * (side_[link] * turn);
+  return turnAbout(attitude.opticalFromTorso.rotation * turnInTorso,
+                   attitude.opticalFromTorso * torsoFromThis.translation);
+}
+
+/// The camera itself moves in its link: the scene moves the other way.
+View::Twist View::mountMotion(const Robot& robot, const Belief& belief, std::size_t number) const {
+  const CameraMount& mount = robot.cameras[*camera_];
+  const Eigen::Matrix3d opticalFromLink = linkFromOptical(mount, belief).rotation.transpose();
+  Twist twist = Twist::Zero();
+  if (number < 3) {
+    twist.tail<3>() = -opticalFromLink.col(static_cast<Eigen::Index>(number));
+    return twist;
+  }
+  // linkFromCamera = Ry(pitch) Rx(rx) Ry(ry) Rz(rz)
+  const Eigen::Vector3d turn = belief.mountRotation();
+  Eigen::Matrix3d before = rotationY(mount.pitch);
+  if (number > 3) {
+    before = before * rotationX(turn.x());
+  }
+  if (number > 4) {
+    before = before * rotationY(turn.y());
+  }
+  twist.head<3>() = -opticalFromLink * before.col(static_cast<Eigen::Index>(number - 3));
+  return twist;
+}
+
+void View::setDrift(const Robot& robot, const Belief& belief, const Posture& torsoFromLink,
+                    const Eigen::VectorXd& velocity, Attitude& attitude) const {
+  attitude.drift.setZero();
+  for (const std::size_t joint : joints_) {
+    attitude.drift += velocity[static_cast<Eigen::Index>(joint)] *
+                      linkMotion(robot, attitude, belief, torsoFromLink, quantities_.angle(joint));
+  }
+}
+
+void View::motion(const Robot& robot, const Attitude& attitude, const Belief& belief, const Posture& torsoFromLink,
+                  const std::vector<std::size_t>& wanted, const std::vector<std::size_t>& extras,
+                  Eigen::Ref<Eigen::MatrixXd> columns) const {
+  columns.setZero();
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const std::size_t quantity = wanted[i];
+    auto column = columns.col(static_cast<Eigen::Index>(i));
+    if (quantity < quantities_.mountTranslation()) {
+      column.head<6>() = linkMotion(robot, attitude, belief, torsoFromLink, quantity);
+    } else if (quantity < quantities_.lens() && camera_) {
+      column.head<6>() = mountMotion(robot, belief, quantity - quantities_.mountTranslation());
+    } else if (const auto number = camera_ ? extra(quantity) : std::nullopt) {
+      const auto row = std::find(extras.begin(), extras.end(), *number);
+      assert(row != extras.end());
+      column[6 + (row - extras.begin())] = 1;
+    } else if (quantity >= quantities_.ground() && quantity < quantities_.ground() + 6 && onFloor_) {
+      // the sole moves in the world, hence the world backwards in the sole
+      column.head<6>() = -placementMotion(attitude.opticalFromWorld, belief.ground(), quantity - quantities_.ground());
+    } else if (camera_ && quantity >= quantities_.board(board_) && quantity < quantities_.board(board_) + 6) {
+      column.head<6>() = placementMotion(onFloor_ ? attitude.opticalFromWorld : attitude.opticalFromTarget,
+                                         belief.boardPlacement(board_), quantity - quantities_.board(board_));
+    }
+  }
+}
+
+} // namespace naocal

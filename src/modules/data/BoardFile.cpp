@@ -1,0 +1,166 @@
+#include "data/BoardFile.hpp"
+
+#include "data/Board.hpp"
+#include "data/CaptureSetFile.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+namespace {
+
+constexpr Range positiveAngleRange{1e-9, 2 * std::numbers::pi, "radians"};
+
+/// Which keys a placement must have; a single mark has no direction.
+enum class Required { all, position, none };
+
+Placement readPlacement(const JsonPlace& place, bool onFloor, Required required, Range lengths, Range angles) {
+  Placement placement;
+  for (const PlacementKey& key : placementKeys) {
+    const auto number = place.find(key.key);
+    if (onFloor && !key.onFloor) {
+      if (number && number->number({-1e6, 1e6, ""}) != 0) {
+        number->refuse("no such key or 0, as a placement on the floor has x, y and yaw only");
+      }
+    } else if (number) {
+      placement.*key.value = number->number(key.isAngle ? angles : lengths);
+    } else if (required == Required::all || (required == Required::position && !key.isAngle)) {
+      place.at(key.key);
+    }
+  }
+  return placement;
+}
+
+std::vector<Eigen::Vector3d> readPoints(const JsonPlace& place, const JsonPlace& board) {
+  for (const char* key :
+       {"dictionary", "squaresX", "squaresY", "squareLength", "markerLength", "firstMarkerId", "legacyPattern"}) {
+    if (board.find(key)) {
+      board.refuse("either `points` or the keys of a ChArUco board", fmt::format("`points` and `{}`", key));
+    }
+  }
+  std::vector<Eigen::Vector3d> points;
+  for (const JsonPlace& point : place.elements()) {
+    const auto xyz = point.numbers(3, lengthRange, "x, y, z");
+    points.emplace_back(xyz[0], xyz[1], xyz[2]);
+  }
+  if (points.empty()) {
+    place.refuse("at least one point [x, y, z]");
+  }
+  return points;
+}
+
+Placement readSigma(const JsonPlace& place, bool onFloor) {
+  if (!place.value().is_number()) {
+    return readPlacement(place, onFloor, Required::none, positiveLengthRange, positiveAngleRange);
+  }
+  const double sigma = place.number(positiveLengthRange);
+  return {.x = sigma, .y = sigma, .z = onFloor ? 0 : sigma};
+}
+
+std::string readLink(const JsonPlace& place) {
+  std::string link = place.text();
+  const bool isName =
+      std::all_of(link.begin(), link.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+  if (!isName) {
+    place.refuse("\"floor\" or the name of a link, such as LSole or LWrist");
+  }
+  return link;
+}
+
+} // namespace
+
+Placement readFloorPlacement(const JsonPlace& place) {
+  return readPlacement(place, true, Required::all, lengthRange, angleRange);
+}
+
+Board readBoard(const JsonPlace& place) {
+  Board board;
+  board.id = place.at("id").text();
+  if (const auto link = place.find("link")) {
+    board.link = readLink(*link);
+  }
+  if (const auto points = place.find("points")) {
+    board.points = readPoints(*points, place);
+  } else {
+    board.pattern = readPattern(place);
+    board.points = innerCorners(*board.pattern);
+  }
+  const bool onFloor = board.link == "floor";
+  if (const auto placement = place.find("placement")) {
+    const auto required = board.points.size() == 1 ? Required::position : Required::all;
+    board.placement = readPlacement(*placement, onFloor, required, lengthRange, angleRange);
+  }
+  if (const auto guess = place.find("placementGuess")) {
+    board.placementGuess = readPlacement(*guess, onFloor, Required::none, lengthRange, angleRange);
+    board.hasGuess = true;
+  }
+  if (const auto sigma = place.find("placementSigma")) {
+    board.placementSigma = readSigma(*sigma, onFloor);
+  }
+  return board;
+}
+
+namespace {
+
+/// A sheet has a marker in every white square.
+int markers(const CharucoPattern& pattern) {
+  return pattern.squaresX * pattern.squaresY / 2;
+}
+
+void requirePrintable(const CharucoPattern& pattern, const JsonPlace& place) {
+  const auto available = markerCount(pattern.dictionary);
+  if (!available) {
+    place.at("dictionary").refuse("the name of one of OpenCV's predefined dictionaries, such as DICT_4X4_100");
+  }
+  if (pattern.markerLength >= pattern.squareLength) {
+    place.refuse("a markerLength below the squareLength",
+                 fmt::format("{} and {} m", pattern.markerLength, pattern.squareLength));
+  }
+  if (pattern.firstMarkerId + markers(pattern) > *available) {
+    place.refuse(fmt::format("marker ids below {}, as many as {} has", *available, pattern.dictionary),
+                 fmt::format("{} markers from firstMarkerId {} on", markers(pattern), pattern.firstMarkerId));
+  }
+}
+
+} // namespace
+
+CharucoPattern readPattern(const JsonPlace& place) {
+  CharucoPattern pattern;
+  const auto read = [&](const char* key, auto& value, auto reading) {
+    if (const auto given = place.find(key)) {
+      value = reading(*given);
+    }
+  };
+  const auto squares = [](const JsonPlace& given) { return given.integer(2, 100); };
+  const auto length = [](const JsonPlace& given) { return given.number(positiveLengthRange); };
+  read("dictionary", pattern.dictionary, [](const JsonPlace& given) { return given.text(); });
+  read("squaresX", pattern.squaresX, squares);
+  read("squaresY", pattern.squaresY, squares);
+  read("squareLength", pattern.squareLength, length);
+  read("markerLength", pattern.markerLength, length);
+  read("firstMarkerId", pattern.firstMarkerId, [](const JsonPlace& given) { return given.integer(0, 100000); });
+  read("legacyPattern", pattern.legacyPattern, [](const JsonPlace& given) { return given.boolean(); });
+  requirePrintable(pattern, place);
+  return pattern;
+}
+
+void requireDistinctMarkers(const std::vector<Board>& boards, const JsonPlace& place) {
+  for (std::size_t i = 0; i < boards.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const auto &one = boards[k].pattern, &other = boards[i].pattern;
+      if (one && other && one->dictionary == other->dictionary &&
+          one->firstMarkerId < other->firstMarkerId + markers(*other) &&
+          other->firstMarkerId < one->firstMarkerId + markers(*one)) {
+        place.elements()[i].refuse(
+            fmt::format("markers of {} that no other board has (see firstMarkerId)", one->dictionary),
+            fmt::format("ids {} to {}, some of them also on board \"{}\"", other->firstMarkerId,
+                        other->firstMarkerId + markers(*other) - 1, boards[k].id));
+      }
+    }
+  }
+}
+
+} // namespace naocal

@@ -1,0 +1,311 @@
+#include "detect/BoardDetector.hpp"
+
+#include "data/Board.hpp"
+#include "detect/BoardSearch.hpp"
+#include "detect/CornerRefinement.hpp"
+#include "detect/LensDistortion.hpp"
+#include "detect/MarkerDetector.hpp"
+#include "detect/PrintCheck.hpp"
+#include "io/GreyImage.hpp"
+#include "io/InputError.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cassert>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <map>
+#include <mutex>
+#include <opencv2/core/utility.hpp>
+#include <optional>
+#include <set>
+#include <thread>
+#include <vector>
+
+namespace naocal {
+
+/// Adds one board's corners and findings to `detection`. The corners are believed when at least six were found, half of
+/// the markers that were read agree with them, and the markers beside them are printed as the pattern says.
+/// `markers`: those that were read of this board; `board` has a pattern.
+void detectBoard(const Board& board, const std::vector<Marker>& markers, const SmoothPicture& picture, const Lens& lens,
+                 Detection& detection);
+
+namespace {
+
+constexpr std::size_t fewestCorners = 6;       // fewer cannot check each other
+constexpr std::size_t fewestForHomography = 4; // of a board that has no more
+constexpr double leastLikeness = 0.55;         // 0.7 at the limit of sight, below 0.5 where half the markers are others
+
+/// Whether too few of the markers that were read agree with the board's description.
+bool contradicted(std::size_t agreeing, std::size_t read) {
+  return read >= 3 && 2 * agreeing < read;
+}
+
+class BoardDetection {
+public:
+  BoardDetection(const Board& board, const SmoothPicture& picture, const Lens& lens, Detection& detection)
+      : board_{board}, pattern_{*board.pattern}, picture_{picture}, lens_{lens}, detection_{detection} {}
+
+  /// `markers`: the board's own.
+  void run(const std::vector<Marker>& markers) {
+    if (markers.empty()) {
+      return;
+    }
+    CharucoPattern other = pattern_;
+    other.legacyPattern = !pattern_.legacyPattern;
+    const auto asStated = search(markers, pattern_);
+    const auto asOther = pattern_.squaresY % 2 == 0 ? search(markers, other) : std::nullopt;
+    if (asOther && (!asStated || asOther->likeness > asStated->likeness)) {
+      add(FindingKind::wrongPattern,
+          fmt::format("board {} is printed in the {} pattern for even row counts: set its \"legacyPattern\" to {}",
+                      board_.id, other.legacyPattern ? "legacy (OpenCV before 4.6)" : "current (OpenCV 4.6 and later)",
+                      other.legacyPattern));
+    } else if (asStated) {
+      report(asStated->board);
+    } else {
+      reportNothing(markers);
+    }
+  }
+
+private:
+  struct Candidate {
+    BoardSearchResult board;
+    double likeness = 0; // of the markers' print
+  };
+
+  std::size_t enough() const {
+    return std::clamp(std::size_t(cornerCount(pattern_)), fewestForHomography, fewestCorners);
+  }
+
+  /// The board's corners if it is printed in `pattern` and enough of it is seen.
+  std::optional<Candidate> search(std::vector<Marker> markers, const CharucoPattern& pattern) const {
+    const std::size_t read = markers.size();
+    // A marker misread in the floor's texture may come first; the board itself is among the others then.
+    while (!markers.empty()) {
+      const MarkerAgreement agreement = markerAgreement(markers, pattern, lens_);
+      if (agreement.agreeing.empty() || contradicted(agreement.agreeing.size(), read)) {
+        break;
+      }
+      const BoardSearchResult board = boardSearch(picture_, lens_, pattern, agreement.corners);
+      if (board.corners.size() >= enough()) {
+        const double likeness = printLikeness(picture_, lens_, pattern, board.corners);
+        if (likeness >= leastLikeness) {
+          return Candidate{board, likeness};
+        }
+      }
+      markers = agreement.others;
+    }
+    return std::nullopt;
+  }
+
+  void reportNothing(const std::vector<Marker>& markers) {
+    const std::size_t agreeing = markerAgreement(markers, pattern_, lens_).agreeing.size();
+    if (contradicted(agreeing, markers.size())) {
+      add(FindingKind::otherBoard,
+          fmt::format("board {}: its markers do not lie as on a board of {} x {} squares of {} m with markers of {} m; "
+                      "check what is printed",
+                      board_.id, pattern_.squaresX, pattern_.squaresY, pattern_.squareLength, pattern_.markerLength));
+    } else {
+      add(FindingKind::tooFewCorners,
+          fmt::format("board {}: {} of its markers were read, but fewer than {} corners could be confirmed", board_.id,
+                      markers.size(), enough()));
+    }
+  }
+
+  void report(const BoardSearchResult& result) {
+    BoardCorners corners{board_.id, {}, {}};
+    for (const auto& [id, place] : result.corners) {
+      corners.ids.push_back(id);
+      corners.uv.push_back(place);
+    }
+    detection_.boards.push_back(corners);
+    for (const RefusedCorner& refused : result.refused) {
+      detection_.findings.push_back({refused.seen ? FindingKind::falseCorner : FindingKind::hiddenCorner,
+                                     fmt::format("board {}, corner {} at ({:.1f}, {:.1f}): {}", board_.id, refused.id,
+                                                 refused.place.x(), refused.place.y(), refused.reason),
+                                     board_.id, refused.id, refused.place});
+    }
+  }
+
+  void add(FindingKind kind, const std::string& sentence) {
+    detection_.findings.push_back({kind, sentence, board_.id});
+  }
+
+  const Board& board_;
+  const CharucoPattern& pattern_;
+  const SmoothPicture& picture_;
+  const Lens& lens_;
+  Detection& detection_;
+};
+
+} // namespace
+
+void detectBoard(const Board& board, const std::vector<Marker>& markers, const SmoothPicture& picture, const Lens& lens,
+                 Detection& detection) {
+  BoardDetection{board, picture, lens, detection}.run(markers);
+}
+
+namespace {
+
+constexpr double smoothing = 0.8; // [px] before corners are fitted
+
+bool isOn(const CharucoPattern& pattern, int id) {
+  return id >= pattern.firstMarkerId && id < pattern.firstMarkerId + markerCount(pattern);
+}
+
+void reportUnknown(const std::string& dictionary, const std::vector<Marker>& markers, const std::vector<Board>& boards,
+                   Detection& detection) {
+  std::set<int> unknown;
+  for (const Marker& marker : markers) {
+    const bool known = std::any_of(boards.begin(), boards.end(), [&](const Board& board) {
+      return board.pattern && board.pattern->dictionary == dictionary && isOn(*board.pattern, marker.id);
+    });
+    if (!known) {
+      unknown.insert(marker.id);
+    }
+  }
+  if (!unknown.empty()) {
+    detection.findings.push_back(
+        {FindingKind::unknownMarkers,
+         fmt::format("{} markers that belong to none of the boards: {}", dictionary, fmt::join(unknown, ", "))});
+  }
+}
+
+} // namespace
+
+Detection detect(const GreyPicture& picture, const std::vector<Board>& boards, const CameraIntrinsics& intrinsics) {
+  Detection detection;
+  if (picture.width != intrinsics.width || picture.height != intrinsics.height) {
+    detection.findings.push_back(
+        {FindingKind::wrongImageSize,
+         fmt::format("the picture has {} x {} pixels, but its camera is described with {} x {}", picture.width,
+                     picture.height, intrinsics.width, intrinsics.height)});
+    return detection;
+  }
+  const SmoothPicture smooth{picture, smoothing};
+  const Lens lens{intrinsics};
+  std::map<std::string, std::vector<Marker>> markers; // by dictionary
+  for (const Board& board : boards) {
+    if (board.pattern && !markers.count(board.pattern->dictionary)) {
+      markers[board.pattern->dictionary] = markersIn(picture, board.pattern->dictionary);
+    }
+  }
+  for (const Board& board : boards) {
+    if (board.pattern) {
+      std::vector<Marker> own;
+      std::copy_if(markers[board.pattern->dictionary].begin(), markers[board.pattern->dictionary].end(),
+                   std::back_inserter(own), [&](const Marker& marker) { return isOn(*board.pattern, marker.id); });
+      detectBoard(board, own, smooth, lens, detection);
+    }
+  }
+  for (const auto& [dictionary, all] : markers) {
+    reportUnknown(dictionary, all, boards, detection);
+  }
+  return detection;
+}
+
+std::string name(FindingKind kind) {
+  switch (kind) {
+  case FindingKind::wrongImageSize:
+    return "wrong-image-size";
+  case FindingKind::wrongPattern:
+    return "wrong-pattern";
+  case FindingKind::otherBoard:
+    return "other-board";
+  case FindingKind::tooFewCorners:
+    return "too-few-corners";
+  case FindingKind::falseCorner:
+    return "false-corner";
+  case FindingKind::hiddenCorner:
+    return "hidden-corner";
+  case FindingKind::unknownMarkers:
+    return "unknown-markers";
+  }
+  assert(false);
+  return {};
+}
+
+namespace {
+
+/// What was found in one picture; neither: it was not reached.
+struct Outcome {
+  std::optional<Detection> detection;
+  std::string unreadable;
+};
+
+Outcome outcome(const Capture& capture, const CaptureSet& set, const std::filesystem::path& folder) {
+  try {
+    const Detection detection = detect(readPicture(folder / capture.image), set.boards, set.cameras.at(capture.camera));
+    for (const Finding& finding : detection.findings) {
+      if (finding.kind == FindingKind::wrongImageSize) {
+        return {std::nullopt, fmt::format("capture {}: {}: {}", capture.id, capture.image, finding.sentence)};
+      }
+    }
+    return {detection, {}};
+  } catch (const InputError& error) {
+    return {std::nullopt, fmt::format("capture {}: {}", capture.id, error.what())};
+  }
+}
+
+/// The corners that stay: those of targets that cannot be found in pictures.
+std::vector<BoardCorners> kept(const Capture& capture, const CaptureSet& set) {
+  std::vector<BoardCorners> result;
+  for (const BoardCorners& corners : capture.corners.value_or(std::vector<BoardCorners>{})) {
+    const auto board = std::find_if(set.boards.begin(), set.boards.end(),
+                                    [&](const Board& candidate) { return candidate.id == corners.board; });
+    if (board != set.boards.end() && !board->pattern) {
+      result.push_back(corners);
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+SetDetection detectInSet(CaptureSet& set, const std::filesystem::path& folder, unsigned threads,
+                         const DetectionProgress& progress) {
+  std::vector<std::size_t> withImage;
+  for (std::size_t i = 0; i < set.captures.size(); ++i) {
+    if (!set.captures[i].image.empty()) {
+      withImage.push_back(i);
+    }
+  }
+  cv::setNumThreads(1); // pictures are what is done in parallel
+  std::vector<Outcome> outcomes(withImage.size());
+  std::atomic<std::size_t> next = 0;
+  std::atomic<bool> goOn = true;
+  std::size_t done = 0;
+  std::mutex mutex; // of `done` and `progress`
+  const auto work = [&] {
+    for (std::size_t i = next++; i < withImage.size() && goOn; i = next++) {
+      outcomes[i] = outcome(set.captures[withImage[i]], set, folder);
+      const std::lock_guard lock{mutex};
+      goOn = progress(++done, withImage.size()) && goOn;
+    }
+  };
+  {
+    std::vector<std::jthread> workers;
+    for (unsigned i = 0; i < std::max(1u, threads); ++i) {
+      workers.emplace_back(work);
+    }
+  }
+  SetDetection result;
+  for (std::size_t i = 0; i < withImage.size(); ++i) {
+    Capture& capture = set.captures[withImage[i]];
+    if (!outcomes[i].unreadable.empty()) {
+      result.unreadable.push_back(outcomes[i].unreadable);
+    }
+    if (const auto& detection = outcomes[i].detection) {
+      ++result.pictures;
+      auto corners = kept(capture, set);
+      corners.insert(corners.end(), detection->boards.begin(), detection->boards.end());
+      capture.corners = corners;
+      for (const Finding& finding : detection->findings) {
+        result.findings.push_back({capture.id, finding});
+      }
+    }
+  }
+  return result;
+}
+
+} // namespace naocal

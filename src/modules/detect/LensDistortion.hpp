@@ -1,0 +1,21 @@
+#pragma once
+
+#include "data/Capture.hpp"
+
+#include <Eigen/Core>
+
+namespace naocal {
+
+/// Pixels as a lens without distortion would show them, and back: straight lines are straight in between.
+class Lens {
+public:
+  explicit Lens(const CameraIntrinsics& intrinsics) : intrinsics_{intrinsics} {}
+
+  Eigen::Vector2d withoutDistortion(const Eigen::Vector2d& pixel) const;
+  Eigen::Vector2d withDistortion(const Eigen::Vector2d& pixel) const;
+
+private:
+  CameraIntrinsics intrinsics_;
+};
+
+} // namespace naocal

@@ -1,0 +1,18 @@
+#include "effects/Catalogue.hpp"
+
+namespace naocal {
+
+const std::vector<Effect>& allEffects() {
+  static const std::vector<Effect> all{jointOffset(),    encoderGain(),       encoderEccentricity(),
+                                       thermalDrift(),   timeDrift(),         backlash(),
+                                       hysteresis(),     gearPlay(),          elasticity(),
+                                       timeOffset(),     axisTilt(),          linkLength(),
+                                       soleCompliance(), soleTilt(),          imuTilt(),
+                                       cameraRotation(), cameraTranslation(), focalLength(),
+                                       principalPoint(), radialDistortion(),  tangentialDistortion(),
+                                       rollingShutter(), boardScale(),        boardBow(),
+                                       boardTilt()};
+  return all;
+}
+
+} // namespace naocal

@@ -1,0 +1,36 @@
+#include "effects/Catalogue.hpp"
+#include "math/RigidTransform.hpp"
+
+#include <Eigen/Geometry>
+
+namespace naocal {
+
+namespace {
+/// (y, z) for an axis along x, (z, x) for y, (x, y) for z; (x, a cross x) for the hip yaw-pitch axis a.
+std::pair<Eigen::Vector3d, Eigen::Vector3d> tiltAxes(const Eigen::Vector3d& axis) {
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    if (std::abs(axis[i]) > 0.9) {
+      return {Eigen::Vector3d::Unit((i + 1) % 3), Eigen::Vector3d::Unit((i + 2) % 3)};
+    }
+  }
+  return {Eigen::Vector3d::UnitX(), axis.cross(Eigen::Vector3d::UnitX())};
+}
+} // namespace
+
+/// The joint turns about an axis that is not the drawn one; nothing moves at q = 0. 0.01 rad: 0.3 mm over a bearing's
+/// seat of 30 mm.
+Effect axisTilt() {
+  return {.name = "axisTilt",
+          .what = "the joint's axis is tilted against the drawing",
+          .formula = "axis = R_n1(alpha) * R_n2(beta) * drawn axis",
+          .place = Place::joint,
+          .unknowns = {{"alpha", "rad", 0.01}, {"beta", "rad", 0.01}},
+          .linear = false,
+          .correct = [](Belief& belief, const Instant&, std::size_t joint, std::span<const double> values) {
+            const Eigen::Vector3d axis = belief.axis(joint);
+            const auto [n1, n2] = tiltAxes(axis);
+            belief.axis(joint) = rotationAbout(values[0] * n1) * rotationAbout(values[1] * n2) * axis;
+          }};
+}
+
+} // namespace naocal

@@ -1,0 +1,17 @@
+#include "effects/Catalogue.hpp"
+
+namespace naocal {
+
+/// The sheet is bent: its middle stands up over its rim. 3 mm: an A2 sheet that lies loose.
+Effect boardBow() {
+  return {.name = "boardBow",
+          .what = "the board is bent: its middle stands higher than its rim",
+          .formula = "z = h * (1 - (r / r_max)^2)",
+          .place = Place::board,
+          .unknowns = {{"h", "m", 0.003}},
+          .correct = [](Belief& belief, const Instant&, std::size_t board, std::span<const double> values) {
+            belief.boardBow(board) += values[0];
+          }};
+}
+
+} // namespace naocal

@@ -1,0 +1,18 @@
+#include "effects/Catalogue.hpp"
+
+namespace naocal {
+
+/// The print is not the size that was asked for. 1 %: what office printers and page scaling do.
+Effect boardScale() {
+  return {.name = "boardScale",
+          .what = "the board was printed larger or smaller than the file says",
+          .formula = "squareLength * (1 + s)",
+          .place = Place::board,
+          .unknowns = {{"s", "1", 0.01}},
+          .shared = true,
+          .correct = [](Belief& belief, const Instant&, std::size_t board, std::span<const double> values) {
+            belief.boardScale(board) += values[0];
+          }};
+}
+
+} // namespace naocal

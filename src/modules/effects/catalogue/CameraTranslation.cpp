@@ -1,0 +1,17 @@
+#include "effects/Catalogue.hpp"
+
+namespace naocal {
+
+/// The camera sits shifted in the head frame.
+Effect cameraTranslation() {
+  return {.name = "cameraTranslation",
+          .what = "the camera sits shifted in the head",
+          .formula = "headFromCamera = T(x, y, z) * nominal",
+          .place = Place::camera,
+          .unknowns = {{"x", "m", 0.005}, {"y", "m", 0.005}, {"z", "m", 0.005}},
+          .correct = [](Belief& belief, const Instant&, std::size_t, std::span<const double> values) {
+            belief.mountTranslation() += Eigen::Vector3d{values[0], values[1], values[2]};
+          }};
+}
+
+} // namespace naocal

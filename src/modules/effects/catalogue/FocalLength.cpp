@@ -1,0 +1,17 @@
+#include "effects/Catalogue.hpp"
+
+namespace naocal {
+
+/// Both focal lengths are wrong by the same factor: fx, fy times (1 + s).
+Effect focalLength() {
+  return {.name = "focalLength",
+          .what = "the lens magnifies more or less than the file says",
+          .formula = "fx, fy -> fx (1 + s), fy (1 + s)",
+          .place = Place::camera,
+          .unknowns = {{"s", "1", 0.03}},
+          .correct = [](Belief& belief, const Instant&, std::size_t, std::span<const double> values) {
+            belief.lens().head<2>() *= 1 + values[0];
+          }};
+}
+
+} // namespace naocal

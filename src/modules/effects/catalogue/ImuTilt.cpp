@@ -1,0 +1,19 @@
+#include "effects/Catalogue.hpp"
+
+namespace naocal {
+
+/// The inertial unit sits tilted in the torso. HULKs stores the correction as `torsoCalibration`. 0.03 rad: 2 degrees.
+/// It moves no picture: where `imu` is recorded, each reading is a measurement of the torso over the sole.
+Effect imuTilt() {
+  return {.name = "imuTilt",
+          .what = "the inertial unit sits tilted in the torso",
+          .formula = "torso attitude = reading * Ry(pitch) * Rx(roll)",
+          .place = Place::all,
+          .unknowns = {{"roll", "rad", 0.03}, {"pitch", "rad", 0.03}},
+          .needs = {Driver::imu},
+          .correct = [](Belief& belief, const Instant&, std::size_t, std::span<const double> values) {
+            belief.imuTilt() += Eigen::Vector2d{values[0], values[1]};
+          }};
+}
+
+} // namespace naocal

@@ -1,0 +1,18 @@
+#include "effects/Catalogue.hpp"
+
+namespace naocal {
+
+/// The encoder's zero is off: q_true = q_measured - o. Worn and fallen NAOs show up to 11 degrees (published offsets).
+Effect jointOffset() {
+  return {.name = "jointOffset",
+          .what = "the encoder's zero is off: a fall, a worn gear, an assembly one tooth away",
+          .formula = "q_true = q_measured - o",
+          .place = Place::motor,
+          .unknowns = {{"o", "rad", 0.1}},
+          .base = true,
+          .correct = [](Belief& belief, const Instant&, std::size_t joint, std::span<const double> values) {
+            belief.angle(joint) -= values[0];
+          }};
+}
+
+} // namespace naocal

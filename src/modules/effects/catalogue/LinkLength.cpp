@@ -1,0 +1,17 @@
+#include "effects/Catalogue.hpp"
+
+namespace naocal {
+
+/// A link is longer than drawn, on both sides alike. 2 mm: what cast and screwed plastic parts differ by.
+Effect linkLength() {
+  return {.name = "linkLength",
+          .what = "a link is longer or shorter than the drawing says",
+          .formula = "length + dL",
+          .place = Place::length,
+          .unknowns = {{"dL", "m", 0.002}},
+          .correct = [](Belief& belief, const Instant&, std::size_t length, std::span<const double> values) {
+            belief.length(length) += values[0];
+          }};
+}
+
+} // namespace naocal

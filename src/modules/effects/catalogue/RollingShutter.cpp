@@ -1,0 +1,19 @@
+#include "effects/Catalogue.hpp"
+
+namespace naocal {
+
+/// Rows are exposed one after the other, so joints that move stand elsewhere in each. 6e-5 s: the 480 rows of a NAO's
+/// camera take about 30 ms, a picture's whole period.
+Effect rollingShutter() {
+  return {.name = "rollingShutter",
+          .what = "the picture's rows are exposed one after the other while the joints move",
+          .formula = "+q' * s * (v - cy) on every joint",
+          .place = Place::camera,
+          .unknowns = {{"s", "s/row", 6e-5}},
+          .needs = {Driver::velocity},
+          .correct = [](Belief& belief, const Instant&, std::size_t, std::span<const double> values) {
+            belief.rowTime() += values[0];
+          }};
+}
+
+} // namespace naocal

@@ -1,0 +1,18 @@
+#include "effects/Catalogue.hpp"
+
+namespace naocal {
+
+/// The body stands on that sole at a constant tilt: a bent foot, worn rubber, a slope. 0.02 rad: 3 mm over a sole's
+/// length.
+Effect soleTilt() {
+  return {.name = "soleTilt",
+          .what = "the body stands tilted on that sole: a bent foot or a slope",
+          .formula = "worldFromSole = placement * Ry(pitch) * Rx(roll)",
+          .place = Place::sole,
+          .unknowns = {{"roll", "rad", 0.02}, {"pitch", "rad", 0.02}},
+          .correct = [](Belief& belief, const Instant&, std::size_t, std::span<const double> values) {
+            belief.ground().segment<2>(3) += Eigen::Vector2d{values[0], values[1]};
+          }};
+}
+
+} // namespace naocal

@@ -1,0 +1,18 @@
+#include "effects/Catalogue.hpp"
+
+namespace naocal {
+
+/// The joint creeps while the captures are taken. 1e-5 rad/s: a third of a degree in ten minutes.
+Effect timeDrift() {
+  return {.name = "timeDrift",
+          .what = "the joint's angle creeps while the captures are taken",
+          .formula = "+k * (t - t_first)",
+          .place = Place::motor,
+          .unknowns = {{"k", "rad/s", 1e-5}},
+          .needs = {Driver::time},
+          .correct = [](Belief& belief, const Instant& instant, std::size_t joint, std::span<const double> values) {
+            belief.angle(joint) += values[0] * instant.time.count();
+          }};
+}
+
+} // namespace naocal

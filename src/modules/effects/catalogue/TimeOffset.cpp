@@ -1,0 +1,25 @@
+#include "effects/Catalogue.hpp"
+
+#include <cmath>
+
+namespace naocal {
+
+/// Pictures and angles are not of the same instant: the picture is younger by dt. 20 ms: a picture's transfer and half
+/// its exposure.
+Effect timeOffset() {
+  return {.name = "timeOffset",
+          .what = "pictures are younger than the joint angles recorded with them",
+          .formula = "+q' * dt on every joint",
+          .place = Place::all,
+          .unknowns = {{"dt", "s", 0.02}},
+          .needs = {Driver::velocity},
+          .correct = [](Belief& belief, const Instant& instant, std::size_t, std::span<const double> values) {
+            for (Eigen::Index joint = 0; joint < instant.velocity.size(); ++joint) {
+              if (std::isfinite(instant.velocity[joint])) {
+                belief.angle(static_cast<std::size_t>(joint)) += instant.velocity[joint] * values[0];
+              }
+            }
+          }};
+}
+
+} // namespace naocal

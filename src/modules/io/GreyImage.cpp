@@ -1,0 +1,145 @@
+#include "io/GreyImage.hpp"
+
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+
+#include <csetjmp>
+#include <fmt/format.h>
+#include <memory>
+#include <optional>
+#include <png.h>
+#include <turbojpeg.h>
+
+namespace naocal {
+
+namespace {
+
+using TurboJpeg = std::unique_ptr<void, decltype(&tjDestroy)>;
+
+bool isPossible(std::int64_t width, std::int64_t height) {
+  constexpr std::int64_t most = 1 << 26; // pixels
+  return width > 0 && height > 0 && width <= most && height <= most && width * height <= most;
+}
+
+std::optional<GreyPicture> fromPng(std::string_view content) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  const std::unique_ptr<png_image, decltype(&png_image_free)> freed{&image, png_image_free};
+  if (png_image_begin_read_from_memory(&image, content.data(), content.size()) == 0 ||
+      !isPossible(image.width, image.height)) {
+    return std::nullopt;
+  }
+  const bool coloured = (image.format & (PNG_FORMAT_FLAG_COLOR | PNG_FORMAT_FLAG_COLORMAP)) != 0;
+  image.format = coloured ? PNG_FORMAT_RGB : PNG_FORMAT_GRAY;
+  image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB; // what has 16 bits a level is not linear in light either
+  GreyPicture result{static_cast<int>(image.width), static_cast<int>(image.height), {}};
+  result.pixels.resize(PNG_IMAGE_SIZE(image));
+  const png_color white{255, 255, 255};
+  if (png_image_finish_read(&image, &white, result.pixels.data(), 0, nullptr) == 0) {
+    return std::nullopt;
+  }
+  if (coloured) {
+    const std::size_t pixels = result.pixels.size() / 3;
+    for (std::size_t i = 0; i < pixels; ++i) {
+      result.pixels[i] = luma(&result.pixels[3 * i]);
+    }
+    result.pixels.resize(pixels);
+  }
+  return result;
+}
+
+std::optional<GreyPicture> fromJpeg(std::string_view content) {
+  const TurboJpeg turbo{tjInitDecompress(), tjDestroy};
+  const auto* bytes = reinterpret_cast<const unsigned char*>(content.data());
+  GreyPicture result;
+  int subsampling = 0, colours = 0;
+  if (tjDecompressHeader3(turbo.get(), bytes, content.size(), &result.width, &result.height, &subsampling, &colours) !=
+          0 ||
+      !isPossible(result.width, result.height)) {
+    return std::nullopt;
+  }
+  result.pixels.resize(std::size_t(result.width) * std::size_t(result.height));
+  // a file that is cut off is a warning to the library: what is missing would be grey
+  return tjDecompress2(turbo.get(), bytes, content.size(), result.pixels.data(), result.width, 0, result.height,
+                       TJPF_GRAY, TJFLAG_STOPONWARNING | TJFLAG_ACCURATEDCT) == 0
+             ? std::optional{std::move(result)}
+             : std::nullopt;
+}
+
+/// The simple interface packs three times as slowly what has noise in it. False: libpng gave up, by a long jump.
+bool writtenAsPng(const GreyPicture& picture, std::string& content) {
+  png_structp writer = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png_create_info_struct(writer);
+  if (setjmp(png_jmpbuf(writer)) != 0) {
+    png_destroy_write_struct(&writer, &info);
+    return false;
+  }
+  const auto append = [](png_structp self, png_bytep bytes, std::size_t count) {
+    static_cast<std::string*>(png_get_io_ptr(self))->append(reinterpret_cast<const char*>(bytes), count);
+  };
+  png_set_write_fn(writer, &content, append, nullptr);
+  png_set_IHDR(writer, info, static_cast<png_uint_32>(picture.width), static_cast<png_uint_32>(picture.height), 8,
+               PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_filter(writer, 0, PNG_FILTER_SUB);
+  png_set_compression_level(writer, 1);
+  png_set_compression_strategy(writer, 3); // runs only
+  png_write_info(writer, info);
+  for (int row = 0; row < picture.height; ++row) {
+    png_write_row(writer, &picture.pixels[std::size_t(row) * std::size_t(picture.width)]);
+  }
+  png_write_end(writer, info);
+  png_destroy_write_struct(&writer, &info);
+  return true;
+}
+
+} // namespace
+
+GreyPicture decodedPicture(std::string_view content, const std::string& name) {
+  if (auto picture = content.starts_with("\x89PNG") ? fromPng(content) : fromJpeg(content)) {
+    return *std::move(picture);
+  }
+  throw InputError{fmt::format("{}: expected a whole picture (.png or .jpg), but it could not be read as one", name)};
+}
+
+GreyPicture readPicture(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) {
+    throw InputError{fmt::format("{}: a picture was expected, but there is no such file", file.string())};
+  }
+  return decodedPicture(fileContent(file), file.string());
+}
+
+std::string png(const GreyPicture& picture) {
+  std::string content;
+  if (!isPossible(picture.width, picture.height) || !writtenAsPng(picture, content)) {
+    throw InputError{fmt::format("a picture of {} x {} pixels was expected to become a PNG, but it cannot",
+                                 picture.width, picture.height)};
+  }
+  return content;
+}
+
+std::string jpeg(std::span<const std::uint8_t> pixels, int width, int height, int quality) {
+  const TurboJpeg turbo{tjInitCompress(), tjDestroy};
+  const bool coloured = pixels.size() > std::size_t(width) * std::size_t(height);
+  const int subsampling = coloured ? TJSAMP_420 : TJSAMP_GRAY;
+  unsigned long size = tjBufSize(width, height, subsampling);
+  std::string content(size, '\0');
+  auto* bytes = reinterpret_cast<unsigned char*>(content.data());
+  if (tjCompress2(turbo.get(), pixels.data(), width, 0, height, coloured ? TJPF_RGB : TJPF_GRAY, &bytes, &size,
+                  subsampling, quality, TJFLAG_NOREALLOC | TJFLAG_ACCURATEDCT) != 0) {
+    throw InputError{fmt::format("a picture of {} x {} pixels cannot become a JPEG: {}", width, height,
+                                 tjGetErrorStr2(turbo.get()))};
+  }
+  content.resize(size);
+  return content;
+}
+
+void writePicture(const GreyPicture& picture, const std::filesystem::path& file) {
+  const std::string ending = file.extension().string();
+  if (ending != ".png" && ending != ".jpg") {
+    throw InputError{
+        fmt::format("{}: expected a picture's name that ends with .png or .jpg, found '{}'", file.string(), ending)};
+  }
+  writeAtomically(file, ending == ".png" ? png(picture) : jpeg(picture.pixels, picture.width, picture.height, 95));
+}
+
+} // namespace naocal

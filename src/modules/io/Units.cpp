@@ -1,0 +1,53 @@
+#include "io/Units.hpp"
+
+#include <fmt/format.h>
+#include <regex>
+
+namespace naocal {
+
+std::optional<Unit> unitOf(std::string_view text) {
+  static const std::regex factor{R"(([*/]?)(1|rad|m|px|s|row|Nm|K|A)(?:\^(\d+(?:\.\d+)?))?(?=[*/]|$))"};
+  const std::string all{text};
+  Unit unit;
+  std::size_t read = 0;
+  for (std::sregex_iterator found{all.begin(), all.end(), factor, std::regex_constants::match_continuous}, end;
+       found != end; ++found) {
+    const std::string sign = (*found)[1], base = (*found)[2], power = (*found)[3];
+    if (sign.empty() != (read == 0)) {
+      break;
+    }
+    read += static_cast<std::size_t>(found->length());
+    if (base != "1") {
+      unit = product(std::move(unit), {{base, 1}}, (sign == "/" ? -1 : 1) * (power.empty() ? 1 : std::stod(power)));
+    }
+  }
+  return read > 0 && read == all.size() ? std::optional{unit} : std::nullopt;
+}
+
+std::string textOf(const Unit& unit) {
+  std::string over, under;
+  for (const auto& [base, power] : unit) {
+    std::string& side = power > 0 ? over : under;
+    const double size = std::abs(power);
+    side += fmt::format("{}{}{}",
+                        power < 0      ? "/"
+                        : side.empty() ? ""
+                                       : "*",
+                        base, size == 1 ? "" : fmt::format("^{:g}", size));
+  }
+  return (over.empty() ? "1" : over) + under;
+}
+
+Unit product(Unit one, const Unit& other, double power) {
+  for (const auto& [base, own] : other) {
+    const double sum = one[base] + own * power;
+    if (sum == 0) {
+      one.erase(base);
+    } else {
+      one[base] = sum;
+    }
+  }
+  return one;
+}
+
+} // namespace naocal

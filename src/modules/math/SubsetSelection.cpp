@@ -1,0 +1,67 @@
+#include "math/SubsetSelection.hpp"
+
+#include "math/Parallel.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace naocal {
+
+namespace {
+
+/// The one that, with `rest`, is judged best, none of the chosen; the first one where none can be judged.
+std::size_t bestBeside(const Eigen::MatrixXd& rest, const Judgement& judge,
+                       const std::vector<Eigen::MatrixXd>& candidates, const std::vector<std::size_t>& chosen) {
+  std::vector<double> values(candidates.size());
+  inParallel(candidates.size(), [&](std::size_t i) { values[i] = judge(rest + candidates[i]); });
+  for (const std::size_t taken : chosen) {
+    values[taken] = std::numeric_limits<double>::infinity();
+  }
+  return static_cast<std::size_t>(std::min_element(values.begin(), values.end()) - values.begin());
+}
+
+} // namespace
+
+std::vector<std::size_t> greedySelection(const Judgement& judge, Eigen::MatrixXd known,
+                                         const std::vector<Eigen::MatrixXd>& candidates, std::size_t count) {
+  std::vector<std::size_t> chosen;
+  while (chosen.size() < std::min(count, candidates.size())) {
+    chosen.push_back(bestBeside(known, judge, candidates, chosen));
+    known += candidates[chosen.back()];
+  }
+  return chosen;
+}
+
+void exchange(const Judgement& judge, const Eigen::MatrixXd& known, const std::vector<Eigen::MatrixXd>& candidates,
+              std::vector<std::size_t>& chosen) {
+  Eigen::MatrixXd sum = known;
+  for (const std::size_t index : chosen) {
+    sum += candidates[index];
+  }
+  double value = judge(sum);
+  for (bool better = chosen.size() < candidates.size(); better;) {
+    better = false;
+    for (std::size_t& each : chosen) {
+      const Eigen::MatrixXd rest = sum - candidates[each];
+      const std::size_t other = bestBeside(rest, judge, candidates, chosen);
+      if (const double there = judge(rest + candidates[other]); there < value - 1e-9 * std::abs(value)) {
+        each = other;
+        sum = rest + candidates[other];
+        value = there;
+        better = true;
+      }
+    }
+  }
+}
+
+std::vector<std::size_t> mostInformative(const Eigen::MatrixXd& prior, const std::vector<Eigen::MatrixXd>& candidates,
+                                         std::size_t count) {
+  const auto volume = [](const Eigen::MatrixXd& information) {
+    return -Eigen::LLT<Eigen::MatrixXd>{information}.matrixLLT().diagonal().array().log().sum();
+  };
+  return greedySelection(volume, prior, candidates, count);
+}
+
+} // namespace naocal

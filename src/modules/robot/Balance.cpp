@@ -1,0 +1,103 @@
+#include "robot/Balance.hpp"
+
+#include "io/InputError.hpp"
+#include "math/Polygon.hpp"
+#include "robot/Gravity.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace naocal {
+
+namespace {
+
+const Sole& soleNamed(const Robot& robot, std::string_view side) {
+  const Sole* sole = robot.sole(side);
+  if (sole == nullptr) {
+    throw InputError{fmt::format("the drawing of {}: expected a {} sole, found none", robot.model, side)};
+  }
+  return *sole;
+}
+
+bool standsOnOne(const Robot& robot, const Posture& torsoFromLink, const Sole& support, const Sole& other,
+                 const Footing& least) {
+  const RigidTransform soleFromTorso = torsoFromLink[support.link].inverse();
+  const Eigen::Vector3d centre = soleFromTorso * centreOfMass(robot, torsoFromLink).inTorso;
+  if (depthInside(support.outline, centre.head<2>()) < least.depth) {
+    return false;
+  }
+  const RigidTransform soleFromOther = soleFromTorso * torsoFromLink[other.link];
+  return std::all_of(other.outline.begin(), other.outline.end(), [&](const Eigen::Vector2d& corner) {
+    return (soleFromOther * Eigen::Vector3d{corner.x(), corner.y(), 0}).z() >= least.clearance;
+  });
+}
+
+bool standsOnBoth(const Robot& robot, const Posture& torsoFromLink, const Sole& left, const Sole& right, double least) {
+  std::vector<Eigen::Vector3d> corners; // in the torso's frame, as all here
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const Sole* sole : {&left, &right}) {
+    for (const Eigen::Vector2d& corner : sole->outline) {
+      corners.push_back(torsoFromLink[sole->link] * Eigen::Vector3d{corner.x(), corner.y(), 0});
+      middle += corners.back();
+    }
+  }
+  middle /= static_cast<double>(corners.size());
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3d& corner : corners) {
+    scatter += (corner - middle) * (corner - middle).transpose();
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
+  axes.computeDirect(scatter); // ascending: the plane's normal first
+  const auto onPlane = [&](const Eigen::Vector3d& point) -> Eigen::Vector2d {
+    return axes.eigenvectors().rightCols<2>().transpose() * (point - middle);
+  };
+  Outline points;
+  std::transform(corners.begin(), corners.end(), std::back_inserter(points), onPlane);
+  const Eigen::Vector2d centre = onPlane(centreOfMass(robot, torsoFromLink).inTorso);
+  return least > 0 ? depthInside(hull(points), centre) >= least : withinHull(points, centre);
+}
+
+} // namespace
+
+const Sole& supportSole(const Robot& robot, SupportFoot foot) {
+  assert(foot != SupportFoot::none);
+  return soleNamed(robot, foot == SupportFoot::right ? "right" : "left");
+}
+
+const Sole& otherSole(const Robot& robot, SupportFoot foot) {
+  return supportSole(robot, foot == SupportFoot::right ? SupportFoot::left : SupportFoot::right);
+}
+
+bool stands(const Robot& robot, const Posture& torsoFromLink, SupportFoot foot, const Footing& least) {
+  const Sole &support = supportSole(robot, foot), &other = otherSole(robot, foot);
+  return foot == SupportFoot::both ? standsOnBoth(robot, torsoFromLink, support, other, least.depth)
+                                   : standsOnOne(robot, torsoFromLink, support, other, least);
+}
+
+std::optional<double> shareStanding(const Robot& robot, const Belief& belief, SupportFoot foot, const Stability& wanted,
+                                    std::mt19937_64& random) {
+  std::uniform_real_distribution<double> error{-wanted.jointError, wanted.jointError};
+  const int mayFall = static_cast<int>(std::floor((1 - wanted.share) * wanted.draws + 1e-9));
+  if (wanted.draws == 0) {
+    return 1;
+  }
+  Belief erroneous = belief;
+  std::vector<double> errors(robot.joints.size());
+  int fallen = 0;
+  for (int draw = 0; draw < wanted.draws; ++draw) {
+    std::generate(errors.begin(), errors.end(), [&] { return error(random); });
+    for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+      erroneous.angle(joint) = belief.angle(joint) + errors[robot.joints[joint].motor];
+    }
+    fallen += stands(robot, posture(robot, erroneous), foot, {}) ? 0 : 1;
+    if (fallen > mayFall) {
+      return std::nullopt;
+    }
+  }
+  return 1 - static_cast<double>(fallen) / wanted.draws;
+}
+
+} // namespace naocal

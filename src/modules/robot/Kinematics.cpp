@@ -1,0 +1,121 @@
+#include "robot/Kinematics.hpp"
+
+#include "math/Angles.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace naocal {
+
+namespace {
+
+Eigen::Vector3d origin(const Link& link, const Belief& belief) {
+  Eigen::Vector3d result = link.constant;
+  for (const Link::Stretch& stretch : link.stretches) {
+    result += belief.length(stretch.length) * stretch.direction;
+  }
+  return result;
+}
+
+} // namespace
+
+Belief drawnBelief(const Robot& robot, const Quantities& quantities) {
+  Belief belief{quantities};
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    belief.axis(joint) = robot.joints[joint].axis;
+  }
+  for (std::size_t length = 0; length < robot.lengths.size(); ++length) {
+    belief.length(length) = robot.lengths[length].value;
+  }
+  return belief;
+}
+
+void takeToRest(const Robot& robot, Belief& belief) {
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    const AngleRange limits = robot.joints[joint].limits;
+    belief.angle(joint) = std::clamp(robot.joints[joint].resting, limits.lower, limits.upper);
+  }
+}
+
+std::vector<std::size_t> linksTowards(const Robot& robot, const std::vector<std::size_t>& links) {
+  std::vector<bool> needed(robot.links.size(), false);
+  for (std::size_t link : links) {
+    for (std::optional<std::size_t> at = link; at; at = robot.links[*at].parent) {
+      needed[*at] = true;
+    }
+  }
+  std::vector<std::size_t> result;
+  for (std::size_t link = 0; link < robot.links.size(); ++link) {
+    if (needed[link]) {
+      result.push_back(link);
+    }
+  }
+  return result;
+}
+
+std::vector<std::size_t> jointsTowards(const Robot& robot, std::size_t link) {
+  std::vector<std::size_t> joints;
+  for (const std::size_t at : linksTowards(robot, {link})) {
+    if (robot.links[at].joint) {
+      joints.push_back(*robot.links[at].joint);
+    }
+  }
+  std::sort(joints.begin(), joints.end());
+  return joints;
+}
+
+void posture(const Robot& robot, const Belief& belief, const std::vector<std::size_t>& links, Posture& torsoFromLink) {
+  const RigidTransform torso;
+  torsoFromLink.resize(robot.links.size());
+  for (std::size_t index : links) {
+    const Link& link = robot.links[index];
+    const RigidTransform& parent = link.parent ? torsoFromLink[*link.parent] : torso;
+    RigidTransform& torsoFromThis = torsoFromLink[index];
+    torsoFromThis.translation = parent * origin(link, belief);
+    if (link.joint) {
+      torsoFromThis.rotation.noalias() =
+          parent.rotation * rotationAbout(belief.axis(*link.joint) * belief.angle(*link.joint));
+    } else {
+      torsoFromThis.rotation = parent.rotation;
+    }
+  }
+}
+
+Posture posture(const Robot& robot, const Belief& belief) {
+  std::vector<std::size_t> all(robot.links.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  Posture torsoFromLink;
+  posture(robot, belief, all, torsoFromLink);
+  return torsoFromLink;
+}
+
+Posture posture(const Robot& robot, const Eigen::VectorXd& angles) {
+  Belief belief = drawnBelief(robot, Quantities{robot.joints.size(), robot.lengths.size(), 0});
+  belief.values.head(angles.size()) = angles;
+  return posture(robot, belief);
+}
+
+RigidTransform placed(const Eigen::Ref<const Eigen::Matrix<double, 6, 1>>& placement) {
+  const auto [sr, cr] = SineCosine{placement[3]};
+  const auto [sp, cp] = SineCosine{placement[4]};
+  const auto [sy, cy] = SineCosine{placement[5]};
+  return {Eigen::Matrix3d{{cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr},
+                          {sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr},
+                          {-sp, cp * sr, cp * cr}},
+          placement.head<3>()};
+}
+
+RigidTransform linkFromCamera(const CameraMount& mount, const Belief& belief) {
+  const Eigen::Vector3d turn = belief.mountRotation();
+  return {rotationY(mount.pitch) * rotationX(turn.x()) * rotationY(turn.y()) * rotationZ(turn.z()),
+          mount.translation + belief.mountTranslation()};
+}
+
+RigidTransform linkFromOptical(const CameraMount& mount, const Belief& belief) {
+  const RigidTransform camera = linkFromCamera(mount, belief);
+  RigidTransform result{Eigen::Matrix3d{}, camera.translation};
+  result.rotation << -camera.rotation.col(1), -camera.rotation.col(2), camera.rotation.col(0);
+  return result;
+}
+
+} // namespace naocal

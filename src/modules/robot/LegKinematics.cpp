@@ -1,0 +1,125 @@
+#include "robot/LegKinematics.hpp"
+
+#include "io/InputError.hpp"
+#include "math/Angles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace naocal {
+
+namespace {
+
+/// The angle of (x, z) about y: Ry(a) turns a vector's by a [rad].
+double angleAboutY(const Eigen::Vector3d& v) {
+  return std::atan2(v.x(), v.z());
+}
+
+/// The roll in [-pi/2, pi/2] about x that brings a vector into the xz-plane: Rx(a) v has no y.
+double rollIntoPlane(const Eigen::Vector3d& v) {
+  return v.z() < 0 ? std::atan2(-v.y(), -v.z()) : std::atan2(v.y(), v.z());
+}
+
+Eigen::Vector3d drawnOrigin(const Robot& robot, const Link& link) {
+  Eigen::Vector3d origin = link.constant;
+  for (const Link::Stretch& stretch : link.stretches) {
+    origin += robot.lengths[stretch.length].value * stretch.direction;
+  }
+  return origin;
+}
+
+} // namespace
+
+Leg::Leg(const Robot& robot, std::string_view side) {
+  const auto require = [&](bool met, std::string_view expected) {
+    if (!met) {
+      throw InputError{fmt::format("the drawing of {}: {} leg: expected {}, found another build; this leg's angles can "
+                                   "not be computed in closed form",
+                                   robot.model, side, expected)};
+    }
+  };
+  const Sole* sole = robot.sole(side);
+  require(sole != nullptr, "a sole of that name");
+  // Links from the root to the sole: hip yaw-pitch, hip roll, hip pitch, knee, ankle pitch, ankle roll, sole.
+  std::array<const Link*, 7> links{};
+  std::optional<std::size_t> at = sole->link;
+  for (std::size_t i = links.size(); i-- > 0; at = robot.links[*at].parent) {
+    require(robot.links[*at].parent.has_value(), "six joints between the root and the sole");
+    links[i] = &robot.links[*at];
+  }
+  require(!robot.links[*at].parent && !links[6]->joint, "six joints between the root and the sole");
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY();
+  const std::array<Eigen::Vector3d, 5> axes{x, y, y, y, x};
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    require(links[i]->joint.has_value(), "six joints between the root and the sole");
+    joints_[i] = *links[i]->joint;
+    require(i == 0 || robot.joints[joints_[i]].axis == axes[i - 1], "axes x, y, y, y, x after hip yaw-pitch");
+  }
+  yawPitchAxis_ = robot.joints[joints_[0]].axis;
+  require(yawPitchAxis_.x() == 0, "a hip yaw-pitch axis at a right angle to x");
+  hip_ = drawnOrigin(robot, *links[0]);
+  thigh_ = -drawnOrigin(robot, *links[3]).z();
+  tibia_ = -drawnOrigin(robot, *links[4]).z();
+  footHeight_ = -drawnOrigin(robot, *links[6]).z();
+  const std::array<double, 6> drops{0, 0, thigh_, tibia_, 0, footHeight_};
+  for (std::size_t i = 0; i < drops.size(); ++i) {
+    require(drawnOrigin(robot, *links[i + 1]) == Eigen::Vector3d{0, 0, -drops[i]},
+            "hip, knee, ankle and sole in a line");
+  }
+}
+
+std::optional<double> Leg::knee(double distance) const {
+  constexpr double roundOff = 1e-12; // a straight leg is reached although its cosine may come out a little above 1
+  const double cosine = (distance * distance - thigh_ * thigh_ - tibia_ * tibia_) / (2 * thigh_ * tibia_);
+  if (std::abs(cosine) > 1 + roundOff) {
+    return std::nullopt;
+  }
+  return std::acos(std::clamp(cosine, -1.0, 1.0));
+}
+
+std::optional<LegAngles> Leg::angles(const RigidTransform& torsoFromSole) const {
+  // The hip seen from the foot: the ankle's roll brings it into the plane of the leg, its pitch onto the leg.
+  const Eigen::Vector3d hipInSole = torsoFromSole.inverse() * hip_;
+  const Eigen::Vector3d hipInFoot = hipInSole - Eigen::Vector3d{0, 0, footHeight_};
+  const auto kneePitch = knee(hipInFoot.norm());
+  if (!kneePitch) {
+    return std::nullopt;
+  }
+  const double ankleRoll = rollIntoPlane(hipInFoot);
+  const Eigen::Vector3d hipFromAnkle{-thigh_ * std::sin(*kneePitch), 0, tibia_ + thigh_ * std::cos(*kneePitch)};
+  const double anklePitch = wrapped(angleAboutY(hipFromAnkle) - angleAboutY(rotationX(ankleRoll) * hipInFoot));
+
+  // What remains is R(axis, yawPitch) Rx(hipRoll) Ry(hipPitch); with axis = Rx(tilt) y it is
+  // Rx(tilt) Ry(yawPitch) Rx(hipRoll - tilt) Ry(hipPitch), and hip roll stays on that side of the tilt where 0 lies.
+  const double tilt = std::atan2(yawPitchAxis_.z(), yawPitchAxis_.y());
+  const double side = tilt < 0 ? 1 : -1;
+  const Eigen::Matrix3d turn =
+      rotationX(-tilt) * torsoFromSole.rotation * rotationX(-ankleRoll) * rotationY(-anklePitch - *kneePitch);
+  const double roll = side * std::atan2(std::hypot(turn(0, 1), turn(2, 1)), turn(1, 1));
+  const double yawPitch = std::atan2(side * turn(0, 1), side * turn(2, 1));
+  const Eigen::Matrix3d rest = rotationX(-roll) * rotationY(-yawPitch) * turn;
+  const double hipPitch = std::atan2(rest(0, 2), rest(0, 0));
+  return LegAngles{yawPitch, wrapped(roll + tilt), hipPitch, *kneePitch, anklePitch, ankleRoll};
+}
+
+std::optional<LegAngles> Leg::angles(const RigidTransform& torsoFromSole, double hipYawPitch) const {
+  // The sole's origin and z axis fix the ankle; hip roll, hip pitch and knee reach it; the ankle turns z.
+  const Eigen::Vector3d up = torsoFromSole.rotation.col(2);
+  const Eigen::Matrix3d torsoFromPelvis = rotationAbout(hipYawPitch * yawPitchAxis_);
+  const Eigen::Vector3d ankleFromHip = torsoFromSole.translation + footHeight_ * up - hip_;
+  const Eigen::Vector3d ankleInPelvis = torsoFromPelvis.transpose() * ankleFromHip;
+  const auto kneePitch = knee(ankleInPelvis.norm());
+  if (!kneePitch) {
+    return std::nullopt;
+  }
+  const double hipRoll = -rollIntoPlane(ankleInPelvis);
+  const Eigen::Vector3d ankleInThigh{-tibia_ * std::sin(*kneePitch), 0, -thigh_ - tibia_ * std::cos(*kneePitch)};
+  const double hipPitch = wrapped(angleAboutY(rotationX(-hipRoll) * ankleInPelvis) - angleAboutY(ankleInThigh));
+  const Eigen::Vector3d upInTibia =
+      rotationY(-hipPitch - *kneePitch) * rotationX(-hipRoll) * torsoFromPelvis.transpose() * up;
+  const double ankleRoll = std::asin(std::clamp(-upInTibia.y(), -1.0, 1.0));
+  return LegAngles{hipYawPitch, hipRoll, hipPitch, *kneePitch, angleAboutY(upInTibia), ankleRoll};
+}
+
+} // namespace naocal

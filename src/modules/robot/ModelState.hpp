@@ -1,0 +1,99 @@
+#pragma once
+
+#include "robot/Robot.hpp"
+
+#include <Eigen/Core>
+
+namespace naocal {
+
+/// Where each quantity stands in the flat list of numbers that a `Belief` is.
+class Quantities {
+public:
+  Quantities(std::size_t jointCount, std::size_t lengthCount, std::size_t boardCount)
+      : joints_{jointCount}, lengths_{lengthCount}, boards_{boardCount} {}
+
+  std::size_t angle(std::size_t joint) const { return joint; }                    // [rad]
+  std::size_t axis(std::size_t joint) const { return joints_ + 3 * joint; }       // 3 numbers
+  std::size_t length(std::size_t index) const { return 4 * joints_ + index; }     // [m]
+  std::size_t mountTranslation() const { return 4 * joints_ + lengths_; }         // x, y, z [m] in the mount's link
+  std::size_t mountRotation() const { return mountTranslation() + 3; }            // rx, ry, rz [rad] beyond nominal
+  std::size_t lens() const { return mountRotation() + 3; }                        // fx, fy, cx, cy, k1, k2, p1, p2, k3
+  std::size_t rowTime() const { return lens() + 9; }                              // between rows of the picture [s]
+  std::size_t imuTilt() const { return rowTime() + 1; }                           // roll, pitch of the IMU [rad]
+  std::size_t ground() const { return imuTilt() + 2; }                            // worldFromSole: as a Placement
+  std::size_t board(std::size_t index) const { return ground() + 6 + 8 * index; } // Placement, scale, bow [m]
+  std::size_t size() const { return board(boards_); }
+
+  std::size_t jointCount() const { return joints_; }
+  std::size_t lengthCount() const { return lengths_; }
+  std::size_t boardCount() const { return boards_; }
+
+private:
+  std::size_t joints_, lengths_, boards_;
+};
+
+/// What is believed about robot and scene at one instant, for one camera: plain numbers that effects correct.
+///
+/// The picture's derivative with respect to every one of them is analytic (camera/ObservationChain.hpp).
+class Belief {
+public:
+  explicit Belief(const Quantities& quantities)
+      : values{Eigen::VectorXd::Zero(static_cast<Eigen::Index>(quantities.size()))}, quantities_{quantities} {}
+
+  double& angle(std::size_t joint) { return at(quantities_.angle(joint)); }
+  double angle(std::size_t joint) const { return at(quantities_.angle(joint)); }
+  auto axis(std::size_t joint) { return three(quantities_.axis(joint)); }
+  auto axis(std::size_t joint) const { return three(quantities_.axis(joint)); }
+  double& length(std::size_t index) { return at(quantities_.length(index)); }
+  double length(std::size_t index) const { return at(quantities_.length(index)); }
+  auto mountTranslation() { return three(quantities_.mountTranslation()); }
+  auto mountTranslation() const { return three(quantities_.mountTranslation()); }
+  auto mountRotation() { return three(quantities_.mountRotation()); }
+  auto mountRotation() const { return three(quantities_.mountRotation()); }
+  auto lens() { return values.segment<9>(static_cast<Eigen::Index>(quantities_.lens())); }
+  auto lens() const { return values.segment<9>(static_cast<Eigen::Index>(quantities_.lens())); }
+  double& rowTime() { return at(quantities_.rowTime()); }
+  double rowTime() const { return at(quantities_.rowTime()); }
+  auto imuTilt() { return values.segment<2>(static_cast<Eigen::Index>(quantities_.imuTilt())); }
+  auto imuTilt() const { return values.segment<2>(static_cast<Eigen::Index>(quantities_.imuTilt())); }
+  /// worldFromSole of the support foot: x, y, z [m], roll, pitch, yaw [rad].
+  auto ground() { return six(quantities_.ground()); }
+  auto ground() const { return six(quantities_.ground()); }
+  /// linkFromBoard (worldFromBoard for a floor board): x, y, z [m], roll, pitch, yaw [rad].
+  auto boardPlacement(std::size_t board) { return six(quantities_.board(board)); }
+  auto boardPlacement(std::size_t board) const { return six(quantities_.board(board)); }
+  double& boardScale(std::size_t board) { return at(quantities_.board(board) + 6); }
+  double boardScale(std::size_t board) const { return at(quantities_.board(board) + 6); }
+  double& boardBow(std::size_t board) { return at(quantities_.board(board) + 7); }
+  double boardBow(std::size_t board) const { return at(quantities_.board(board) + 7); }
+
+  const Quantities& quantities() const { return quantities_; }
+
+  Eigen::VectorXd values;
+
+private:
+  double& at(std::size_t i) { return values[static_cast<Eigen::Index>(i)]; }
+  double at(std::size_t i) const { return values[static_cast<Eigen::Index>(i)]; }
+  Eigen::VectorXd::FixedSegmentReturnType<3>::Type three(std::size_t i) {
+    return values.segment<3>(static_cast<Eigen::Index>(i));
+  }
+  Eigen::VectorXd::ConstFixedSegmentReturnType<3>::Type three(std::size_t i) const {
+    return values.segment<3>(static_cast<Eigen::Index>(i));
+  }
+  Eigen::VectorXd::FixedSegmentReturnType<6>::Type six(std::size_t i) {
+    return values.segment<6>(static_cast<Eigen::Index>(i));
+  }
+  Eigen::VectorXd::ConstFixedSegmentReturnType<6>::Type six(std::size_t i) const {
+    return values.segment<6>(static_cast<Eigen::Index>(i));
+  }
+
+  Quantities quantities_;
+};
+
+/// The robot as drawn, all angles zero, the camera's mount nominal, boards at their frames' origins.
+Belief drawnBelief(const Robot& robot, const Quantities& quantities);
+
+/// Brings all joints to rest, as far as their limits let them.
+void takeToRest(const Robot& robot, Belief& belief);
+
+} // namespace naocal

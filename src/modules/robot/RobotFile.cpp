@@ -1,0 +1,417 @@
+#include "robot/Robot.hpp"
+
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+#include "io/JsonReader.hpp"
+#include "math/Angles.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace naocal {
+
+// What the parts of the drawing's reader share.
+
+inline constexpr Range millimetreRange{-10000, 10000, "millimetres"};
+inline constexpr Range degreeRange{-360, 360, "degrees"};
+inline constexpr Range directionRange{-1, 1, ""};
+
+/// The entries of an object but its "source" and "note", which are allowed everywhere and are for people only.
+std::vector<std::pair<std::string, JsonPlace>> entries(const JsonPlace& place);
+
+/// The entries of a section of the drawing; none when it is absent.
+std::vector<std::pair<std::string, JsonPlace>> section(const JsonPlace& drawing, const std::string& key);
+
+/// A misspelt optional key would silently change the robot: every key must be one of these.
+void allowOnly(const JsonPlace& place, const std::vector<std::string_view>& keys);
+
+Eigen::Vector3d vector3(const JsonPlace& place, const Range& range);
+Eigen::Vector3d metres3(const JsonPlace& millimetres);
+Eigen::Vector2d metres2(const JsonPlace& millimetres);
+
+/// The link or joint of which this place holds the name.
+std::size_t linkAt(const JsonPlace& place, const Robot& robot);
+std::size_t jointAt(const JsonPlace& place, const Robot& robot);
+
+/// The drawing's sections "joints" and "soles", for a robot whose tree is known.
+void readJoints(const JsonPlace& drawing, Robot& robot);
+void readSoles(const JsonPlace& drawing, Robot& robot);
+
+/// The robot of a complete drawing document (a base, if any, already merged in). Throws InputError at the first place
+/// that is not as home/configuration/drawings/NaoV5.json shows it.
+Robot readDrawing(const JsonPlace& drawing);
+
+namespace {
+
+AngleRange angleRange(const JsonPlace& place, double lowerDegrees, double upperDegrees) {
+  if (lowerDegrees > upperDegrees) {
+    place.refuse("a lower limit not above the upper one");
+  }
+  return {radians(lowerDegrees), radians(upperDegrees)};
+}
+
+CoupledLimits coupledLimits(const JsonPlace& place, const Robot& robot, std::size_t joint) {
+  allowOnly(place, {"on", "rowsDegrees"});
+  CoupledLimits coupled;
+  coupled.onJoint = jointAt(place.at("on"), robot);
+  if (coupled.onJoint == joint) {
+    place.at("on").refuse("another joint");
+  }
+  for (const JsonPlace& row : place.at("rowsDegrees").elements()) {
+    const auto numbers = row.numbers(3, degreeRange, "angle, lower, upper");
+    if (!coupled.angles.empty() && radians(numbers[0]) <= coupled.angles.back()) {
+      row.refuse("an angle above that of the row before");
+    }
+    coupled.angles.push_back(radians(numbers[0]));
+    coupled.ranges.push_back(angleRange(row, numbers[1], numbers[2]));
+  }
+  if (coupled.angles.empty()) {
+    place.at("rowsDegrees").refuse("at least one row");
+  }
+  return coupled;
+}
+
+void readJoint(const JsonPlace& place, Robot& robot, std::size_t index) {
+  allowOnly(place,
+            {"axis", "limitsDegrees", "maxSpeedDegreesPerSecond", "restingDegrees", "drivenBy", "coupledLimits"});
+  Joint& joint = robot.joints[index];
+  joint.axis = vector3(place.at("axis"), directionRange);
+  if (joint.axis.norm() == 0) {
+    place.at("axis").refuse("a direction", "[0, 0, 0]");
+  }
+  joint.axis.normalize();
+  const JsonPlace limits = place.at("limitsDegrees");
+  const auto bounds = limits.numbers(2, degreeRange, "lower, upper");
+  joint.limits = angleRange(limits, bounds[0], bounds[1]);
+  joint.maxSpeed = radians(place.at("maxSpeedDegreesPerSecond").number({0.1, 10000, "degrees per second"}));
+  if (const auto resting = place.find("restingDegrees")) {
+    joint.resting = radians(resting->number(degreeRange));
+  }
+  const auto motor = place.find("drivenBy");
+  joint.motor = motor ? jointAt(*motor, robot) : index;
+  if (const auto coupled = place.find("coupledLimits")) {
+    joint.coupled = coupledLimits(*coupled, robot, index);
+  }
+}
+
+} // namespace
+
+void readJoints(const JsonPlace& drawing, Robot& robot) {
+  for (const auto& [name, place] : section(drawing, "joints")) {
+    if (!robot.jointIndex(name)) {
+      place.refuse("only joints of the tree", '"' + name + '"');
+    }
+  }
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    readJoint(drawing.at("joints").at(robot.joints[joint].name), robot, joint);
+  }
+  for (const Joint& joint : robot.joints) {
+    if (robot.joints[joint.motor].motor != joint.motor) {
+      drawing.at("joints").at(joint.name).at("drivenBy").refuse("a joint with a motor of its own");
+    }
+  }
+}
+
+std::vector<std::pair<std::string, JsonPlace>> entries(const JsonPlace& place) {
+  auto members = place.members();
+  std::erase_if(members, [](const auto& member) { return member.first == "source" || member.first == "note"; });
+  return members;
+}
+
+std::vector<std::pair<std::string, JsonPlace>> section(const JsonPlace& drawing, const std::string& key) {
+  const auto place = drawing.find(key);
+  return place ? entries(*place) : std::vector<std::pair<std::string, JsonPlace>>{};
+}
+
+void allowOnly(const JsonPlace& place, const std::vector<std::string_view>& keys) {
+  for (const auto& [key, value] : entries(place)) {
+    if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
+      place.refuse(fmt::format("no keys but {}, source, note", fmt::join(keys, ", ")), '"' + key + '"');
+    }
+  }
+}
+
+Eigen::Vector3d vector3(const JsonPlace& place, const Range& range) {
+  const auto xyz = place.numbers(3, range, "x, y, z");
+  return {xyz[0], xyz[1], xyz[2]};
+}
+
+Eigen::Vector3d metres3(const JsonPlace& millimetres) {
+  return vector3(millimetres, millimetreRange) / 1000;
+}
+
+Eigen::Vector2d metres2(const JsonPlace& millimetres) {
+  const auto xy = millimetres.numbers(2, millimetreRange, "x, y");
+  return {xy[0] / 1000, xy[1] / 1000};
+}
+
+std::size_t linkAt(const JsonPlace& place, const Robot& robot) {
+  const auto link = robot.linkIndex(place.text());
+  if (!link) {
+    place.refuse("the name of a link of the tree");
+  }
+  return *link;
+}
+
+std::size_t jointAt(const JsonPlace& place, const Robot& robot) {
+  const auto joint = robot.jointIndex(place.text());
+  if (!joint) {
+    place.refuse("the name of a joint of the tree");
+  }
+  return *joint;
+}
+
+namespace {
+
+void readLengths(const JsonPlace& drawing, Robot& robot) {
+  for (const auto& [name, length] : section(drawing, "lengthsMillimetres")) {
+    robot.lengths.push_back({name, length.number({0, millimetreRange.highest, millimetreRange.unit}) / 1000});
+  }
+}
+
+/// How far the link lies from its parent: a constant part, and lengths along directions.
+void readOrigin(const JsonPlace& place, const Robot& robot, Link& link) {
+  if (const auto origin = place.find("originMillimetres")) {
+    link.constant = metres3(*origin);
+  }
+  if (const auto along = place.find("alongLengths")) {
+    for (const auto& [name, direction] : entries(*along)) {
+      const auto length = robot.lengthIndex(name);
+      if (!length) {
+        along->refuse("only names of lengthsMillimetres", '"' + name + '"');
+      }
+      link.stretches.push_back({*length, vector3(direction, directionRange)});
+    }
+  }
+}
+
+void readLink(const JsonPlace& place, Robot& robot) {
+  Link link;
+  link.name = place.at("name").text();
+  if (robot.linkIndex(link.name)) {
+    place.at("name").refuse("a name that no link before has");
+  }
+  if (robot.links.empty()) {
+    allowOnly(place, {"name"}); // the root has no parent to lie in
+  } else {
+    allowOnly(place, {"name", "parent", "joint", "originMillimetres", "alongLengths"});
+    link.parent = robot.linkIndex(place.at("parent").text());
+    if (!link.parent) {
+      place.at("parent").refuse("the name of a link before this one");
+    }
+    readOrigin(place, robot, link);
+  }
+  if (const auto name = place.find("joint")) {
+    if (robot.jointIndex(name->text())) {
+      name->refuse("a joint that moves no link before");
+    }
+    link.joint = robot.joints.size();
+    Joint& joint = robot.joints.emplace_back();
+    joint.name = name->text();
+    joint.link = robot.links.size();
+  }
+  robot.links.push_back(std::move(link));
+}
+
+void readTree(const JsonPlace& drawing, Robot& robot) {
+  const JsonPlace tree = drawing.at("tree");
+  allowOnly(tree, {"links"});
+  for (const JsonPlace& link : tree.at("links").elements()) {
+    readLink(link, robot);
+  }
+  if (robot.links.empty()) {
+    tree.at("links").refuse("at least one link");
+  }
+}
+
+void readMasses(const JsonPlace& drawing, Robot& robot) {
+  for (const auto& [name, place] : section(drawing, "masses")) {
+    allowOnly(place, {"kilograms", "centreMillimetres"});
+    const auto index = robot.linkIndex(name);
+    if (!index) {
+      place.refuse("only links of the tree", '"' + name + '"');
+    }
+    Link& link = robot.links[*index];
+    link.mass = place.at("kilograms").number({0, 1000, "kilograms"});
+    link.centreOfMass = metres3(place.at("centreMillimetres"));
+  }
+}
+
+void readCameras(const JsonPlace& drawing, Robot& robot) {
+  for (const auto& [name, place] : section(drawing, "cameras")) {
+    allowOnly(place, {"link", "originMillimetres", "pitchDegrees"});
+    robot.cameras.push_back({.name = name,
+                             .link = linkAt(place.at("link"), robot),
+                             .translation = metres3(place.at("originMillimetres")),
+                             .pitch = radians(place.at("pitchDegrees").number(degreeRange))});
+  }
+}
+
+void readHull(const JsonPlace& drawing, Robot& robot) {
+  const auto hull = drawing.find("hull");
+  if (!hull) {
+    return;
+  }
+  allowOnly(*hull, {"capsules"});
+  for (const JsonPlace& place : hull->at("capsules").elements()) {
+    allowOnly(place, {"link", "fromMillimetres", "toMillimetres", "radiusMillimetres"});
+    robot.hull.push_back({.link = linkAt(place.at("link"), robot),
+                          .from = metres3(place.at("fromMillimetres")),
+                          .to = metres3(place.at("toMillimetres")),
+                          .radius = place.at("radiusMillimetres").number({0, 1000, "millimetres"}) / 1000});
+  }
+}
+
+} // namespace
+
+Robot readDrawing(const JsonPlace& drawing) {
+  allowOnly(drawing, {"format", "version", "base", "model", "lengthsMillimetres", "tree", "joints", "masses", "cameras",
+                      "soles", "hull"});
+  Robot robot;
+  robot.model = drawing.at("model").text();
+  readLengths(drawing, robot); // each section may name things of the sections before it
+  readTree(drawing, robot);
+  readJoints(drawing, robot);
+  readMasses(drawing, robot);
+  readCameras(drawing, robot);
+  readSoles(drawing, robot);
+  readHull(drawing, robot);
+  return robot;
+}
+
+namespace {
+
+using Outline = std::vector<Eigen::Vector2d>;
+
+/// Strictly convex, counter-clockwise: every corner lies to the left of every other side.
+bool isConvex(const Outline& outline) {
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const std::size_t next = (i + 1) % outline.size();
+    const Eigen::Vector2d side = outline[next] - outline[i];
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+      const Eigen::Vector2d offset = outline[k] - outline[i];
+      if (k != i && k != next && side.x() * offset.y() - side.y() * offset.x() <= 0) {
+        return false;
+      }
+    }
+  }
+  return outline.size() >= 3;
+}
+
+Outline ownOutline(const JsonPlace& place) {
+  Outline outline;
+  for (const JsonPlace& point : place.elements()) {
+    outline.push_back(metres2(point));
+  }
+  if (!isConvex(outline)) {
+    place.refuse("a strictly convex outline, counter-clockwise");
+  }
+  return outline;
+}
+
+/// The outline given here, or the mirror image of another sole's.
+Outline outline(const JsonPlace& place, const JsonPlace& soles) {
+  const auto own = place.find("outlineMillimetres"), mirrored = place.find("outlineMirroredFrom");
+  if (own && mirrored) {
+    place.refuse("outlineMillimetres or outlineMirroredFrom", "both");
+  }
+  if (!mirrored) {
+    return ownOutline(place.at("outlineMillimetres"));
+  }
+  const auto other = soles.find(mirrored->text());
+  if (!other || !other->find("outlineMillimetres")) {
+    mirrored->refuse("the name of a sole with outlineMillimetres");
+  }
+  Outline outline = ownOutline(other->at("outlineMillimetres"));
+  std::reverse(outline.begin(), outline.end()); // a mirror image runs the other way round
+  for (Eigen::Vector2d& point : outline) {
+    point.y() = -point.y();
+  }
+  return outline;
+}
+
+} // namespace
+
+void readSoles(const JsonPlace& drawing, Robot& robot) {
+  for (const auto& [name, place] : section(drawing, "soles")) {
+    allowOnly(place, {"link", "outlineMillimetres", "outlineMirroredFrom", "forceSensorsMillimetres"});
+    Sole sole;
+    sole.name = name;
+    sole.link = linkAt(place.at("link"), robot);
+    sole.outline = outline(place, drawing.at("soles"));
+    if (const auto sensors = place.find("forceSensorsMillimetres")) {
+      allowOnly(*sensors, {"FL", "FR", "RL", "RR"});
+      for (const char* sensor : {"FL", "FR", "RL", "RR"}) {
+        sole.forceSensors.push_back(metres2(sensors->at(sensor)));
+      }
+    }
+    robot.soles.push_back(std::move(sole));
+  }
+}
+
+namespace {
+
+/// The file's own content, known to be a drawing.
+nlohmann::json document(const std::filesystem::path& file) {
+  nlohmann::json document = parseJson(fileContent(file), file.string());
+  const JsonPlace top{document, file.string()};
+  top.at("format").oneOf({"naocal-drawing"});
+  top.at("version").integer(1, 1);
+  return document;
+}
+
+/// "V4", "V5", "V6": the models whose drawings lie in a folder.
+std::vector<std::string> models(const std::filesystem::path& drawings) {
+  std::vector<std::string> names;
+  std::error_code unreadable;
+  for (const auto& entry : std::filesystem::directory_iterator{drawings, unreadable}) {
+    const std::string name = entry.path().stem().string();
+    if (entry.path().extension() == ".json" && name.starts_with("Nao")) {
+      names.push_back(name.substr(3));
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+} // namespace
+
+Robot loadRobot(const std::filesystem::path& drawing) {
+  const nlohmann::json own = document(drawing);
+  const JsonPlace top{own, drawing.string()};
+  const auto base = top.find("base");
+  if (!base) {
+    return readDrawing(top);
+  }
+  nlohmann::json merged = document(drawing.parent_path() / base->text());
+  if (merged.contains("base")) {
+    base->refuse("a drawing that has no base of its own");
+  }
+  merged.merge_patch(own);
+  return readDrawing(JsonPlace{merged, fmt::format("{} (with its base {})", drawing.string(), base->text())});
+}
+
+Robot loadRobot(const std::filesystem::path& configuration, std::string_view model) {
+  const auto drawings = configuration / "drawings";
+  const auto drawing = drawings / fmt::format("Nao{}.json", model);
+  if (!std::filesystem::exists(drawing)) {
+    const std::vector<std::string> known = models(drawings);
+    throw InputError{
+        known.empty()
+            ? fmt::format("{}: expected drawings of robots, found none; set NAOCAL_CONFIGURATION to the "
+                          "configuration's folder",
+                          drawings.string())
+            : fmt::format("{}: expected a drawing of one of the robots {{{}}}, found none of \"{}\"; name one "
+                          "of them, or set NAOCAL_CONFIGURATION to the configuration's folder",
+                          drawings.string(), fmt::join(known, ", "), model)};
+  }
+  return loadRobot(drawing);
+}
+
+} // namespace naocal

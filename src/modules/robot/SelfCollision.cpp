@@ -1,0 +1,61 @@
+#include "robot/SelfCollision.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace naocal {
+
+double segmentDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r,
+                       const Eigen::Vector3d& s) {
+  const Eigen::Vector3d along = q - p, other = s - r, between = p - r;
+  const double a = along.squaredNorm(), e = other.squaredNorm(), b = along.dot(other);
+  const double c = along.dot(between), f = other.dot(between);
+  const auto clamped = [](double numerator, double denominator) {
+    return denominator > 0 ? std::clamp(numerator / denominator, 0.0, 1.0) : 0.0;
+  };
+  // The nearest place on p..q for both lines, the nearest to it on r..s, and back where that was cut off at an end.
+  double onFirst = clamped(b * f - c * e, a * e - b * b);
+  const double onOther = clamped(b * onFirst + f, e);
+  onFirst = clamped(b * onOther - c, a);
+  return (p + onFirst * along - r - onOther * other).norm();
+}
+
+namespace {
+
+constexpr double nearAtRest = 0.01; // [m]
+
+std::size_t countOfJointsBetween(const Robot& robot, std::size_t one, std::size_t other) {
+  const std::vector<std::size_t> a = jointsTowards(robot, one), b = jointsTowards(robot, other);
+  std::vector<std::size_t> between;
+  std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(between));
+  return between.size();
+}
+
+} // namespace
+
+SelfCollision::SelfCollision(const Robot& robot, double clearance) : robot_{robot}, clearance_{clearance} {
+  Belief resting = drawnBelief(robot, Quantities{robot.joints.size(), robot.lengths.size(), 0});
+  takeToRest(robot, resting);
+  const Posture atRest = posture(robot, resting);
+  for (std::size_t one = 0; one < robot.hull.size(); ++one) {
+    for (std::size_t other = one + 1; other < robot.hull.size(); ++other) {
+      if (countOfJointsBetween(robot, robot.hull[one].link, robot.hull[other].link) > 2 &&
+          !near(one, other, atRest, nearAtRest)) {
+        pairs_.emplace_back(one, other);
+      }
+    }
+  }
+}
+
+bool SelfCollision::touches(const Posture& torsoFromLink) const {
+  return std::any_of(pairs_.begin(), pairs_.end(),
+                     [&](const auto& pair) { return near(pair.first, pair.second, torsoFromLink, clearance_); });
+}
+
+bool SelfCollision::near(std::size_t one, std::size_t other, const Posture& torsoFromLink, double gap) const {
+  const Capsule &a = robot_.hull[one], &b = robot_.hull[other];
+  const RigidTransform &ofA = torsoFromLink[a.link], &ofB = torsoFromLink[b.link];
+  return segmentDistance(ofA * a.from, ofA * a.to, ofB * b.from, ofB * b.to) < a.radius + b.radius + gap;
+}
+
+} // namespace naocal

@@ -1,0 +1,179 @@
+#include "camera/ObservationChain.hpp"
+
+#include <catch2/catch.hpp>
+#include <random>
+
+namespace naocal {
+namespace {
+
+/// A robot somewhere in its range, with everything else a little off the drawing too, and a board in front of it.
+struct Scenery {
+  Scenery(const std::string& link, unsigned seed)
+      : robot{loadRobot(configurationDirectory(), "V6")},
+        quantities{robot.joints.size(), robot.lengths.size(), 2}, belief{drawnBelief(robot, quantities)} {
+    std::mt19937 random{seed};
+    std::uniform_real_distribution<double> unit{-1, 1};
+    for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+      belief.angle(joint) = 0.4 * unit(random);
+      belief.axis(joint) += 0.02 * Eigen::Vector3d{unit(random), unit(random), unit(random)};
+    }
+    belief.mountTranslation() << 0.002, -0.003, 0.001;
+    belief.mountRotation() << 0.03, -0.02, 0.04;
+    belief.lens() << 590, 610, 321, 243, 0.05, -0.03, 0.002, -0.001, 0.01;
+    belief.ground() << 0.1, -0.05, 0.01, 0.02, -0.03, 0.2;
+    board.pattern = CharucoPattern{};
+    board.points = innerCorners(*board.pattern);
+    board.link = link;
+    BoardCorners seen{"A", {0, 3, 5, 9, 14, 18, 23}, std::vector<Eigen::Vector2d>(7, Eigen::Vector2d::Zero())};
+    corners = cornerBlocks(board, seen);
+    const bool onFloor = link == "floor";
+    view.emplace(robot, quantities, 0, *robot.linkIndex(onFloor ? "LSole" : link), onFloor, 1);
+    belief.boardScale(1) = 0.01;
+    belief.boardBow(1) = 0.004;
+    placeBefore(1.1);
+  }
+
+  /// Puts the board square before the camera, at a distance.
+  void placeBefore(double distance) {
+    belief.boardPlacement(1).setZero();
+    const Posture torsoFromLink = posture(robot, belief);
+    const Attitude attitude = view->attitude(robot, belief, torsoFromLink);
+    const RigidTransform opticalFromParent =
+        attitude.opticalFromBoard; // the board's frame is its parent's at zero placement
+    const RigidTransform wanted{rotationX(2.4) * rotationZ(0.5), {-0.2, 0.1, distance}};
+    const RigidTransform parentFromBoard = opticalFromParent.inverse() * wanted;
+    const Eigen::Matrix3d& r = parentFromBoard.rotation;
+    belief.boardPlacement(1) << parentFromBoard.translation, std::atan2(r(2, 1), r(2, 2)), -std::asin(r(2, 0)),
+        std::atan2(r(1, 0), r(0, 0));
+  }
+
+  /// All u and v of the seven corners.
+  Eigen::VectorXd predicted(const Belief& at) const {
+    ProjectedBlocks projected;
+    const Attitude attitude = view->attitude(robot, at, posture(robot, at));
+    REQUIRE(view->project(attitude, at, corners, projected));
+    Eigen::VectorXd uv(14);
+    for (Eigen::Index i = 0; i < 7; ++i) {
+      uv[2 * i] = projected[static_cast<std::size_t>(i / 4)].u[i % 4];
+      uv[2 * i + 1] = projected[static_cast<std::size_t>(i / 4)].v[i % 4];
+    }
+    return uv;
+  }
+
+  /// The analytic derivative by one quantity.
+  Eigen::VectorXd derivative(std::size_t quantity) const {
+    const Posture torsoFromLink = posture(robot, belief);
+    const Attitude attitude = view->attitude(robot, belief, torsoFromLink);
+    ProjectedBlocks projected;
+    view->project(attitude, belief, corners, projected);
+    std::vector<std::size_t> extras;
+    if (const auto extra = view->extra(quantity)) {
+      extras.push_back(*extra);
+    }
+    Eigen::MatrixXd motion(static_cast<Eigen::Index>(6 + extras.size()), 1);
+    view->motion(robot, attitude, belief, torsoFromLink, {quantity}, extras, motion);
+    Eigen::VectorXd result(14);
+    for (Eigen::Index i = 0; i < 7; ++i) {
+      const ProjectedBlock& seen = projected[static_cast<std::size_t>(i / 4)];
+      double du = 0, dv = 0;
+      for (Eigen::Index k = 0; k < 6; ++k) {
+        du += seen.rowsU[k][i % 4] * motion(k, 0);
+        dv += seen.rowsV[k][i % 4] * motion(k, 0);
+      }
+      if (!extras.empty()) {
+        Lane extraU, extraV;
+        View::extraRows(extras[0], attitude, belief, corners[static_cast<std::size_t>(i / 4)], seen, extraU, extraV);
+        du += extraU[i % 4] * motion(6, 0);
+        dv += extraV[i % 4] * motion(6, 0);
+      }
+      result[2 * i] = du;
+      result[2 * i + 1] = dv;
+    }
+    return result;
+  }
+
+  /// Central differences, extrapolated to step zero (Richardson).
+  Eigen::VectorXd differences(std::size_t quantity, double step) const {
+    const auto central = [&](double h) {
+      Belief above = belief, below = belief;
+      above.values[static_cast<Eigen::Index>(quantity)] += h;
+      below.values[static_cast<Eigen::Index>(quantity)] -= h;
+      return Eigen::VectorXd{(predicted(above) - predicted(below)) / (2 * h)};
+    };
+    return (4 * central(step / 2) - central(step)) / 3;
+  }
+
+  Robot robot;
+  Quantities quantities;
+  Belief belief;
+  Board board;
+  CornerBlocks corners;
+  std::optional<View> view;
+};
+
+} // namespace
+
+TEST_CASE("a corner's derivative by every quantity agrees with fine differences") {
+  // Proves the one analytic derivative against the one projection, for floor boards and for targets on the robot, in
+  // attitudes where nothing vanishes by accident. It says nothing of whether the projection itself is right.
+  const std::string link = GENERATE("floor", "LWrist", "RSole");
+  const unsigned seed = GENERATE(1u, 2u, 3u);
+  const Scenery scenery{link, seed};
+  std::size_t moving = 0;
+  for (std::size_t quantity = 0; quantity < scenery.quantities.size(); ++quantity) {
+    const bool focal = quantity == scenery.quantities.lens() || quantity == scenery.quantities.lens() + 1;
+    const Eigen::VectorXd numeric = scenery.differences(quantity, focal ? 1 : 2e-3);
+    const Eigen::VectorXd analytic = scenery.derivative(quantity);
+    const double largest = std::max(numeric.cwiseAbs().maxCoeff(), 1e-3);
+    INFO("quantity " << quantity << " seen from " << link);
+    CHECK((numeric - analytic).cwiseAbs().maxCoeff() <= 1e-7 * largest);
+    moving += numeric.cwiseAbs().maxCoeff() > 1e-6;
+  }
+  CHECK(moving > 40);
+}
+
+TEST_CASE("a corner behind the camera is nowhere in the picture") {
+  // Proves that impossible projections are told, not clipped.
+  Scenery scenery{"floor", 4};
+  scenery.placeBefore(-0.5);
+  ProjectedBlocks projected;
+  const Attitude attitude =
+      scenery.view->attitude(scenery.robot, scenery.belief, posture(scenery.robot, scenery.belief));
+  CHECK_FALSE(scenery.view->project(attitude, scenery.belief, scenery.corners, projected));
+}
+
+TEST_CASE("a row that is exposed later sees the joints where they are by then") {
+  // Proves value and slope of the rows' time against pictures of the moved robot, one corner after the other, for
+  // joints that move ten times as fast as at rest. Not how cameras expose.
+  Scenery scenery{"floor", 2};
+  constexpr double rowTime = 6e-5, cy = 243;
+  Eigen::VectorXd velocity(static_cast<Eigen::Index>(scenery.robot.joints.size()));
+  for (Eigen::Index joint = 0; joint < velocity.size(); ++joint) {
+    velocity[joint] = 3e-3 * std::sin(static_cast<double>(joint + 1));
+  }
+  for (CornerBlock& block : scenery.corners) {
+    block.v += 40; // measured: off the predicted row, as always
+  }
+  const Posture torsoFromLink = posture(scenery.robot, scenery.belief);
+  Attitude attitude = scenery.view->attitude(scenery.robot, scenery.belief, torsoFromLink);
+  scenery.view->setDrift(scenery.robot, scenery.belief, torsoFromLink, velocity, attitude);
+  Belief rolling = scenery.belief;
+  rolling.rowTime() = rowTime;
+  ProjectedBlocks late, still;
+  REQUIRE(scenery.view->project(attitude, rolling, scenery.corners, late));
+  REQUIRE(scenery.view->project(attitude, scenery.belief, scenery.corners, still));
+  for (Eigen::Index i = 0; i < 7; ++i) {
+    const auto block = static_cast<std::size_t>(i / 4);
+    Belief moved = scenery.belief;
+    moved.values.head(velocity.size()) += velocity * rowTime * (scenery.corners[block].v[i % 4] - cy);
+    const Eigen::VectorXd expected = scenery.predicted(moved);
+    CHECK(late[block].u[i % 4] == Approx(expected[2 * i]).epsilon(0).margin(1e-5));
+    CHECK(late[block].v[i % 4] == Approx(expected[2 * i + 1]).epsilon(0).margin(1e-5));
+    CHECK(std::abs(late[block].u[i % 4] - still[block].u[i % 4]) > 1e-3);
+    Lane du, dv;
+    View::extraRows(rowTimeExtra, attitude, scenery.belief, scenery.corners[block], still[block], du, dv);
+    CHECK(still[block].u[i % 4] + rowTime * du[i % 4] == Approx(expected[2 * i]).epsilon(0).margin(1e-4));
+  }
+}
+
+} // namespace naocal

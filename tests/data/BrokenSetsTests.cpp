@@ -1,0 +1,79 @@
+#include "Breaks.hpp"
+#include "GoodSet.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "data/Refusal.hpp"
+#include "io/InputError.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+namespace naocal {
+namespace {
+
+using nlohmann::json;
+
+json broken(const Break& how) {
+  json document = goodSet();
+  const json::json_pointer place{how.place};
+  if (how.value.empty()) {
+    document.at(place.parent_pointer()).erase(place.back());
+  } else {
+    std::string value = how.value;
+    std::replace(value.begin(), value.end(), '\'', '"');
+    document[place] = json::parse(value);
+  }
+  return document;
+}
+
+} // namespace
+
+TEST_CASE("every broken set is refused with a sentence that says where, what was expected and what was found") {
+  // Proves it for one break at a time. That no other break is accepted cannot be proved by examples.
+  for (const Break& how : breaks()) {
+    const std::string sentence = refusal(broken(how).dump());
+    INFO(how.place << " = " << how.value << "\n" << sentence);
+    CHECK(sentence.starts_with("some/captures.json: "));
+    CHECK(sentence.find("expected ") != std::string::npos);
+    CHECK(sentence.find("found ") != std::string::npos);
+    CHECK(sentence.find('\n') == std::string::npos);
+    for (const std::string& part : how.sentence) {
+      CHECK_THAT(sentence, Catch::Contains(part));
+    }
+  }
+}
+
+TEST_CASE("a capture that cannot be used can be left out; a broken set cannot") {
+  // Proves that skipping leaves out exactly the broken capture, with the sentence that would have refused it.
+  for (const Break& how : breaks()) {
+    const std::string text = broken(how).dump();
+    INFO(how.place << " = " << how.value);
+    if (how.what == Breaks::file) {
+      CHECK_THROWS_AS(parseCaptureSet(text, "some/captures.json", BadCaptures::skip), InputError);
+      continue;
+    }
+    const auto read = parseCaptureSet(text, "some/captures.json", BadCaptures::skip);
+    CHECK(read.skipped == std::vector{refusal(text)});
+    CHECK(read.set.captures.size() == goodSet()["captures"].size() - 1);
+  }
+}
+
+TEST_CASE("boards of one dictionary share no marker") {
+  // Proves it at the border: 17 markers from 0 on leave 17 free, but not 16.
+  json document = goodSet();
+  document["boards"][1]["dictionary"] = "DICT_4X4_100";
+  document["boards"][1]["firstMarkerId"] = 17;
+  CHECK(refusal(document.dump()) == "not refused");
+  document["boards"][1]["firstMarkerId"] = 16;
+  CHECK_THAT(refusal(document.dump()), Catch::Contains("boards[1]") && Catch::Contains("also on board \"A\""));
+}
+
+TEST_CASE("both hip yaw pitch angles may differ by the rounding of a log") {
+  // Proves that the two names of the one motor need not agree to the last digit; the table has the refusal.
+  json document = goodSet();
+  document["captures"][0]["joints"]["measured"] = {0, 0, 0.3, 0.3015};
+  CHECK(refusal(document.dump()) == "not refused");
+}
+
+} // namespace naocal

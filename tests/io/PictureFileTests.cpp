@@ -1,0 +1,121 @@
+#include "io/GreyImage.hpp"
+
+#include "../TemporaryFolder.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+using namespace naocal;
+
+namespace {
+
+/// A slope with a disc in it: neither flat nor the same in any two rows.
+GreyPicture drawing(int width, int height) {
+  GreyPicture picture{width, height, {}};
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const bool disc = std::hypot(x - width / 2., y - height / 2.) < width / 4.;
+      picture.pixels.push_back(static_cast<std::uint8_t>(disc ? 200 - y : 2 * x + y));
+    }
+  }
+  return picture;
+}
+
+cv::Mat image(const GreyPicture& picture) {
+  return cv::Mat{picture.height, picture.width, CV_8UC1, const_cast<std::uint8_t*>(picture.pixels.data())}.clone();
+}
+
+std::string encoded(const char* ending, const cv::Mat& picture) {
+  std::vector<std::uint8_t> bytes;
+  REQUIRE(cv::imencode(ending, picture, bytes));
+  return {bytes.begin(), bytes.end()};
+}
+
+int largestDifference(const GreyPicture& one, const cv::Mat& other) {
+  REQUIRE(one.width == other.cols);
+  REQUIRE(one.height == other.rows);
+  return static_cast<int>(cv::norm(image(one), other, cv::NORM_INF));
+}
+
+} // namespace
+
+TEST_CASE("a PNG keeps every grey level, and others read the same in it") {
+  // Proves writing against OpenCV's reader and reading against OpenCV's writer, odd sizes too.
+  for (const auto& [width, height] : {std::pair{1, 1}, {7, 3}, {64, 48}, {101, 33}}) {
+    const GreyPicture picture = drawing(width, height);
+    const std::string content = png(picture);
+    CHECK(decodedPicture(content, "it").pixels == picture.pixels);
+    const cv::Mat bytes(1, static_cast<int>(content.size()), CV_8U, const_cast<char*>(content.data()));
+    CHECK(largestDifference(picture, cv::imdecode(bytes, cv::IMREAD_UNCHANGED)) == 0);
+    CHECK(largestDifference(decodedPicture(encoded(".png", image(picture)), "it"), image(picture)) == 0);
+  }
+}
+
+TEST_CASE("colours become their luma, more bits the nearest of eight") {
+  // Proves it against OpenCV's conversion of the same colours.
+  const GreyPicture picture = drawing(40, 30);
+  cv::Mat colours, grey, deep;
+  cv::applyColorMap(image(picture), colours, cv::COLORMAP_JET);
+  cv::cvtColor(colours, grey, cv::COLOR_BGR2GRAY);
+  CHECK(largestDifference(decodedPicture(encoded(".png", colours), "it"), grey) <= 1);
+  CHECK(largestDifference(decodedPicture(encoded(".jpg", colours), "it"), grey) < 40); // JPEG thins colours out
+  image(picture).convertTo(deep, CV_16U, 257);
+  CHECK(largestDifference(decodedPicture(encoded(".png", deep), "it"), image(picture)) <= 1);
+}
+
+TEST_CASE("a JPEG stays near the picture, grey or coloured") {
+  // Proves both kinds by OpenCV's reader.
+  const GreyPicture picture = drawing(64, 48);
+  const std::string grey = jpeg(picture.pixels, 64, 48, 95);
+  CHECK(largestDifference(decodedPicture(grey, "it"), image(picture)) < 40);
+  std::vector<std::uint8_t> red;
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    red.insert(red.end(), {200, 30, 10});
+  }
+  const std::string coloured = jpeg(red, 64, 48, 75);
+  const cv::Mat bytes(1, static_cast<int>(coloured.size()), CV_8U, const_cast<char*>(coloured.data()));
+  const cv::Scalar mean = cv::mean(cv::imdecode(bytes, cv::IMREAD_COLOR)); // blue, green, red
+  CHECK(mean[0] == Approx(10).margin(3));
+  CHECK(mean[1] == Approx(30).margin(3));
+  CHECK(mean[2] == Approx(200).margin(3));
+}
+
+TEST_CASE("what is no whole picture is refused by name") {
+  // Proves that a file cut off anywhere, garbage and a size that no memory holds are refused, and never half read.
+  const GreyPicture picture = drawing(32, 24);
+  const auto refused = [](const std::string& content) {
+    CHECK_THROWS_WITH(decodedPicture(content, "images/7.png"),
+                      Catch::StartsWith("images/7.png: expected a whole picture"));
+  };
+  const std::string whole = png(picture), photograph = jpeg(picture.pixels, 32, 24, 90);
+  for (std::size_t length = 0; length < whole.size() - 12; ++length) { // the last chunk says nothing but "end"
+    refused(whole.substr(0, length));
+  }
+  for (std::size_t length = 0; length + 2 < photograph.size(); ++length) {
+    refused(photograph.substr(0, length));
+  }
+  refused("GIF89a and more");
+  std::string broken = whole;
+  broken[broken.size() / 2] ^= 0x55;
+  refused(broken);
+  std::string huge = whole;
+  huge[16] = '\x7f'; // two thousand million columns
+  refused(huge);
+}
+
+TEST_CASE("a picture is written as its file's name says, or not at all") {
+  // Proves both endings, and the sentence for any other.
+  const TemporaryFolder folder;
+  const GreyPicture picture = drawing(32, 24);
+  writePicture(picture, folder.path() / "it.png");
+  CHECK(readPicture(folder.path() / "it.png").pixels == picture.pixels);
+  writePicture(picture, folder.path() / "it.jpg");
+  CHECK(fileContent(folder.path() / "it.jpg").starts_with("\xff\xd8"));
+  CHECK_THROWS_WITH(writePicture(picture, folder.path() / "it.gif"), Catch::Contains("found '.gif'"));
+  CHECK_THROWS_WITH(readPicture(folder.path() / "no.png"), Catch::Contains("there is no such file"));
+}

@@ -1,0 +1,33 @@
+#include "io/Units.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace naocal;
+
+TEST_CASE("units are read and written as products of powers") {
+  // Proves both ways, and what is no unit.
+  for (const std::string text : {"1", "rad", "rad/Nm^2", "s/row", "1/rad", "rad/Nm^0.5", "m*rad/s^2", "1/Nm/s"}) {
+    const auto unit = unitOf(text);
+    REQUIRE(unit);
+    CHECK(textOf(*unit) == text);
+  }
+  CHECK(*unitOf("rad*rad/rad") == Unit{{"rad", 1}});
+  CHECK(*unitOf("rad/rad") == Unit{});
+  CHECK(*unitOf("1/s^2") == Unit{{"s", -2}});
+  for (const char* text :
+       {"", "deg", "rad/", "/s", "rad s", "rad//s", "rads", "2*rad", "rad^", "rad^-1", "radrad", "mrad"}) {
+    CAPTURE(text);
+    CHECK_FALSE(unitOf(text));
+  }
+}
+
+TEST_CASE("an angle over what it multiplies has the unit of their quotient") {
+  // Proves the units of coefficients of expressions: of a root, of a speed, of an angle, of a temperature's torque.
+  const Unit angle{{"rad", 1}};
+  const auto over = [&](const Unit& other) { return textOf(product(angle, other, -1)); };
+  CHECK(over(product({}, *unitOf("Nm"), 0.5)) == "rad/Nm^0.5");
+  CHECK(over(*unitOf("rad/s")) == "s");
+  CHECK(over(product(angle, angle)) == "1/rad");
+  CHECK(over(angle) == "1");
+  CHECK(over(product(*unitOf("K"), {{"Nm", 1}})) == "rad/K/Nm");
+}

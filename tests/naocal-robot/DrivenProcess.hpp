@@ -1,0 +1,127 @@
+#pragma once
+
+#include "MateClient.hpp"
+#include "TemporaryFolder.hpp"
+#include "io/Files.hpp"
+#include "robot/Robot.hpp"
+
+#include "Hardware.hpp"
+#include "RobotProcess.hpp"
+
+#include <future>
+#include <mutex>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+/// The process as it is shipped, with a configuration, learned state and recordings of its own, driven through its
+/// sockets.
+struct DrivenProcess {
+  using Json = nlohmann::json;
+
+  /// `now`: of the robot's own time.
+  void begin(RobotInterface& robot, CameraInterface& cameras, const Robot& drawing, std::function<TimePoint()> now,
+             bool realTime = false) {
+    std::filesystem::copy(std::filesystem::path{NAOCAL_SOURCE_DIR} / "home/configuration",
+                          folder.path() / "configuration", std::filesystem::copy_options::recursive);
+    SocketSettings sockets;
+    sockets.debugPort = sockets.configPort = 0;
+    robotNow = std::move(now);
+    RobotProcessOptions options{folder.path() / "configuration", folder.path() / "recordings", "simulated", sockets,
+                                realTime};
+    options.state = folder.path() / "state";
+    process.emplace(robot, cameras, drawing, robot.waitForIdentity(std::chrono::seconds{5}).value(), options,
+                    [this](std::string_view line) { log += std::string{line} + "\n"; });
+  }
+
+  /// Starts a calibration over the sockets, answers its questions, and waits for its end; the last state that it told,
+  /// and `robotSeconds`: how long the robot moved, settled and took pictures in its own time. How long it computed
+  /// meanwhile says nothing where time runs as fast as the program.
+  /// `see`: every state on the way.
+  Json calibrated(const std::string& kind, const std::function<void(const Json&)>& see = {}) {
+    auto debug = MateClient::debug(process->sockets().debugPort());
+    auto config = MateClient::config(process->sockets().configPort());
+    const auto set = [&](const char* key, const Json& value) {
+      config.send(0, Json::array({{{"mp", "Brain.CalibrationRunner"}, {"key", key}, {"value", value}}}).dump());
+    };
+    debug.send(0, "Brain.calibration");
+    debug.send(3);
+    debug.receive(4);
+    process->start([](std::string_view) {});
+    set("run", ""); // only a change counts
+    set("run", kind);
+    Json state = {{"phase", "idle"}};
+    int answered = 0;
+    TimePoint last = robotNow();
+    double moving = 0; // [s]
+    bool begun = false;
+    while (!begun || (state["phase"] != "finished" && state["phase"] != "failed")) {
+      const auto update = debug.receive(2);
+      if (!update) {
+        return {{"phase", "the robot fell silent"}};
+      }
+      state = Json::parse(update->body).at(0)["value"];
+      begun = begun || state != told; // else it still tells how the one before has ended
+      const TimePoint now = robotNow();
+      if (state["phase"] == "moving" || state["phase"] == "collecting" || state["phase"] == "going home") {
+        moving += seconds(now - last);
+      }
+      last = now;
+      state["robotSeconds"] = moving;
+      if (state["phase"] == "waiting" && state["questionNumber"] != answered) {
+        answered = state["questionNumber"];
+        set("confirmed", answered);
+      }
+      if (see) {
+        see(state);
+      }
+    }
+    process->stop();
+    told = state;
+    told.erase("robotSeconds");
+    return state;
+  }
+  bool isSaved(const std::string& file) const {
+    return std::filesystem::exists(folder.path() / "state/location" / file);
+  }
+  Json saved(const std::string& file) const {
+    return Json::parse(fileContent(folder.path() / "state/location" / file));
+  }
+  /// Of the last calibration's first round.
+  std::filesystem::path recording() const {
+    std::filesystem::path newest;
+    for (const auto& entry : std::filesystem::directory_iterator{folder.path() / "recordings"}) {
+      newest = std::max(newest, entry.path());
+    }
+    return newest / "first";
+  }
+
+  /// Replays a calibration's first round with its own configuration; what is said at the end.
+  static std::string replayed(const std::filesystem::path& recording, const std::filesystem::path& folder) {
+    const Hardware hardware = replayedHardware(recording / "first", recording / "configuration");
+    SocketSettings sockets;
+    sockets.debugPort = sockets.configPort = 0;
+    RobotProcess process{
+        *hardware.robot,
+        *hardware.cameras,
+        hardware.drawing,
+        hardware.robot->waitForIdentity(std::chrono::seconds{1}).value(),
+        RobotProcessOptions{recording / "configuration", folder, "simulated", sockets, false, hardware.replay.get()},
+        [](std::string_view) {}};
+    std::promise<std::string> over;
+    std::once_flag once;
+    process.start(
+        [&](std::string_view sentence) { std::call_once(once, [&] { over.set_value(std::string{sentence}); }); });
+    const std::string failure = over.get_future().get();
+    process.stop();
+    return failure.empty() ? process.replayed()->compared(recording / "first" / "result.json") : failure;
+  }
+
+  TemporaryFolder folder;
+  std::function<TimePoint()> robotNow;
+  Json told;       // at the end of the last calibration
+  std::string log; // to be read when the process has ended
+  std::optional<RobotProcess> process;
+};
+
+} // namespace naocal

@@ -1,0 +1,109 @@
+#pragma once
+
+#include "SimulatedProcess.hpp"
+
+#include "calibrate/ResultFile.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "math/Angles.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "synthetic/SyntheticBody.hpp"
+#include "synthetic/SyntheticRobot.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace naocal {
+
+/// What a calibration of legs should have found, told by the simulated robot's mechanics, which share nothing with the
+/// program's own.
+class LegCalibrationTruth {
+public:
+  LegCalibrationTruth(const Robot& drawing, const SimulatedErrors& errors, const ServoMechanics& servos)
+      : drawing_{drawing}, errors_{errors}, servos_{servos}, robot_{drawing, errors.robot, Mechanics{}} {}
+
+  /// What a joint's encoder shows too much when its gear stands where the load pushes it: o - D/2 sgn(tau). Where the
+  /// load is less than the gear's friction the joint trails behind its motor; of several captures the mean.
+  double shownTooMuch(std::size_t joint, const CaptureSet& set) const {
+    double sum = 0;
+    int count = 0;
+    for (const Capture& capture : set.captures) {
+      if (movesInSight(joint, capture.supportFoot)) {
+        sum += errors_.robot.jointOffsets[at(joint)] -
+               gaps(capture.supportFoot, motors(set, capture), &capture.joints.approach)[at(joint)];
+        ++count;
+      }
+    }
+    return sum / count;
+  }
+
+  /// How far off a point of the floor 2 m ahead of a foot is perceived by the top camera when the robot stands on that
+  /// foot with its knees bent and its head straight, with a calibration's offsets and mounts [m].
+  double floorError(SupportFoot foot, const StoredResult& calibration) const {
+    Eigen::VectorXd motor = Eigen::VectorXd::Zero(at(drawing_.joints.size()));
+    for (const char* side : {"L", "R"}) {
+      for (const auto& [name, angle] :
+           {std::pair{"HipPitch", -25.0}, std::pair{"KneePitch", 50.0}, std::pair{"AnklePitch", -25.0}}) {
+        motor[at(*drawing_.jointIndex(side + std::string{name}))] = radians(angle);
+      }
+    }
+    const std::size_t top = *drawing_.cameraIndex("top");
+    const auto value = [&](const std::string& name) {
+      const auto known = calibration.values.find(name);
+      return known == calibration.values.end() ? 0 : known->second;
+    };
+    const Eigen::VectorXd really = motor + gaps(foot, motor, nullptr);
+    Eigen::VectorXd believed = motor + errors_.robot.jointOffsets;
+    for (std::size_t joint = 0; joint < drawing_.joints.size(); ++joint) {
+      const std::string& name = drawing_.joints[drawing_.joints[joint].motor].name;
+      believed[at(joint)] -= value("jointOffset@" + name + ".o");
+    }
+    RobotErrors found = errors_.robot;
+    for (int axis = 0; axis < 3; ++axis) {
+      found.mounts[top].rotation[axis] = value(std::string{"cameraRotation@top.r"} + "xyz"[axis]);
+    }
+    const SyntheticRobot perceived{drawing_, found, Mechanics{}};
+    const Eigen::Vector3d point{2, 0, 0};
+    const Eigen::Vector3d seen =
+        robot_.torsoFromCamera(top, really).inverse() * (robot_.soleFromTorso(really, foot).inverse() * point);
+    const Eigen::Isometry3d soleFromCamera =
+        perceived.soleFromTorso(believed, foot) * perceived.torsoFromCamera(top, believed);
+    const Eigen::Vector3d eye = soleFromCamera.translation(), ray = soleFromCamera.linear() * seen;
+    return ray.z() < 0 ? (eye - eye.z() / ray.z() * ray - point).norm() : std::numeric_limits<double>::infinity();
+  }
+
+private:
+  /// Whether it lies between the sole and a camera.
+  bool movesInSight(std::size_t joint, SupportFoot foot) const {
+    const std::string& name = drawing_.joints[joint].name;
+    return name.starts_with("Head") || name.find("HipYawPitch") != std::string::npos ||
+           name.starts_with(foot == SupportFoot::left ? "L" : "R");
+  }
+  Eigen::VectorXd motors(const CaptureSet& set, const Capture& capture) const {
+    Eigen::VectorXd motor{at(drawing_.joints.size())};
+    for (std::size_t i = 0; i < set.jointNames.size(); ++i) {
+      if (const auto joint = drawing_.jointIndex(set.jointNames[i])) {
+        motor[at(*joint)] = capture.joints.measured[i] - errors_.robot.jointOffsets[at(*joint)];
+      }
+    }
+    return motor;
+  }
+  /// `approach`: by hardware's joint; nullptr: gears without load stand in their middle.
+  Eigen::VectorXd gaps(SupportFoot foot, const Eigen::VectorXd& motor, const std::vector<double>* approach) const {
+    const Eigen::VectorXd torques = robot_.gravityTorques(motor, foot);
+    Eigen::VectorXd result{motor.size()};
+    for (std::size_t joint = 0; joint < drawing_.joints.size(); ++joint) {
+      const double torque = torques[at(joint)], half = errors_.play[joint] / 2;
+      const double trailing =
+          approach && !approach->empty() ? -half * approach->at(*jointNumber(drawing_.joints[joint].name)) : 0;
+      result[at(joint)] = std::abs(torque) > servos_.gearFriction ? std::copysign(half, torque) : trailing;
+    }
+    return result;
+  }
+
+  const Robot& drawing_;
+  const SimulatedErrors& errors_;
+  ServoMechanics servos_;
+  SyntheticRobot robot_;
+};
+
+} // namespace naocal

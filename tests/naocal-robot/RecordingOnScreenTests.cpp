@@ -1,0 +1,46 @@
+#include "SimulatedProcess.hpp"
+
+#include "Laboratory.hpp"
+#include "OpenedSets.hpp"
+#include "math/Angles.hpp"
+
+#include <catch2/catch.hpp>
+#include <map>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+TEST_CASE("the panel says of a robot's recording what the robot said") {
+  // Proves it of a leg's calibration, whose recording has two rounds, one to solve and one to check: opened alone it
+  // shows the round that was solved, with the model of the robot, and verdict, sentence and numbers of its files.
+  SimulatedProcess simulated{SimulatedProcess::plan(1, radians(5), radians(0.5))};
+  const nlohmann::json state = simulated.calibrated("left leg");
+  INFO(state.dump());
+  REQUIRE(state["phase"] == "finished");
+  const std::filesystem::path first = simulated.recording();
+  const nlohmann::json result = nlohmann::json::parse(fileContent(first / "result.json")),
+                       diagnosis = nlohmann::json::parse(fileContent(first / "diagnosis.json"));
+
+  std::map<std::string, nlohmann::json> panel;
+  Laboratory laboratory{openSets({first.parent_path().string()}),
+                        [&](const std::string& kind, const nlohmann::json& content) { panel[kind] = content; }};
+  laboratory.fit();
+  laboratory.question();
+  REQUIRE(panel.contains("fit"));
+  REQUIRE(panel.contains("questions"));
+  const nlohmann::json &fit = panel["fit"], &questions = panel["questions"];
+  INFO(fit.dump().substr(0, 600));
+  INFO(questions.dump().substr(0, 1500));
+  CHECK(fit["verdict"] == result["verdict"]);
+  CHECK(fit["rms"].get<double>() == Approx(result["rmsPx"].get<double>()));
+  CHECK(fit["pValue"] == result["pValue"]);
+  CHECK(result["sentence"].get<std::string>().starts_with(
+      fit["headline"].get<std::string>().substr(0, fit["headline"].get<std::string>().size() - 1)));
+  if (diagnosis["suggested"].empty()) {
+    CHECK(questions["verdict"] == diagnosis["verdict"]);
+  } else {
+    CHECK(questions["candidates"][0]["label"] == diagnosis["suggested"][0]);
+  }
+}
+
+} // namespace naocal

@@ -1,0 +1,182 @@
+#include "LegCalibrationTruth.hpp"
+
+#include "brain/SavedCalibration.hpp"
+#include "math/Angles.hpp"
+
+#include <catch2/catch.hpp>
+#include <future>
+#include <map>
+#include <mutex>
+#include <set>
+
+namespace naocal {
+
+using nlohmann::json;
+
+namespace {
+
+/// The state of a calibration that a client has subscribed to, once it is in this phase; one that ends before it fails
+/// the test.
+json until(MateClient& debug, const std::string& phase) {
+  json state = {{"phase", ""}};
+  while (state["phase"] != phase) {
+    REQUIRE(state["phase"] != "failed");
+    REQUIRE(state["phase"] != "finished");
+    state = json::parse(debug.receive(2).value().body).at(0)["value"];
+  }
+  return state;
+}
+
+/// All files and folders below one, and what the files hold.
+std::map<std::string, std::string> contents(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> all;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator{folder}) {
+    all[entry.path().string()] = entry.is_directory() ? "" : fileContent(entry.path());
+  }
+  return all;
+}
+
+} // namespace
+
+TEST_CASE("both threads are wired with the shipped configuration") {
+  // Proves that every dependency has its producer and every parameter its value, and that all keys are served.
+  SimulatedProcess simulated{SimulatedProcess::plan(1, 0)};
+  auto debug = MateClient::debug(simulated.process->sockets().debugPort());
+  debug.send(3);
+  const json list = debug.receiveJson(4);
+  std::set<std::string> keys;
+  for (const json& entry : list["keys"]) {
+    keys.insert(entry["key"].get<std::string>());
+  }
+  for (const char* key : {"Motion.JointCalibrationData", "Motion.angles", "Motion.player", "Motion.measuredCycleTime",
+                          "Brain.CameraCalibration.top_image", "Brain.CameraCalibration.bottom_image", "Brain.cameras",
+                          "Brain.calibration", "Brain.measuredCycleTime"}) {
+    CHECK(keys.contains(key));
+  }
+}
+
+TEST_CASE("a simulated robot calibrates neck and cameras, driven only through the sockets") {
+  // Proves the whole way: started by a SET, poses played, pictures paired and searched, solved, saved into the robot's
+  // own files, and checked with pictures that were not used; asked once more, it keeps what it had. What was shipped is
+  // only read. Its legs are nearly calibrated (within a degree).
+  SimulatedProcess simulated{SimulatedProcess::plan(1, radians(1))};
+  const auto shipped = contents(simulated.folder.path() / "configuration");
+  const json state = simulated.calibrated("head");
+  INFO(state.dump());
+  REQUIRE(state["phase"] == "finished");
+  CHECK(state["errorAfter"] < 0.3 * state["errorBefore"].get<double>());
+  const json offsets = simulated.saved("default/body/synthetic-1/JointCalibrationProvider.json");
+  CHECK(offsets.size() == 1); // where the head is turned to, no one can tell on two feet
+  CHECK(offsets.contains("headPitch"));
+  const json mounts = simulated.saved("simulated/head/synthetic-1/Projection.json");
+  CHECK(mounts.size() == 2);
+  const json again = simulated.calibrated("head");
+  CHECK(again["phase"] == "finished");
+  CHECK(again["sentence"].get<std::string>().find("The robot was well calibrated already") == 0);
+  CHECK(simulated.saved("simulated/head/synthetic-1/Projection.json") == mounts);
+  CHECK(contents(simulated.folder.path() / "configuration") == shipped);
+}
+
+TEST_CASE("a calibration of neck and cameras that does not help is taken back") {
+  // Proves it for a robot whose legs are off by up to five degrees: nothing is saved, and offsets are as before; where
+  // somebody saved them before they were checked, what was before is saved again.
+  const bool saves = GENERATE(false, true);
+  SimulatedProcess simulated{SimulatedProcess::plan(4, radians(5))};
+  bool saved = false;
+  const json state = simulated.calibrated("head", [&](const json& now) {
+    if (saves && !saved && now["captures"] > 26) { // in the second round
+      simulated.process->configuration().save();
+      saved = true;
+    }
+  });
+  INFO(state.dump());
+  REQUIRE(state["phase"] == "failed");
+  CHECK(state["sentence"].get<std::string>().find("so the calibration was taken back") != std::string::npos);
+  const char* file = "default/body/synthetic-4/JointCalibrationProvider.json";
+  CHECK(simulated.isSaved(file) == saves);
+  CHECK((!saves || simulated.saved(file)["headPitch"] == 0.0));
+  json offsets;
+  simulated.process->configuration().keys("Motion.JointCalibrationProvider", offsets);
+  CHECK(offsets["headPitch"] == 0.0);
+}
+
+TEST_CASE("a simulated robot calibrates a leg on one foot, and what was saved can be undone") {
+  // Proves the whole way for a robot with offsets to 5 degrees, mounts to 2 and play to half a degree in its gears:
+  // the person is asked before it steps onto the foot, pictures are taken from both sides of each pose, and a point of
+  // the floor 2 m ahead is perceived within 2 cm afterwards, by mechanics of the simulation's own. Replaying the
+  // recording gives the same estimates to the last bit.
+  SimulatedProcess simulated{SimulatedProcess::plan(1, radians(5), radians(0.5))};
+  std::set<std::string> questions;
+  const json state = simulated.calibrated("left leg", [&](const json& now) { questions.insert(now["question"]); });
+  INFO(state.dump());
+  REQUIRE(state["phase"] == "finished");
+  CHECK(questions.size() == 4); // none; to hold it, let it go, hold it
+  CHECK(questions.contains("The robot is going to stand on its left foot and may fall: take it by its trunk, and "
+                           "confirm. Hold it as long as its eyes are yellow."));
+  CHECK(state["errorAfter"] < 0.3 * state["errorBefore"].get<double>());
+  CHECK(state["robotSeconds"] < 240);
+  const LegCalibrationTruth truth{simulated.drawing, simulated.world.errors(), ServoMechanics{}};
+  CHECK(truth.floorError(SupportFoot::left, {}) > 0.05);
+  CHECK(truth.floorError(SupportFoot::left, configured(simulated.process->configuration())) < 0.02);
+  std::map<std::string, std::set<double>> sides; // of the knee, by pose
+  for (const Capture& capture : readCaptureSet(simulated.recording()).set.captures) {
+    sides[capture.pose].insert(capture.joints.approach.at(*jointNumber("LKneePitch")));
+  }
+  CHECK(sides.size() == 8);
+  for (const auto& [pose, both] : sides) {
+    CHECK(both == std::set<double>{-1, 1});
+  }
+  const std::string body = "default/body/synthetic-1/JointCalibrationProvider.json";
+  CHECK(simulated.saved(body)["lHipYawPitch"] == simulated.saved(body)["rHipYawPitch"]);
+  CHECK(simulated.calibrated("undo")["phase"] == "finished");
+  CHECK(simulated.saved(body).empty());
+
+  const std::filesystem::path recording = simulated.recording().parent_path();
+  CHECK(std::filesystem::exists(recording / "configuration/location/default/sdk.json"));
+  CHECK(DrivenProcess::replayed(recording, simulated.folder.path() / "again")
+            .find("estimates are the recorded ones, bit for bit.") != std::string::npos);
+}
+
+TEST_CASE("a question that is not answered keeps the robot on both feet, and any other run ends it") {
+  // Proves that nothing moves before a person agrees; an old answer does not count.
+  SimulatedProcess simulated{SimulatedProcess::plan(1, 0)};
+  auto config = MateClient::config(simulated.process->sockets().configPort());
+  auto debug = MateClient::debug(simulated.process->sockets().debugPort());
+  const auto set = [&](const char* key, const json& value) {
+    config.send(0, json::array({{{"mp", "Brain.CalibrationRunner"}, {"key", key}, {"value", value}}}).dump());
+  };
+  debug.send(0, "Brain.calibration");
+  simulated.process->start([](std::string_view) {});
+  set("run", "right leg");
+  const json waiting = until(debug, "waiting");
+  CHECK(waiting["questionNumber"] == 1);
+  set("confirmed", 7);
+  const TimePoint asked = simulated.world.truth().time;
+  while (simulated.world.truth().time < asked + std::chrono::seconds{5}) {
+    std::this_thread::sleep_for(std::chrono::milliseconds{10});
+  }
+  CHECK(simulated.world.truth().supportFoot == SupportFoot::both);
+  set("run", "");
+  CHECK(until(debug, "failed")["question"] == "");
+  simulated.process->stop();
+}
+
+TEST_CASE("a calibration ends when the client that started it is gone") {
+  // Proves it from the will that a client leaves to the robot's way back to its stand.
+  SimulatedProcess simulated{SimulatedProcess::plan(1, 0)};
+  std::optional<MateClient> config{MateClient::config(simulated.process->sockets().configPort())};
+  auto debug = MateClient::debug(simulated.process->sockets().debugPort());
+  const auto setting = [](const char* mount, const char* key, const json& value) {
+    return json::array({{{"mp", mount}, {"key", key}, {"value", value}}});
+  };
+  debug.send(0, "Brain.calibration");
+  simulated.process->start([](std::string_view) {});
+  config->send(0, setting("naocal.configuration", "lastWill", setting("Brain.CalibrationRunner", "run", "")).dump());
+  config->send(0, setting("Brain.CalibrationRunner", "run", "head").dump());
+  until(debug, "collecting");
+  config.reset();
+  CHECK(until(debug, "failed")["sentence"].get<std::string>().find("The calibration was ended") == 0);
+  simulated.process->stop();
+}
+
+} // namespace naocal

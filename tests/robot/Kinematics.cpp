@@ -1,0 +1,100 @@
+#include "robot/Kinematics.hpp"
+#include "RobotV6.hpp"
+#include "io/Files.hpp"
+#include "math/Angles.hpp"
+
+#include "TemporaryFolder.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace naocal;
+
+namespace {
+
+/// The robot's posture with all angles zero but the given ones [degrees].
+Posture postureAt(const Robot& robot, const std::vector<std::pair<std::string, double>>& angles) {
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.joints.size()));
+  for (const auto& [joint, angle] : angles) {
+    all[static_cast<Eigen::Index>(*robot.jointIndex(joint))] = radians(angle);
+  }
+  return posture(robot, all);
+}
+
+void checkPoint(const Eigen::Vector3d& found, const Eigen::Vector3d& expected) {
+  CAPTURE(found.transpose(), expected.transpose());
+  CHECK((found - expected).norm() < 1e-12);
+}
+
+} // namespace
+
+TEST_CASE("the zero pose has the heights of the drawing's sums") {
+  // Proves lengths and signs of the straight robot. Origin of the numbers: 85 + 100 + 102.9 + 45.19 = 333.09 mm from
+  // torso to sole; + 126.5 + 63.64 = 523.23 mm to the top camera; arms level, forward.
+  const Robot robot = v6();
+  const Posture torsoFromLink = postureAt(robot, {});
+  for (const RigidTransform& link : torsoFromLink) {
+    CHECK(link.rotation == Eigen::Matrix3d::Identity());
+  }
+  checkPoint(torsoFromLink[*robot.linkIndex("LSole")].translation, {0, 0.05, -0.33309});
+  checkPoint(torsoFromLink[*robot.linkIndex("RSole")].translation, {0, -0.05, -0.33309});
+  checkPoint(torsoFromLink[*robot.linkIndex("LWrist")].translation, {0.16095, 0.113, 0.1});
+  checkPoint(torsoFromLink[*robot.linkIndex("RWrist")].translation, {0.16095, -0.113, 0.1});
+  const CameraMount& top = robot.cameras[*robot.cameraIndex("top")];
+  checkPoint(torsoFromLink[top.link] * top.translation - torsoFromLink[*robot.linkIndex("LSole")].translation,
+             {0.05871, -0.05, 0.52323});
+}
+
+TEST_CASE("a right angle at one joint puts the links beyond it where geometry says") {
+  // Proves axis and sign of every kind of joint of the drawing, each by a case that can be followed on a sheet of paper
+  // (right-handed about axes x forward, y left, z up; positive pitch turns x down, that is bends forward).
+  const Robot robot = v6();
+  const auto origin = [&](const char* link, const std::vector<std::pair<std::string, double>>& angles) {
+    return postureAt(robot, angles)[*robot.linkIndex(link)].translation;
+  };
+  checkPoint(origin("LWrist", {{"LShoulderPitch", 90}}), {0, 0.113, 0.1 - 0.16095});
+  checkPoint(origin("RWrist", {{"RShoulderPitch", 90}}), {0, -0.113, 0.1 - 0.16095});
+  checkPoint(origin("LWrist", {{"LShoulderRoll", 90}}), {-0.015, 0.098 + 0.16095, 0.1});
+  checkPoint(origin("LWrist", {{"LElbowRoll", -90}}), {0.105, 0.113 - 0.05595, 0.1});
+  checkPoint(origin("LWrist", {{"LElbowYaw", 90}, {"LElbowRoll", -90}}), {0.105, 0.113, 0.1 - 0.05595});
+  checkPoint(origin("LSole", {{"LKneePitch", 90}}), {-0.14809, 0.05, -0.185});
+  checkPoint(origin("LSole", {{"LHipPitch", -90}}), {0.24809, 0.05, -0.085});
+  checkPoint(origin("LSole", {{"LAnklePitch", 90}}), {-0.04519, 0.05, -0.2879});
+  checkPoint(origin("LSole", {{"LHipRoll", 90}}), {0, 0.05 + 0.24809, -0.085});
+  checkPoint(origin("RSole", {{"RHipRoll", -90}}), {0, -0.05 - 0.24809, -0.085});
+  checkPoint(origin("RSole", {{"RAnkleRoll", -90}}), {0, -0.05 - 0.04519, -0.2879});
+  // A half turn about (0, 1, -1)/sqrt2 maps -z to y; about (0, 1, 1)/sqrt2 it maps -z to -y.
+  checkPoint(origin("LSole", {{"LHipYawPitch", 180}}), {0, 0.05 + 0.24809, -0.085});
+  checkPoint(origin("RSole", {{"RHipYawPitch", 180}}), {0, -0.05 - 0.24809, -0.085});
+}
+
+TEST_CASE("both feet turn outwards for negative hip yaw-pitch") {
+  // Proves the sign that the one motor shares; the source is HULKs' and the manufacturer's description.
+  const Robot robot = v6();
+  const Posture torsoFromLink = postureAt(robot, {{"LHipYawPitch", -30}, {"RHipYawPitch", -30}});
+  CHECK(torsoFromLink[*robot.linkIndex("LSole")].rotation(1, 0) > 0.1);
+  CHECK(torsoFromLink[*robot.linkIndex("RSole")].rotation(1, 0) < -0.1);
+}
+
+TEST_CASE("a robot that is no NAO runs through the same code") {
+  // Proves that the kinematics knows no name of a NAO's: a made-up arm with one joint, one length and one camera, whose
+  // picture's axes are worked out by hand.
+  const TemporaryFolder folder;
+  writeAtomically(folder.path() / "crane.json", R"({
+    "format": "naocal-drawing", "version": 1, "model": "crane",
+    "lengthsMillimetres": {"mast": 2000},
+    "tree": {"links": [
+      {"name": "Base"},
+      {"name": "Jib", "parent": "Base", "joint": "slew", "originMillimetres": [100, 0, 0],
+       "alongLengths": {"mast": [0, 0, 1]}}]},
+    "joints": {"slew": {"axis": [0, 0, 0.5], "limitsDegrees": [-90, 90], "maxSpeedDegreesPerSecond": 10}},
+    "cameras": {"tip": {"link": "Jib", "originMillimetres": [500, 0, 0], "pitchDegrees": 90}}})");
+  const Robot crane = loadRobot(folder.path() / "crane.json");
+  Belief belief = drawnBelief(crane, Quantities{1, 1, 0});
+  belief.angle(0) = radians(90);
+  belief.length(0) = 2.5; // stretched
+  const Posture baseFromLink = posture(crane, belief);
+  const RigidTransform baseFromOptical = baseFromLink[1] * linkFromOptical(crane.cameras[0], belief);
+  checkPoint(baseFromOptical.translation, {0.1, 0.5, 2.5});
+  checkPoint(baseFromOptical.rotation.col(2), {0, 0, -1}); // it looks down,
+  checkPoint(baseFromOptical.rotation.col(0), {1, 0, 0});  // its picture's right is the base's forward
+}
