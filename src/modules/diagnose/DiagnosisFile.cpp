@@ -31,6 +31,7 @@ Json unknowns(const CandidateFinding& finding) {
     result[finding.term.effect.unknowns[i].name] = {
         {"value", known ? number(finding.evidence.estimate[row]) : Json(nullptr)},
         {"sigma", known ? number(std::sqrt(finding.evidence.covariance(row, row))) : Json(nullptr)},
+        {"told", isTold(finding, i)},
         {"unit", finding.term.effect.unknowns[i].unit},
         {"minimalDetectable",
          i < finding.minimalDetectable.size() ? number(finding.minimalDetectable[i]) : Json(nullptr)}};

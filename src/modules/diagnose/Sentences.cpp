@@ -133,14 +133,20 @@ std::string howFar(const DriverFinding& curve) {
   return withUnit(fmt::format("±{:.2f}", scale * curve.amplitude), unit);
 }
 
+bool isTold(const CandidateFinding& finding, std::size_t unknown) {
+  constexpr double told = 10; // of what is plausible
+  const auto row = static_cast<Eigen::Index>(unknown);
+  return finding.evidence.estimate.size() > row &&
+         std::sqrt(finding.evidence.covariance(row, row)) < told * finding.term.effect.unknowns[unknown].sigma;
+}
+
 std::string sizes(const CandidateFinding& finding) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < finding.term.effect.unknowns.size(); ++i) {
     const Unknown& unknown = finding.term.effect.unknowns[i];
     const auto row = static_cast<Eigen::Index>(i);
     const double value = finding.evidence.estimate[row], sigma = std::sqrt(finding.evidence.covariance(row, row));
-    constexpr double told = 10; // in what is plausible: captures that tell it no better do not tell it
-    if (!(sigma < told * unknown.sigma)) {
+    if (!isTold(finding, i)) {
       parts.push_back(unknown.name + " undetermined");
       continue;
     }

@@ -17,7 +17,10 @@ std::string sentence(const Diagnosis& diagnosis);
 /// How far a curve deflects: "±0.30°".
 std::string howFar(const DriverFinding& curve);
 
-/// "c = 0.34 ± 0.02°/Nm": a finding's sizes.
+/// Whether captures tell an unknown of a finding at all: to ten of its plausible sizes.
+bool isTold(const CandidateFinding& finding, std::size_t unknown);
+
+/// "c = 0.34 ± 0.02°/Nm, t undetermined": a finding's sizes.
 std::string sizes(const CandidateFinding& finding);
 
 } // namespace naocal

@@ -31,8 +31,10 @@ json sizesJson(const JsonPlace& unknowns) {
   json sizes = json::array();
   for (const auto& [name, unknown] : unknowns.members()) {
     const auto [unit, scale] = shownUnit(unknown.at("unit").text());
+    const auto told = unknown.find("told"); // files of earlier versions have none
     sizes.push_back({{"name", name},
                      {"unit", unit},
+                     {"told", !told || told->boolean()},
                      {"value", numberOrNull(unknown.at("value"), scale)},
                      {"sigma", numberOrNull(unknown.at("sigma"), scale)},
                      {"detectable", numberOrNull(unknown.at("minimalDetectable"), scale)}});

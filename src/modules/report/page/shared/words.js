@@ -10,8 +10,8 @@ export function withError(value, sigma, unit = "") {
   return withUnit(minus(value.toFixed(digits)) + " ± " + sigma.toFixed(digits), unit);
 }
 
-export const sizeWords = ({name, value, sigma, unit}) =>
-  value === null || sigma === null ? name + " unknown" : name + " = " + withError(value, sigma, unit);
+export const sizeWords = ({name, value, sigma, unit, told}) =>
+  told === false || value === null || sigma === null ? name + " undetermined" : name + " = " + withError(value, sigma, unit);
 
 export const px = value => minus(value.toFixed(Math.abs(value) < 10 ? 2 : 1)) + " px";
 
