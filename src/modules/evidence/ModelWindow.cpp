@@ -48,6 +48,13 @@ public:
     WindowModel result{.members = members};
     const std::vector<Eigen::Index> columns = columnsOf(members);
     const auto count = at(columns.size());
+    if (count == 0) {
+      result.unknowns = alone0_;
+      result.variances = variances_;
+      result.chi2 = std::max(0.0, chi2OfNone_);
+      result.freedom = std::max(1.0, misfit_.freedom);
+      return result;
+    }
     const Eigen::MatrixXd information = informationOf(members, count);
     const Eigen::VectorXd score = score_(columns);
     double best = std::numeric_limits<double>::infinity(), sum = 0;
@@ -72,13 +79,13 @@ public:
         sum += std::exp((best - cost) / 2);
       }
     }
-    result.cost = (count > 0 ? best - 2 * std::log(sum) : 0) + priorCost(members);
+    result.cost = best - 2 * std::log(sum) + priorCost(members);
     const Eigen::MatrixXd answers = answers_(Eigen::all, columns);
     result.unknowns = alone0_ - answers * sizes;
     result.variances = variances_ + (answers * spread).cwiseProduct(answers).rowwise().sum();
     result.sizes = problem_.plausible(columns).cwiseProduct(sizes);
     result.chi2 = std::max(0.0, chi2OfNone_ - 2 * score.dot(sizes) + sizes.dot(information * sizes));
-    result.freedom = std::max(1.0, misfit_.freedom - (count > 0 ? information.cwiseProduct(spread).sum() : 0));
+    result.freedom = std::max(1.0, misfit_.freedom - information.cwiseProduct(spread).sum());
     return result;
   }
 
