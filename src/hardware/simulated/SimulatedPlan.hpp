@@ -3,6 +3,7 @@
 #include "hardware/RobotState.hpp"
 #include "hardware/simulated/Servo.hpp"
 #include "simulation/Renderer.hpp"
+#include "simulation/RobotErrors.hpp"
 #include "simulation/SimulationPlan.hpp"
 
 namespace naocal {
