@@ -45,7 +45,7 @@ struct Estimate {
   double sigma = 0;                      // standard error, widened by `sigmaScale`
   double halfWidth = 0;                  // of the 95 % interval: Student's t where noise levels rest on few poses
   double freedom = 0;                    // of that t
-  double learned = 0;                    // 1 - posterior sigma / prior sigma
+  double learned = 0;                    // 1 - posterior sigma / prior sigma, at least 0
   std::optional<Averaged> averaged = {}; // where the question was asked what may be missing
 
   /// The answer: over what could be missing where that was asked, else the model's.

@@ -128,7 +128,7 @@ Estimate estimate(double value, double variance, double relativeSpread, double p
           .sigma = sigma,
           .halfWidth = studentHalfWidth(freedom) * sigma * std::sqrt((freedom - 2) / freedom),
           .freedom = freedom,
-          .learned = 1 - sigma / priorSigma};
+          .learned = std::max(0.0, 1 - sigma / priorSigma)};
 }
 
 /// Distances of corners from where the joints' readings put them, with no deflection taken out.

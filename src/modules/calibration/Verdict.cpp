@@ -52,9 +52,9 @@ double rmsWithoutMoved(const CalibrationResult& result) {
   return std::sqrt(squares / std::max(1.0, corners));
 }
 
-/// "the error is 4.49 px where noise alone leaves 0.65 px"
+/// "the error is 4.49 px, the noise floor 0.65 px"
 std::string sizes(const CalibrationResult& result, const Accidents& accidents) {
-  return fmt::format("{}the error is {:.2f} px where noise alone leaves {:.2f} px",
+  return fmt::format("{}the error is {:.2f} px, the noise floor {:.2f} px",
                      accidents.any() ? words(accidents) + "; without " + (accidents.moved == 1 ? "it " : "them ")
                                      : std::string{},
                      accidents.any() ? rmsWithoutMoved(result) : result.rmsPx, result.noiseFloorPx);
@@ -95,11 +95,10 @@ void judge(const Measurements& measurements, const Model& model, CalibrationResu
     const Estimate& estimate = result.estimates[term.first];
     if (term.effect.name == "jointOffset" && term.asked && estimate.learned < 0.5) {
       result.usable = false;
-      warn(About::offset,
-           fmt::format("{} cannot be learned from these captures ({:.0f} % learned, ±{:.1f}°): "
-                       "add poses that move it, or leave it out "
-                       "with --without {}",
-                       inWords(term, 0), 100 * std::max(0.0, estimate.learned), degrees(estimate.sigma), term.label()));
+      warn(About::offset, fmt::format("{} cannot be learned from these captures ({:.0f} % learned, ±{:.1f}°): "
+                                      "add poses that move it, or leave it out "
+                                      "with --without {}",
+                                      inWords(term, 0), 100 * estimate.learned, degrees(estimate.sigma), term.label()));
     }
   }
   if (result.floorErrorAt2m > largestFloorError) {

@@ -46,10 +46,10 @@ std::string missing(const Diagnosis& diagnosis) {
 /// The alarm stands, but its best candidate is no likelier there than not.
 std::string hardlyLikely(const Diagnosis& diagnosis) {
   const CandidateFinding& first = diagnosis.ranking.front();
-  return fmt::format("Something may be missing: pure noise would show a candidate as striking as the best one in {} of "
-                     "cases. The likeliest is {} ({}), but these captures show too little of it to add it: take more "
-                     "poses.",
-                     percent(diagnosis.alarm), first.term.label(), sizes(first));
+  return fmt::format(
+      "Something may be missing (chance that noise alone looks this convincing: {}). The likeliest cause "
+      "is {} ({}), but these captures show too little of it to add it: take more poses.",
+      percent(diagnosis.alarm), first.term.label(), sizes(first));
 }
 
 /// "LKneePitch", and how far: "±0.30°".
@@ -129,6 +129,26 @@ std::string nameOf(State state) {
   return {};
 }
 
+std::string inWords(State state) {
+  switch (state) {
+  case State::present:
+    return "needed";
+  case State::aliased:
+    return "could explain";
+  case State::trivial:
+    return "too small to matter";
+  case State::absent:
+    return "ruled out";
+  case State::inconclusive:
+    return "undecided";
+  case State::absorbed:
+    return "not testable here";
+  case State::noData:
+    return "no data";
+  }
+  return {};
+}
+
 std::string howFar(const DriverFinding& curve) {
   const auto [unit, scale] = shownUnit(curve.unit);
   return withUnit(fmt::format("±{:.2f}", scale * curve.amplitude), unit);
@@ -168,18 +188,20 @@ std::string sentence(const Diagnosis& diagnosis) {
   case Verdict::effectMissing:
     return missing(diagnosis);
   case Verdict::scatter:
-    return fmt::format("Joints deflect at random from pose to pose by {:.3f}° (1 sigma), and nothing that was recorded "
-                       "drives it: stiction or a slipping foot. Repeatability limits this robot, not the model.",
+    return fmt::format("Joint scatter: joints deflect at random from pose to pose by {:.3f}° (1 sigma), and nothing "
+                       "that was recorded drives it: stiction or a slipping foot. Repeatability limits this robot, "
+                       "not the model.",
                        degrees(diagnosis.scatter));
   case Verdict::inconclusive:
     if (diagnosis.unexplained && !diagnosis.ranking.empty()) {
       return hardlyLikely(diagnosis);
     }
-    return fmt::format("The model does not fit (p = {:.1g}), but nothing in particular explains it: take more poses.",
-                       diagnosis.lackOfFit.pValue);
+    return fmt::format(
+        "Undecided: the model does not fit (p = {:.1g}), but no single cause stands out. Take more poses.",
+        diagnosis.lackOfFit.pValue);
   case Verdict::adequate:
-    return fmt::format("The model explains these captures: what is left ({:.2f} px) is noise ({:.2f} px). Pure noise "
-                       "would show a candidate as striking as the best one in {} of cases.",
+    return fmt::format("The model explains these captures: the error is {:.2f} px, the noise floor {:.2f} px. The best "
+                       "candidate is no more striking than pure noise (as striking in {} of cases).",
                        diagnosis.rmsPx, diagnosis.lackOfFit.noiseFloorPx, percent(diagnosis.alarm));
   }
   return {};

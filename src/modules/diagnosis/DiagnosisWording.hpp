@@ -10,6 +10,8 @@ namespace naocal {
 std::string nameOf(Verdict verdict);
 /// "present", ..., "no-data".
 std::string nameOf(State state);
+/// The state as people read it: "needed", "could explain", "ruled out", ...
+std::string inWords(State state);
 
 /// The diagnosis in a sentence or two for people.
 std::string sentence(const Diagnosis& diagnosis);

@@ -350,36 +350,34 @@ std::string chance(double p) {
 }
 
 Fact heldOutFact(const std::vector<JsonPlace>& all, const std::string& floor) {
-  const std::string noise =
-      fmt::format("{} would leave {:.2f} px", floor, all.back().at("noiseFloorPx").number(pixels));
+  const std::string noise = fmt::format("{}: {:.2f} px", floor, all.back().at("noiseFloorPx").number(pixels));
   if (all.front().at("heldOutPx").value().is_null()) {
     return {fmt::format("{:.2f} px", all.front().at("rmsPx").number(pixels)),
-            "error of the fit (of one pose: none is left to try it on); " + noise + "."};
+            "error of the fit (of one pose: none is left to hold out); " + noise + "."};
   }
   const double before = all.front().at("heldOutPx").number(pixels), after = all.back().at("heldOutPx").number(pixels);
   if (all.size() == 1) {
-    return {fmt::format("{:.2f} px", before), "error on poses that the fit has not seen; " + noise + "."};
+    return {fmt::format("{:.2f} px", before), "held-out error: on poses that the fit has not seen; " + noise + "."};
   }
   return {fmt::format("{:.2f} → {:.2f} px", before, after),
-          "error on poses that neither the fit nor the choice of effects has seen, before and after adding what is "
-          "suggested; " +
+          "held-out error: on poses that neither the fit nor the choice of effects has seen, before and after adding "
+          "what is suggested; " +
               noise + "."};
 }
 
 /// `found`: something that these candidates are not, within pictures.
 Fact alarmFact(double alarm, bool found) {
   if (alarm <= 0.05) {
-    return {chance(alarm), "so rarely would pure noise make any candidate look as striking as the best one does."};
+    return {chance(alarm), "is the chance that noise alone looks this convincing."};
   }
-  return {chance(alarm), std::string{"so often would pure noise make some candidate look as striking as the best one "
-                                     "does: "} +
-                             (found ? "no reason to add one. What is told above shows by a test of its own."
+  return {chance(alarm), std::string{"is the chance that noise alone looks this convincing: "} +
+                             (found ? "no reason to add a candidate. The finding above rests on a test of its own."
                                     : "no reason to add anything.")};
 }
 
 Fact lackOfFitFact(const JsonPlace& lackOfFit) {
   return {fmt::format("{:.2f}", lackOfFit.at("statistic").number({0, 1e15, ""})),
-          "is how far poses miss the base model, in chi² over its freedom: 1 is what noise makes."};
+          "is the lack of fit of the base model, chi² per degree of freedom: noise alone makes 1."};
 }
 
 } // namespace
@@ -401,13 +399,13 @@ std::string verdictHeadline(const JsonPlace& diagnosis) {
                                                   "An effect is missing in the model.",
                                                   "Something that no known effect explains is at work.",
                                                   "Joints scatter at random.",
-                                                  "It is open what is missing, if anything is.",
+                                                  "Undecided: the model does not fit, but no single cause stands out.",
                                                   "Something is wrong with the captures or the set-up."};
   return headlines[diagnosis.at("verdict").oneOf(verdicts())];
 }
 
 std::string floorName(const JsonPlace& diagnosis) {
-  return scatterOf(diagnosis) > 0 ? "noise and scatter" : "noise alone";
+  return scatterOf(diagnosis) > 0 ? "noise floor with joint scatter" : "noise floor";
 }
 
 std::vector<Fact> diagnosisFacts(const JsonPlace& diagnosis) {

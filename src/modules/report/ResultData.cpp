@@ -200,11 +200,11 @@ Fact noiseFact(const JsonPlace& noise) {
                            : "partly assumed, because no pose was taken more than once")};
 }
 
-/// What noise alone would leave, and how often it would look as if something were missing.
+/// The noise floor, and how often noise alone would look as if something were missing.
 Fact misfitFact(const JsonPlace& result) {
   const double p = numberAt(result, "pValue");
   const std::string chance =
-      p >= 0.05 ? "the likeliest cause of more is no more striking than pure noise."
+      p >= 0.05 ? "the best candidate for more is no more striking than pure noise."
       : p >= 0.001
           ? fmt::format("if nothing were missing, evidence this strong for a cause would turn up once in {:.0f} "
                         "calibrations.",

@@ -33,8 +33,9 @@ namespace {
 
 using Columns = std::vector<Eigen::Index>;
 
-/// Of the information that all poses have about a direction, the least part that the other folds must have: where one
-/// fold says ten times as sharply where boards or stances lie, it is not predicted, but asked.
+/// Of the information that all poses and the prior have about a direction, the least part that the other folds and the
+/// prior must have: where one fold says ten times as sharply where boards or stances lie, it is not predicted, but
+/// asked.
 constexpr double told = 0.01;
 
 /// Columns that are learned from all poses but those of one fold.
@@ -49,7 +50,10 @@ public:
     Eigen::MatrixXd whole = all.hessian(given, given);
     whole.diagonal() += prior(given);
     const Eigen::LLT<Eigen::MatrixXd> factor{whole};
-    Eigen::MatrixXd rest = factor.matrixL().solve(hessian_(given, given));
+    Eigen::MatrixXd rest = hessian_(given, given);
+    rest.diagonal() +=
+        prior(given); // what nothing but the prior tells is told: the fold must not fit it to its own noise
+    rest = factor.matrixL().solve(rest);
     rest = factor.matrixL().solve(rest.transpose().eval());
     const SymmetricEigen eigen = symmetricEigen(rest);
     Eigen::Index untold = 0;
