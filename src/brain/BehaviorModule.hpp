@@ -1,8 +1,7 @@
 #pragma once
 
-#include "framework/Module.hpp"
-#include "framework/Parameter.hpp"
-#include "framework/Production.hpp"
+#include "framework/core/Module.hpp"
+#include "framework/core/Parameter.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

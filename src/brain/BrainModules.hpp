@@ -1,7 +1,7 @@
 #pragma once
 
 #include "brain/CalibrationRunner.hpp"
-#include "framework/Thread.hpp"
+#include "framework/core/Thread.hpp"
 #include "hardware/CameraInterface.hpp"
 
 namespace naocal {

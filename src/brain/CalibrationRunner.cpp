@@ -1,5 +1,9 @@
 #include "brain/CalibrationRunner.hpp"
 
+#include "brain/CaptureCollector.hpp"
+#include "math/Angles.hpp"
+
+#include <algorithm>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -10,6 +14,8 @@ namespace {
 
 using Phase = CalibrationState::Phase;
 
+constexpr double goodError = 1.5; // [px]; 2 cm on the floor, two metres away
+
 std::string kindNames() {
   std::string names;
   for (const CalibrationKind& kind : calibrationKinds()) {
@@ -17,6 +23,8 @@ std::string kindNames() {
   }
   return names + "\"poses\", \"undo\" or \"\"";
 }
+
+constexpr std::chrono::seconds notWorthAWord{2};
 
 } // namespace
 
@@ -161,6 +169,233 @@ void CalibrationRunner::follow(const WantedLook& look) {
     ask(PoseRequest::Kind::home, "The stand", {});
   }
   followed_ = look;
+}
+
+bool CalibrationRunner::isStill(const CameraFrame& frame) {
+  const auto before = previous_.find(frame.camera);
+  const auto one = before == previous_.end() ? std::nullopt : greyPicture(before->second), other = greyPicture(frame);
+  previous_[frame.camera] = frame;
+  return one && other && pictureDifference(*one, *other) <= *stillPicture_;
+}
+
+void CalibrationRunner::nextStep() {
+  const CalibrationStep& step = rounds_[round_][step_];
+  taken_ = {};
+  previous_ = {};
+  shownPoses_ = shownPoses(static_cast<int>(round_), rounds_[round_], step_);
+  if (step.question.empty()) {
+    return go();
+  }
+  ask(PoseRequest::Kind::wait, "", {});
+  state_.edit().questionNumber = std::max(state_->questionNumber, *confirmed_) + 1; // no old answer counts
+  enter(Phase::waiting, step.question);
+}
+
+void CalibrationRunner::go() {
+  const CalibrationStep& step = rounds_[round_][step_];
+  const bool home = step.points.empty();
+  ask(home ? PoseRequest::Kind::home : PoseRequest::Kind::go, step.name, step.points, step.held);
+  if (home) {
+    enter(Phase::goingHome, "The robot goes back to its stand.");
+  } else {
+    enter(Phase::moving, fmt::format("{}; pictures were taken in {} of {}.", step.name, state_->pose, state_->poses));
+  }
+}
+
+void CalibrationRunner::waitFor(const char* what) {
+  if (Clock::now() - waitingSince_ > notWorthAWord) {
+    state_.edit().sentence = fmt::format("{} waits until {}.", rounds_[round_][step_].name, what);
+  }
+}
+
+bool CalibrationRunner::takePicture() {
+  const CalibrationStep& step = rounds_[round_][step_];
+  const Capture& still = picture_->capture;
+  if (picture_->isNew || picture_->isMoving) {
+    pictureSince_ = Clock::now();
+  }
+  if (picture_->isMoving || (picture_->isNew && picture_->stillFor < *settleTime_)) {
+    waitFor("the robot's joints and trunk are still: they tremble, or something moves the robot");
+    return false;
+  }
+  if (!picture_->isNew || picture_->frame.time < player_.doneAt) {
+    if (Clock::now() - pictureSince_ > notWorthAWord) {
+      waitFor("the cameras give pictures");
+    }
+    return false;
+  }
+  roundStart_ = roundStart_.value_or(picture_->frame.time);
+  int& count = taken_[still.camera];
+  if (count == step.pictures) {
+    waitFor(still.camera == "top" ? "the bottom camera gives pictures" : "the top camera gives pictures");
+    return false;
+  }
+  if (!isStill(picture_->frame)) {
+    waitFor("the picture is still: something moves before the camera");
+    return false;
+  }
+  Capture capture = step.taken;
+  capture.repeat += count++;
+  capture.time = still.time;
+  capture.camera = still.camera;
+  std::vector<double> approach = std::move(capture.joints.approach);
+  capture.joints = still.joints;
+  capture.joints.approach = std::move(approach);
+  capture.imu = still.imu;
+  capture.fsr = still.fsr;
+  take(capture);
+  waitingSince_ = Clock::now();
+  return true;
+}
+
+void CalibrationRunner::tellTimeLeft() {
+  const auto left = [this](std::size_t round) {
+    return std::count_if(rounds_[round].begin(), rounds_[round].end(),
+                         [](const CalibrationStep& step) { return step.pictures > 0; });
+  };
+  CalibrationState& state = state_.edit();
+  if (state.pose > 1) { // from the first pose's pictures to these
+    poseTime_ = seconds(picture_->frame.time - *roundStart_) / (state.pose - 1);
+  }
+  if (poseTime_) {
+    const auto later = round_ == 0 && kind_ != &askedKind_ ? left(1) : 0;
+    state.secondsLeft = *poseTime_ * static_cast<double>(state.poses - state.pose + later);
+  }
+}
+
+void CalibrationRunner::collect() {
+  const CalibrationStep& step = rounds_[round_][step_];
+  if (step.pictures > 0) {
+    if (!takePicture() || taken_["top"] < step.pictures || taken_["bottom"] < step.pictures) {
+      return;
+    }
+    ++state_.edit().pose;
+    tellTimeLeft();
+  }
+  endStep();
+}
+
+void CalibrationRunner::endStep() {
+  if (rounds_[0].empty()) { // at the stand, to begin with
+    return prepare();
+  }
+  ++step_;
+  return step_ < rounds_[round_].size() ? nextStep() : endRound();
+}
+
+void CalibrationRunner::prepare() {
+  enter(Phase::preparing, "The ways between the poses are being checked.");
+  RoundOptions options{*repeats_, radians(*approach_), 0, *orderSeed_};
+  if (kind_->feet.front() == SupportFoot::both) {
+    constexpr double nearer = 0.7; // to check, other places than those that were calibrated with
+    rounds_[0] = headRound(player_.home, *yaws_, *pitches_, 1, options);
+    ++options.seed;
+    rounds_[1] = headRound(player_.home, *yaws_, *pitches_, nearer, options);
+    return startRound();
+  }
+  work_.plan({kind_->feet, options, *checkPoses_, player_.home, kind_ == &askedKind_ ? askedPoses_->content : ""});
+}
+
+void CalibrationRunner::startRound() {
+  const CalibrationRound& round = rounds_[round_];
+  step_ = 0;
+  state_.edit().pose = 0;
+  state_.edit().poses = static_cast<int>(
+      std::count_if(round.begin(), round.end(), [](const CalibrationStep& step) { return step.pictures > 0; }));
+  roundStart_.reset();
+  work_.open(round_, header());
+  nextStep();
+}
+
+void CalibrationRunner::take(const Capture& capture) {
+  ShownCapture shown{++state_.edit().captures, static_cast<int>(round_), capture.pose, capture.camera, {}, {}};
+  shownCaptures_.edit().push_back(shown);
+  work_.look(round_, capture, std::move(shown), picture_->frame);
+}
+
+void CalibrationRunner::endRound() {
+  ask(PoseRequest::Kind::home, "The stand", {}); // it is there, and can be let go
+  if (kind_ == &askedKind_) {
+    return enter(Phase::finished, fmt::format("All poses were taken; what was seen lies in {} on the robot.",
+                                              (work_.folder() / "first").string()));
+  }
+  if (round_ == 0) {
+    enter(Phase::solving, "The captures are being solved.");
+    work_.solve(kind_->feet.front() == SupportFoot::both);
+  } else {
+    enter(Phase::checking, "The second round is being compared with what was solved.");
+    work_.check();
+  }
+}
+
+void CalibrationRunner::takeFound() {
+  if (const std::vector<ShownCapture>* looked = work_.looked()) {
+    std::copy(looked->begin(), looked->end(), shownCaptures_.edit().begin());
+  }
+  while (auto found = work_.found()) {
+    take(std::move(*found));
+  }
+}
+
+void CalibrationRunner::take(CalibrationWork::Finding found) {
+  if (found.isUndone) {
+    shownOutcome_ = ShownOutcome{};
+    enter(Phase::finished, "What the last calibration saved was taken back.");
+  } else if (!found.diagnosis.empty()) {
+    shownOutcome_.edit().diagnosis = found.diagnosis;
+  } else if (!found.problem.empty()) {
+    const bool isUndo = state_->kind == "undo";
+    isUndo || !state_->runs()
+        ? enter(Phase::failed, fmt::format("{}{}.", isUndo ? "Nothing was taken back: " : "", found.problem))
+        : fail(fmt::format("The calibration ended: {}.", found.problem));
+  } else if (found.error && (found.isKept || state_->runs())) {
+    tellError(*found.error, found.isKept);
+  } else if (found.rounds && state_->runs()) {
+    rounds_ = std::move(*found.rounds);
+    startRound();
+  } else if (found.isApplied && state_->runs()) {
+    shownOutcome_ = *found.outcome;
+    round_ = 1;
+    startRound();
+  }
+}
+
+void CalibrationRunner::tellError(const CalibrationSession::Error& error, bool isKept) {
+  state_.edit().errorBefore = error.before;
+  state_.edit().errorAfter = error.after;
+  const std::string errors =
+      fmt::format("from {:.1f} to {:.1f} pixels in corners that were not calibrated with", error.before, error.after);
+  if (isKept) {
+    enter(Phase::finished,
+          fmt::format("The measured error fell {}. The calibration is saved; it can be undone.", errors));
+  } else if (error.before <= goodError) {
+    enter(Phase::finished,
+          fmt::format("The robot was well calibrated already (the measured error went {}), so it keeps "
+                      "what it had.",
+                      errors));
+  } else {
+    enter(Phase::failed,
+          fmt::format("The measured error went {}: it did not fall by half, so the calibration was taken "
+                      "back, and nothing was saved. Something else is off as well: calibrate the legs, or look at the "
+                      "recording with 'naocal diagnose'.",
+                      errors));
+  }
+}
+
+CaptureSet CalibrationRunner::header() const {
+  CaptureSet set;
+  set.model = work_.surroundings().drawing.model;
+  set.headId = work_.surroundings().identity.headId;
+  set.bodyId = work_.surroundings().identity.bodyId;
+  set.jointNames = {jointNames.begin(), jointNames.end()};
+  for (const auto& [name, belief] : *cameras_) {
+    set.cameras[name] = belief.intrinsics;
+  }
+  set.boards = boards_->boards;
+  for (std::size_t foot = 0; foot < kind_->feet.size(); ++foot) {
+    set.stances.push_back({static_cast<int>(foot), kind_->feet[foot], std::nullopt});
+  }
+  return set;
 }
 
 } // namespace naocal

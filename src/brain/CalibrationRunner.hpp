@@ -1,19 +1,14 @@
 #pragma once
 
-#include "brain/AskedPoses.hpp"
 #include "brain/BehaviorModule.hpp"
-#include "brain/CalibrationBoards.hpp"
-#include "brain/CalibrationKind.hpp"
-#include "brain/CalibrationState.hpp"
-#include "brain/CalibrationWork.hpp"
+#include "brain/CalibrationInputs.hpp"
+#include "brain/CalibrationJobs.hpp"
+#include "brain/CalibrationStatus.hpp"
+#include "brain/CaptureCollector.hpp"
 #include "brain/Projection.hpp"
-#include "brain/StillPicture.hpp"
-#include "framework/Checks.hpp"
-#include "framework/Dependency.hpp"
-#include "framework/Module.hpp"
-#include "framework/Parameter.hpp"
-#include "framework/Production.hpp"
-#include "hardware/exchange/PoseRequest.hpp"
+#include "framework/core/Module.hpp"
+#include "framework/core/Parameter.hpp"
+#include "hardware/messages/PoseRequest.hpp"
 
 #include <map>
 #include <optional>
@@ -93,7 +88,7 @@ private:
   std::optional<WantedLook> followed_;
   std::uint64_t requests_ = 0, cycles_ = 0;
   std::uint64_t lookRequest_ = 0; // the last one that made the robot look somewhere
-  std::string runBefore_; // the last value of `run`
+  std::string runBefore_;         // the last value of `run`
   const CalibrationKind* kind_ = nullptr;
   CalibrationKind askedKind_; // that plays `poses`
   CalibrationWork::Rounds rounds_;

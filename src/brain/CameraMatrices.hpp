@@ -1,11 +1,9 @@
 #pragma once
 
-#include "brain/NewFrame.hpp"
+#include "brain/ImageReader.hpp"
 #include "brain/Projection.hpp"
-#include "framework/Dependency.hpp"
-#include "framework/Module.hpp"
-#include "framework/Production.hpp"
-#include "hardware/exchange/JointMoment.hpp"
+#include "framework/core/Module.hpp"
+#include "hardware/messages/JointSample.hpp"
 #include "robot/Robot.hpp"
 
 #include <Eigen/Geometry>

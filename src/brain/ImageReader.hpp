@@ -1,15 +1,29 @@
 #pragma once
 
-#include "brain/NewFrame.hpp"
-#include "framework/Module.hpp"
-#include "framework/Parameter.hpp"
-#include "framework/Production.hpp"
+#include "framework/core/Module.hpp"
+#include "framework/core/Parameter.hpp"
+#include "hardware/CameraInterface.hpp"
 
 #include <array>
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace naocal {
+
+/// The picture that came last; `isNew` in the cycle in which it came.
+struct NewFrame {
+  bool isNew = false;
+  CameraFrame frame;
+};
+void to_json(nlohmann::json& out, const NewFrame& frame);
+void to_json(nlohmann::json& out, const CameraLink& link);
+
+/// A camera's picture for people: as a JPEG of quality 75, in colour where it has any.
+struct ShownFrame {
+  CameraFrame frame;
+};
+EncodedPicture toPicture(const ShownFrame& shown);
 
 /// Waits for the cameras' next picture: the brain thread's pace. Goes on without one after a fifth of a second, so that
 /// the thread can end and say what is wrong.

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "data/Capture.hpp"
-#include "framework/Module.hpp"
-#include "framework/Parameter.hpp"
-#include "framework/Production.hpp"
+#include "framework/core/Module.hpp"
+#include "framework/core/Parameter.hpp"
 
 #include <array>
 #include <map>

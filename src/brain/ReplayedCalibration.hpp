@@ -1,9 +1,8 @@
 #pragma once
 
-#include "brain/CalibrationSession.hpp"
-#include "brain/StillPicture.hpp"
-#include "framework/Dependency.hpp"
-#include "framework/Module.hpp"
+#include "brain/CalibrationRecorder.hpp"
+#include "brain/CaptureCollector.hpp"
+#include "framework/core/Module.hpp"
 #include "hardware/replay/ReplayWorld.hpp"
 #include "math/Worker.hpp"
 

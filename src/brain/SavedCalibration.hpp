@@ -2,7 +2,7 @@
 
 #include "calibrate/ResultFile.hpp"
 #include "calibrate/ShownOffsets.hpp"
-#include "framework/Configuration.hpp"
+#include "framework/configuration/Configuration.hpp"
 
 namespace naocal {
 

@@ -1,12 +1,9 @@
 #pragma once
 
-#include "framework/Checks.hpp"
-#include "framework/Dependency.hpp"
-#include "framework/Module.hpp"
-#include "framework/Parameter.hpp"
-#include "framework/Production.hpp"
-#include "motion/Measured.hpp"
+#include "framework/core/Module.hpp"
+#include "framework/core/Parameter.hpp"
 #include "motion/PosePlayer.hpp"
+#include "motion/SensorProvider.hpp"
 
 namespace naocal {
 

@@ -1,11 +1,9 @@
 #pragma once
 
-#include "framework/Dependency.hpp"
-#include "framework/Module.hpp"
-#include "framework/Parameter.hpp"
-#include "framework/Production.hpp"
+#include "framework/core/Module.hpp"
+#include "framework/core/Parameter.hpp"
 #include "motion/JointOffsets.hpp"
-#include "motion/Measured.hpp"
+#include "motion/SensorProvider.hpp"
 
 #include <deque>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hardware/exchange/CompensatedAngles.hpp"
+#include "hardware/messages/CompensatedAngles.hpp"
 #include "robot/Robot.hpp"
 
 #include <nlohmann/json_fwd.hpp>

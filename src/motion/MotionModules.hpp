@@ -1,6 +1,6 @@
 #pragma once
 
-#include "framework/Thread.hpp"
+#include "framework/core/Thread.hpp"
 #include "hardware/RobotInterface.hpp"
 #include "motion/PosePlayer.hpp"
 #include "robot/Robot.hpp"

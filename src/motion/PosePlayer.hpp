@@ -1,13 +1,10 @@
 #pragma once
 
-#include "framework/Checks.hpp"
-#include "framework/Dependency.hpp"
-#include "framework/Module.hpp"
-#include "framework/Parameter.hpp"
-#include "framework/Production.hpp"
-#include "hardware/exchange/PoseRequest.hpp"
-#include "motion/Measured.hpp"
+#include "framework/core/Module.hpp"
+#include "framework/core/Parameter.hpp"
+#include "hardware/messages/PoseRequest.hpp"
 #include "motion/PoseMotion.hpp"
+#include "motion/SensorProvider.hpp"
 
 #include <atomic>
 #include <map>

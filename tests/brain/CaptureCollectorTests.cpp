@@ -2,12 +2,13 @@
 #include "brain/CaptureCollector.hpp"
 #include "brain/ImageReader.hpp"
 #include "brain/Projection.hpp"
-#include "framework/Configuration.hpp"
-#include "framework/Database.hpp"
-#include "framework/Thread.hpp"
+#include "framework/configuration/Configuration.hpp"
+#include "framework/core/Database.hpp"
+#include "framework/core/Thread.hpp"
 #include "io/Files.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -95,6 +96,23 @@ CameraFrame frameAt(TimePoint time) {
   return frame;
 }
 
+/// A chessboard of 40-pixel squares from `shift` on, with noise of 3 grey levels; rows 100 to 200 lit by `flicker`
+/// more.
+GreyPicture picture(double shift, unsigned seed, int flicker = 0) {
+  std::mt19937 random{seed};
+  std::normal_distribution<double> noise{0, 3};
+  GreyPicture result{640, 480, {}};
+  for (int v = 0; v < result.height; ++v) {
+    for (int u = 0; u < result.width; ++u) {
+      const double wave = std::sin((u + shift) * 0.0785) * std::sin(v * 0.0785);
+      const double grey = 128 + (wave > 0 ? 80 : -80) * std::min(1.0, 8 * std::abs(wave));
+      const double light = v >= 100 && v < 200 ? flicker : 0;
+      result.pixels.push_back(static_cast<std::uint8_t>(std::clamp(grey + light + noise(random), 0.0, 255.0)));
+    }
+  }
+  return result;
+}
+
 } // namespace
 
 TEST_CASE("a picture is paired with the joints in the middle of its exposure") {
@@ -162,6 +180,14 @@ TEST_CASE("two pictures never have the same timestamp in milliseconds") {
   }
   REQUIRE(times.stamps.size() == 10);
   CHECK(std::adjacent_find(times.stamps.begin(), times.stamps.end(), std::greater_equal<>{}) == times.stamps.end());
+}
+
+TEST_CASE("pictures differ when half a pixel has moved, not by noise or flicker") {
+  // Proves it for the limit that CalibrationRunner.json ships, 2 grey levels.
+  CHECK(pictureDifference(picture(0, 1), picture(0, 2)) < 1);
+  CHECK(pictureDifference(picture(0, 1), picture(0, 2, 10)) < 1.5);
+  CHECK(pictureDifference(picture(0, 1), picture(0.5, 2)) > 2);
+  CHECK(std::isinf(pictureDifference(picture(0, 1), GreyPicture{320, 240, std::vector<std::uint8_t>(320 * 240)})));
 }
 
 } // namespace naocal

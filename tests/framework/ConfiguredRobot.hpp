@@ -1,7 +1,7 @@
 #pragma once
 
 #include "TemporaryFolder.hpp"
-#include "framework/Configuration.hpp"
+#include "framework/configuration/Configuration.hpp"
 #include "io/Files.hpp"
 
 #include <filesystem>

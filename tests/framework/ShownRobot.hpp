@@ -1,12 +1,12 @@
 #pragma once
 
-#include "ConfiguredRobot.hpp"
 #include "MateClient.hpp"
-#include "framework/Database.hpp"
-#include "framework/Parameter.hpp"
-#include "framework/Production.hpp"
-#include "framework/Sockets.hpp"
-#include "framework/Thread.hpp"
+#include "framework/ConfiguredRobot.hpp"
+#include "framework/core/Database.hpp"
+#include "framework/core/Module.hpp"
+#include "framework/core/Parameter.hpp"
+#include "framework/core/Thread.hpp"
+#include "framework/network/Sockets.hpp"
 
 #include <condition_variable>
 #include <mutex>

@@ -1,15 +1,15 @@
 #pragma once
 
-#include "../hardware/FakeVideo.hpp"
-#include "../hardware/LolaTwin.hpp"
 #include "DrivenProcess.hpp"
 #include "Hardware.hpp"
+#include "hardware/nao/LolaTwin.hpp"
+#include "hardware/v4l2/FakeVideo.hpp"
 
-#include "framework/Thread.hpp"
+#include "framework/core/Thread.hpp"
+#include "hardware/nao/DeviceConventions.hpp"
 #include "hardware/nao/LolaRobot.hpp"
-#include "hardware/nao/TouchOrder.hpp"
-#include "hardware/nao/VideoCameras.hpp"
 #include "hardware/simulated/SimulatedWorld.hpp"
+#include "hardware/v4l2/VideoCameras.hpp"
 
 #include <atomic>
 #include <mutex>

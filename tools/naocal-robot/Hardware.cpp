@@ -1,12 +1,11 @@
 #include "Hardware.hpp"
 
 #include "data/CaptureSetFile.hpp"
-#include "framework/ConfigurationLayers.hpp"
-#include "framework/Errors.hpp"
+#include "framework/configuration/ConfigurationLayers.hpp"
 #include "hardware/nao/LolaRobot.hpp"
 #include "hardware/nao/SharedMemoryRobot.hpp"
-#include "hardware/nao/VideoCameras.hpp"
 #include "hardware/simulated/SimulatedWorld.hpp"
+#include "hardware/v4l2/VideoCameras.hpp"
 #include "poses/PoseFile.hpp"
 
 #include <fmt/format.h>

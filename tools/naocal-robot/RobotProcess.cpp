@@ -1,7 +1,7 @@
 #include "RobotProcess.hpp"
 
-#include "brain/CalibrationModel.hpp"
-#include "framework/Errors.hpp"
+#include "brain/CalibrationInputs.hpp"
+#include "framework/configuration/ConfigurationLayers.hpp"
 #include "io/Files.hpp"
 #include "motion/MotionModules.hpp"
 

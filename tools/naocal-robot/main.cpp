@@ -1,7 +1,7 @@
 #include "Hardware.hpp"
 #include "RobotProcess.hpp"
 #include "StateFolder.hpp"
-#include "hardware/simulated/SimulatedPlanFile.hpp"
+#include "hardware/simulated/SimulatedPlan.hpp"
 #include "io/InputError.hpp"
 
 #include <CLI/CLI.hpp>

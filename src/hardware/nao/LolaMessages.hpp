@@ -1,7 +1,6 @@
 #pragma once
 
-#include "hardware/RobotCommand.hpp"
-#include "hardware/RobotState.hpp"
+#include "hardware/RobotInterface.hpp"
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "hardware/nao/LolaRobot.hpp"
 
-#include "hardware/nao/Finite.hpp"
+#include "hardware/nao/DeviceConventions.hpp"
 
 namespace naocal {
 

@@ -13,7 +13,6 @@
 #include <unistd.h>
 
 namespace naocal {
-
 namespace {
 
 constexpr std::chrono::milliseconds betweenAttempts{10}; // to connect

@@ -11,7 +11,6 @@
 #include <numeric>
 
 namespace naocal {
-
 namespace {
 
 using namespace std::chrono_literals;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "data/Capture.hpp"
-#include "hardware/CameraFrame.hpp"
+#include "hardware/CameraInterface.hpp"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "hardware/replay/ReplayWorld.hpp"
 
 #include "data/CaptureSetFile.hpp"
-#include "hardware/CameraLoopStep.hpp"
+#include "hardware/LockStep.hpp"
 #include "hardware/replay/ReplayTimeline.hpp"
 
 #include <deque>

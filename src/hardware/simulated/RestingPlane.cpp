@@ -5,7 +5,6 @@
 #include <cmath>
 
 namespace naocal {
-
 namespace {
 
 using Triangle = std::array<std::size_t, 3>;

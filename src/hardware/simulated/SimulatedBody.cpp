@@ -6,7 +6,6 @@
 #include <cmath>
 
 namespace naocal {
-
 namespace {
 
 constexpr double mostTilt = radians(25); // against the floor, before it counts as falling

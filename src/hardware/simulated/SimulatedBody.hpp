@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hardware/RobotCommand.hpp"
+#include "hardware/RobotInterface.hpp"
 #include "hardware/simulated/RestingPlane.hpp"
 #include "hardware/simulated/Servo.hpp"
 #include "hardware/simulated/SimulatedPlan.hpp"

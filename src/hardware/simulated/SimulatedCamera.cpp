@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 namespace naocal {
-
 namespace {
 
 using std::chrono::nanoseconds;
@@ -54,6 +53,43 @@ void SimulatedCamera::deliver(const std::vector<Eigen::Isometry3d>& worldFromCam
   }
   ++sequence_;
   schedule();
+}
+
+SimulatedPicture::SimulatedPicture(std::shared_ptr<const SimulatedLens> lens,
+                                   std::vector<Eigen::Isometry3d> worldFromCamera, std::uint64_t seed)
+    : lens_{std::move(lens)}, worldFromCamera_{std::move(worldFromCamera)}, seed_{seed} {}
+
+std::span<const std::uint8_t> SimulatedPicture::bytes() const {
+  std::call_once(rendered_, [this] { render(); });
+  return bytes_;
+}
+
+RenderedScene SimulatedPicture::scene(const Eigen::Isometry3d& worldFromCamera) const {
+  Eigen::Matrix3d opticalFromCamera; // x right, y down, z forward from x forward, y left, z up
+  opticalFromCamera << 0, -1, 0, 0, 0, -1, 1, 0, 0;
+  RenderedScene scene;
+  for (const Board& board : lens_->boards) {
+    const Eigen::Isometry3d opticalFromBoard =
+        opticalFromCamera * (worldFromCamera.inverse() * isometry(*board.placement));
+    scene.boards.push_back({board.id, *board.pattern, {opticalFromBoard.linear(), opticalFromBoard.translation()}});
+  }
+  return scene;
+}
+
+void SimulatedPicture::render() const {
+  constexpr double still = 1e-5; // [m], [rad]: a hundredth of a pixel
+  const Eigen::Isometry3d moved = worldFromCamera_.front().inverse() * worldFromCamera_.back();
+  const bool moves = !moved.isApprox(Eigen::Isometry3d::Identity(), still);
+  std::vector<RenderedScene> scenes;
+  for (const Eigen::Isometry3d& instant : worldFromCamera_) {
+    scenes.push_back(scene(instant));
+  }
+  const GreyPicture grey = moves ? lens_->renderer.picture(scenes, lens_->exposureShare, lens_->appearance, seed_)
+                                 : lens_->renderer.picture(scenes[scenes.size() / 2], lens_->appearance, seed_);
+  bytes_.assign(2 * grey.pixels.size(), 128); // without colour
+  for (std::size_t pixel = 0; pixel < grey.pixels.size(); ++pixel) {
+    bytes_[2 * pixel] = grey.pixels[pixel];
+  }
 }
 
 } // namespace naocal
