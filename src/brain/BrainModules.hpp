@@ -6,7 +6,7 @@
 
 namespace naocal {
 
-/// The brain thread's modules; the cameras and what `surroundings` refers to must outlive the thread.
-void addBrainModules(Thread& brain, CameraInterface& cameras, const CalibrationSurroundings& surroundings);
+/// The brain thread's modules; the cameras and what `context` refers to must outlive the thread.
+void addBrainModules(Thread& brain, CameraInterface& cameras, const CalibrationContext& context);
 
 } // namespace naocal

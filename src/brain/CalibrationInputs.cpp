@@ -23,7 +23,7 @@ bool isAccepted(const Measurements& measurements, const std::vector<std::string>
 
 } // namespace
 
-void from_json(const nlohmann::json& json, AskedPoses& poses) {
+void from_json(const nlohmann::json& json, RequestedPoses& poses) {
   poses = {json.dump(2), {}};
   const auto list = json.find("poses");
   if (list == json.end() || !list->is_array()) {
@@ -67,7 +67,7 @@ const std::vector<CalibrationKind>& calibrationKinds() {
   return kinds;
 }
 
-const CalibrationKind* calibrationKind(std::string_view run) {
+const CalibrationKind* findCalibrationKind(std::string_view run) {
   const auto& kinds = calibrationKinds();
   const auto found =
       std::find_if(kinds.begin(), kinds.end(), [&](const CalibrationKind& kind) { return kind.run == run; });
@@ -78,12 +78,12 @@ void to_json(nlohmann::json& out, const CalibrationKind& kind) {
   out = {{"run", kind.run}, {"title", kind.title}, {"sentence", kind.sentence}};
 }
 
-ModelFile calibrationModel(const std::filesystem::path& configuration, const Robot& drawing) {
+ModelFile loadCalibrationModel(const std::filesystem::path& configuration, const Robot& drawing) {
   return readModelFile(configuration / "models" / (drawing.model + ".json"), drawing);
 }
 
-FittingModel modelFor(const Measurements& measurements, const ModelFile& model) {
-  FittingModel fitting{{.effects = model.effects}, {}};
+ReducedModel reduceModel(const Measurements& measurements, const ModelFile& model) {
+  ReducedModel fitting{{.effects = model.effects}, {}};
   const bool onOneFoot =
       std::all_of(measurements.standings.begin(), measurements.standings.end(), [](const Standing& standing) {
         return standing.supportFoot == SupportFoot::left || standing.supportFoot == SupportFoot::right;

@@ -12,11 +12,11 @@
 namespace naocal {
 
 /// Poses that a person asks a robot to take: a pose file's content. What is in it is checked when it is played.
-struct AskedPoses {
+struct RequestedPoses {
   std::string content;
   std::vector<SupportFoot> feet; // that its poses stand on, left before right; none: it has no poses on one foot
 };
-void from_json(const nlohmann::json& json, AskedPoses& poses);
+void from_json(const nlohmann::json& json, RequestedPoses& poses);
 
 /// The boards on the floor, as a capture set describes them.
 struct CalibrationBoards {
@@ -37,18 +37,18 @@ void to_json(nlohmann::json& out, const CalibrationKind& kind);
 const std::vector<CalibrationKind>& calibrationKinds();
 
 /// nullptr: there is none of that name.
-const CalibrationKind* calibrationKind(std::string_view run);
+const CalibrationKind* findCalibrationKind(std::string_view run);
 
 /// What a calibration on the robot estimates beside offsets and mounts: models/V6.json (and so on) in the
 /// configuration's folder, a model file as the laptop's tools write it. Throws InputError.
-ModelFile calibrationModel(const std::filesystem::path& configuration, const Robot& drawing);
+ModelFile loadCalibrationModel(const std::filesystem::path& configuration, const Robot& drawing);
 
 /// A model without what captures know nothing of: the other leg's effects, those whose drivers were not recorded; none
 /// of its effects where the robot stood on both feet, for there the loads of the joints are not known.
-struct FittingModel {
+struct ReducedModel {
   ModelFile model;
   std::vector<std::string> leftOut; // "with E@P", "without E@P" of what could have been told on one foot
 };
-FittingModel modelFor(const Measurements& measurements, const ModelFile& model);
+ReducedModel reduceModel(const Measurements& measurements, const ModelFile& model);
 
 } // namespace naocal

@@ -31,11 +31,11 @@ void requirePlausible(const std::vector<ShownOffset>& offsets) {
 }
 
 /// Each foot's poses, one foot after the other; each time that the robot steps onto one is a stance.
-CalibrationRound legRound(const std::deque<LegPoses>& legs, RoundOptions options) {
+CalibrationRound legRound(const std::deque<LegRoundPlanner>& legs, RoundOptions options) {
   CalibrationRound round;
   int stance = 0;
-  for (const LegPoses& leg : legs) {
-    const CalibrationRound onFoot = leg.round(options, stance++);
+  for (const LegRoundPlanner& leg : legs) {
+    const CalibrationRound onFoot = leg.planRound(options, stance++);
     round.insert(round.end(), onFoot.begin(), onFoot.end());
   }
   return round;
@@ -43,30 +43,30 @@ CalibrationRound legRound(const std::deque<LegPoses>& legs, RoundOptions options
 
 } // namespace
 
-CalibrationWork::CalibrationWork(CalibrationSurroundings surroundings) : surroundings_{std::move(surroundings)} {
-  keepCalibrationTogether(surroundings_.configuration);
+CalibrationJobs::CalibrationJobs(CalibrationContext context) : context_{std::move(context)} {
+  saveCalibrationTogether(context_.configuration);
 }
 
-void CalibrationWork::begin(std::filesystem::path folder) {
+void CalibrationJobs::begin(std::filesystem::path folder) {
   folder_ = std::move(folder);
   sessions_ = {};
-  give([this, folder = folder_](Finding&) {
-    before_ = configured(surroundings_.configuration);
+  give([this, folder = folder_](JobResult&) {
+    before_ = readConfiguredCalibration(context_.configuration);
     isChecked_ = false;
-    surroundings_.configuration.writeTo(folder / "configuration");
+    context_.configuration.writeTo(folder / "configuration");
   });
 }
 
-void CalibrationWork::plan(Legs legs) {
-  give([legs = std::move(legs), &drawing = surroundings_.drawing, folder = folder_,
-        files = surroundings_.files](Finding& finding) mutable {
+void CalibrationJobs::planLegs(LegRounds legs) {
+  give([legs = std::move(legs), &drawing = context_.drawing, folder = folder_,
+        files = context_.files](JobResult& finding) mutable {
     std::filesystem::path file = files / "poses" / (drawing.model + ".json");
     if (!legs.asked.empty()) { // what was asked for stays with what was recorded
       file = folder / "poses.json";
       writeAtomically(file, legs.asked);
     }
     const PoseFile poses = readPoseFile(file, drawing);
-    std::deque<LegPoses> each;
+    std::deque<LegRoundPlanner> each;
     for (const SupportFoot foot : legs.feet) {
       each.emplace_back(drawing, poses, foot, legs.home);
     }
@@ -78,22 +78,22 @@ void CalibrationWork::plan(Legs legs) {
   });
 }
 
-void CalibrationWork::open(std::size_t round, CaptureSet header) {
+void CalibrationJobs::openRound(std::size_t round, CaptureSet header) {
   sessions_[round] = std::make_shared<Round>();
-  give([session = sessions_[round], &drawing = surroundings_.drawing, header = std::move(header),
-        folder = folder_ / (round == 0 ? "first" : "second"), files = surroundings_.files](Finding&) {
-    session->session.emplace(drawing, header, folder, calibrationModel(files, drawing));
+  give([session = sessions_[round], &drawing = context_.drawing, header = std::move(header),
+        folder = folder_ / (round == 0 ? "first" : "second"), files = context_.files](JobResult&) {
+    session->session.emplace(drawing, header, folder, loadCalibrationModel(files, drawing));
   });
 }
 
-void CalibrationWork::look(std::size_t round, Capture capture, ShownCapture shown, CameraFrame frame) {
+void CalibrationJobs::processCapture(std::size_t round, Capture capture, PublishedCapture shown, CameraFrame frame) {
   give([this, session = sessions_[round], folder = folder_, capture = std::move(capture), shown = std::move(shown),
-        frame = std::move(frame)](Finding&) mutable {
+        frame = std::move(frame)](JobResult&) mutable {
     if (lookedAt_.folder != folder) {
       lookedAt_ = {folder, {}};
     }
     shown.corners = 0;
-    for (const BoardCorners& board : session->session.value().add(capture, frame)) {
+    for (const BoardCorners& board : session->session.value().record(capture, frame)) {
       shown.boards.push_back(board.board);
       *shown.corners += static_cast<int>(board.ids.size());
     }
@@ -102,82 +102,82 @@ void CalibrationWork::look(std::size_t round, Capture capture, ShownCapture show
   });
 }
 
-void CalibrationWork::solve(bool onlyHead) {
-  give([this, session = sessions_[0], onlyHead, abandoned = abandoned_.load()](Finding& finding) {
-    const CalibrationSession::Solved solved = session->session.value().solved();
-    const std::vector<ShownOffset> offsets = onlyHead ? ofHead(solved.offsets) : solved.offsets;
-    finding.outcome = shownOutcome(before_, offsets, lookedAt_.captures);
+void CalibrationJobs::solve(bool onlyHead) {
+  give([this, session = sessions_[0], onlyHead, abandoned = abandoned_.load()](JobResult& finding) {
+    const CalibrationRecorder::Solution solved = session->session.value().solve();
+    const std::vector<ShownOffset> offsets = onlyHead ? headOffsets(solved.offsets) : solved.offsets;
+    finding.outcome = summarizeOutcome(before_, offsets, lookedAt_.captures);
     for (const Warning& warning : solved.warnings) { // only with the legs it is known where the floor is
       if (warning.about == Warning::About::fit || (warning.about == Warning::About::floor && !onlyHead)) {
         finding.outcome->warnings.push_back(warning.sentence);
       }
     }
-    const std::string keys = calibrationKeys(surroundings_.configuration);
+    const std::string keys = snapshotCalibration(context_.configuration);
     finding.outcome->before = keys;
     if (abandoned == abandoned_) {
-      requirePlausible(learned(offsets));
-      apply(learned(offsets), solved.result, surroundings_.configuration);
+      requirePlausible(learnedOffsets(offsets));
+      applyCalibration(learnedOffsets(offsets), solved.result, context_.configuration);
       keysToPutBack_ = keys;
       finding.isApplied = true;
     }
   });
 }
 
-void CalibrationWork::check() {
-  give([this, session = sessions_[1], abandoned = abandoned_.load()](Finding& finding) {
-    finding.error = session->session.value().error(before_, configured(surroundings_.configuration));
+void CalibrationJobs::check() {
+  give([this, session = sessions_[1], abandoned = abandoned_.load()](JobResult& finding) {
+    finding.error = session->session.value().compareErrors(before_, readConfiguredCalibration(context_.configuration));
     finding.isKept = abandoned == abandoned_ && finding.error->after <= leastGain * finding.error->before;
     if (finding.isKept) {
-      saveCalibration(surroundings_.configuration);
+      saveCalibration(context_.configuration);
       keysToPutBack_.reset();
     }
     putBackUnsaved();
     isChecked_ = true;
   });
-  give([this, session = sessions_[0]](Finding& finding) {
+  give([this, session = sessions_[0]](JobResult& finding) {
     if (!isChecked_) {
       return;
     }
     try {
-      finding.diagnosis = session->session.value().diagnosed();
+      finding.diagnosis = session->session.value().diagnose();
     } catch (const std::exception& error) {
       finding.diagnosis = fmt::format("How well the model fits could not be told: {}.", error.what());
     }
   });
 }
 
-void CalibrationWork::putBackUnsaved() {
+void CalibrationJobs::putBackUnsaved() {
   if (!keysToPutBack_) {
     return;
   }
-  const bool wasSaved = isCalibrationSaved(surroundings_.configuration); // by somebody, unchecked
-  putBack(*std::exchange(keysToPutBack_, std::nullopt), surroundings_.configuration);
+  const bool wasSaved = isCalibrationSaved(context_.configuration); // by somebody, unchecked
+  restoreCalibration(*std::exchange(keysToPutBack_, std::nullopt), context_.configuration);
   if (wasSaved) {
-    saveCalibration(surroundings_.configuration);
+    saveCalibration(context_.configuration);
   }
 }
 
-void CalibrationWork::abandon() {
+void CalibrationJobs::abandon() {
   ++abandoned_;
-  give([this](Finding&) { putBackUnsaved(); });
+  give([this](JobResult&) { putBackUnsaved(); });
 }
 
-void CalibrationWork::undo() {
-  give([this](Finding& finding) {
-    undoCalibration(surroundings_.configuration);
+void CalibrationJobs::undo() {
+  give([this](JobResult& finding) {
+    undoCalibration(context_.configuration);
     finding.isUndone = true;
   });
 }
 
-void CalibrationWork::finish() {
+void CalibrationJobs::finish() {
   ++abandoned_;
-  worker_.finish();
+  worker_.waitUntilIdle();
 }
 
-std::optional<CalibrationWork::Finding> CalibrationWork::found() {
+std::optional<CalibrationJobs::JobResult> CalibrationJobs::takeResult() {
   const std::lock_guard lock{findingsMutex_};
   while (!findings_.empty()) {
-    Finding finding = std::move(findings_.front());
+    JobResult finding = std::move(findings_.front());
     findings_.pop_front();
     if (finding.folder == folder_) {
       return finding;
@@ -186,14 +186,14 @@ std::optional<CalibrationWork::Finding> CalibrationWork::found() {
   return std::nullopt;
 }
 
-const std::vector<ShownCapture>* CalibrationWork::looked() {
-  const Looked* looked = looked_.take();
+const std::vector<PublishedCapture>* CalibrationJobs::takeProcessed() {
+  const ProcessedCaptures* looked = looked_.take();
   return looked != nullptr && looked->folder == folder_ ? &looked->captures : nullptr;
 }
 
-void CalibrationWork::give(std::function<void(Finding&)> task) {
-  worker_.add([this, folder = folder_, abandoned = abandoned_.load(), task = std::move(task)] {
-    Finding finding{.folder = folder};
+void CalibrationJobs::give(std::function<void(JobResult&)> task) {
+  worker_.enqueue([this, folder = folder_, abandoned = abandoned_.load(), task = std::move(task)] {
+    JobResult finding{.folder = folder};
     try {
       task(finding);
     } catch (const std::exception& error) {

@@ -24,7 +24,7 @@
 namespace naocal {
 
 /// What a calibration needs beside its parameters.
-struct CalibrationSurroundings {
+struct CalibrationContext {
   const Robot& drawing;
   RobotIdentity identity;
   Configuration& configuration;     // where results are applied and saved
@@ -35,13 +35,13 @@ struct CalibrationSurroundings {
 /// What a calibration leaves to a thread of its own, so that no cycle waits for it: the ways between poses, finding
 /// boards and writing captures, solving, applying, comparing. Each call returns at once, and is done in the order of
 /// calls; what is found is taken later, and lost once another calibration has begun.
-class CalibrationWork {
+class CalibrationJobs {
 public:
   using Rounds = std::array<CalibrationRound, 2>; // to calibrate, to check
 
-  explicit CalibrationWork(CalibrationSurroundings surroundings);
-  ~CalibrationWork() { finish(); }
-  const CalibrationSurroundings& surroundings() const { return surroundings_; }
+  explicit CalibrationJobs(CalibrationContext context);
+  ~CalibrationJobs() { finish(); }
+  const CalibrationContext& context() const { return context_; }
 
   /// A calibration whose files go into `folder`, the configuration first: what is in effect now is what was before.
   void begin(std::filesystem::path folder);
@@ -49,18 +49,18 @@ public:
 
   /// Poses on feet: of a pose file's content, or of the configuration's file where that is empty; `checkPoses` of them
   /// on each foot to check.
-  struct Legs {
+  struct LegRounds {
     std::vector<SupportFoot> feet;
     RoundOptions options;
     int checkPoses;
     CompensatedAngles home;
     std::string asked;
   };
-  void plan(Legs legs);
+  void planLegs(LegRounds legs);
 
   /// A round's captures come from now on; each is looked at.
-  void open(std::size_t round, CaptureSet header);
-  void look(std::size_t round, Capture capture, ShownCapture shown, CameraFrame frame);
+  void openRound(std::size_t round, CaptureSet header);
+  void processCapture(std::size_t round, Capture capture, PublishedCapture shown, CameraFrame frame);
 
   /// Solves the first round's captures and puts into effect what they say, of offsets only the neck's if so wished.
   void solve(bool onlyHead);
@@ -75,36 +75,36 @@ public:
   /// Waits until nothing is done any more; what was put into effect and not saved stays so.
   void finish();
 
-  struct Finding {
+  struct JobResult {
     std::filesystem::path folder; // of the calibration that it is about
     std::optional<Rounds> rounds;
     bool isApplied = false;
-    std::optional<ShownOutcome> outcome;
-    std::optional<CalibrationSession::Error> error;
+    std::optional<PublishedOutcome> outcome;
+    std::optional<CalibrationRecorder::ErrorComparison> error;
     bool isKept = false;   // with `error`: what was applied is saved
     bool isUndone = false; // what was saved before is taken back
     std::string diagnosis; // a sentence or two about how well the model fits
     std::string problem;   // one sentence; empty: none
   };
   /// What came of it, in its order, one by one.
-  std::optional<Finding> found();
+  std::optional<JobResult> takeResult();
   /// All captures that were looked at so far, in their order; nullptr: none since the last call.
-  const std::vector<ShownCapture>* looked();
+  const std::vector<PublishedCapture>* takeProcessed();
 
 private:
   /// A round's session, made and used by the worker alone.
   struct Round {
-    std::optional<CalibrationSession> session;
+    std::optional<CalibrationRecorder> session;
   };
-  struct Looked {
+  struct ProcessedCaptures {
     std::filesystem::path folder;
-    std::vector<ShownCapture> captures;
+    std::vector<PublishedCapture> captures;
   };
   void putBackUnsaved(); // the worker's
   /// Has the worker do it; what it finds or throws comes back as a finding.
-  void give(std::function<void(Finding&)> task);
+  void give(std::function<void(JobResult&)> task);
 
-  CalibrationSurroundings surroundings_;
+  CalibrationContext context_;
   std::filesystem::path folder_;
   std::atomic<std::uint64_t> abandoned_{0};        // so many calibrations
   std::optional<std::string> keysToPutBack_;       // the worker's, while what is in effect is not saved
@@ -112,10 +112,10 @@ private:
   bool isChecked_ = false;                         // the worker's
   std::array<std::shared_ptr<Round>, 2> sessions_; // belong to the worker
   std::mutex findingsMutex_;
-  std::deque<Finding> findings_;
-  Latest<Looked> looked_;
-  Looked lookedAt_; // the worker's
-  Worker worker_;   // last: it uses the others
+  std::deque<JobResult> findings_;
+  Latest<ProcessedCaptures> looked_;
+  ProcessedCaptures lookedAt_; // the worker's
+  Worker worker_;              // last: it uses the others
 };
 
 } // namespace naocal

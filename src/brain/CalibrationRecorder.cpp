@@ -15,8 +15,8 @@
 
 namespace naocal {
 
-CalibrationSession::CalibrationSession(const Robot& drawing, CaptureSet header, std::filesystem::path folder,
-                                       ModelFile model)
+CalibrationRecorder::CalibrationRecorder(const Robot& drawing, CaptureSet header, std::filesystem::path folder,
+                                         ModelFile model)
     : drawing_{drawing}, set_{std::move(header)}, folder_{std::move(folder)}, model_{std::move(model)} {
   if (std::filesystem::exists(folder_ / "captures.json")) {
     throw InputError{fmt::format("{}: expected an empty folder for a new recording, found captures; move them away",
@@ -25,8 +25,8 @@ CalibrationSession::CalibrationSession(const Robot& drawing, CaptureSet header, 
   std::filesystem::create_directories(folder_ / "images");
 }
 
-std::vector<BoardCorners> CalibrationSession::add(Capture capture, const CameraFrame& frame) {
-  const auto picture = greyPicture(frame);
+std::vector<BoardCorners> CalibrationRecorder::record(Capture capture, const CameraFrame& frame) {
+  const auto picture = toGreyImage(frame);
   if (!picture) {
     return {}; // its bytes were lost: there is nothing to see
   }
@@ -42,10 +42,10 @@ std::vector<BoardCorners> CalibrationSession::add(Capture capture, const CameraF
   return *set_.captures.back().corners;
 }
 
-CalibrationSession::Solved CalibrationSession::solved() const {
+CalibrationRecorder::Solution CalibrationRecorder::solve() const {
   const std::vector<CaptureSet> sets{set_};
   const Measurements measurements = measurementsOf(sets, drawing_);
-  const auto [asked, leftOut] = modelFor(measurements, model_);
+  const auto [asked, leftOut] = reduceModel(measurements, model_);
   const Model model = makeModel(measurements, asked.with, asked.without, asked.effects);
   const CalibrationResult result = calibrate(measurements, model);
   const ResultInputs inputs{{folder_.string()}, {sha256(fileContent(folder_ / "captures.json"))}};
@@ -55,7 +55,7 @@ CalibrationSession::Solved CalibrationSession::solved() const {
         "the search for offsets and mounts did not converge. Nothing was changed. Look whether all boards are "
         "those of the configuration and lie still, and calibrate again"};
   }
-  Solved solved{readResult(folder_ / "result.json"), shownOffsets(measurements, model, result), result.warnings};
+  Solution solved{readResult(folder_ / "result.json"), shownOffsets(measurements, model, result), result.warnings};
   if (!leftOut.empty()) {
     solved.warnings.push_back(
         {Warning::About::fit,
@@ -70,20 +70,21 @@ CalibrationSession::Solved CalibrationSession::solved() const {
   return solved;
 }
 
-std::string CalibrationSession::diagnosed() const {
+std::string CalibrationRecorder::diagnose() const {
   const std::vector<CaptureSet> sets{set_};
   const Measurements measurements = measurementsOf(sets, drawing_);
-  const ModelFile asked = modelFor(measurements, model_).model;
+  const ModelFile asked = reduceModel(measurements, model_).model;
   DiagnosisOptions options;
   options.with = asked.with;
   options.without = asked.without;
   options.effects = asked.effects;
-  const Diagnosis diagnosis = diagnose(sets, measurements, options);
+  const Diagnosis diagnosis = naocal::diagnose(sets, measurements, options);
   writeAtomically(folder_ / "diagnosis.json", diagnosisJson(diagnosis).dump(2) + "\n");
   return diagnosis.sentence;
 }
 
-CalibrationSession::Error CalibrationSession::error(const StoredResult& before, const StoredResult& after) const {
+CalibrationRecorder::ErrorComparison CalibrationRecorder::compareErrors(const StoredResult& before,
+                                                                        const StoredResult& after) const {
   const auto rms = [this](const StoredResult& result) { return compare(result, {set_}, drawing_, false).all.rmsPx; };
   return {rms(before), rms(after)};
 }

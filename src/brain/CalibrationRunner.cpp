@@ -28,25 +28,25 @@ constexpr std::chrono::seconds notWorthAWord{2};
 
 } // namespace
 
-CalibrationRunner::CalibrationRunner(CalibrationSurroundings surroundings)
-    : Module{"CalibrationRunner"}, work_{std::move(surroundings)} {}
+CalibrationRunner::CalibrationRunner(CalibrationContext context)
+    : Module{"CalibrationRunner"}, jobs_{std::move(context)} {}
 
-void CalibrationRunner::parametersChanged() {
+void CalibrationRunner::onParametersChanged() {
   kinds_ = calibrationKinds();
-  const bool isGiven = run_.takeGiven(), isNew = *run_ != std::exchange(runBefore_, *run_);
-  const bool counts = isGiven && (state_->runs() ? *run_ != state_->kind : isNew);
+  const bool isGiven = run_.takeCommand(), isNew = *run_ != std::exchange(runBefore_, *run_);
+  const bool counts = isGiven && (state_->isRunning() ? *run_ != state_->kind : isNew);
   if (!counts) {
     return;
   }
-  const CalibrationKind* kind = calibrationKind(*run_);
-  if (state_->runs()) {
+  const CalibrationKind* kind = findCalibrationKind(*run_);
+  if (state_->isRunning()) {
     fail("The calibration was ended; the robot goes back to its stand. Nothing was changed.");
   } else if (kind != nullptr) {
     start(*kind);
   } else if (*run_ == "undo") {
     state_ = CalibrationState{.kind = *run_, .questionNumber = state_->questionNumber};
     enter(Phase::preparing, "What the last calibration saved is being taken back.");
-    work_.undo();
+    jobs_.undo();
   } else if (*run_ == "poses") {
     startAskedPoses();
   } else if (!run_->empty()) {
@@ -58,14 +58,14 @@ void CalibrationRunner::start(const CalibrationKind& kind) {
   kind_ = &kind;
   state_ = CalibrationState{.kind = kind.run, .questionNumber = state_->questionNumber};
   const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
-  const CalibrationSurroundings& surroundings = work_.surroundings();
-  work_.begin(surroundings.recordings / fmt::format("{:%Y-%m-%d_%H-%M-%S}", fmt::gmtime(now)));
+  const CalibrationContext& context = jobs_.context();
+  jobs_.begin(context.recordings / fmt::format("{:%Y-%m-%d_%H-%M-%S}", fmt::gmtime(now)));
   rounds_ = {};
   round_ = 0;
   poseTime_.reset();
-  shownPoses_ = ShownPoses{};
-  shownCaptures_ = std::vector<ShownCapture>{};
-  shownOutcome_ = ShownOutcome{};
+  shownPoses_ = PublishedPoses{};
+  shownCaptures_ = std::vector<PublishedCapture>{};
+  shownOutcome_ = PublishedOutcome{};
   ask(PoseRequest::Kind::home, "The stand", {});
   enter(Phase::goingHome, "The robot goes to its stand.");
 }
@@ -84,13 +84,13 @@ void CalibrationRunner::enter(Phase phase, const std::string& sentence) {
   state.phase = phase;
   state.sentence = sentence;
   state.question = phase == Phase::waiting ? sentence : "";
-  if (!state.runs()) {
+  if (!state.isRunning()) {
     state.secondsLeft.reset();
   }
 }
 
 void CalibrationRunner::fail(const std::string& sentence) {
-  work_.abandon();
+  jobs_.abandon();
   followed_.reset(); // no look that was set at the same time
   ask(PoseRequest::Kind::home, "", {});
   enter(Phase::failed, sentence);
@@ -137,23 +137,23 @@ void CalibrationRunner::watchPlayer() {
       chestPressed();
     }
   }
-  if (state_->runs() && player_.request == requests_ && !player_.reason.empty()) {
-    work_.abandon();
+  if (state_->isRunning() && player_.request == requests_ && !player_.reason.empty()) {
+    jobs_.abandon();
     enter(Phase::failed, fmt::format("The calibration ended. {}", player_.reason));
   }
 }
 
 void CalibrationRunner::chestPressed() {
-  const CalibrationKind* kind = calibrationKind(*chestStarts_);
+  const CalibrationKind* kind = findCalibrationKind(*chestStarts_);
   if (state_->phase == Phase::waiting) {
     go();
-  } else if (!state_->runs() && kind != nullptr) {
+  } else if (!state_->isRunning() && kind != nullptr) {
     start(*kind);
   }
 }
 
-void CalibrationRunner::follow(const WantedLook& look) {
-  if (!followed_ || state_->runs()) { // what a file says moves nothing, nor what is set while something else runs
+void CalibrationRunner::follow(const HeadLookRequest& look) {
+  if (!followed_ || state_->isRunning()) { // what a file says moves nothing, nor what is set while something else runs
     followed_ = look;
   }
   const bool isLooking = requests_ > 0 && lookRequest_ == requests_;
@@ -163,7 +163,7 @@ void CalibrationRunner::follow(const WantedLook& look) {
     return;
   }
   if (look.active) {
-    ask(PoseRequest::Kind::go, "Looking there", {lookingFrom(player_.home, look.yaw, look.pitch)});
+    ask(PoseRequest::Kind::go, "Looking there", {turnHead(player_.home, look.yaw, look.pitch)});
     lookRequest_ = requests_;
   } else if (followed_->active) {
     ask(PoseRequest::Kind::home, "The stand", {});
@@ -173,16 +173,16 @@ void CalibrationRunner::follow(const WantedLook& look) {
 
 bool CalibrationRunner::isStill(const CameraFrame& frame) {
   const auto before = previous_.find(frame.camera);
-  const auto one = before == previous_.end() ? std::nullopt : greyPicture(before->second), other = greyPicture(frame);
+  const auto one = before == previous_.end() ? std::nullopt : toGreyImage(before->second), other = toGreyImage(frame);
   previous_[frame.camera] = frame;
-  return one && other && pictureDifference(*one, *other) <= *stillPicture_;
+  return one && other && imageDifference(*one, *other) <= *stillPicture_;
 }
 
 void CalibrationRunner::nextStep() {
   const CalibrationStep& step = rounds_[round_][step_];
   taken_ = {};
   previous_ = {};
-  shownPoses_ = shownPoses(static_cast<int>(round_), rounds_[round_], step_);
+  shownPoses_ = listPoses(static_cast<int>(round_), rounds_[round_], step_);
   if (step.question.empty()) {
     return go();
   }
@@ -255,7 +255,7 @@ void CalibrationRunner::tellTimeLeft() {
   };
   CalibrationState& state = state_.edit();
   if (state.pose > 1) { // from the first pose's pictures to these
-    poseTime_ = seconds(picture_->frame.time - *roundStart_) / (state.pose - 1);
+    poseTime_ = toSeconds(picture_->frame.time - *roundStart_) / (state.pose - 1);
   }
   if (poseTime_) {
     const auto later = round_ == 0 && kind_ != &askedKind_ ? left(1) : 0;
@@ -288,12 +288,12 @@ void CalibrationRunner::prepare() {
   RoundOptions options{*repeats_, radians(*approach_), 0, *orderSeed_};
   if (kind_->feet.front() == SupportFoot::both) {
     constexpr double nearer = 0.7; // to check, other places than those that were calibrated with
-    rounds_[0] = headRound(player_.home, *yaws_, *pitches_, 1, options);
+    rounds_[0] = planHeadRound(player_.home, *yaws_, *pitches_, 1, options);
     ++options.seed;
-    rounds_[1] = headRound(player_.home, *yaws_, *pitches_, nearer, options);
+    rounds_[1] = planHeadRound(player_.home, *yaws_, *pitches_, nearer, options);
     return startRound();
   }
-  work_.plan({kind_->feet, options, *checkPoses_, player_.home, kind_ == &askedKind_ ? askedPoses_->content : ""});
+  jobs_.planLegs({kind_->feet, options, *checkPoses_, player_.home, kind_ == &askedKind_ ? askedPoses_->content : ""});
 }
 
 void CalibrationRunner::startRound() {
@@ -303,64 +303,64 @@ void CalibrationRunner::startRound() {
   state_.edit().poses = static_cast<int>(
       std::count_if(round.begin(), round.end(), [](const CalibrationStep& step) { return step.pictures > 0; }));
   roundStart_.reset();
-  work_.open(round_, header());
+  jobs_.openRound(round_, header());
   nextStep();
 }
 
 void CalibrationRunner::take(const Capture& capture) {
-  ShownCapture shown{++state_.edit().captures, static_cast<int>(round_), capture.pose, capture.camera, {}, {}};
+  PublishedCapture shown{++state_.edit().captures, static_cast<int>(round_), capture.pose, capture.camera, {}, {}};
   shownCaptures_.edit().push_back(shown);
-  work_.look(round_, capture, std::move(shown), picture_->frame);
+  jobs_.processCapture(round_, capture, std::move(shown), picture_->frame);
 }
 
 void CalibrationRunner::endRound() {
   ask(PoseRequest::Kind::home, "The stand", {}); // it is there, and can be let go
   if (kind_ == &askedKind_) {
     return enter(Phase::finished, fmt::format("All poses were taken; what was seen lies in {} on the robot.",
-                                              (work_.folder() / "first").string()));
+                                              (jobs_.folder() / "first").string()));
   }
   if (round_ == 0) {
     enter(Phase::solving, "The captures are being solved.");
-    work_.solve(kind_->feet.front() == SupportFoot::both);
+    jobs_.solve(kind_->feet.front() == SupportFoot::both);
   } else {
     enter(Phase::checking, "The second round is being compared with what was solved.");
-    work_.check();
+    jobs_.check();
   }
 }
 
 void CalibrationRunner::takeFound() {
-  if (const std::vector<ShownCapture>* looked = work_.looked()) {
+  if (const std::vector<PublishedCapture>* looked = jobs_.takeProcessed()) {
     std::copy(looked->begin(), looked->end(), shownCaptures_.edit().begin());
   }
-  while (auto found = work_.found()) {
+  while (auto found = jobs_.takeResult()) {
     take(std::move(*found));
   }
 }
 
-void CalibrationRunner::take(CalibrationWork::Finding found) {
+void CalibrationRunner::take(CalibrationJobs::JobResult found) {
   if (found.isUndone) {
-    shownOutcome_ = ShownOutcome{};
+    shownOutcome_ = PublishedOutcome{};
     enter(Phase::finished, "What the last calibration saved was taken back.");
   } else if (!found.diagnosis.empty()) {
     shownOutcome_.edit().diagnosis = found.diagnosis;
   } else if (!found.problem.empty()) {
     const bool isUndo = state_->kind == "undo";
-    isUndo || !state_->runs()
+    isUndo || !state_->isRunning()
         ? enter(Phase::failed, fmt::format("{}{}.", isUndo ? "Nothing was taken back: " : "", found.problem))
         : fail(fmt::format("The calibration ended: {}.", found.problem));
-  } else if (found.error && (found.isKept || state_->runs())) {
+  } else if (found.error && (found.isKept || state_->isRunning())) {
     tellError(*found.error, found.isKept);
-  } else if (found.rounds && state_->runs()) {
+  } else if (found.rounds && state_->isRunning()) {
     rounds_ = std::move(*found.rounds);
     startRound();
-  } else if (found.isApplied && state_->runs()) {
+  } else if (found.isApplied && state_->isRunning()) {
     shownOutcome_ = *found.outcome;
     round_ = 1;
     startRound();
   }
 }
 
-void CalibrationRunner::tellError(const CalibrationSession::Error& error, bool isKept) {
+void CalibrationRunner::tellError(const CalibrationRecorder::ErrorComparison& error, bool isKept) {
   state_.edit().errorBefore = error.before;
   state_.edit().errorAfter = error.after;
   const std::string errors =
@@ -384,9 +384,9 @@ void CalibrationRunner::tellError(const CalibrationSession::Error& error, bool i
 
 CaptureSet CalibrationRunner::header() const {
   CaptureSet set;
-  set.model = work_.surroundings().drawing.model;
-  set.headId = work_.surroundings().identity.headId;
-  set.bodyId = work_.surroundings().identity.bodyId;
+  set.model = jobs_.context().drawing.model;
+  set.headId = jobs_.context().identity.headId;
+  set.bodyId = jobs_.context().identity.bodyId;
   set.jointNames = {jointNames.begin(), jointNames.end()};
   for (const auto& [name, belief] : *cameras_) {
     set.cameras[name] = belief.intrinsics;

@@ -24,22 +24,22 @@ std::string takeHold(const std::string& why) {
 Eigen::VectorXd drawn(const Robot& drawing, const CompensatedAngles& stand) {
   Eigen::VectorXd angles{at(drawing.joints.size())};
   for (std::size_t joint = 0; joint < drawing.joints.size(); ++joint) {
-    angles[at(joint)] = stand[jointNumber(drawing.joints[joint].name).value()];
+    angles[at(joint)] = stand[jointIndex(drawing.joints[joint].name).value()];
   }
   return angles;
 }
 
 } // namespace
 
-CompensatedAngles lookingFrom(const CompensatedAngles& stand, double yaw, double pitch) {
+CompensatedAngles turnHead(const CompensatedAngles& stand, double yaw, double pitch) {
   CompensatedAngles pose = stand;
-  pose[*jointNumber("HeadYaw")] = radians(yaw);
-  pose[*jointNumber("HeadPitch")] = radians(pitch);
+  pose[*jointIndex("HeadYaw")] = radians(yaw);
+  pose[*jointIndex("HeadPitch")] = radians(pitch);
   return pose;
 }
 
-CalibrationRound headRound(const CompensatedAngles& stand, const std::vector<double>& yaws,
-                           const std::vector<double>& pitches, double share, const RoundOptions& options) {
+CalibrationRound planHeadRound(const CompensatedAngles& stand, const std::vector<double>& yaws,
+                               const std::vector<double>& pitches, double share, const RoundOptions& options) {
   std::vector<std::pair<double, double>> looks;
   for (const double pitch : pitches) {
     for (const double yaw : yaws) {
@@ -48,12 +48,12 @@ CalibrationRound headRound(const CompensatedAngles& stand, const std::vector<dou
   }
   std::mt19937_64 random{options.seed};
   std::shuffle(looks.begin(), looks.end(), random);
-  const std::size_t neck[]{*jointNumber("HeadYaw"), *jointNumber("HeadPitch")};
+  const std::size_t neck[]{*jointIndex("HeadYaw"), *jointIndex("HeadPitch")};
   CalibrationRound round;
   for (std::size_t look = 0; look < looks.size(); ++look) {
     const std::string id = fmt::format("H{:02}", look);
     for (int repeat = 0; repeat < options.pictures; ++repeat) {
-      const CompensatedAngles pose = lookingFrom(stand, looks[look].first, looks[look].second);
+      const CompensatedAngles pose = turnHead(stand, looks[look].first, looks[look].second);
       CalibrationStep step{fmt::format("Pose {}", id), "", false, {pose, pose}, 1, {}};
       step.taken.pose = id;
       step.taken.repeat = repeat;
@@ -72,7 +72,8 @@ CalibrationRound headRound(const CompensatedAngles& stand, const std::vector<dou
   return round;
 }
 
-LegPoses::LegPoses(const Robot& drawing, const PoseFile& file, SupportFoot foot, const CompensatedAngles& stand)
+LegRoundPlanner::LegRoundPlanner(const Robot& drawing, const PoseFile& file, SupportFoot foot,
+                                 const CompensatedAngles& stand)
     : drawing_{drawing}, foot_{foot}, ways_{drawing, foot, drawn(drawing, stand),
                                             std::min(file.jointError, PoseOptions{}.stability.jointError)} {
   std::copy_if(file.poses.begin(), file.poses.end(), std::back_inserter(poses_),
@@ -82,7 +83,8 @@ LegPoses::LegPoses(const Robot& drawing, const PoseFile& file, SupportFoot foot,
   }
 }
 
-OneFootWays::Approach LegPoses::approach(const PlayablePose& pose, double distance, std::mt19937_64& random) const {
+OneFootWays::Approach LegRoundPlanner::approach(const PlayablePose& pose, double distance,
+                                                std::mt19937_64& random) const {
   auto found = ways_.approach(pose.angles, pose.approach, distance, random);
   if (!found) {
     throw InputError{fmt::format("pose {}: there is no safe way to it from standing upright on the {} foot; plan other "
@@ -92,15 +94,15 @@ OneFootWays::Approach LegPoses::approach(const PlayablePose& pose, double distan
   return *std::move(found);
 }
 
-CompensatedAngles LegPoses::robotAngles(const Eigen::VectorXd& angles) const {
+CompensatedAngles LegRoundPlanner::robotAngles(const Eigen::VectorXd& angles) const {
   CompensatedAngles result;
   for (std::size_t joint = 0; joint < drawing_.joints.size(); ++joint) {
-    result[jointNumber(drawing_.joints[joint].name).value()] = angles[at(joint)];
+    result[jointIndex(drawing_.joints[joint].name).value()] = angles[at(joint)];
   }
   return result;
 }
 
-CalibrationRound LegPoses::onto(bool isHeld) const {
+CalibrationRound LegRoundPlanner::onto(bool isHeld) const {
   const std::string foot = nameOf(foot_), name = fmt::format("The {} foot", foot);
   std::vector<CompensatedAngles> points;
   for (const Eigen::VectorXd& angles : ways_.onto()) {
@@ -114,7 +116,7 @@ CalibrationRound LegPoses::onto(bool isHeld) const {
           {name, letGo, false, {points.back()}, 0, {}}};
 }
 
-CalibrationRound LegPoses::round(const RoundOptions& options, int stance) const {
+CalibrationRound LegRoundPlanner::planRound(const RoundOptions& options, int stance) const {
   std::mt19937_64 random{options.seed};
   std::vector<PlayablePose> poses = poses_;
   std::shuffle(poses.begin(), poses.end(), random);

@@ -32,27 +32,27 @@ struct RoundOptions {
 };
 
 /// The stand with the head turned [deg].
-CompensatedAngles lookingFrom(const CompensatedAngles& stand, double yaw, double pitch);
+CompensatedAngles turnHead(const CompensatedAngles& stand, double yaw, double pitch);
 
 /// The stand with the head at each pair of these angles [deg] times `share`, in random order; pictures are taken at as
 /// many approaches as asked, of yaw and pitch from below and from above in turn.
-CalibrationRound headRound(const CompensatedAngles& stand, const std::vector<double>& yaws,
-                           const std::vector<double>& pitches, double share, const RoundOptions& options);
+CalibrationRound planHeadRound(const CompensatedAngles& stand, const std::vector<double>& yaws,
+                               const std::vector<double>& pitches, double share, const RoundOptions& options);
 
 /// The poses of a pose file that a robot takes on one foot, each reached from standing upright on that foot, so that
 /// they can be taken in any order (OneFootWays), by robots with joints off by what the file says,
 /// at most 6.5 degrees as in `naocal poses`: poses may be safe for more than ways are.
-class LegPoses {
+class LegRoundPlanner {
 public:
   /// `stand`: on both feet. Throws InputError for a foot that the file has no poses for, and for poses without a safe
   /// way to them.
-  LegPoses(const Robot& drawing, const PoseFile& file, SupportFoot foot, const CompensatedAngles& stand);
+  LegRoundPlanner(const Robot& drawing, const PoseFile& file, SupportFoot foot, const CompensatedAngles& stand);
 
   /// Onto the foot, through the poses in random order, and back to the stand; held by a person between one foot and
   /// both, for its joints may be off by degrees, and since the foot before where this is not the first stance (0). In
   /// each pose pictures are taken at as many approaches as asked, from below and from above in turn: which joint comes
   /// from where first is random.
-  CalibrationRound round(const RoundOptions& options, int stance) const;
+  CalibrationRound planRound(const RoundOptions& options, int stance) const;
 
 private:
   /// Onto the foot, upright: held by a person, who then puts the robot down and lets it go.

@@ -28,9 +28,9 @@ std::string inWords(const std::string& joint) {
   return words;
 }
 
-std::vector<std::string> posesWithoutBoard(const std::vector<ShownCapture>& captures) {
+std::vector<std::string> posesWithoutBoard(const std::vector<PublishedCapture>& captures) {
   std::map<std::string, int> corners;
-  for (const ShownCapture& capture : captures) {
+  for (const PublishedCapture& capture : captures) {
     if (capture.round == 0) {
       corners[capture.pose] += capture.corners.value_or(0);
     }
@@ -71,8 +71,8 @@ void to_json(nlohmann::json& out, const CalibrationState& state) {
          {"errorAfter", state.errorAfter ? nlohmann::json(*state.errorAfter) : nlohmann::json()}};
 }
 
-ShownPoses shownPoses(int round, const CalibrationRound& steps, std::size_t step) {
-  ShownPoses shown{round, 0, {}};
+PublishedPoses listPoses(int round, const CalibrationRound& steps, std::size_t step) {
+  PublishedPoses shown{round, 0, {}};
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (steps[i].pictures > 0) {
       shown.step += i < step ? 1 : 0;
@@ -82,14 +82,14 @@ ShownPoses shownPoses(int round, const CalibrationRound& steps, std::size_t step
   return shown;
 }
 
-std::vector<ShownOffset> learned(std::vector<ShownOffset> offsets) {
+std::vector<ShownOffset> learnedOffsets(std::vector<ShownOffset> offsets) {
   std::erase_if(offsets, [](const ShownOffset& offset) { return !isLearned(offset); });
   return offsets;
 }
 
-ShownOutcome shownOutcome(const StoredResult& before, const std::vector<ShownOffset>& offsets,
-                          const std::vector<ShownCapture>& captures) {
-  ShownOutcome outcome;
+PublishedOutcome summarizeOutcome(const StoredResult& before, const std::vector<ShownOffset>& offsets,
+                                  const std::vector<PublishedCapture>& captures) {
+  PublishedOutcome outcome;
   const std::vector<std::string> unseen = posesWithoutBoard(captures);
   for (const ShownOffset& offset : offsets) {
     if (!isLearned(offset)) {
@@ -103,14 +103,14 @@ ShownOutcome shownOutcome(const StoredResult& before, const std::vector<ShownOff
   return outcome;
 }
 
-void to_json(nlohmann::json& out, const ShownPoses& poses) {
+void to_json(nlohmann::json& out, const PublishedPoses& poses) {
   out = {{"round", poses.round}, {"step", poses.step}, {"poses", nlohmann::json::array()}};
-  for (const ShownPoses::Pose& pose : poses.poses) {
+  for (const PublishedPoses::Pose& pose : poses.poses) {
     out["poses"].push_back({{"name", pose.name}, {"angles", pose.angles}});
   }
 }
 
-void to_json(nlohmann::json& out, const ShownCapture& capture) {
+void to_json(nlohmann::json& out, const PublishedCapture& capture) {
   out = {{"number", capture.number}, {"round", capture.round},   {"pose", capture.pose},
          {"camera", capture.camera}, {"boards", capture.boards}, {"corners", nullptr}};
   if (capture.corners) {
@@ -118,12 +118,12 @@ void to_json(nlohmann::json& out, const ShownCapture& capture) {
   }
 }
 
-void to_json(nlohmann::json& out, const ShownOutcome& outcome) {
+void to_json(nlohmann::json& out, const PublishedOutcome& outcome) {
   out = {{"joints", nlohmann::json::array()}, {"warnings", outcome.warnings}, {"diagnosis", outcome.diagnosis}};
   if (!outcome.before.empty()) {
     out["before"] = nlohmann::json::parse(outcome.before);
   }
-  for (const ShownOutcome::Offset& offset : outcome.joints) {
+  for (const PublishedOutcome::Offset& offset : outcome.joints) {
     out["joints"].push_back({{"joint", offset.joint},
                              {"before", offset.before},
                              {"after", offset.after},

@@ -28,12 +28,12 @@ struct CalibrationState {
   std::optional<double> errorBefore, errorAfter; // of corners that were not used to calibrate [px]
 
   /// Neither idle nor at an end.
-  bool runs() const { return phase != Phase::idle && phase != Phase::finished && phase != Phase::failed; }
+  bool isRunning() const { return phase != Phase::idle && phase != Phase::finished && phase != Phase::failed; }
 };
 void to_json(nlohmann::json& out, const CalibrationState& state);
 
 /// The poses of the present round in which pictures are taken, before they are played.
-struct ShownPoses {
+struct PublishedPoses {
   int round = 0, step = 0; // the pose that comes next, or is being taken
   struct Pose {
     std::string name;
@@ -41,22 +41,22 @@ struct ShownPoses {
   };
   std::vector<Pose> poses;
 };
-void to_json(nlohmann::json& out, const ShownPoses& poses);
+void to_json(nlohmann::json& out, const PublishedPoses& poses);
 
 /// Those of a round, the first at `step` or behind it next.
-ShownPoses shownPoses(int round, const CalibrationRound& steps, std::size_t step);
+PublishedPoses listPoses(int round, const CalibrationRound& steps, std::size_t step);
 
 /// A picture that was taken, and what was found in it.
-struct ShownCapture {
+struct PublishedCapture {
   int number = 0, round = 0;
   std::string pose, camera;
   std::optional<int> corners; // absent: not looked at yet
   std::vector<std::string> boards;
 };
-void to_json(nlohmann::json& out, const ShownCapture& capture);
+void to_json(nlohmann::json& out, const PublishedCapture& capture);
 
 /// What the first round's captures said.
-struct ShownOutcome {
+struct PublishedOutcome {
   struct Offset {
     std::string joint;
     double before = 0, after = 0, sigma = 0; // [deg]
@@ -67,14 +67,14 @@ struct ShownOutcome {
   std::string before;                // the keys of both mounts as they were set before, JSON; empty: nothing was tried
   std::string diagnosis;             // how well the model fits, in a sentence or two; empty until that is known
 };
-void to_json(nlohmann::json& out, const ShownOutcome& outcome);
+void to_json(nlohmann::json& out, const PublishedOutcome& outcome);
 
 /// Those offsets that the captures tell.
-std::vector<ShownOffset> learned(std::vector<ShownOffset> offsets);
+std::vector<ShownOffset> learnedOffsets(std::vector<ShownOffset> offsets);
 
 /// The offsets that were learned beside those before; of each that was not a warning, with the poses in which no board
 /// was seen.
-ShownOutcome shownOutcome(const StoredResult& before, const std::vector<ShownOffset>& offsets,
-                          const std::vector<ShownCapture>& captures);
+PublishedOutcome summarizeOutcome(const StoredResult& before, const std::vector<ShownOffset>& offsets,
+                                  const std::vector<PublishedCapture>& captures);
 
 } // namespace naocal

@@ -17,7 +17,7 @@ std::vector<double> listOf(const PerJoint<double>& values) {
 
 } // namespace
 
-Capture captureOf(const CameraFrame& frame, TimePoint middle, const JointMoment& moment) {
+Capture makeCapture(const CameraFrame& frame, TimePoint middle, const JointSample& moment) {
   Capture capture;
   capture.time = middle.time_since_epoch();
   capture.camera = toString(frame.camera);
@@ -32,7 +32,7 @@ Capture captureOf(const CameraFrame& frame, TimePoint middle, const JointMoment&
 }
 
 void CaptureCollector::cycle() {
-  StillPicture& picture = picture_.edit();
+  StillImage& picture = picture_.edit();
   picture.isNew = picture.isMoving = false;
   if (frame_->isNew) {
     waiting_.push_back(frame_->frame);
@@ -49,21 +49,21 @@ void CaptureCollector::cycle() {
     return; // not measured yet
   }
   if (const auto moment = moments_->at(middle); moment && moment->stillFor > 0) {
-    picture = {true, false, waiting_.front(), captureOf(waiting_.front(), middle, *moment), moment->stillFor};
+    picture = {true, false, waiting_.front(), makeCapture(waiting_.front(), middle, *moment), moment->stillFor};
   } else if (moment) {
     picture.isMoving = true;
   }
   waiting_.pop_front();
 }
 
-void to_json(nlohmann::json& out, const StillPicture& picture) {
+void to_json(nlohmann::json& out, const StillImage& picture) {
   out = {{"isNew", picture.isNew},
          {"camera", picture.capture.camera},
          {"time", picture.capture.time.count()},
          {"stillFor", picture.stillFor}};
 }
 
-double pictureDifference(const GreyPicture& one, const GreyPicture& other) {
+double imageDifference(const GreyPicture& one, const GreyPicture& other) {
   constexpr int block = 16;
   constexpr double share = 0.95;
   if (one.width != other.width || one.height != other.height || one.width < block || one.height < block) {

@@ -9,15 +9,15 @@ std::size_t bytesPerPixel(PixelFormat format) {
 
 } // namespace
 
-std::span<const std::uint8_t> wholePicture(const CameraFrame& frame) {
+std::span<const std::uint8_t> completeBytes(const CameraFrame& frame) {
   const std::span<const std::uint8_t> bytes = frame.picture ? frame.picture->bytes() : std::span<const std::uint8_t>{};
   const std::size_t count = std::size_t(frame.width) * std::size_t(frame.height);
   const bool whole = frame.width > 0 && frame.height > 0 && bytes.size() == bytesPerPixel(frame.format) * count;
   return whole ? bytes : std::span<const std::uint8_t>{};
 }
 
-std::optional<GreyPicture> greyPicture(const CameraFrame& frame) {
-  const std::span<const std::uint8_t> bytes = wholePicture(frame);
+std::optional<GreyPicture> toGreyImage(const CameraFrame& frame) {
+  const std::span<const std::uint8_t> bytes = completeBytes(frame);
   if (bytes.empty()) {
     return std::nullopt;
   }

@@ -19,7 +19,7 @@ struct Rgb {
 };
 
 /// Eyes of this colour ask the person beside the robot to hold it.
-constexpr Rgb holdMe{1, 0.75f, 0};
+constexpr Rgb holdMeColour{1, 0.75f, 0};
 
 /// The robot's lights, each list in the robot's own order.
 struct Leds {
@@ -83,7 +83,7 @@ struct RobotState {
 };
 
 /// How the connection to the robot fares.
-struct RobotLink {
+struct RobotStatus {
   std::uint64_t states = 0;     // received
   std::uint64_t lostStates = 0; // that the robot measured but this program did not get, as far as the driver can tell
   std::uint64_t reconnects = 0; // since the first connection
@@ -100,7 +100,7 @@ struct RobotLink {
 ///     }
 ///
 /// so the robot's pace is the loop's. Nothing here throws after construction: a lost connection is absence (no state)
-/// and a sentence in `link()`, and it is mended by the next calls.
+/// and a sentence in `status()`, and it is mended by the next calls.
 class RobotInterface {
 public:
   virtual ~RobotInterface() = default;
@@ -120,9 +120,9 @@ public:
   virtual std::chrono::nanoseconds period() const = 0;
 
   /// Nothing will come any more: a replay is over. False for everything that has no end.
-  virtual bool ended() const { return false; }
+  virtual bool hasEnded() const { return false; }
 
-  virtual RobotLink link() const = 0;
+  virtual RobotStatus status() const = 0;
 };
 
 } // namespace naocal

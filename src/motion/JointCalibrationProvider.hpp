@@ -20,12 +20,12 @@ class JointCalibrationProvider final : public Module {
 public:
   JointCalibrationProvider();
   void cycle() override;
-  void parametersChanged() override;
+  void onParametersChanged() override;
 
 private:
   std::deque<Parameter<double>> degrees_; // in the order of `jointNames`
   JointOffsets offsets_;
-  Dependency<Measured> measured_{*this, "measured"};
+  Dependency<SensorFrame> measured_{*this, "measured"};
   Production<JointOffsets> offsetsShown_{*this, "JointCalibrationData"};
   Production<CompensatedAngles> angles_{*this, "angles"};
   Production<std::string> problem_{*this, "JointCalibrationProvider.problem"}; // one sentence, empty when all is well

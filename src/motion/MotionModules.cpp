@@ -8,7 +8,7 @@
 
 namespace naocal {
 
-void addMotionModules(Thread& motion, RobotInterface& robot, const Robot& drawing, Ending& ending) {
+void addMotionModules(Thread& motion, RobotInterface& robot, const Robot& drawing, ShutdownRequest& ending) {
   motion.add<SensorProvider>(robot);
   motion.add<JointCalibrationProvider>();
   motion.add<PosePlayer>(drawing, ending);

@@ -8,6 +8,6 @@
 namespace naocal {
 
 /// The motion thread's modules, for a robot and its drawing, which must outlive the thread, and so must `ending`.
-void addMotionModules(Thread& motion, RobotInterface& robot, const Robot& drawing, Ending& ending);
+void addMotionModules(Thread& motion, RobotInterface& robot, const Robot& drawing, ShutdownRequest& ending);
 
 } // namespace naocal

@@ -23,20 +23,20 @@ bool isTouched(const Touch& touch) {
 
 std::string PosePlayer::joints(const std::map<std::string, double>& stand) {
   for (const auto& [name, degrees] : stand) {
-    if (!jointNumber(name) || !(std::abs(degrees) <= 180)) {
+    if (!jointIndex(name) || !(std::abs(degrees) <= 180)) {
       return fmt::format("an angle in degrees for each joint, named as in {}; {} is none", jointNames[0], name);
     }
   }
   return "";
 }
 
-void PosePlayer::parametersChanged() {
+void PosePlayer::onParametersChanged() {
   home_ = {};
   for (const auto& [name, degrees] : *stand_) {
-    home_[jointNumber(name).value()] = radians(degrees);
+    home_[jointIndex(name).value()] = radians(degrees);
   }
-  joinHipYawPitch(home_);
-  home_ = limits_.clamped(home_);
+  coupleHipYawPitch(home_);
+  home_ = limits_.clamp(home_);
   state_.edit().home = home_;
 }
 
@@ -78,7 +78,7 @@ void PosePlayer::look(const PoseRequest& request) {
 
 std::string PosePlayer::unreachable(const PoseRequest& request) const {
   for (const CompensatedAngles& point : request.points) {
-    const CompensatedAngles reachable = limits_.clamped(point);
+    const CompensatedAngles reachable = limits_.clamp(point);
     for (std::size_t joint = 0; joint < jointCount; ++joint) {
       if (!(std::abs(point[joint] - reachable[joint]) < 1e-6)) { // also for what is no number
         return fmt::format("{} was refused: {} cannot take {:.1f} degrees there.", request.name, jointNames[joint],
@@ -166,7 +166,7 @@ void PosePlayer::leaveMotion() {
   if (!motion_) {
     return;
   }
-  const auto passed = points_.begin() + static_cast<std::ptrdiff_t>(motion_->passed(motionTime_));
+  const auto passed = points_.begin() + static_cast<std::ptrdiff_t>(motion_->passedPoints(motionTime_));
   if (goingHome_) {
     trail_.assign(std::make_reverse_iterator(points_.end()), std::make_reverse_iterator(passed));
   } else {

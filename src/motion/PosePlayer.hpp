@@ -21,7 +21,7 @@ struct DesiredPose {
 void to_json(nlohmann::json& out, const DesiredPose& desired);
 
 /// How the program's end, on another thread, has the robot go to its stand first.
-struct Ending {
+struct ShutdownRequest {
   std::atomic<bool> asked{false};  // by who ends the program
   std::atomic<bool> atRest{false}; // it stands, or its motors are off or weak
 };
@@ -38,9 +38,9 @@ struct Ending {
 /// stands on the way is the asking one's to check (which takes longer than a cycle).
 class PosePlayer final : public Module {
 public:
-  PosePlayer(const Robot& robot, Ending& ending) : Module{"PosePlayer"}, limits_{robot}, ending_{ending} {}
+  PosePlayer(const Robot& robot, ShutdownRequest& ending) : Module{"PosePlayer"}, limits_{robot}, ending_{ending} {}
   void cycle() override;
-  void parametersChanged() override;
+  void onParametersChanged() override;
 
 private:
   static std::string joints(const std::map<std::string, double>& stand); // what is expected, if they are not
@@ -61,14 +61,14 @@ private:
   bool isNear(const CompensatedAngles& angles, const CompensatedAngles& point) const;
 
   Parameter<std::map<std::string, double>> stand_{*this, "stand", joints}; // [deg] by joint; 0 for those not named
-  Parameter<double> speed_{*this, "speed", share};                         // of the joints' largest speeds
-  Parameter<double> stiffness_{*this, "stiffness", share};                 // while playing
-  Parameter<double> fallenStiffness_{*this, "fallenStiffness", within<0, 1>};
-  Parameter<double> startDistance_{*this, "startDistance", within<0, 30>}; // of each joint from the stand [deg]
-  Parameter<double> largestTilt_{*this, "largestTilt", within<10, 90>};    // of the torso [deg]
-  Parameter<double> hottest_{*this, "hottest", within<30, 100>};           // joint [degC]
-  Parameter<double> handsTime_{*this, "handsTime", within<1, 60>};         // to take hold of the robot in [s]
-  Dependency<Measured> measured_{*this, "measured"};
+  Parameter<double> speed_{*this, "speed", checkShare};                    // of the joints' largest speeds
+  Parameter<double> stiffness_{*this, "stiffness", checkShare};            // while playing
+  Parameter<double> fallenStiffness_{*this, "fallenStiffness", checkWithin<0, 1>};
+  Parameter<double> startDistance_{*this, "startDistance", checkWithin<0, 30>}; // of each joint from the stand [deg]
+  Parameter<double> largestTilt_{*this, "largestTilt", checkWithin<10, 90>};    // of the torso [deg]
+  Parameter<double> hottest_{*this, "hottest", checkWithin<30, 100>};           // joint [degC]
+  Parameter<double> handsTime_{*this, "handsTime", checkWithin<1, 60>};         // to take hold of the robot in [s]
+  Dependency<SensorFrame> measured_{*this, "measured"};
   Dependency<CompensatedAngles> angles_{*this, "angles"};
   Dependency<Latest<PoseRequest>> request_{*this, "Brain.poseRequest"};
   Production<DesiredPose> desired_{*this, "desiredPose"};
@@ -76,7 +76,7 @@ private:
   Production<Latest<PlayerState>> forBrain_{*this, "playerForBrain"};
 
   JointLimits limits_;
-  Ending& ending_;
+  ShutdownRequest& ending_;
   CompensatedAngles home_;
   std::vector<CompensatedAngles> trail_; // from the stand on: what a way home passes, backwards
   std::optional<PoseMotion> motion_;

@@ -9,7 +9,7 @@
 namespace naocal {
 
 /// What the robot has reported last; `isNew` in the cycle in which it came.
-struct Measured {
+struct SensorFrame {
   bool isNew = false;
   RobotState state;
   double since = 0; // the state before [s]; 0 of the first
@@ -17,7 +17,7 @@ struct Measured {
   /// How far what moves may go on in this cycle [s]: silence is no reason to jump.
   double step() const { return std::min(since, 0.03); }
 };
-void to_json(nlohmann::json& out, const Measured& measured);
+void to_json(nlohmann::json& out, const SensorFrame& measured);
 
 /// How a robot fares, for people.
 struct Health {
@@ -26,9 +26,9 @@ struct Health {
   std::string_view joint; // the hottest
   double temperature = 0; // its [degC]
 };
-Health healthOf(const RobotState& state);
+Health summarizeHealth(const RobotState& state);
 void to_json(nlohmann::json& out, const Health& health);
-void to_json(nlohmann::json& out, const RobotLink& link);
+void to_json(nlohmann::json& out, const RobotStatus& link);
 
 /// Waits for the robot's next state: the motion thread's pace. Goes on without one after a tenth of a second, so that
 /// the thread can end and say what is wrong.
@@ -39,8 +39,8 @@ public:
 
 private:
   RobotInterface& robot_;
-  Production<Measured> measured_{*this, "measured"};
-  Production<RobotLink> link_{*this, "robotLink"};
+  Production<SensorFrame> measured_{*this, "measured"};
+  Production<RobotStatus> link_{*this, "robotLink"};
   Production<Health> health_{*this, "health"};
 };
 

@@ -13,7 +13,7 @@ TEST_CASE("the gear's play stands where load and friction leave it, on every mod
   // holds the joint at one end whatever the last motion was; under a lesser one it lags behind that motion.
   for (const char* name : {"V5", "V6"}) {
     const Robot robot = loadRobot(configurationDirectory(), name);
-    const ModelFile model = calibrationModel(configurationDirectory(), robot);
+    const ModelFile model = loadCalibrationModel(configurationDirectory(), robot);
     CHECK(model.with == std::vector<std::string>{"playUnderLoad@*"});
     const Effect& gear = model.effects.back();
     REQUIRE(gear.name == "playUnderLoad");
@@ -42,17 +42,17 @@ TEST_CASE("a calibration leaves out of its model what its captures cannot tell")
   const auto standing = [](SupportFoot foot) {
     return measurementsOf({simulate(v6(), handMadePlan(v6(), 2, foot), 5).set}, v6());
   };
-  ModelFile model = calibrationModel(configurationDirectory(), v6());
+  ModelFile model = loadCalibrationModel(configurationDirectory(), v6());
   model.with.insert(model.with.end(), {"elasticity@LKneePitch", "elasticity@RKneePitch", "elastisity@LKneePitch"});
   model.without = {"jointOffset@LHipRoll", "jointOffset@Nose"};
-  const FittingModel left = modelFor(standing(SupportFoot::left), model);
+  const ReducedModel left = reduceModel(standing(SupportFoot::left), model);
   CHECK(left.model.with == std::vector<std::string>{"playUnderLoad@*", "elasticity@LKneePitch"});
   CHECK(left.model.without == std::vector<std::string>{"jointOffset@LHipRoll"});
   CHECK(left.leftOut == std::vector<std::string>{"with elasticity@RKneePitch", "with elastisity@LKneePitch",
                                                  "without jointOffset@Nose"});
-  const FittingModel right = modelFor(standing(SupportFoot::right), model);
+  const ReducedModel right = reduceModel(standing(SupportFoot::right), model);
   CHECK(right.model.with == std::vector<std::string>{"playUnderLoad@*", "elasticity@RKneePitch"});
-  const FittingModel both = modelFor(standing(SupportFoot::both), model);
+  const ReducedModel both = reduceModel(standing(SupportFoot::both), model);
   CHECK(both.model.with.empty());
   CHECK(both.leftOut.empty());
 }

@@ -18,7 +18,7 @@ using namespace naocal;
 
 namespace {
 
-struct Grey : PictureBytes {
+struct Grey : ImageBytes {
   explicit Grey(std::uint8_t grey) : all(64 * 48, grey) {}
   std::span<const std::uint8_t> bytes() const override { return all; }
   std::vector<std::uint8_t> all;
@@ -43,7 +43,7 @@ int killCount() {
 
 // The victim of the case below, in a process of its own: records until it is killed.
 TEST_CASE("records until it is killed", "[.victim]") {
-  CalibrationSession session{v6(), header(), std::getenv("NAOCAL_RECORDING"), {}};
+  CalibrationRecorder session{v6(), header(), std::getenv("NAOCAL_RECORDING"), {}};
   std::ofstream progress{std::string{std::getenv("NAOCAL_RECORDING")} + ".progress"};
   for (int i = 0; i < 100'000; ++i) {
     Capture capture;
@@ -60,7 +60,7 @@ TEST_CASE("records until it is killed", "[.victim]") {
                             {},
                             std::uint64_t(i),
                             std::make_shared<Grey>(std::uint8_t(i % 250))};
-    session.add(capture, frame);
+    session.record(capture, frame);
     progress << i << std::endl; // after it is said to be written
   }
 }

@@ -20,7 +20,7 @@ CompensatedAngles stand() {
                                                                       {"HipPitch", -25},
                                                                       {"KneePitch", 50},
                                                                       {"AnklePitch", -25}}) {
-      angles[*jointNumber(side + joint)] = radians(degrees);
+      angles[*jointIndex(side + joint)] = radians(degrees);
     }
   }
   return angles;
@@ -29,7 +29,7 @@ CompensatedAngles stand() {
 Eigen::VectorXd drawn(const Robot& robot, const CompensatedAngles& angles) {
   Eigen::VectorXd result(static_cast<Eigen::Index>(robot.joints.size()));
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-    result[static_cast<Eigen::Index>(joint)] = angles[*jointNumber(robot.joints[joint].name)];
+    result[static_cast<Eigen::Index>(joint)] = angles[*jointIndex(robot.joints[joint].name)];
   }
   return result;
 }
@@ -44,8 +44,8 @@ TEST_CASE("the shipped poses on one foot are reached safely, each from both side
     const Robot robot = loadRobot(configurationDirectory(), model);
     const PoseFile file = readPoseFile(configurationDirectory() / "poses" / (std::string{model} + ".json"), robot);
     for (const SupportFoot foot : {SupportFoot::left, SupportFoot::right}) {
-      const LegPoses poses{robot, file, foot, stand()};
-      const CalibrationRound round = poses.round({2, radians(1), 0, 1}, 3);
+      const LegRoundPlanner poses{robot, file, foot, stand()};
+      const CalibrationRound round = poses.planRound({2, radians(1), 0, 1}, 3);
       REQUIRE(round.size() == 19); // onto the foot, let go, 8 poses twice, back
       CHECK(round.back().points.empty());
       std::vector<std::string> order;
@@ -57,10 +57,10 @@ TEST_CASE("the shipped poses on one foot are reached safely, each from both side
         const Eigen::VectorXd angles = drawn(robot, step.points.back());
         CHECK(stands(robot, posture(robot, angles), foot, {}));
         for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-          const auto motion = step.points.back()[*jointNumber(robot.joints[joint].name)] -
-                              step.points[step.points.size() - 2][*jointNumber(robot.joints[joint].name)];
+          const auto motion = step.points.back()[*jointIndex(robot.joints[joint].name)] -
+                              step.points[step.points.size() - 2][*jointIndex(robot.joints[joint].name)];
           CHECK(motion ==
-                Approx(radians(1) * step.taken.joints.approach[*jointNumber(robot.joints[joint].name)]).margin(1e-9));
+                Approx(radians(1) * step.taken.joints.approach[*jointIndex(robot.joints[joint].name)]).margin(1e-9));
         }
         for (const CompensatedAngles& point : step.points) {
           const Eigen::VectorXd through = drawn(robot, point);
@@ -78,8 +78,8 @@ TEST_CASE("the shipped poses on one foot are reached safely, each from both side
         }
       }
       CHECK(std::set<std::string>{order.begin(), order.end()}.size() == 8);
-      CHECK(poses.round({1, radians(1), 0, 2}, 0)[2].taken.pose != order.front());
-      CHECK(poses.round({1, radians(1), 3, 1}, 0).size() == 6);
+      CHECK(poses.planRound({1, radians(1), 0, 2}, 0)[2].taken.pose != order.front());
+      CHECK(poses.planRound({1, radians(1), 3, 1}, 0).size() == 6);
     }
   }
 }
@@ -89,12 +89,12 @@ TEST_CASE("poses without a safe way to them are refused by name") {
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   PoseFile file;
   CompensatedAngles leaning = stand();
-  leaning[*jointNumber("LAnkleRoll")] = radians(30);
+  leaning[*jointIndex("LAnkleRoll")] = radians(30);
   file.poses.push_back({"leaning", SupportFoot::left, drawn(robot, leaning), drawn(robot, CompensatedAngles{})});
-  CHECK_THROWS_WITH((LegPoses{robot, file, SupportFoot::left, stand()}.round({1, radians(1), 0, 1}, 0)),
+  CHECK_THROWS_WITH((LegRoundPlanner{robot, file, SupportFoot::left, stand()}.planRound({1, radians(1), 0, 1}, 0)),
                     "pose leaning: there is no safe way to it from standing upright on the left foot; plan other poses "
                     "with 'naocal poses'");
-  CHECK_THROWS_WITH((LegPoses{robot, file, SupportFoot::right, stand()}),
+  CHECK_THROWS_WITH((LegRoundPlanner{robot, file, SupportFoot::right, stand()}),
                     "expected poses on the right foot, found none");
 }
 
@@ -103,8 +103,9 @@ TEST_CASE("a robot is held between one foot and both, and let go before its firs
   // confirm, the way back; onto a second foot there is no question, for it is held still.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   const PoseFile file = readPoseFile(configurationDirectory() / "poses/V6.json", robot);
-  const LegPoses poses{robot, file, SupportFoot::right, stand()};
-  const CalibrationRound first = poses.round({1, radians(1), 0, 1}, 0), second = poses.round({1, radians(1), 0, 1}, 1);
+  const LegRoundPlanner poses{robot, file, SupportFoot::right, stand()};
+  const CalibrationRound first = poses.planRound({1, radians(1), 0, 1}, 0),
+                         second = poses.planRound({1, radians(1), 0, 1}, 1);
   REQUIRE(first.size() == 11);
   CHECK(first[0].question.find("take it by its trunk") != std::string::npos);
   CHECK(first[1].question.find("right sole lies flat, let go") != std::string::npos);
@@ -122,7 +123,7 @@ TEST_CASE("the head takes every pair of angles in random order, each from both s
   // Proves that all pairs are there, that another seed gives another order, that the last piece of the way goes the way
   // that is recorded, and that a smaller share looks nearer to the middle.
   const CompensatedAngles stand;
-  const std::size_t turns = *jointNumber("HeadYaw"), nods = *jointNumber("HeadPitch");
+  const std::size_t turns = *jointIndex("HeadYaw"), nods = *jointIndex("HeadPitch");
   const auto looks = [&](const CalibrationRound& round) {
     std::vector<std::pair<double, double>> result;
     for (const CalibrationStep& step : round) {
@@ -134,7 +135,7 @@ TEST_CASE("the head takes every pair of angles in random order, each from both s
     return result;
   };
   RoundOptions options{2, radians(1), 0, 1};
-  const CalibrationRound round = headRound(stand, {-45, 0, 45}, {-10, 10}, 1, options);
+  const CalibrationRound round = planHeadRound(stand, {-45, 0, 45}, {-10, 10}, 1, options);
   const auto first = looks(round);
   CHECK(first.size() == 12);
   CHECK(std::set(first.begin(), first.end()).size() == 6);
@@ -153,8 +154,8 @@ TEST_CASE("the head takes every pair of angles in random order, each from both s
     CHECK(sum == 0);
   }
   options.seed = 2;
-  CHECK(looks(headRound(stand, {-45, 0, 45}, {-10, 10}, 1, options)) != first);
-  for (const auto& [turned, nodded] : looks(headRound(stand, {-40, 0, 40}, {-10, 10}, 0.5, options))) {
+  CHECK(looks(planHeadRound(stand, {-45, 0, 45}, {-10, 10}, 1, options)) != first);
+  for (const auto& [turned, nodded] : looks(planHeadRound(stand, {-40, 0, 40}, {-10, 10}, 0.5, options))) {
     CHECK(std::abs(turned) <= 20);
     CHECK(std::abs(nodded) == 5);
   }

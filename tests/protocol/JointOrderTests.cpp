@@ -7,9 +7,9 @@ namespace naocal {
 // Proves that the order of joints names every joint once.
 TEST_CASE("every joint is found at its place by its name") {
   for (std::size_t joint = 0; joint < jointCount; ++joint) {
-    CHECK(jointNumber(jointNames[joint]) == joint);
+    CHECK(jointIndex(jointNames[joint]) == joint);
   }
-  CHECK(!jointNumber("LeftKnee"));
+  CHECK(!jointIndex("LeftKnee"));
 }
 
 } // namespace naocal

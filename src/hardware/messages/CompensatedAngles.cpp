@@ -15,10 +15,10 @@ template <class Angles> Angles between(const Angles& from, const Angles& to, dou
 
 } // namespace
 
-CompensatedAngles interpolated(const CompensatedAngles& from, const CompensatedAngles& to, double fraction) {
+CompensatedAngles interpolate(const CompensatedAngles& from, const CompensatedAngles& to, double fraction) {
   return between(from, to, fraction);
 }
-RawAngles interpolated(const RawAngles& from, const RawAngles& to, double fraction) {
+RawAngles interpolate(const RawAngles& from, const RawAngles& to, double fraction) {
   return between(from, to, fraction);
 }
 

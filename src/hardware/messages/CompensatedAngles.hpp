@@ -14,14 +14,14 @@ struct CompensatedAngles {
   double operator[](std::size_t joint) const { return values[joint]; }
   bool operator==(const CompensatedAngles&) const = default;
 };
-CompensatedAngles interpolated(const CompensatedAngles& from, const CompensatedAngles& to, double fraction);
-RawAngles interpolated(const RawAngles& from, const RawAngles& to, double fraction);
+CompensatedAngles interpolate(const CompensatedAngles& from, const CompensatedAngles& to, double fraction);
+RawAngles interpolate(const RawAngles& from, const RawAngles& to, double fraction);
 void to_json(nlohmann::json& out, const CompensatedAngles& angles);
 void to_json(nlohmann::json& out, const RawAngles& angles);
 
 /// Makes the right hip yaw-pitch what the left one is: one motor drives both.
-template <class Angles> void joinHipYawPitch(Angles& angles) {
-  constexpr std::size_t left = *jointNumber("LHipYawPitch"), right = *jointNumber("RHipYawPitch");
+template <class Angles> void coupleHipYawPitch(Angles& angles) {
+  constexpr std::size_t left = *jointIndex("LHipYawPitch"), right = *jointIndex("RHipYawPitch");
   angles.values[right] = angles.values[left];
 }
 

@@ -17,10 +17,10 @@ std::array<double, Size> between(const std::array<double, Size>& from, const std
 
 } // namespace
 
-JointMoment interpolated(const JointMoment& from, const JointMoment& to, double fraction) {
-  JointMoment moment;
-  moment.raw = interpolated(from.raw, to.raw, fraction);
-  moment.angles = interpolated(from.angles, to.angles, fraction);
+JointSample interpolate(const JointSample& from, const JointSample& to, double fraction) {
+  JointSample moment;
+  moment.raw = interpolate(from.raw, to.raw, fraction);
+  moment.angles = interpolate(from.angles, to.angles, fraction);
   moment.speeds = between(from.speeds, to.speeds, fraction);
   moment.sent = fraction < 0.5 ? from.sent : to.sent;
   moment.temperatures = between(from.temperatures, to.temperatures, fraction);
@@ -32,7 +32,7 @@ JointMoment interpolated(const JointMoment& from, const JointMoment& to, double 
   return moment;
 }
 
-void to_json(nlohmann::json& out, const JointMoment& moment) {
+void to_json(nlohmann::json& out, const JointSample& moment) {
   out = {{"angles", moment.angles.values}, {"speeds", moment.speeds}, {"stillFor", moment.stillFor}};
 }
 

@@ -9,7 +9,7 @@
 namespace naocal {
 
 /// What the robot measured at one moment, for those who look at it later: pictures are exposed before they arrive.
-struct JointMoment {
+struct JointSample {
   RawAngles raw;
   CompensatedAngles angles;
   PerJoint<double> speeds{};       // of the encoders [rad/s]
@@ -22,10 +22,10 @@ struct JointMoment {
   double stillFor = 0;             // how long nothing has moved [s]; 0 while something does
 };
 /// Between two moments; the time of stillness is 0 unless both have it.
-JointMoment interpolated(const JointMoment& from, const JointMoment& to, double fraction);
-void to_json(nlohmann::json& out, const JointMoment& moment);
+JointSample interpolate(const JointSample& from, const JointSample& to, double fraction);
+void to_json(nlohmann::json& out, const JointSample& moment);
 
 /// Three seconds at the V6's pace.
-using JointMoments = History<JointMoment, 256>;
+using JointSampleHistory = History<JointSample, 256>;
 
 } // namespace naocal

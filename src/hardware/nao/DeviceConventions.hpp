@@ -32,7 +32,7 @@ inline constexpr std::array<bool Touch::*, 14> touchOrder{
     &Touch::rightFootRight, &Touch::rightHandBack, &Touch::rightHandLeft, &Touch::rightHandRight};
 
 /// A joint's status as a whole number; -1 for what cannot be one.
-constexpr int statusNumber(double status) {
+constexpr int toStatusCode(double status) {
   return status >= 0 && status < 1e6 ? int(status) : -1;
 }
 

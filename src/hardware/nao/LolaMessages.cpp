@@ -28,7 +28,7 @@ template <std::size_t Count> std::array<float, 3 * Count> byColour(const std::ar
 std::array<float, 25> byLola(const PerJoint<double>& values) {
   std::array<float, 25> result;
   for (std::size_t i = 0; i < result.size(); ++i) {
-    result[i] = float(values[jointOfLola[i]]);
+    result[i] = float(values[lolaJointOrder[i]]);
   }
   return result;
 }
@@ -136,10 +136,10 @@ private:
 
 PerJoint<double> byJoint(const double* ofLola) {
   PerJoint<double> result{};
-  for (std::size_t i = 0; i < jointOfLola.size(); ++i) {
-    result[jointOfLola[i]] = ofLola[i];
+  for (std::size_t i = 0; i < lolaJointOrder.size(); ++i) {
+    result[lolaJointOrder[i]] = ofLola[i];
   }
-  result[*jointNumber("RHipYawPitch")] = result[*jointNumber("LHipYawPitch")];
+  result[*jointIndex("RHipYawPitch")] = result[*jointIndex("LHipYawPitch")];
   return result;
 }
 
@@ -154,7 +154,7 @@ RobotState stateOf(const LolaNumbers& numbers) {
   state.current = byJoint(of("Current"));
   state.temperature = byJoint(of("Temperature"));
   const PerJoint<double> status = byJoint(of("Status"));
-  std::transform(status.begin(), status.end(), state.status.begin(), statusNumber);
+  std::transform(status.begin(), status.end(), state.status.begin(), toStatusCode);
   state.accelerometer = Eigen::Map<const Eigen::Vector3d>{of("Accelerometer")};
   state.gyroscope = Eigen::Map<const Eigen::Vector3d>{of("Gyroscope")};
   state.torsoAngles = Eigen::Map<const Eigen::Vector2d>{of("Angles")};
@@ -171,13 +171,13 @@ RobotState stateOf(const LolaNumbers& numbers) {
 
 } // namespace
 
-bool beginsAsLolaState(std::span<const std::uint8_t> message) {
+bool hasLolaStateHeader(std::span<const std::uint8_t> message) {
   constexpr std::string_view beginning{"\x8d\xabRobotConfig"}; // a map of 13, a text of 11
   return message.size() >= beginning.size() && std::memcmp(message.data(), beginning.data(), beginning.size()) == 0;
 }
 
-std::variant<LolaState, std::string> readLolaState(std::span<const std::uint8_t> message) {
-  if (!beginsAsLolaState(message)) {
+std::variant<LolaState, std::string> parseLolaState(std::span<const std::uint8_t> message) {
+  if (!hasLolaStateHeader(message)) {
     return "the robot's message does not begin as a state: the stream is out of step";
   }
   LolaSax sax;
@@ -209,7 +209,7 @@ LolaCommandWriter::LolaCommandWriter() : document_{std::make_unique<Document>()}
 
 LolaCommandWriter::~LolaCommandWriter() = default;
 
-std::span<const std::uint8_t> LolaCommandWriter::message(const RobotCommand& command) {
+std::span<const std::uint8_t> LolaCommandWriter::encode(const RobotCommand& command) {
   if (!isFinite(command)) {
     return {};
   }

@@ -47,7 +47,7 @@ RobotState fromShared(const shared::State& from) {
   std::copy_n(from.stiffness, jointCount, state.stiffness.begin());
   std::copy_n(from.current, jointCount, state.current.begin());
   std::copy_n(from.temperature, jointCount, state.temperature.begin());
-  std::transform(from.status, from.status + jointCount, state.status.begin(), statusNumber);
+  std::transform(from.status, from.status + jointCount, state.status.begin(), toStatusCode);
   state.accelerometer = vector(from.accelerometer);
   state.gyroscope = vector(from.gyroscope);
   state.torsoAngles = {from.torsoAngles[0], from.torsoAngles[1]};

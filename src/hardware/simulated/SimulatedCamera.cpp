@@ -18,7 +18,7 @@ SimulatedCamera::SimulatedCamera(CameraName name, const SimulatedPlan& plan, Tim
     : name_{name}, plan_{plan.cameras}, seed_{plan.seed * 2 + (name == CameraName::bottom)},
       chance_{plan.seed, fmt::format("camera {}", toString(name))}, first_{first} {
   const double share = plan_.exposure / (plan_.exposure + plan_.readOut);
-  lens_ = std::make_shared<const SimulatedLens>(SimulatedLens{
+  lens_ = std::make_shared<const SimulatedOptics>(SimulatedOptics{
       Renderer{plan_.intrinsics.at(std::string{toString(name)}), seed_}, plan_.appearance, plan.boards, share});
   schedule();
 }
@@ -33,7 +33,7 @@ void SimulatedCamera::schedule() {
   begins_ = first_ + whole(double(sequence_) * plan_.period + late);
 }
 
-std::optional<TimePoint> SimulatedCamera::arrivedBy(TimePoint now) {
+std::optional<TimePoint> SimulatedCamera::nextArrival(TimePoint now) {
   return begins_ + span() + whole(plan_.transfer) <= now ? std::optional{begins_} : std::nullopt;
 }
 
@@ -49,22 +49,22 @@ void SimulatedCamera::deliver(const std::vector<Eigen::Isometry3d>& worldFromCam
                size.height,
                begins_,
                sequence_,
-               std::make_shared<SimulatedPicture>(lens_, worldFromCamera, (seed_ << 32U) ^ sequence_)};
+               std::make_shared<SimulatedImage>(lens_, worldFromCamera, (seed_ << 32U) ^ sequence_)};
   }
   ++sequence_;
   schedule();
 }
 
-SimulatedPicture::SimulatedPicture(std::shared_ptr<const SimulatedLens> lens,
-                                   std::vector<Eigen::Isometry3d> worldFromCamera, std::uint64_t seed)
+SimulatedImage::SimulatedImage(std::shared_ptr<const SimulatedOptics> lens,
+                               std::vector<Eigen::Isometry3d> worldFromCamera, std::uint64_t seed)
     : lens_{std::move(lens)}, worldFromCamera_{std::move(worldFromCamera)}, seed_{seed} {}
 
-std::span<const std::uint8_t> SimulatedPicture::bytes() const {
+std::span<const std::uint8_t> SimulatedImage::bytes() const {
   std::call_once(rendered_, [this] { render(); });
   return bytes_;
 }
 
-RenderedScene SimulatedPicture::scene(const Eigen::Isometry3d& worldFromCamera) const {
+RenderedScene SimulatedImage::scene(const Eigen::Isometry3d& worldFromCamera) const {
   Eigen::Matrix3d opticalFromCamera; // x right, y down, z forward from x forward, y left, z up
   opticalFromCamera << 0, -1, 0, 0, 0, -1, 1, 0, 0;
   RenderedScene scene;
@@ -76,7 +76,7 @@ RenderedScene SimulatedPicture::scene(const Eigen::Isometry3d& worldFromCamera) 
   return scene;
 }
 
-void SimulatedPicture::render() const {
+void SimulatedImage::render() const {
   constexpr double still = 1e-5; // [m], [rad]: a hundredth of a pixel
   const Eigen::Isometry3d moved = worldFromCamera_.front().inverse() * worldFromCamera_.back();
   const bool moves = !moved.isApprox(Eigen::Isometry3d::Identity(), still);

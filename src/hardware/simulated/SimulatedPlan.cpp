@@ -40,9 +40,9 @@ std::vector<Board> placedBoards(const JsonPlace& place) {
 
 } // namespace
 
-RawAngles SimulatedPlan::standing() {
+RawAngles SimulatedPlan::standingAngles() {
   RawAngles angles;
-  const auto set = [&](std::string_view joint, double value) { angles[*jointNumber(joint)] = radians(value); };
+  const auto set = [&](std::string_view joint, double value) { angles[*jointIndex(joint)] = radians(value); };
   for (const std::string side : {"L", "R"}) {
     set(side + "ShoulderPitch", 85);
     set(side + "ShoulderRoll", side == "L" ? 8 : -8);
@@ -54,7 +54,7 @@ RawAngles SimulatedPlan::standing() {
   return angles;
 }
 
-SimulatedErrors drawnErrors(const Robot& drawing, const SimulatedPlan& plan) {
+SimulatedErrors drawErrors(const Robot& drawing, const SimulatedPlan& plan) {
   Randomness errorChance{plan.seed, "errors"}, playChance{plan.seed, "play"};
   SimulatedErrors errors{drawnErrors(drawing, plan.offsetRange, plan.mountRange, plan.mountShiftRange, errorChance),
                          std::vector<double>(drawing.joints.size())};

@@ -41,11 +41,11 @@ struct SimulatedPlan {
   Seconds commandDelay{0.02}; // from a command to the motors
   SimulatedCameraPlan cameras;
   std::vector<Board> boards = boardsAround(); // lie where `placement` says
-  RawAngles start = standing();               // what the motors were commanded to before
+  RawAngles start = standingAngles();         // what the motors were commanded to before
   Pace pace = Pace::real;
 
   /// Upright on both feet with bent knees and hanging arms [rad].
-  static RawAngles standing();
+  static RawAngles standingAngles();
 };
 
 /// What a simulated robot has that nobody told it.
@@ -55,7 +55,7 @@ struct SimulatedErrors {
 };
 
 /// Drawn by the plan's seed.
-SimulatedErrors drawnErrors(const Robot& drawing, const SimulatedPlan& plan);
+SimulatedErrors drawErrors(const Robot& drawing, const SimulatedPlan& plan);
 
 /// Reads what to simulate. All keys may be missing; what they would say is as in `plan`:
 ///

@@ -50,9 +50,9 @@ struct SimulatedShared {
     Eigen::Isometry3d worldFromTorso;
   };
   /// Between quarters of cycles linearly; absent beyond the last second.
-  std::optional<Moment> momentAt(TimePoint time) const;
+  std::optional<Moment> stateAt(TimePoint time) const;
 
-  bool picturePending() const { return cameras[0].pending || cameras[1].pending; }
+  bool hasPendingImage() const { return cameras[0].pending || cameras[1].pending; }
 
   /// One cycle on: commands that are due, the body, the pictures that have come over.
   void advance();
@@ -63,12 +63,12 @@ struct SimulatedShared {
   const Robot drawing;
   const SimulatedErrors errors;
   mutable std::mutex mutex;
-  CameraLoopStep step;
+  LockStep step;
   SimulatedBody body;
   TimePoint now;
   std::deque<std::pair<TimePoint, RobotCommand>> commands; // and when they reach the motors
   std::array<SimulatedCamera, 2> cameras;                  // by CameraName
-  RobotLink link;
+  RobotStatus link;
   Touch touched;
 
 private:
@@ -79,9 +79,9 @@ private:
 };
 
 SimulatedShared::SimulatedShared(const Robot& robotDrawing, const SimulatedPlan& simulatedPlan)
-    : plan{simulatedPlan}, drawing{robotDrawing}, errors{drawnErrors(robotDrawing, simulatedPlan)}, body{robotDrawing,
-                                                                                                         simulatedPlan,
-                                                                                                         errors},
+    : plan{simulatedPlan}, drawing{robotDrawing}, errors{drawErrors(robotDrawing, simulatedPlan)}, body{robotDrawing,
+                                                                                                        simulatedPlan,
+                                                                                                        errors},
       now{beginning(simulatedPlan)}, cameras{SimulatedCamera{CameraName::top, simulatedPlan, now},
                                              SimulatedCamera{CameraName::bottom, simulatedPlan,
                                                              now + half(simulatedPlan.cameras.period)}} {
@@ -89,13 +89,13 @@ SimulatedShared::SimulatedShared(const Robot& robotDrawing, const SimulatedPlan&
 }
 
 void SimulatedShared::remember() {
-  history_.push_back({now, body.joints(), body.worldFromTorso()});
+  history_.push_back({now, body.trueAngles(), body.worldFromTorso()});
   if (history_.size() > remembered) {
     history_.pop_front();
   }
 }
 
-std::optional<SimulatedShared::Moment> SimulatedShared::momentAt(TimePoint time) const {
+std::optional<SimulatedShared::Moment> SimulatedShared::stateAt(TimePoint time) const {
   if (time < history_.front().time || time > history_.back().time) {
     return std::nullopt;
   }
@@ -119,7 +119,7 @@ void SimulatedShared::advance() {
     remember();
   }
   for (std::size_t camera = 0; camera < cameras.size(); ++camera) {
-    while (const auto begins = cameras[camera].arrivedBy(now)) {
+    while (const auto begins = cameras[camera].nextArrival(now)) {
       expose(camera, *begins);
     }
   }
@@ -130,7 +130,7 @@ void SimulatedShared::expose(std::size_t camera, TimePoint begins) {
   const std::size_t mount = drawing.cameraIndex(toString(CameraName(camera))).value();
   for (int instant = 0; instant < instants; ++instant) {
     const TimePoint time = begins + cameras[camera].span() * instant / (instants - 1);
-    const Moment moment = momentAt(std::clamp(time, history_.front().time, history_.back().time)).value();
+    const Moment moment = stateAt(std::clamp(time, history_.front().time, history_.back().time)).value();
     worldFromCamera.push_back(body.worldFromCamera(mount, moment.joints, moment.worldFromTorso));
   }
   cameras[camera].deliver(worldFromCamera);
@@ -154,7 +154,7 @@ public:
     std::unique_lock lock{shared_->mutex};
     SimulatedCamera& top = shared_->cameras[0];
     SimulatedCamera& bottom = shared_->cameras[1];
-    shared_->step.waitForPicture(lock, timeout, [this] { return shared_->picturePending(); });
+    shared_->step.waitForImage(lock, timeout, [this] { return shared_->hasPendingImage(); });
     if (!top.pending && !bottom.pending) {
       return std::nullopt;
     }
@@ -164,10 +164,10 @@ public:
     return std::exchange(older.pending, std::nullopt);
   }
 
-  CameraLink link(CameraName camera) const override {
+  CameraStatus status(CameraName camera) const override {
     const std::lock_guard lock{shared_->mutex};
     const SimulatedCamera& one = shared_->cameras[std::size_t(camera)];
-    CameraLink link = one.link;
+    CameraStatus link = one.link;
     link.problem = one.blocked ? fmt::format("the {} camera gives no pictures", toString(camera)) : "";
     return link;
   }
@@ -189,7 +189,7 @@ public:
   std::optional<RobotState> waitForState(std::chrono::milliseconds timeout) override {
     std::unique_lock lock{shared_->mutex};
     if (shared_->plan.pace == Pace::quick) {
-      shared_->step.waitForCameraLoop(lock, [this] { return shared_->picturePending(); });
+      shared_->step.waitForCameraLoop(lock, [this] { return shared_->hasPendingImage(); });
     } else {
       const TimePoint wake =
           std::min(shared_->now + SimulatedShared::cycle, std::chrono::steady_clock::now() + timeout);
@@ -219,7 +219,7 @@ public:
   }
 
   std::chrono::nanoseconds period() const override { return SimulatedShared::cycle; }
-  RobotLink link() const override {
+  RobotStatus status() const override {
     const std::lock_guard lock{shared_->mutex};
     return shared_->link;
   }
@@ -263,12 +263,12 @@ const SimulatedErrors& SimulatedWorld::errors() const {
 SimulatedWorld::Truth SimulatedWorld::truth() const {
   const std::lock_guard lock{shared_->mutex};
   const SimulatedBody& body = shared_->body;
-  return {shared_->now, body.joints(), body.worldFromTorso(), body.supportFoot(), body.fallen()};
+  return {shared_->now, body.trueAngles(), body.worldFromTorso(), body.supportFoot(), body.hasFallen()};
 }
 
 std::optional<Eigen::VectorXd> SimulatedWorld::jointsAt(TimePoint time) const {
   const std::lock_guard lock{shared_->mutex};
-  const auto moment = shared_->momentAt(time);
+  const auto moment = shared_->stateAt(time);
   return moment ? std::optional{moment->joints} : std::nullopt;
 }
 

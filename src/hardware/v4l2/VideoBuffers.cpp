@@ -23,17 +23,17 @@ VideoBuffers::VideoBuffers(VideoSystem& system, int file, unsigned count) : syst
   request.count = count;
   request.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
   request.memory = V4L2_MEMORY_MMAP;
-  checked(system_.ioctl(file_, VIDIOC_REQBUFS, &request), "it gives no buffers");
+  checkCall(system_.ioctl(file_, VIDIOC_REQBUFS, &request), "it gives no buffers");
   try {
     for (std::size_t index = 0; index < request.count; ++index) {
       v4l2_buffer buffer = numbered(index);
-      checked(system_.ioctl(file_, VIDIOC_QUERYBUF, &buffer), "it does not describe its buffers");
+      checkCall(system_.ioctl(file_, VIDIOC_QUERYBUF, &buffer), "it does not describe its buffers");
       void* const begin = system_.map(buffer.length, file_, long(buffer.m.offset));
       if (begin == nullptr) {
         throw VideoError{"its buffers cannot be mapped"};
       }
       memory_.push_back({begin, buffer.length});
-      giveBack(buffer);
+      enqueue(buffer);
     }
   } catch (...) {
     release();
@@ -51,10 +51,10 @@ void VideoBuffers::release() {
   }
 }
 
-bool VideoBuffers::take(v4l2_buffer& buffer) {
+bool VideoBuffers::dequeue(v4l2_buffer& buffer) {
   buffer = numbered(0);
   const int result = system_.ioctl(file_, VIDIOC_DQBUF, &buffer);
-  return result == -EAGAIN ? false : (checked(result, "it gives no picture"), true);
+  return result == -EAGAIN ? false : (checkCall(result, "it gives no picture"), true);
 }
 
 std::span<const std::uint8_t> VideoBuffers::bytes(const v4l2_buffer& buffer) const {
@@ -64,9 +64,9 @@ std::span<const std::uint8_t> VideoBuffers::bytes(const v4l2_buffer& buffer) con
   return {static_cast<const std::uint8_t*>(memory_[buffer.index].begin), buffer.bytesused};
 }
 
-void VideoBuffers::giveBack(v4l2_buffer& buffer) {
+void VideoBuffers::enqueue(v4l2_buffer& buffer) {
   if (system_.ioctl(file_, VIDIOC_QBUF, &buffer) < 0) {
-    checked(system_.ioctl(file_, VIDIOC_QBUF, &buffer), "it does not take its buffers back");
+    checkCall(system_.ioctl(file_, VIDIOC_QBUF, &buffer), "it does not take its buffers back");
   }
 }
 

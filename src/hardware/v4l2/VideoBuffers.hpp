@@ -19,13 +19,13 @@ public:
   VideoBuffers& operator=(const VideoBuffers&) = delete;
 
   /// Takes a filled buffer from the driver; false when there is none.
-  bool take(v4l2_buffer& buffer);
+  bool dequeue(v4l2_buffer& buffer);
 
   /// Its bytes, until it is given back.
   std::span<const std::uint8_t> bytes(const v4l2_buffer& buffer) const;
 
   /// Gives it back; a driver that refuses once is asked twice.
-  void giveBack(v4l2_buffer& buffer);
+  void enqueue(v4l2_buffer& buffer);
 
 private:
   void release();

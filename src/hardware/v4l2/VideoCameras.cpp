@@ -21,7 +21,7 @@ std::optional<CameraFrame> VideoCameras::waitForFrame(std::chrono::milliseconds 
   const TimePoint deadline = Clock::now() + timeout;
   while (true) {
     for (const auto& device : devices_) {
-      device->keepOpen();
+      device->ensureOpen();
     }
     for (const auto& device : devices_) {
       device->drain(); // also what came while nobody waited, or while the other one was opened: the newest wins
@@ -59,20 +59,20 @@ bool VideoCameras::wait(std::chrono::nanoseconds most) {
         !(file->revents & POLLIN)) {
       device->drain(); // tells why
       if (device->file() >= 0) {
-        device->giveUp("its driver reports an error");
+        device->closeWithReason("its driver reports an error");
       }
     }
   }
   return ready > 0;
 }
 
-CameraLink VideoCameras::link(CameraName camera) const {
+CameraStatus VideoCameras::status(CameraName camera) const {
   for (std::size_t i = 0; i < devices_.size(); ++i) {
     if (cameras_[i].camera == camera) {
       return devices_[i]->link;
     }
   }
-  CameraLink absent;
+  CameraStatus absent;
   absent.problem = fmt::format("there is no {} camera", toString(camera));
   return absent;
 }
@@ -81,20 +81,20 @@ void VideoCameras::configure(CameraName camera, const std::map<std::string, int>
   for (const VideoOptions& options : cameras_) {
     std::vector<VideoControl> controls = options.controls;
     for (const auto& [name, value] : settings) { // by name, so automatics first
-      if (const auto id = videoControl(name)) {
+      if (const auto id = videoControlId(name)) {
         controls.push_back({name, *id, value});
       }
     }
     if (options.camera == camera) {
-      set(camera, controls);
+      setControls(camera, controls);
     }
   }
 }
 
-void VideoCameras::set(CameraName camera, const std::vector<VideoControl>& controls) {
+void VideoCameras::setControls(CameraName camera, const std::vector<VideoControl>& controls) {
   for (std::size_t i = 0; i < devices_.size(); ++i) {
     if (cameras_[i].camera == camera) {
-      devices_[i]->set(controls);
+      devices_[i]->setControls(controls);
     }
   }
 }

@@ -10,16 +10,16 @@ namespace naocal {
 /// fails is opened anew while the other one goes on.
 class VideoCameras : public CameraInterface {
 public:
-  explicit VideoCameras(const std::vector<VideoOptions>& cameras, VideoSystem& system = kernelVideo());
+  explicit VideoCameras(const std::vector<VideoOptions>& cameras, VideoSystem& system = kernelVideoSystem());
 
   std::optional<CameraFrame> waitForFrame(std::chrono::milliseconds timeout) override;
-  CameraLink link(CameraName camera) const override;
+  CameraStatus status(CameraName camera) const override;
 
   /// Beside what the model's cameras need. Each setting that must be tried again takes 20 ms.
   void configure(CameraName camera, const std::map<std::string, int>& settings) override;
 
   /// New settings of a camera instead of those that it had, in the camera loop's thread.
-  void set(CameraName camera, const std::vector<VideoControl>& controls);
+  void setControls(CameraName camera, const std::vector<VideoControl>& controls);
 
 private:
   bool wait(std::chrono::nanoseconds most);

@@ -37,7 +37,7 @@ template <typename Set, typename Get> std::string insist(const Set& set, const G
 constexpr std::chrono::milliseconds betweenOpenings{100};
 constexpr std::chrono::seconds hung{1}; // without a picture: NAO's cameras are known for it
 
-class CapturedBytes : public PictureBytes {
+class CapturedBytes : public ImageBytes {
 public:
   explicit CapturedBytes(std::span<const std::uint8_t> bytes) : bytes_{bytes.begin(), bytes.end()} {}
   std::span<const std::uint8_t> bytes() const override { return bytes_; }
@@ -56,7 +56,7 @@ VideoDevice::~VideoDevice() {
   close();
 }
 
-void VideoDevice::keepOpen() {
+void VideoDevice::ensureOpen() {
   if (file_ >= 0 || Clock::now() < nextAttempt_) {
     return;
   }
@@ -65,19 +65,19 @@ void VideoDevice::keepOpen() {
     link.reopened += openedBefore_;
     openedBefore_ = true;
   } catch (const VideoError& error) {
-    giveUp(error.what());
+    closeWithReason(error.what());
   }
   nextAttempt_ = Clock::now() + betweenOpenings; // an opening can take seconds, which are the other camera's too
 }
 
 void VideoDevice::open() {
-  file_ = checked(system_.open(options_.path), "it cannot be opened");
+  file_ = checkCall(system_.open(options_.path), "it cannot be opened");
   negotiate();
   buffers_ = std::make_unique<VideoBuffers>(system_, file_, options_.buffers);
   link.problem.clear();
   apply();
   int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-  checked(system_.ioctl(file_, VIDIOC_STREAMON, &type), "it does not start");
+  checkCall(system_.ioctl(file_, VIDIOC_STREAMON, &type), "it does not start");
   driverSequence_.reset();
   lastPicture_ = Clock::now();
 }
@@ -91,7 +91,7 @@ void VideoDevice::negotiate() {
   format.fmt.pix.height = std::uint32_t(options_.height);
   format.fmt.pix.pixelformat = V4L2_PIX_FMT_YUYV;
   format.fmt.pix.field = V4L2_FIELD_NONE;
-  checked(system_.ioctl(file_, VIDIOC_S_FMT, &format), "it refuses a picture format");
+  checkCall(system_.ioctl(file_, VIDIOC_S_FMT, &format), "it refuses a picture format");
   const v4l2_pix_format& got = format.fmt.pix;
   if (int(got.width) != options_.width || int(got.height) != options_.height || got.pixelformat != V4L2_PIX_FMT_YUYV ||
       int(got.bytesperline) != 2 * options_.width) {
@@ -114,7 +114,7 @@ void VideoDevice::close() {
   }
 }
 
-void VideoDevice::giveUp(const std::string& why) {
+void VideoDevice::closeWithReason(const std::string& why) {
   close();
   link.problem = fmt::format("{} ({} camera): {}", options_.path, toString(options_.camera), why);
 }
@@ -122,15 +122,15 @@ void VideoDevice::giveUp(const std::string& why) {
 void VideoDevice::drain() {
   try {
     v4l2_buffer buffer{};
-    while (buffers_ && buffers_->take(buffer)) {
+    while (buffers_ && buffers_->dequeue(buffer)) {
       accept(buffer);
-      buffers_->giveBack(buffer);
+      buffers_->enqueue(buffer);
     }
     if (buffers_ && Clock::now() - lastPicture_ > hung) {
-      giveUp("it has given no picture for a second");
+      closeWithReason("it has given no picture for a second");
     }
   } catch (const VideoError& error) {
-    giveUp(error.what());
+    closeWithReason(error.what());
   }
 }
 
@@ -168,12 +168,12 @@ TimePoint VideoDevice::stamp(const v4l2_buffer& buffer) {
   }
   wallClock_.sampleNow();
   const TimePoint now = Clock::now();
-  const auto converted = wallClock_.converted(since, now);
+  const auto converted = wallClock_.convert(since, now);
   link.undated += !converted;
   return converted.value_or(now);
 }
 
-void VideoDevice::set(std::vector<VideoControl> controls) {
+void VideoDevice::setControls(std::vector<VideoControl> controls) {
   options_.controls = std::move(controls);
   if (file_ >= 0) {
     link.problem.clear();

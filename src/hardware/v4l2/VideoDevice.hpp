@@ -19,22 +19,22 @@ public:
   VideoDevice& operator=(const VideoDevice&) = delete;
 
   /// Opens what is closed, a tenth of a second after the last attempt has ended or later.
-  void keepOpen();
+  void ensureOpen();
 
   /// Takes all pictures that are ready; the newest becomes `pending`. Closes what has none and has given none for a
   /// second.
   void drain();
 
-  /// Closes; the next `keepOpen` begins anew. `why`: the end of a sentence.
-  void giveUp(const std::string& why);
+  /// Closes; the next `ensureOpen` begins anew. `why`: the end of a sentence.
+  void closeWithReason(const std::string& why);
 
   /// New settings, at once where it is open and from now on; what the camera refuses stands in `link.problem`.
-  void set(std::vector<VideoControl> controls);
+  void setControls(std::vector<VideoControl> controls);
 
   int file() const { return file_; } // -1: closed
 
   std::optional<CameraFrame> pending;
-  CameraLink link;
+  CameraStatus link;
 
 private:
   void open();

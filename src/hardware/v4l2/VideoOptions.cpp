@@ -8,7 +8,7 @@
 
 namespace naocal {
 
-std::optional<std::uint32_t> videoControl(std::string_view name) {
+std::optional<std::uint32_t> videoControlId(std::string_view name) {
   constexpr std::array<std::pair<std::string_view, std::uint32_t>, 13> controls{{
       {"autoExposure", V4L2_CID_EXPOSURE_AUTO},
       {"exposure", V4L2_CID_EXPOSURE_ABSOLUTE},
@@ -32,7 +32,7 @@ std::optional<std::uint32_t> videoControl(std::string_view name) {
   return std::nullopt;
 }
 
-std::vector<VideoOptions> videoOptions(std::string_view model) {
+std::vector<VideoOptions> videoOptionsForModel(std::string_view model) {
   std::vector<VideoOptions> cameras(2);
   cameras[1].camera = CameraName::bottom;
   for (VideoOptions& camera : cameras) {

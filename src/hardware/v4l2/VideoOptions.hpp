@@ -20,7 +20,7 @@ struct VideoControl {
 /// V4L2's number of a control by its name in the configuration: autoExposure, exposure, autoWhiteBalance,
 /// whiteBalanceTemperature, brightness, contrast, gain, hue, saturation, sharpness, autoFocus, focus, and what V5 calls
 /// exposure, plainExposure. Absent for other names.
-std::optional<std::uint32_t> videoControl(std::string_view name);
+std::optional<std::uint32_t> videoControlId(std::string_view name);
 
 /// A UVC extension unit's setting of two bytes: how a V6's cameras are flipped.
 struct VideoExtension {
@@ -43,6 +43,6 @@ struct VideoOptions {
 
 /// The cameras of a model ("V5" or "V6"), the upper one upside down: device files, flips, focus. Throws
 /// std::invalid_argument for other models. Source: HULKs code release 2019, Hardware/Nao.
-std::vector<VideoOptions> videoOptions(std::string_view model);
+std::vector<VideoOptions> videoOptionsForModel(std::string_view model);
 
 } // namespace naocal

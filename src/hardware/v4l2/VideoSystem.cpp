@@ -39,7 +39,7 @@ public:
 
 } // namespace
 
-VideoSystem& kernelVideo() {
+VideoSystem& kernelVideoSystem() {
   static KernelVideo kernel;
   return kernel;
 }

@@ -18,7 +18,7 @@ public:
 };
 
 /// Throws for the negative result of a system call; else hands it on.
-inline int checked(int result, const char* what) {
+inline int checkCall(int result, const char* what) {
   if (result < 0) {
     throw VideoError{fmt::format("{}: {}", what, std::strerror(-result))};
   }
@@ -40,6 +40,6 @@ public:
 };
 
 /// The real one.
-VideoSystem& kernelVideo();
+VideoSystem& kernelVideoSystem();
 
 } // namespace naocal

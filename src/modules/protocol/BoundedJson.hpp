@@ -8,13 +8,13 @@ namespace naocal {
 
 /// The document in a text, with comments where that is said. Throws nlohmann::json::exception; documents that are
 /// nested so deeply that writing them could exhaust the stack are refused too.
-nlohmann::json parsedJson(std::string_view text, bool withComments = false);
+nlohmann::json parseBoundedJson(std::string_view text, bool withComments = false);
 
 /// What is wrong, without the library's marks: "parse error at line 1, column 7: ...".
-std::string reasonOf(const std::exception& error);
+std::string parseErrorReason(const std::exception& error);
 
 /// A value on one line with a line break at its end, keys sorted, as HULKs' writer puts it. Bytes that are not UTF-8
 /// are replaced; numbers that JSON does not know become null.
-std::string line(const nlohmann::json& value);
+std::string jsonLine(const nlohmann::json& value);
 
 } // namespace naocal

@@ -41,23 +41,23 @@ FrameHeader parseHeader(const FrameFormat& format, std::string_view header) {
   }
   if (parsed.type > format.largestType) {
     parsed.problem = fmt::format("expected a message type from 0 to {}, found {}", format.largestType, parsed.type);
-  } else if (parsed.bodySize > format.mostBytes) {
+  } else if (parsed.bodySize > format.maxBodyBytes) {
     parsed.problem =
-        fmt::format("expected at most {} bytes in a frame, found {} announced", format.mostBytes, parsed.bodySize);
+        fmt::format("expected at most {} bytes in a frame, found {} announced", format.maxBodyBytes, parsed.bodySize);
   }
   return parsed;
 }
 
-std::string debugFrame(DebugType type, std::string_view body) {
+std::string encodeDebugFrame(DebugType type, std::string_view body) {
   return frame(debugFormat, static_cast<std::uint8_t>(type), body);
 }
 
-std::string configFrame(ConfigType type, std::string_view body) {
+std::string encodeConfigFrame(ConfigType type, std::string_view body) {
   return frame(configFormat, static_cast<std::uint8_t>(type), body);
 }
 
-std::string imageBody(std::uint64_t timestamp, std::uint16_t width, std::uint16_t height, std::string_view key,
-                      std::string_view file) {
+std::string encodeImageBody(std::uint64_t timestamp, std::uint16_t width, std::uint16_t height, std::string_view key,
+                            std::string_view file) {
   std::string bytes;
   append(bytes, timestamp);
   append(bytes, width);

@@ -17,7 +17,7 @@ struct FrameFormat {
   std::uint8_t version;
   std::size_t headerSize; // [bytes]
   std::uint8_t largestType;
-  std::uint32_t mostBytes; // that a client's body may have
+  std::uint32_t maxBodyBytes; // that a client's body may have
 };
 inline constexpr FrameFormat debugFormat{"DMSG", 1, 16, 6, 1 << 16};
 inline constexpr FrameFormat configFormat{"CONF", 2, 12, 5, 1 << 20};
@@ -34,11 +34,11 @@ struct FrameHeader {
 FrameHeader parseHeader(const FrameFormat& format, std::string_view header);
 
 /// Header and body.
-std::string debugFrame(DebugType type, std::string_view body);
-std::string configFrame(ConfigType type, std::string_view body);
+std::string encodeDebugFrame(DebugType type, std::string_view body);
+std::string encodeConfigFrame(ConfigType type, std::string_view body);
 
 /// An IMAGE's body: u64 timestamp [ms], u16 width, u16 height, u16 length of the key, key, file.
-std::string imageBody(std::uint64_t timestamp, std::uint16_t width, std::uint16_t height, std::string_view key,
-                      std::string_view file);
+std::string encodeImageBody(std::uint64_t timestamp, std::uint16_t width, std::uint16_t height, std::string_view key,
+                            std::string_view file);
 
 } // namespace naocal

@@ -19,7 +19,7 @@ inline constexpr std::array<std::string_view, 26> jointNames{
 inline constexpr std::size_t jointCount = jointNames.size();
 
 /// Where a joint stands in that order; absent for a name that no joint has.
-constexpr std::optional<std::size_t> jointNumber(std::string_view name) {
+constexpr std::optional<std::size_t> jointIndex(std::string_view name) {
   for (std::size_t joint = 0; joint < jointCount; ++joint) {
     if (jointNames[joint] == name) {
       return joint;

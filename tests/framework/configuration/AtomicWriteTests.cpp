@@ -27,7 +27,7 @@ json allEqual(int value) {
 /// Saves ever new values until it is killed, and undoes some of the saves.
 [[noreturn]] void keepSaving(const std::filesystem::path& root, int first, int pipe) {
   Configuration configuration{root, {"", "Ada", "Bob"}, writeAtomically};
-  configuration.mount(mountName, "Offsets.json", Part::body);
+  configuration.mount(mountName, "Offsets.json", RobotPart::body);
   for (int value = first;; ++value) {
     for (int i = 0; i < 26; ++i) {
       configuration.set(mountName, fmt::format("joint{}", i), value);
@@ -93,9 +93,9 @@ TEST_CASE("a configuration whose writer is killed at any moment is the old or th
     ::close(pipe[1]);
 
     Configuration configuration{robot.folder.path(), robot.names, writeAtomically};
-    configuration.mount(mountName, "Offsets.json", Part::body);
+    configuration.mount(mountName, "Offsets.json", RobotPart::body);
     json keys;
-    configuration.keys(mountName, keys);
+    configuration.readKeys(mountName, keys);
     const int value = keys["joint0"];
     REQUIRE(keys == allEqual(value));
     const bool isUndone = !std::filesystem::exists(robot.path("default/body/Bob/Offsets.json.previous"));
@@ -158,15 +158,15 @@ TEST_CASE("an unfinished save is finished where its configuration lies now") {
   };
   {
     Configuration configuration{before, robot.names, writer};
-    configuration.mount("Offsets", "Offsets.json", Part::head);
+    configuration.mount("Offsets", "Offsets.json", RobotPart::head);
     configuration.set("Offsets", "value", 1);
     CHECK_THROWS_AS(configuration.save(), std::runtime_error);
   }
   std::filesystem::rename(before, after);
   Configuration moved{after, robot.names, writeAtomically};
-  moved.mount("Offsets", "Offsets.json", Part::head);
+  moved.mount("Offsets", "Offsets.json", RobotPart::head);
   json keys;
-  moved.keys("Offsets", keys);
+  moved.readKeys("Offsets", keys);
   CHECK(keys["value"] == 1);
   CHECK_FALSE(std::filesystem::exists(before));
   CHECK_FALSE(std::filesystem::exists(after / "location/unfinished-save.json"));

@@ -35,8 +35,8 @@ TEST_CASE("six layers are read in their order and later ones replace whole top-l
   }
   robot.file("default/body/Bob/Camera.json", R"({"list": "the body's"})");
   robot.file("default/head/Eve/Camera.json", R"({"list": "another head's"})");
-  const_cast<Configuration&>(robot.configuration).mount("Brain.Camera", "Camera.json", Part::head);
-  const json keys = robot.keys("Brain.Camera");
+  const_cast<Configuration&>(robot.configuration).mount("Brain.Camera", "Camera.json", RobotPart::head);
+  const json keys = robot.readKeys("Brain.Camera");
   CHECK(keys == json::parse(R"({"list": [5, 5], "inner": {"of5": 5}, "key0": 0, "key1": 1, "key2": 2, "key3": 3,
                                 "key4": 4, "key5": 5})"));
 }
@@ -45,10 +45,10 @@ TEST_CASE("a robot at the default location has three layers and files may be mis
   // Proves that absent files are skipped and that `mounts` names the most specific one that exists.
   ConfiguredRobot robot{{"default", "Ada", "Bob"}};
   robot.file("default/body/default/Offsets.json", R"({"a": 1, /* and */ "b": 2})");
-  robot.configuration.mount("Motion.Offsets", "Offsets.json", Part::body);
-  CHECK(robot.keys("Motion.Offsets") == json{{"a", 1}, {"b", 2}});
+  robot.configuration.mount("Motion.Offsets", "Offsets.json", RobotPart::body);
+  CHECK(robot.readKeys("Motion.Offsets") == json{{"a", 1}, {"b", 2}});
   CHECK(robot.configuration.mounts().at(0).file == robot.path("default/body/default/Offsets.json"));
-  CHECK(robot.keys("Motion.Nothing") == json::object());
+  CHECK(robot.readKeys("Motion.Nothing") == json::object());
 }
 
 TEST_CASE("a robot is known by the ids of its head and its body") {
@@ -57,7 +57,7 @@ TEST_CASE("a robot is known by the ids of its head and its body") {
   robot.file("default/id_map.json", R"({"idmap.nao": [
     {"name": "Ada", "headid": "P1A", "bodyid": "P1B0012"}, {"name": "Bob", "headid": "P2A", "bodyid": "P2B0034"}]})");
   const auto names = [&](const char* head, const char* body) {
-    const RobotNames found = robotNames(robot.folder.path(), head, body);
+    const RobotNames found = findRobotNames(robot.folder.path(), head, body);
     return found.head + "/" + found.body;
   };
   CHECK(names("P1A", "P1B0012") == "Ada/Ada");
@@ -75,8 +75,8 @@ TEST_CASE("only what was set is saved, into the robot's own file") {
   robot.file("default/body/default/Offsets.json", R"({"headYaw": 0.0, "lKneePitch": 0.0, "mode": {"fast": true}})");
   robot.file("default/head/default/Camera.json", R"({"top": [0, 0, 0], "bottom": [0, 0, 0]})");
   robot.file("default/head/Ada/Camera.json", "// measured by hand\n{\"bottom\": [1, 2, 3]}");
-  robot.configuration.mount("Motion.Offsets", "Offsets.json", Part::body);
-  robot.configuration.mount("Brain.Camera", "Camera.json", Part::head);
+  robot.configuration.mount("Motion.Offsets", "Offsets.json", RobotPart::body);
+  robot.configuration.mount("Brain.Camera", "Camera.json", RobotPart::head);
   robot.configuration.set("Motion.Offsets", "lKneePitch", 1.5);
   robot.configuration.set("Motion.Offsets", "mode.fast", false);
   robot.configuration.set("Brain.Camera", "top[1]", 0.25);
@@ -87,9 +87,9 @@ TEST_CASE("only what was set is saved, into the robot's own file") {
   CHECK(robot.content("default/body/default/Offsets.json")["lKneePitch"] == 0.0);
 
   Configuration other{robot.folder.path(), {"Home", "Eve", "Eve"}, writeAtomically};
-  other.mount("Motion.Offsets", "Offsets.json", Part::body);
+  other.mount("Motion.Offsets", "Offsets.json", RobotPart::body);
   json keys;
-  other.keys("Motion.Offsets", keys);
+  other.readKeys("Motion.Offsets", keys);
   CHECK(keys["lKneePitch"] == 0.0);
 }
 
@@ -101,14 +101,14 @@ TEST_CASE("what is saved is what is read back, also where the location overrides
     if (overridden) {
       robot.file("Home/Offsets.json", R"({"headYaw": 3.0})");
     }
-    robot.configuration.mount("Motion.Offsets", "Offsets.json", Part::body);
+    robot.configuration.mount("Motion.Offsets", "Offsets.json", RobotPart::body);
     robot.configuration.set("Motion.Offsets", "headYaw", 1.5);
     robot.configuration.save();
     CHECK(robot.content(overridden ? "Home/body/Bob/Offsets.json" : "default/body/Bob/Offsets.json")["headYaw"] == 1.5);
     Configuration again{robot.folder.path(), robot.names, writeAtomically};
-    again.mount("Motion.Offsets", "Offsets.json", Part::body);
+    again.mount("Motion.Offsets", "Offsets.json", RobotPart::body);
     json keys;
-    again.keys("Motion.Offsets", keys);
+    again.readKeys("Motion.Offsets", keys);
     CHECK(keys["headYaw"] == 1.5);
   }
 }
@@ -119,21 +119,21 @@ TEST_CASE("a save is undone once, comments included") {
   ConfiguredRobot robot;
   const std::string before = "// by hand\n{\"headYaw\": 1.0}";
   robot.file("default/body/Bob/Offsets.json", before);
-  robot.configuration.mount("Motion.Offsets", "Offsets.json", Part::body);
+  robot.configuration.mount("Motion.Offsets", "Offsets.json", RobotPart::body);
   CHECK(refusal([&] { robot.configuration.undo("Motion.Offsets"); }) ==
         "Motion.Offsets: nothing was saved that could be undone");
   robot.configuration.set("Motion.Offsets", "headYaw", 2.0);
   robot.configuration.save();
   robot.configuration.undo("Motion.Offsets");
   CHECK(fileContent(robot.path("default/body/Bob/Offsets.json")) == before);
-  CHECK(robot.keys("Motion.Offsets")["headYaw"] == 1.0);
+  CHECK(robot.readKeys("Motion.Offsets")["headYaw"] == 1.0);
   CHECK(refusal([&] { robot.configuration.undo("Motion.Offsets"); }) ==
         "Motion.Offsets: nothing was saved that could be undone");
-  CHECK(robot.keys("Motion.Offsets")["headYaw"] == 1.0);
+  CHECK(robot.readKeys("Motion.Offsets")["headYaw"] == 1.0);
   robot.configuration.set("Motion.Offsets", "headYaw", 3.0);
   robot.configuration.save();
   robot.configuration.undo("Motion.Offsets");
-  CHECK(robot.keys("Motion.Offsets")["headYaw"] == 1.0);
+  CHECK(robot.readKeys("Motion.Offsets")["headYaw"] == 1.0);
 }
 
 TEST_CASE("what is kept together goes back together, whoever saved one of it in between") {
@@ -143,17 +143,17 @@ TEST_CASE("what is kept together goes back together, whoever saved one of it in 
     ConfiguredRobot robot;
     for (const std::string name : {"Offsets", "Cameras", "Other"}) {
       robot.file("default/head/default/" + name + ".json", R"({"value": 0})");
-      robot.configuration.mount(name, name + ".json", Part::head);
+      robot.configuration.mount(name, name + ".json", RobotPart::head);
     }
-    robot.configuration.keepTogether({"Offsets", "Cameras", "Absent"});
+    robot.configuration.saveTogether({"Offsets", "Cameras", "Absent"});
     robot.configuration.set("Offsets", "value", 1);
     robot.configuration.set("Cameras", "value", 1);
     robot.configuration.save("Offsets"); // a calibration
     robot.configuration.set("Cameras", "value", 2);
     byName ? robot.configuration.save("Cameras") : robot.configuration.save(); // somebody in between
     robot.configuration.undo("Offsets");
-    CHECK(robot.keys("Cameras")["value"] == 1);
-    CHECK(robot.keys("Offsets")["value"] == 1);
+    CHECK(robot.readKeys("Cameras")["value"] == 1);
+    CHECK(robot.readKeys("Offsets")["value"] == 1);
     CHECK_THROWS_AS(robot.configuration.undo("Cameras"), ConfigurationError);
     CHECK_THROWS_AS(robot.configuration.undo("Other"), ConfigurationError);
   }
@@ -164,7 +164,7 @@ TEST_CASE("orders are never saved, and all else is written elsewhere as it would
   ConfiguredRobot robot;
   robot.file("default/head/default/Runner.json", R"({"run": "", "repeats": 1})");
   robot.file("default/access.json", R"({"secret": "psst"})");
-  robot.configuration.mount("Brain.Runner", "Runner.json", Part::head, {}, {"run"});
+  robot.configuration.mount("Brain.Runner", "Runner.json", RobotPart::head, {}, {"run"});
   robot.configuration.set("Brain.Runner", "run", "left leg");
   robot.configuration.set("Brain.Runner", "repeats", 2);
   const TemporaryFolder other;
@@ -172,9 +172,9 @@ TEST_CASE("orders are never saved, and all else is written elsewhere as it would
   CHECK_FALSE(std::filesystem::exists(robot.path("default/head/Ada/Runner.json")));
   CHECK_FALSE(std::filesystem::exists(other.path() / "location/default/access.json"));
   Configuration copy{other.path(), robot.names, writeAtomically};
-  copy.mount("Brain.Runner", "Runner.json", Part::head);
+  copy.mount("Brain.Runner", "Runner.json", RobotPart::head);
   json keys;
-  copy.keys("Brain.Runner", keys);
+  copy.readKeys("Brain.Runner", keys);
   CHECK(keys == json{{"run", ""}, {"repeats", 2}});
   robot.configuration.save();
   CHECK(robot.content("default/head/Ada/Runner.json") == json{{"repeats", 2}});
@@ -187,9 +187,9 @@ TEST_CASE("a save that changes nothing leaves what an undo goes back to") {
     ConfiguredRobot robot;
     for (const std::string name : {"Offsets", "Cameras", "Other"}) {
       robot.file("default/head/default/" + name + ".json", R"({"value": 0})");
-      robot.configuration.mount(name, name + ".json", Part::head);
+      robot.configuration.mount(name, name + ".json", RobotPart::head);
     }
-    robot.configuration.keepTogether({"Offsets", "Cameras"});
+    robot.configuration.saveTogether({"Offsets", "Cameras"});
     robot.configuration.set("Offsets", "value", 1);
     robot.configuration.save("Offsets"); // a calibration
     if (way == "put back") {
@@ -205,7 +205,7 @@ TEST_CASE("a save that changes nothing leaves what an undo goes back to") {
     robot.configuration.save();
     CHECK(robot.configuration.isSaved("Offsets"));
     robot.configuration.undo("Offsets");
-    CHECK(robot.keys("Offsets")["value"] == 0);
+    CHECK(robot.readKeys("Offsets")["value"] == 0);
     CHECK(robot.content("default/head/Ada/Other.json")["value"] == 3);
   }
 }
@@ -214,7 +214,7 @@ TEST_CASE("what is put back to what the files say counts as saved") {
   // Proves it key by key, and that no file of the robot's own is made for it.
   ConfiguredRobot robot;
   robot.file("default/body/default/Offsets.json", R"({"knee": 0, "hip": [1, 2]})");
-  robot.configuration.mount("Offsets", "Offsets.json", Part::body);
+  robot.configuration.mount("Offsets", "Offsets.json", RobotPart::body);
   robot.configuration.set("Offsets", "knee", 1);
   robot.configuration.set("Offsets", "hip[1]", 3);
   robot.configuration.set("Offsets", "knee", 0);
@@ -244,16 +244,16 @@ TEST_CASE("what is shipped stays as it is when what a robot learns is saved besi
   };
   const auto open = [&](const FileWriter& writer) {
     auto configuration = std::make_unique<Configuration>(ConfigurationFolders{shipped, learned}, robot.names, writer);
-    configuration->mount("Offsets", "Offsets.json", Part::body);
-    configuration->mount("Mounts", "Mounts.json", Part::body);
-    configuration->mount("Sdk", "sdk.json", Part::none);
-    configuration->keepTogether({"Offsets", "Mounts"});
+    configuration->mount("Offsets", "Offsets.json", RobotPart::body);
+    configuration->mount("Mounts", "Mounts.json", RobotPart::body);
+    configuration->mount("Sdk", "sdk.json", RobotPart::none);
+    configuration->saveTogether({"Offsets", "Mounts"});
     return configuration;
   };
   const auto values = [](const Configuration& configuration) {
     json offsets, mounts;
-    configuration.keys("Offsets", offsets);
-    configuration.keys("Mounts", mounts);
+    configuration.readKeys("Offsets", offsets);
+    configuration.readKeys("Mounts", mounts);
     return json{offsets["knee"], offsets["hip"], mounts["pitch"]};
   };
   const auto before = bytes(shipped);
@@ -263,8 +263,8 @@ TEST_CASE("what is shipped stays as it is when what a robot learns is saved besi
   configuration->set("Mounts", "pitch", 3);
   configuration->set("Sdk", "network.basePort", 3000);
   configuration->save();
-  CHECK(configuration->savedFile("Offsets") == learned / "location/default/body/Bob/Offsets.json");
-  CHECK(configuration->savedFile("Mounts") == learned / "location/Home/body/Bob/Mounts.json");
+  CHECK(configuration->saveTarget("Offsets") == learned / "location/default/body/Bob/Offsets.json");
+  CHECK(configuration->saveTarget("Mounts") == learned / "location/Home/body/Bob/Mounts.json");
   CHECK(json::parse(fileContent(learned / "location/default/body/Bob/Offsets.json")) == json{{"knee", 2}});
   CHECK(readSocketSettings({shipped, learned}, "Ada").debugPort == 3001);
   CHECK(values(*open(writeAtomically)) == json{2, 1, 3});
@@ -276,8 +276,8 @@ TEST_CASE("what is shipped stays as it is when what a robot learns is saved besi
   CHECK(json::parse(fileContent(copy.path() / "location/default/sdk.json")) ==
         json{{"network.basePort", 3000}, {"other", 0}});
   Configuration one{copy.path(), robot.names, writeAtomically};
-  one.mount("Offsets", "Offsets.json", Part::body);
-  one.mount("Mounts", "Mounts.json", Part::body);
+  one.mount("Offsets", "Offsets.json", RobotPart::body);
+  one.mount("Mounts", "Mounts.json", RobotPart::body);
   CHECK(values(one) == json{5, 1, 3});
   configuration->undo("Mounts");
   CHECK(values(*configuration) == json{2, 1, 3});
@@ -307,16 +307,16 @@ TEST_CASE("a save that has failed is not finished by a copy of the configuration
     writeAtomically(file, content);
   };
   Configuration configuration{robot.folder.path(), robot.names, writer};
-  configuration.mount("Offsets", "Offsets.json", Part::head);
+  configuration.mount("Offsets", "Offsets.json", RobotPart::head);
   configuration.set("Offsets", "value", 1);
   CHECK_THROWS_AS(configuration.save(), std::runtime_error);
   REQUIRE(std::filesystem::exists(robot.path("unfinished-save.json")));
   const TemporaryFolder other;
   configuration.writeTo(other.path());
   Configuration copy{other.path(), robot.names, writeAtomically};
-  copy.mount("Offsets", "Offsets.json", Part::head);
+  copy.mount("Offsets", "Offsets.json", RobotPart::head);
   json keys;
-  copy.keys("Offsets", keys);
+  copy.readKeys("Offsets", keys);
   CHECK(keys["value"] == 1);
   CHECK_FALSE(std::filesystem::exists(robot.path("default/head/Ada/Offsets.json")));
 }
@@ -339,10 +339,10 @@ TEST_CASE("what is saved together is old or new together, wherever the program e
       robot.file("default/head/default/Other.json", R"({"kept": 0})");
       const auto open = [&] {
         auto configuration = std::make_unique<Configuration>(robot.folder.path(), robot.names, writer);
-        configuration->mount("Offsets", "Offsets.json", Part::body);
-        configuration->mount("Cameras", "Cameras.json", Part::head);
-        configuration->mount("Other", "Other.json", Part::head);
-        configuration->keepTogether({"Offsets", "Cameras", "Other"});
+        configuration->mount("Offsets", "Offsets.json", RobotPart::body);
+        configuration->mount("Cameras", "Cameras.json", RobotPart::head);
+        configuration->mount("Other", "Other.json", RobotPart::head);
+        configuration->saveTogether({"Offsets", "Cameras", "Other"});
         return configuration;
       };
       auto configuration = open();
@@ -357,9 +357,9 @@ TEST_CASE("what is saved together is old or new together, wherever the program e
       left = 1000;
       configuration = open();
       json offsets, cameras, other;
-      configuration->keys("Offsets", offsets);
-      configuration->keys("Cameras", cameras);
-      configuration->keys("Other", other);
+      configuration->readKeys("Offsets", offsets);
+      configuration->readKeys("Cameras", cameras);
+      configuration->readKeys("Other", other);
       CHECK(offsets["knee"] == cameras["pitch"]);
       CHECK(offsets["knee"] == (writes == 0 ? 1 : undone ? 0 : 2));
       CHECK(other["kept"] == 0);
@@ -372,7 +372,7 @@ TEST_CASE("keys may hold dots, and places that do not exist cannot be set") {
   // Proves the reading of paths and pins the refusals; a refused value changes nothing.
   ConfiguredRobot robot;
   robot.file("default/sdk.json", R"({"network.basePort": 12440, "network": {"basePort": 1, "a.b": [5, {"c": 6}]}})");
-  robot.configuration.mount("tuhhSDK.base", "sdk.json", Part::none, [](const std::string&, const json& value) {
+  robot.configuration.mount("tuhhSDK.base", "sdk.json", RobotPart::none, [](const std::string&, const json& value) {
     if (value == 13) {
       throw ConfigurationError{"thirteen is refused"};
     }
@@ -380,7 +380,7 @@ TEST_CASE("keys may hold dots, and places that do not exist cannot be set") {
   robot.configuration.set("tuhhSDK.base", "network.basePort", 1);
   robot.configuration.set("tuhhSDK.base", "network.a.b[1].c", 7);
   const json expected = json::parse(R"({"network.basePort": 1, "network": {"basePort": 1, "a.b": [5, {"c": 7}]}})");
-  CHECK(robot.keys("tuhhSDK.base") == expected);
+  CHECK(robot.readKeys("tuhhSDK.base") == expected);
   for (const char* path : {"network.a.b[2]", "network.a.b[-1]", "network.a.b[1", "network.a.b[]", "port", "", ".",
                            "[0]", "network.", "network.basePort.x"}) {
     CHECK(refusal([&] { robot.configuration.set("tuhhSDK.base", path, 7); }) ==
@@ -389,16 +389,16 @@ TEST_CASE("keys may hold dots, and places that do not exist cannot be set") {
   CHECK(refusal([&] { robot.configuration.set("tuhhSDK.base", "network.basePort", 13); }) == "thirteen is refused");
   CHECK(refusal([&] { robot.configuration.set("Brain.Nothing", "a", 13); }) ==
         "there is no mount Brain.Nothing; ask for the list of mounts");
-  CHECK(robot.keys("tuhhSDK.base") == expected);
+  CHECK(robot.readKeys("tuhhSDK.base") == expected);
 }
 
 TEST_CASE("published keys are served beside a file's and never saved") {
   // Proves it for what the desktop asks of a robot when it connects.
   ConfiguredRobot robot;
   robot.file("default/sdk.json", R"({"location": "Home"})");
-  robot.configuration.mount("tuhhSDK.base", "sdk.json", Part::none);
+  robot.configuration.mount("tuhhSDK.base", "sdk.json", RobotPart::none);
   robot.configuration.publish("tuhhSDK.base", "NaoInfo.headName", "Ada");
-  CHECK(robot.keys("tuhhSDK.base") == json{{"location", "Home"}, {"NaoInfo.headName", "Ada"}});
+  CHECK(robot.readKeys("tuhhSDK.base") == json{{"location", "Home"}, {"NaoInfo.headName", "Ada"}});
   CHECK(refusal([&] { robot.configuration.set("tuhhSDK.base", "NaoInfo.headName", "Eve"); }) != "not refused");
   robot.configuration.set("tuhhSDK.base", "location", "default");
   robot.configuration.save();
@@ -410,7 +410,7 @@ TEST_CASE("broken files are refused with a sentence that names them") {
   ConfiguredRobot robot;
   const auto mounting = [&](const std::string& content) {
     robot.file("default/Broken.json", content);
-    return refusal([&] { robot.configuration.mount("Brain.Broken", "Broken.json", Part::head); });
+    return refusal([&] { robot.configuration.mount("Brain.Broken", "Broken.json", RobotPart::head); });
   };
   const std::string name = robot.path("default/Broken.json").string();
   CHECK(mounting("{\"a\": }").rfind(name + ": expected valid JSON, found a parse error at line 1, column 7", 0) == 0);
@@ -418,7 +418,7 @@ TEST_CASE("broken files are refused with a sentence that names them") {
   CHECK(mounting("{} // gr\xfc\xdf dich") == name + ": expected text in UTF-8, found other bytes; save it as UTF-8");
   CHECK(mounting("").rfind(name + ": expected valid JSON", 0) == 0);
   CHECK(refusal([] {
-          layersOf(std::filesystem::path{"/c"}, "a.json", Part::head, {"default", "../x", "Bob"});
+          layerFiles(std::filesystem::path{"/c"}, "a.json", RobotPart::head, {"default", "../x", "Bob"});
         }) == "the robot's head is called \"../x\"; expected a name that can be a folder's");
 }
 

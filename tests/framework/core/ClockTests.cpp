@@ -22,9 +22,9 @@ void sample(ClockOffset& clock, TimePoint time, Duration ahead = {}, Duration br
 }
 
 double errorOf(const ClockOffset& clock, TimePoint taken, TimePoint now, Duration ahead = {}) {
-  const auto converted = clock.converted(wallAt(taken, ahead), now);
+  const auto converted = clock.convert(wallAt(taken, ahead), now);
   REQUIRE(converted);
-  return std::abs(seconds(*converted - taken));
+  return std::abs(toSeconds(*converted - taken));
 }
 
 } // namespace
@@ -33,7 +33,7 @@ TEST_CASE("a wall clock's stamp becomes the time at which it was taken") {
   // Proves the conversion for steady clocks and readings that were interrupted now and then: the narrow ones count.
   std::mt19937 random{1};
   ClockOffset clock;
-  CHECK_FALSE(clock.converted(wallAt(at(1)), at(1)));
+  CHECK_FALSE(clock.convert(wallAt(at(1)), at(1)));
   for (int i = 0; i < 100; ++i) {
     const bool interrupted = i % 3 == 0;
     const auto bracket = interrupted ? microseconds{1500} : microseconds{1};
@@ -77,9 +77,9 @@ TEST_CASE("a stamp from the future or from long ago is refused") {
   ClockOffset clock;
   sample(clock, at(10));
   sample(clock, at(11));
-  CHECK_FALSE(clock.converted(wallAt(at(11.5)), at(11.1)));
-  CHECK_FALSE(clock.converted(wallAt(at(9)), at(11.1)));
-  CHECK_FALSE(clock.converted(ClockOffset::Wall{0}, at(11.1)));
+  CHECK_FALSE(clock.convert(wallAt(at(11.5)), at(11.1)));
+  CHECK_FALSE(clock.convert(wallAt(at(9)), at(11.1)));
+  CHECK_FALSE(clock.convert(ClockOffset::Wall{0}, at(11.1)));
 }
 
 TEST_CASE("this computer's wall clock is read") {
@@ -89,7 +89,7 @@ TEST_CASE("this computer's wall clock is read") {
   const TimePoint before = Clock::now();
   const auto stamp = std::chrono::system_clock::now().time_since_epoch();
   const TimePoint after = Clock::now();
-  const auto converted = clock.converted(std::chrono::duration_cast<ClockOffset::Wall>(stamp), after);
+  const auto converted = clock.convert(std::chrono::duration_cast<ClockOffset::Wall>(stamp), after);
   REQUIRE(converted);
   CHECK(*converted >= before - milliseconds{5});
   CHECK(*converted <= after + milliseconds{5});

@@ -64,7 +64,7 @@ std::string wiringError(const std::vector<Thread*>& threads) {
 
 TEST_CASE("modules run after those that they depend on, whatever order they were added in") {
   // Proves the computed order by the values of one cycle.
-  Thread motion{"Motion", Part::body};
+  Thread motion{"Motion", RobotPart::body};
   auto& last = motion.add<Reader<int>>("Reader", "c");
   motion.add<Adder>("c", "b");
   motion.add<Adder>("b", "a");
@@ -81,7 +81,7 @@ TEST_CASE("modules run after those that they depend on, whatever order they were
 
 TEST_CASE("modules that need nothing of each other keep the order in which they were added") {
   // Proves that the order does not change by chance.
-  Thread motion{"Motion", Part::body};
+  Thread motion{"Motion", RobotPart::body};
   motion.add<Adder>("z", "number");
   motion.add<Adder>("a", "number");
   motion.add<Source>();
@@ -95,7 +95,7 @@ TEST_CASE("modules that need nothing of each other keep the order in which they 
 
 TEST_CASE("wiring errors are sentences with names") {
   // Pins the sentences: a person reads them at start-up and must know what to do.
-  Thread motion{"Motion", Part::body};
+  Thread motion{"Motion", RobotPart::body};
   motion.add<Source>();
   SECTION("a dependency that nobody produces") {
     motion.add<Reader<int>>("Stillness", "speeds");
@@ -130,7 +130,7 @@ TEST_CASE("wiring errors are sentences with names") {
 
 TEST_CASE("only a history or a latest value is read by another thread") {
   // Proves what may cross and pins the sentence about what may not, and that a latest value has one reader.
-  Thread motion{"Motion", Part::body}, brain{"Brain", Part::head};
+  Thread motion{"Motion", RobotPart::body}, brain{"Brain", RobotPart::head};
   motion.add<Source>();
   motion.add<Writer>();
   SECTION("they may") {
@@ -158,20 +158,20 @@ TEST_CASE("only a history or a latest value is read by another thread") {
 TEST_CASE("a thread counts its cycles and tells its listener what was edited in each") {
   // Proves the statistics' counts and what a listener sees; how long cycles take is the computer's business.
   struct Listener : CycleListener {
-    void cycleEnded(TimePoint, const std::vector<AnyProduction*>& productions) override {
+    void onCycleEnd(TimePoint, const std::vector<AnyProduction*>& productions) override {
       for (const AnyProduction* production : productions) {
-        edited += production->name() + (production->edited() ? "! " : " ");
+        edited += production->name() + (production->wasEdited() ? "! " : " ");
       }
     }
     std::string edited;
   };
-  Thread motion{"Motion", Part::body};
+  Thread motion{"Motion", RobotPart::body};
   motion.add<Source>();
   auto& times = motion.add<Reader<CycleTimes>>("Reader", "cycleTimes");
   const Database database{{&motion}};
   motion.cycle();
   Listener listener;
-  motion.tell(listener);
+  motion.setListener(listener);
   motion.cycle();
   CHECK(listener.edited == "cycleTimes! measuredCycleTime! number! numbers! ");
   CHECK(times.read().cycles == 1);

@@ -15,11 +15,11 @@ struct Pair {
   double first = 0, second = 0;
   std::array<double, 30> more{};
 };
-Pair interpolated(const Pair& from, const Pair& to, double fraction) {
+Pair interpolate(const Pair& from, const Pair& to, double fraction) {
   Pair result;
-  result.first = naocal::interpolated(from.first, to.first, fraction);
-  result.second = naocal::interpolated(from.second, to.second, fraction);
-  result.more.fill(naocal::interpolated(from.more[29], to.more[29], fraction));
+  result.first = naocal::interpolate(from.first, to.first, fraction);
+  result.second = naocal::interpolate(from.second, to.second, fraction);
+  result.more.fill(naocal::interpolate(from.more[29], to.more[29], fraction));
   return result;
 }
 

@@ -17,7 +17,7 @@ class Player : public Module {
 public:
   Player() : Module{"Player"} {}
   void cycle() override { seen.push_back(*speed_); }
-  void parametersChanged() override { ++changes; }
+  void onParametersChanged() override { ++changes; }
 
   std::vector<double> seen;
   int changes = 0;
@@ -42,10 +42,10 @@ std::vector<std::string>& unknownKeys() {
 struct Configured {
   explicit Configured(const nlohmann::json& content) {
     robot.file("default/body/default/Player.json", content.dump());
-    unknownKeys() = configure(motion, robot.configuration);
+    unknownKeys() = configureModules(motion, robot.configuration);
   }
   ConfiguredRobot robot;
-  Thread motion{"Motion", Part::body};
+  Thread motion{"Motion", RobotPart::body};
   Player& player = motion.add<Player>();
 };
 
@@ -65,7 +65,7 @@ TEST_CASE("a module's parameters come from the file of its name") {
   Configured configured{good};
   CHECK(configured.player.gains() == std::vector<double>{1, 2, 3});
   CHECK(configured.player.changes == 1);
-  CHECK(configured.robot.keys("Motion.Player") == good);
+  CHECK(configured.robot.readKeys("Motion.Player") == good);
 }
 
 TEST_CASE("a change reaches a module between two cycles") {
@@ -87,7 +87,7 @@ TEST_CASE("a change reaches a module between two cycles") {
   CHECK_THROWS_AS(robot.configuration.set("Motion.Player", "speed", -1), ConfigurationError);
   motion.cycle();
   CHECK(player.seen.back() == 0.75);
-  CHECK(robot.keys("Motion.Player")["speed"] == 0.75);
+  CHECK(robot.readKeys("Motion.Player")["speed"] == 0.75);
 }
 
 TEST_CASE("changes from other threads arrive in their order while the cycle goes on") {
@@ -145,18 +145,18 @@ TEST_CASE("configuration errors are sentences with names") {
 TEST_CASE("what numbers are asked to be") {
   // Proves both ends of each check and what is no number.
   const double none = std::nan("");
-  CHECK(within<0, 3>(3.0).empty());
-  CHECK(within<0, 3>(0).empty());
+  CHECK(checkWithin<0, 3>(3.0).empty());
+  CHECK(checkWithin<0, 3>(0).empty());
   for (const double outside : {-0.1, 3.1, none}) {
-    CHECK(within<0, 3>(outside) == "a number from 0 to 3");
-    CHECK_FALSE(eachWithin<0, 3>({1, outside}).empty());
+    CHECK(checkWithin<0, 3>(outside) == "a number from 0 to 3");
+    CHECK_FALSE(checkEachWithin<0, 3>({1, outside}).empty());
   }
-  CHECK(eachWithin<0, 3>({1, 2}).empty());
-  CHECK_FALSE(eachWithin<0, 3>({}).empty());
-  CHECK_FALSE(eachWithin<0, 3>(std::vector<double>(21, 1)).empty());
-  CHECK(share(1).empty());
+  CHECK(checkEachWithin<0, 3>({1, 2}).empty());
+  CHECK_FALSE(checkEachWithin<0, 3>({}).empty());
+  CHECK_FALSE(checkEachWithin<0, 3>(std::vector<double>(21, 1)).empty());
+  CHECK(checkShare(1).empty());
   for (const double outside : {0.0, 1.1, none}) {
-    CHECK(share(outside) == "a number above 0, at most 1");
+    CHECK(checkShare(outside) == "a number above 0, at most 1");
   }
 }
 
@@ -166,18 +166,18 @@ TEST_CASE("an order counts when it is given, whatever else changes") {
   public:
     Runner() : Module{"Runner"} {}
     void cycle() override {}
-    void parametersChanged() override { given += run_.takeGiven(); }
+    void onParametersChanged() override { given += run_.takeCommand(); }
     int given = 0;
 
   private:
-    Wish<std::string> run_{*this, "run"};
+    CommandParameter<std::string> run_{*this, "run"};
     Parameter<int> repeats_{*this, "repeats"};
   };
   ConfiguredRobot robot;
   robot.file("default/body/default/Runner.json", R"({"run": "left", "repeats": 1})");
-  Thread motion{"Motion", Part::body};
+  Thread motion{"Motion", RobotPart::body};
   const Runner& runner = motion.add<Runner>();
-  configure(motion, robot.configuration);
+  configureModules(motion, robot.configuration);
   motion.cycle();
   CHECK(runner.given == 0);
   robot.configuration.set("Motion.Runner", "repeats", 2);

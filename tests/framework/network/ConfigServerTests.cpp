@@ -66,7 +66,7 @@ TEST_CASE("a second process does not take the first one's UNIX sockets") {
   ShownRobot robot;
   SocketSettings second = robot.settings;
   second.tcp = false;
-  CHECK_THROWS_WITH((Sockets{second, {}, robot.robot.configuration, Clock::now(), [](std::string_view) {}}),
+  CHECK_THROWS_WITH((SocketServers{second, {}, robot.robot.configuration, Clock::now(), [](std::string_view) {}}),
                     Catch::Contains("sockets/debug: another process listens there; stop what listens there"));
   auto client = MateClient::config(robot.settings.unixFolder / "config");
   client.send(getMounts);
@@ -195,7 +195,7 @@ TEST_CASE("a wrong secret closes the connection") {
 TEST_CASE("whoever has not sent the secret keeps no place from those who have it") {
   // Proves it with two places: strangers make room, for the owner and for each other; the owner's place stays.
   SocketSettings two = wide("open sesame");
-  two.mostClients = 2;
+  two.maxClients = 2;
   ShownRobot robot{two};
   const auto answers = [](MateClient& client) { return keysOf(client, "Brain.Counter").contains("factor"); };
   std::vector<MateClient> strangers;
@@ -264,7 +264,7 @@ TEST_CASE("where the sockets listen is read from HULKs' keys") {
   ShownRobot first;
   SocketSettings same;
   same.debugPort = first.sockets->debugPort();
-  CHECK_THROWS_WITH(Sockets(same, {}, first.robot.configuration, first.base, [](auto) {}),
+  CHECK_THROWS_WITH(SocketServers(same, {}, first.robot.configuration, first.base, [](auto) {}),
                     Catch::Contains("cannot listen on 127.0.0.1 port") && Catch::Contains("already in use"));
 }
 

@@ -19,7 +19,7 @@ json listed(MateClient& client) {
 struct SlowPicture {
   std::shared_future<void> ready;
 };
-EncodedPicture toPicture(const SlowPicture& picture) {
+EncodedImage toImage(const SlowPicture& picture) {
   picture.ready.wait();
   return {1, 1, "slow"};
 }
@@ -116,11 +116,11 @@ struct Scene {
   static constexpr std::size_t large = 4 << 20;
   const TimePoint base = TimePoint{} + 5h;
   const ConfiguredRobot robot;
-  Thread brain{"Brain", Part::head};
+  Thread brain{"Brain", RobotPart::head};
   Reporter& reporter = brain.add<Reporter>(base);
   Database database{{&brain}};
   Configuration configuration{robot.folder.path(), robot.names, writeAtomically};
-  Sockets sockets{settings(robot), {&brain}, configuration, base, [](auto) {}};
+  SocketServers sockets{settings(robot), {&brain}, configuration, base, [](auto) {}};
   MateClient fast = MateClient::debug(sockets.debugPort());
   MateClient slow = MateClient::debug(robot.folder.path() / "sockets" / "debug");
   int cycles = 0;
@@ -189,7 +189,7 @@ TEST_CASE("nothing is copied that nobody subscribed to") {
   // Proves that subscribing, unsubscribing and leaving reach the production.
   ShownRobot robot;
   const AnyProduction* count = robot.database.find("Brain.count");
-  CHECK_FALSE(count->wanted());
+  CHECK_FALSE(count->isWanted());
   auto first = robot.debug();
   {
     auto second = robot.debug();
@@ -199,12 +199,12 @@ TEST_CASE("nothing is copied that nobody subscribed to") {
     listed(second);
     first.send(unsubscribe, "Brain.count");
     listed(first);
-    CHECK(count->wanted());
+    CHECK(count->isWanted());
   }
-  for (int i = 0; i < 1000 && count->wanted(); ++i) {
+  for (int i = 0; i < 1000 && count->isWanted(); ++i) {
     listed(first); // until the second one's end has been noticed
   }
-  CHECK_FALSE(count->wanted());
+  CHECK_FALSE(count->isWanted());
 }
 
 TEST_CASE("a client that never reads neither blocks the cycle nor starves the others") {
@@ -246,13 +246,13 @@ TEST_CASE("a thread whose pictures take long does not hold up the other thread's
   // Proves the turns: eight pictures wait when the value comes, and few of them are sent before it.
   const ConfiguredRobot robot;
   std::promise<void> ready;
-  Thread brain{"Brain", Part::head}, motion{"Motion", Part::body};
+  Thread brain{"Brain", RobotPart::head}, motion{"Motion", RobotPart::body};
   brain.add<SlowCamera>(ready.get_future().share());
   const Database database{{&brain, &motion}};
   SocketSettings settings;
   settings.debugPort = settings.configPort = 0;
   Configuration configuration{robot.folder.path(), robot.names, writeAtomically};
-  const Sockets sockets{settings, {&brain, &motion}, configuration, TimePoint{}, [](auto) {}};
+  const SocketServers sockets{settings, {&brain, &motion}, configuration, TimePoint{}, [](auto) {}};
   auto client = MateClient::debug(sockets.debugPort());
   client.send(subscribeBulk, R"({"keys": ["Brain.slowPicture", "Motion.measuredCycleTime"]})");
   listed(client);

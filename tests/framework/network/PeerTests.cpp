@@ -19,7 +19,7 @@ using nlohmann::json;
 class QuietPeer : public Peer {
 public:
   void send(std::shared_ptr<const std::string>) override {}
-  bool busy() const override { return false; }
+  bool isBusy() const override { return false; }
   const std::string& address() const override { return address_; }
 
 private:
@@ -37,9 +37,9 @@ struct OnePlace {
 /// A protocol that counts the frames of clients that are there, and of those that have ended.
 struct Counted : Protocol {
   const FrameFormat& format() const override { return debugFormat; }
-  void opened(Peer&) override {}
-  void received(Peer&, std::uint8_t, std::string) override { ++(isClosed ? late : timely); }
-  void closed(Peer&) override { isClosed = true; }
+  void onOpened(Peer&) override {}
+  void onReceived(Peer&, std::uint8_t, std::string) override { ++(isClosed ? late : timely); }
+  void onClosed(Peer&) override { isClosed = true; }
   bool isTrusted(const Peer&) const override { return true; }
   int timely = 0, late = 0;
   bool isClosed = false;
@@ -52,7 +52,7 @@ struct SteppedConnection {
     connection = std::make_shared<Connection>(
         Socket{context, boost::asio::generic::stream_protocol{AF_UNIX, 0}, ends[0]}, "", protocol, ClientLimits{},
         [](std::string_view) {}, [](Connection&) {});
-    const std::string frame = debugFrame(DebugType::subscribe, "Brain.count");
+    const std::string frame = encodeDebugFrame(DebugType::subscribe, "Brain.count");
     REQUIRE(::send(ends[1], frame.data(), frame.size(), MSG_NOSIGNAL) == ssize_t(frame.size()));
     connection->start();
   }
@@ -106,12 +106,12 @@ TEST_CASE("a debug client that has left wants nothing any more, whatever still c
       {subscribe, "Brain.count"}, {subscribeBulk, R"({"keys": ["Brain.count"]})"}, {unsubscribe, "Brain.picture"}};
   for (const auto& [type, body] : requests) {
     auto peer = std::make_shared<QuietPeer>();
-    server.opened(*peer);
-    server.received(*peer, subscribe, "Brain.count");
-    CHECK(count->wanted());
-    server.closed(*peer);
-    server.received(*peer, std::uint8_t(type), body);
-    CHECK_FALSE(count->wanted());
+    server.onOpened(*peer);
+    server.onReceived(*peer, subscribe, "Brain.count");
+    CHECK(count->isWanted());
+    server.onClosed(*peer);
+    server.onReceived(*peer, std::uint8_t(type), body);
+    CHECK_FALSE(count->isWanted());
     CHECK(peer.use_count() == 1);
   }
 }
@@ -121,37 +121,37 @@ TEST_CASE("a client at the address in memory of one that showed the secret has n
   // end; nor does such a client keep its network address open, or leave a will.
   ConfiguredRobot robot;
   robot.file("default/head/default/Counter.json", R"({"factor": 0.5})");
-  robot.configuration.mount("Brain.Counter", "Counter.json", Part::head);
+  robot.configuration.mount("Brain.Counter", "Counter.json", RobotPart::head);
   Access access{{"0.0.0.0", "open sesame", false}};
   ConfigServer server{robot.configuration, access, [](std::string_view) {}};
   const json will = {{{"mp", "Brain.Counter"}, {"key", "factor"}, {"value", 7.0}}};
   const json leaving = {{{"mp", "naocal.configuration"}, {"key", "lastWill"}, {"value", will}}};
   OnePlace place;
   auto late = place.next();
-  server.opened(*late);
-  server.closed(*late);
-  server.received(*late, 0, secretMessage("open sesame"));
-  server.received(*late, 0, leaving.dump());
+  server.onOpened(*late);
+  server.onClosed(*late);
+  server.onReceived(*late, 0, secretMessage("open sesame"));
+  server.onReceived(*late, 0, leaving.dump());
   CHECK_FALSE(access.isOpen(late->address()));
   late.reset();
   auto forgotten = place.next();
-  server.opened(*forgotten);
+  server.onOpened(*forgotten);
   CHECK_FALSE(server.isTrusted(*forgotten));
-  server.received(*forgotten, 0, secretMessage("open sesame"));
+  server.onReceived(*forgotten, 0, secretMessage("open sesame"));
   CHECK(server.isTrusted(*forgotten));
   forgotten.reset();
   auto stranger = place.next();
-  server.opened(*stranger);
+  server.onOpened(*stranger);
   CHECK_FALSE(server.isTrusted(*stranger));
-  server.closed(*stranger);
-  CHECK(robot.keys("Brain.Counter")["factor"] == 0.5);
+  server.onClosed(*stranger);
+  CHECK(robot.readKeys("Brain.Counter")["factor"] == 0.5);
 }
 
 TEST_CASE("clients that come, ask and leave at once leave nothing behind while values flow") {
   // Proves it over real sockets: the robot cycles for a second and a half for one that looks at it, while hundreds of
   // others subscribe, ask for the list, unsubscribe and leave without reading, in MATE's frames. What is left behind
   // shows as a production that is wanted when all have gone, or ends this program.
-  ShownRobot robot{{.mostClients = 2000}}; // those that have left may not be noticed at once
+  ShownRobot robot{{.maxClients = 2000}}; // those that have left may not be noticed at once
   auto onlooker = robot.debug();
   onlooker.send(subscribe, "Brain.count");
   std::string requests = onlooker.frame(subscribe, "Brain.Counter.scaled");
@@ -185,15 +185,15 @@ TEST_CASE("clients that come, ask and leave at once leave nothing behind while v
   auto last = robot.debug();
   const auto wanted = [&](const char* key) {
     const AnyProduction* production = robot.database.find(key);
-    for (int i = 0; i < 1000 && production->wanted(); ++i) {
+    for (int i = 0; i < 1000 && production->isWanted(); ++i) {
       last.send(requestList); // until the ends of all have been noticed
       last.receive(list);
     }
-    return production->wanted();
+    return production->isWanted();
   };
   CHECK_FALSE(wanted("Brain.Counter.scaled"));
   CHECK_FALSE(wanted("Brain.history"));
-  CHECK(robot.database.find("Brain.count")->wanted());
+  CHECK(robot.database.find("Brain.count")->isWanted());
   robot.sockets.reset();
   reader.join();
 }

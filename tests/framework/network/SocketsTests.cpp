@@ -58,7 +58,7 @@ TEST_CASE("a bad frame closes its client with a sentence and nobody else") {
 TEST_CASE("random bytes and broken frames never stop the servers") {
   // Proves it for a thousand clients whose bytes are noise, or good frames with some bytes changed or cut off, while
   // the robot cycles. Memory errors are the sanitizers' to find on the same test.
-  ShownRobot robot{{.mostClients = 2000}}; // those that have left may not be noticed at once
+  ShownRobot robot{{.maxClients = 2000}}; // those that have left may not be noticed at once
   std::mt19937 random{1};
   const auto below = [&](std::size_t bound) {
     return std::uniform_int_distribution<std::size_t>{0, bound - 1}(random);
@@ -87,7 +87,7 @@ TEST_CASE("random bytes and broken frames never stop the servers") {
 
 TEST_CASE("there are limits on clients and on what one may ask per second") {
   // Proves both with their sentences; a client that leaves makes room.
-  ShownRobot robot{{.mostClients = 2, .messagesPerSecond = 50}};
+  ShownRobot robot{{.maxClients = 2, .messagesPerSecond = 50}};
   auto first = robot.debug();
   {
     auto second = robot.debug();

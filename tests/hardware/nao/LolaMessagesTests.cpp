@@ -45,20 +45,20 @@ template <std::size_t Count> std::vector<float> redsGreensBlues(const std::array
 TEST_CASE("a state of 896 bytes is understood: every number arrives at its joint and sensor") {
   const std::string message = twin::state(12345);
   REQUIRE(message.size() == lolaStateSize);
-  const auto read = readLolaState(bytesOf(message));
+  const auto read = parseLolaState(bytesOf(message));
   REQUIRE(std::holds_alternative<LolaState>(read));
   const auto& [identity, state] = std::get<LolaState>(read);
 
   CHECK(identity == RobotIdentity{"P0000073A07S94700012", "P0000074A05S93M00061", "6.0.0", "6.0.1"});
   for (std::size_t i = 0; i < twin::names.size(); ++i) {
-    const std::size_t joint = *jointNumber(twin::names[i]);
+    const std::size_t joint = *jointIndex(twin::names[i]);
     CHECK(state.angles[joint] == twin::reported("Position", i, 12345));
     CHECK(state.stiffness[joint] == twin::reported("Stiffness", i, 12345));
     CHECK(state.current[joint] == twin::reported("Current", i, 12345));
     CHECK(state.temperature[joint] == twin::reported("Temperature", i, 12345));
     CHECK(state.status[joint] == int((12345 + i) % 8));
   }
-  const std::size_t left = *jointNumber("LHipYawPitch"), right = *jointNumber("RHipYawPitch");
+  const std::size_t left = *jointIndex("LHipYawPitch"), right = *jointIndex("RHipYawPitch");
   CHECK(state.angles[left] == state.angles[right]);
   CHECK(state.temperature[left] == state.temperature[right]);
   CHECK(state.accelerometer.z() == twin::reported("Accelerometer", 2, 12345));
@@ -79,7 +79,7 @@ TEST_CASE("each of the fourteen touch sensors is understood as its own") {
   for (std::size_t i = 0; i < wire.size(); ++i) {
     Touch only;
     only.*wire[i] = true;
-    const auto read = readLolaState(bytesOf(twin::state(std::uint32_t{1} << i)));
+    const auto read = parseLolaState(bytesOf(twin::state(std::uint32_t{1} << i)));
     REQUIRE(std::holds_alternative<LolaState>(read));
     CHECK(std::get<LolaState>(read).state.touch == only);
   }
@@ -90,15 +90,15 @@ TEST_CASE("each of the fourteen touch sensors is understood as its own") {
 TEST_CASE("a message that is no whole state is refused, wherever it is broken") {
   const std::string good = twin::state(7);
   for (std::size_t length = 0; length < good.size(); ++length) {
-    CHECK(std::holds_alternative<std::string>(readLolaState(bytesOf(good.substr(0, length)))));
+    CHECK(std::holds_alternative<std::string>(parseLolaState(bytesOf(good.substr(0, length)))));
   }
-  CHECK(std::holds_alternative<std::string>(readLolaState(bytesOf(good + '\0'))));
+  CHECK(std::holds_alternative<std::string>(parseLolaState(bytesOf(good + '\0'))));
   std::size_t refused = 0;
   for (std::size_t place = 0; place < good.size(); ++place) {
     for (const int value : {0x00, 0x8f, 0x9f, 0xc0, 0xc1, 0xc3, 0xcb, 0xcf, 0xdd, 0xdf, 0xff}) {
       std::string bent = good;
       bent[place] = char(value);
-      refused += std::holds_alternative<std::string>(readLolaState(bytesOf(bent)));
+      refused += std::holds_alternative<std::string>(parseLolaState(bytesOf(bent)));
     }
   }
   CHECK(refused > 11 * 200); // names, lengths and types are about a quarter of a state
@@ -125,7 +125,7 @@ TEST_CASE("a command has 786 bytes in LoLA's order, and motors without stiffness
     command.leds.skull[i] = skull[i] = float(i) / 12;
   }
   for (const std::string_view name : twin::names) {
-    const std::size_t joint = *jointNumber(name);
+    const std::size_t joint = *jointIndex(name);
     positions.push_back(float(0.125 * double(joint) - 1));
     stiffness.push_back(joint == 0 ? -1.f : joint == 1 ? 1.f : float(0.01 * double(joint)));
   }
@@ -149,7 +149,7 @@ TEST_CASE("a command has 786 bytes in LoLA's order, and motors without stiffness
 
   LolaCommandWriter writer;
   for (int repeat = 0; repeat < 2; ++repeat) { // the second time the document is there already
-    const auto message = writer.message(command);
+    const auto message = writer.encode(command);
     REQUIRE(message.size() == lolaCommandSize);
     CHECK((std::string(message.begin(), message.end()) == expected.bytes));
   }
@@ -161,12 +161,12 @@ TEST_CASE("a command with an angle that is no finite number is not written") {
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300}) {
     RobotCommand command;
     command.angles[3] = bad;
-    CHECK(writer.message(command).empty());
+    CHECK(writer.encode(command).empty());
     command.angles[3] = 0;
     command.stiffness[25] = bad;
-    CHECK(writer.message(command).empty());
+    CHECK(writer.encode(command).empty());
   }
   RobotCommand dark;
   dark.leds.skull[0] = std::numeric_limits<float>::quiet_NaN();
-  CHECK(writer.message(dark).size() == lolaCommandSize);
+  CHECK(writer.encode(dark).size() == lolaCommandSize);
 }

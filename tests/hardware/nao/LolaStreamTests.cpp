@@ -19,7 +19,7 @@ std::optional<std::uint32_t> sequenceOf(const RobotState& state, std::uint32_t a
     if (state.angles[0] == twin::reported("Position", 0, sequence)) {
       bool same = true;
       for (std::size_t i = 0; i < twin::names.size(); ++i) {
-        const std::size_t joint = *jointNumber(twin::names[i]);
+        const std::size_t joint = *jointIndex(twin::names[i]);
         same = same && state.angles[joint] == twin::reported("Position", i, sequence) &&
                state.temperature[joint] == twin::reported("Temperature", i, sequence);
       }
@@ -71,7 +71,7 @@ TEST_CASE("states in random fragments are all received, in order and in step") {
   bool inOrder = true;
   while (next < count && inOrder) {
     const auto state = robot->waitForState(10s);
-    const std::uint32_t overtaken = std::uint32_t(robot->link().lostStates + robot->link().states) - next;
+    const std::uint32_t overtaken = std::uint32_t(robot->status().lostStates + robot->status().states) - next;
     const std::uint32_t expected = next + overtaken - 1;
     inOrder = state && sequenceOf(*state, expected, expected);
     next = expected + 1;
@@ -79,8 +79,8 @@ TEST_CASE("states in random fragments are all received, in order and in step") {
   }
   CHECK(inOrder);
   CHECK(next == count);
-  CHECK(robot->link().states + robot->link().lostStates == count);
-  CHECK(robot->link().reconnects == 0);
+  CHECK(robot->status().states + robot->status().lostStates == count);
+  CHECK(robot->status().reconnects == 0);
   robot.reset(); // so that the sender ends in any case
   sender.join();
 }
@@ -100,7 +100,7 @@ TEST_CASE("every state is answered by a whole command") {
       server.send(twin::state(std::uint32_t(cycle)));
       RobotCommand command;
       command.angles[0] = 1e-3 * cycle;
-      const auto expected = writer.message(command);
+      const auto expected = writer.encode(command);
       whole += server.receive(lolaCommandSize) == std::string(expected.begin(), expected.end());
     }
   }};
@@ -193,7 +193,7 @@ TEST_CASE("sudden closes in the middle of states are survived") {
   sender.join();
   CHECK(good);
   CHECK(session + 1 == sessions);
-  CHECK(robot.link().reconnects >= 2 * sessions);
+  CHECK(robot.status().reconnects >= 2 * sessions);
 }
 
 // Proves that bytes which were lost, added or are no messages at all never become angles, and that the stream is in
@@ -255,8 +255,8 @@ TEST_CASE("a robot whose socket is not there is absent, with a sentence") {
   LolaRobot robot{folder.path() / "robocup"};
   CHECK(!robot.waitForState(20ms));
   CHECK(!robot.waitForIdentity(0ms));
-  CHECK(robot.link().problem == (folder.path() / "robocup").string() +
-                                    ": no connection to the robot's hardware service: No such file or directory");
+  CHECK(robot.status().problem == (folder.path() / "robocup").string() +
+                                      ": no connection to the robot's hardware service: No such file or directory");
   robot.send({});
   CHECK_THROWS_AS(LolaRobot{std::string(200, 'x')}, std::invalid_argument);
 }

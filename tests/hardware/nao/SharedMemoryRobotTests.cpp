@@ -86,7 +86,7 @@ TEST_CASE("a V5's state arrives through shared memory with all its numbers") {
   CHECK(state->sonar[1] == BlockTwin::number(147, 3));
   CHECK(state->touch.rightHandRight);
   CHECK(state->battery.temperature == BlockTwin::number(165, 3));
-  CHECK(robot.link().problem.empty());
+  CHECK(robot.status().problem.empty());
 }
 
 // Proves that states are whole and in order while the robot's side writes as quickly as it can, and that none is
@@ -110,7 +110,7 @@ TEST_CASE("states that were overwritten while they were read are never given") {
     const auto state = robot.waitForState(10s);
     REQUIRE(state);
     const auto sequence = std::uint64_t(state->time.time_since_epoch() / 1s - 100);
-    inOrder = sequence > last && sequence == robot.link().states + robot.link().lostStates;
+    inOrder = sequence > last && sequence == robot.status().states + robot.status().lostStates;
     last = sequence;
     for (std::size_t joint = 0; joint < jointCount; ++joint) {
       whole = whole && state->angles[joint] == BlockTwin::number(joint, std::uint32_t(sequence));
@@ -155,12 +155,12 @@ TEST_CASE("a V5's command arrives whole, and one that is not finite does not") {
 TEST_CASE("shared memory that is missing, foreign or made anew is said so and mended") {
   SharedMemoryRobot robot{BlockTwin::name()};
   CHECK(!robot.waitForIdentity(10ms));
-  CHECK(robot.link().problem.find("is naocal's module loaded") != std::string::npos);
+  CHECK(robot.status().problem.find("is naocal's module loaded") != std::string::npos);
   {
     BlockTwin foreign;
     foreign.block->version = 77;
     CHECK(!robot.waitForState(10ms));
-    CHECK(robot.link().problem.find("another version") != std::string::npos);
+    CHECK(robot.status().problem.find("another version") != std::string::npos);
   }
   for (int start = 0; start < 2; ++start) {
     BlockTwin twin;
@@ -178,7 +178,7 @@ TEST_CASE("shared memory that is missing, foreign or made anew is said so and me
     seen = true;
     naoqi.join();
   }
-  CHECK(robot.link().reconnects == 1);
+  CHECK(robot.status().reconnects == 1);
 }
 
 // Proves that the module's lists of devices are as long as the block's and name no device twice but the one motor of

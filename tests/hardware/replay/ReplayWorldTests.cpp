@@ -47,14 +47,14 @@ Played played(ReplayWorld& world) {
   const auto robot = world.robot();
   const auto cameras = world.cameras();
   std::thread motion{[&] {
-    while (!robot->ended()) {
+    while (!robot->hasEnded()) {
       if (const auto state = robot->waitForState(1s)) {
         result.states[state->time] = *state;
         robot->send({});
       }
     }
   }};
-  while (!cameras->ended()) {
+  while (!cameras->hasEnded()) {
     if (const auto frame = cameras->waitForFrame(100ms)) {
       result.frames.push_back(*frame);
     }
@@ -81,16 +81,16 @@ TEST_CASE("a replayed picture meets exactly the readings that were recorded with
     const auto state = result.states.find(middle);
     REQUIRE(state != result.states.end());
     for (std::size_t i = 0; i < set.jointNames.size(); ++i) {
-      const std::size_t joint = *jointNumber(set.jointNames[i]);
+      const std::size_t joint = *jointIndex(set.jointNames[i]);
       CHECK(state->second.angles[joint] == capture->joints.measured[i]);
       CHECK(state->second.temperature[joint] == capture->joints.temperature[i]);
       CHECK(state->second.current[joint] == capture->joints.current[i]);
     }
     CHECK(state->second.torsoAngles == *capture->imu);
     CHECK(state->second.forces == *capture->fsr);
-    CHECK(greyPicture(frame)->at(5, 7) == 10 + capture->id);
+    CHECK(toGreyImage(frame)->at(5, 7) == 10 + capture->id);
     CHECK(toString(frame.camera) == capture->camera);
-    CHECK(seconds(middle.time_since_epoch()) == capture->time.count());
+    CHECK(toSeconds(middle.time_since_epoch()) == capture->time.count());
     CHECK(std::next(state) != result.states.end()); // the moment lies within what was measured
   }
 }
@@ -134,7 +134,7 @@ TEST_CASE("a replayed picture that was exchanged for one of another size is abse
   writePicture({32, 24, std::vector<std::uint8_t>(32 * 24)}, folder.path() / "session" / set.captures[0].image);
   std::size_t absent = 0;
   for (const CameraFrame& frame : played(world).frames) {
-    absent += !greyPicture(frame);
+    absent += !toGreyImage(frame);
   }
   CHECK(absent == 1);
 }

@@ -24,7 +24,7 @@ TEST_CASE("joints interpolated at a picture's exposure are those of that moment 
   SimulatedWorld world{v6(), plan};
   const auto robot = world.robot();
   const auto cameras = world.cameras();
-  const std::size_t yaw = *jointNumber("HeadYaw");
+  const std::size_t yaw = *jointIndex("HeadYaw");
   const auto inDrawing = Eigen::Index(*v6().jointIndex("HeadYaw"));
   const double offset = world.errors().robot.jointOffsets[inDrawing];
 
@@ -66,5 +66,5 @@ TEST_CASE("joints interpolated at a picture's exposure are those of that moment 
   CHECK(pairs > 200);
   CHECK(worst < 0.001);
   UNSCOPED_INFO("worst of " << pairs << " pairs: " << 1e6 * worst << " us");
-  CHECK(cameras->link(CameraName::top).lost > 10);
+  CHECK(cameras->status(CameraName::top).lost > 10);
 }

@@ -22,7 +22,7 @@ const Eigen::Vector3d upright = Eigen::Vector3d::UnitZ();
 
 // Proves where a body rests and that it stays there.
 TEST_CASE("a table stands on its feet") {
-  const auto resting = restingPlane(table(), {0.05, -0.05, -0.1}, upright, 0.4);
+  const auto resting = findRestingPlane(table(), {0.05, -0.05, -0.1}, upright, 0.4);
   REQUIRE(resting);
   CHECK((resting->up - upright).norm() < 1e-12);
   CHECK(resting->height == Approx(-0.5));
@@ -32,21 +32,21 @@ TEST_CASE("a table stands on its feet") {
 TEST_CASE("a table with one short leg tilts onto it where its weight is") {
   std::vector<Eigen::Vector3d> feet = table();
   feet[0].z() += 0.02;
-  const auto towards = restingPlane(feet, {0.05, 0.05, -0.1}, upright, 0.4);
+  const auto towards = findRestingPlane(feet, {0.05, 0.05, -0.1}, upright, 0.4);
   REQUIRE(towards);
   CHECK(std::acos(towards->up.z()) == Approx(std::atan(0.02 / (0.1 * std::sqrt(2.0)))).epsilon(0.01));
-  const auto away = restingPlane(feet, {-0.05, -0.05, -0.1}, upright, 0.4);
+  const auto away = findRestingPlane(feet, {-0.05, -0.05, -0.1}, upright, 0.4);
   REQUIRE(away);
   CHECK((away->up - upright).norm() < 1e-12);
 }
 
 // Proves the criterion of a fall.
 TEST_CASE("a body whose centre of mass is beside its feet, or that would have to tilt far, does not rest") {
-  CHECK(!restingPlane(table(), {0.101, 0, -0.1}, upright, 0.4));
-  CHECK(!restingPlane(table(), {0, -0.2, -0.1}, upright, 0.4));
+  CHECK(!findRestingPlane(table(), {0.101, 0, -0.1}, upright, 0.4));
+  CHECK(!findRestingPlane(table(), {0, -0.2, -0.1}, upright, 0.4));
   std::vector<Eigen::Vector3d> feet = table();
   feet[0].z() += 0.3;
-  CHECK(!restingPlane(feet, {0.05, 0.05, -0.1}, upright, 0.4));
+  CHECK(!findRestingPlane(feet, {0.05, 0.05, -0.1}, upright, 0.4));
 }
 
 // Proves on random weights that a sole carries exactly what lies over its outline: poses/ asks the same of planned
@@ -64,7 +64,7 @@ TEST_CASE("on one sole a robot stands where its centre of mass is over the outli
     const Eigen::Vector3d centre{place(random), place(random), 0};
     const double depth = depthInside(outline, centre.head<2>());
     if (std::abs(depth) > 1e-6) {
-      CHECK(restingPlane(points, centre, upright, 0.4).has_value() == (depth > 0));
+      CHECK(findRestingPlane(points, centre, upright, 0.4).has_value() == (depth > 0));
       standing += depth > 0;
     }
   }

@@ -43,7 +43,7 @@ void play(SimulatedWorld& world, int cycles, const Angles& angles, const See& se
 }
 
 RawAngles standing(int) {
-  return SimulatedPlan::standing();
+  return SimulatedPlan::standingAngles();
 }
 
 /// What the camera sees at a moment.
@@ -65,7 +65,7 @@ TEST_CASE("a quick world gives both cameras thirty pictures a second, none skipp
       CHECK(frame.sequence == next[std::size_t(frame.camera)]++);
       CHECK((times[round].empty() || frame.time > times[round].back()));
       times[round].push_back(frame.time);
-      CHECK(cameras.link(frame.camera).skipped == 0);
+      CHECK(cameras.status(frame.camera).skipped == 0);
       if (frame.sequence == 20) {
         const auto bytes = frame.picture->bytes();
         pictures[round].insert(pictures[round].end(), bytes.begin(), bytes.end());
@@ -91,7 +91,7 @@ TEST_CASE("pictures that a simulated driver loses are gaps in the sequence") {
     if (frame.camera == CameraName::top) {
       ++given;
       last = frame.sequence;
-      CHECK(cameras.link(CameraName::top).lost + given == frame.sequence + 1);
+      CHECK(cameras.status(CameraName::top).lost + given == frame.sequence + 1);
       const Seconds off = frame.time - TimePoint{1000s} - double(frame.sequence) * Seconds{1.0 / 30};
       early = early || off.count() < -0.001;
       late = late || off.count() > 0.001;
@@ -116,7 +116,7 @@ TEST_CASE("a detector finds the boards in a simulated picture where they are") {
     const std::size_t camera = *v6().cameraIndex(toString(frame.camera));
     const CameraIntrinsics intrinsics = plan.cameras.intrinsics.at(std::string{toString(frame.camera)});
     const Eigen::Isometry3d eye = worldFromCamera(world, robot, camera);
-    const Detection detection = detect(*greyPicture(frame), plan.boards, intrinsics);
+    const Detection detection = detect(*toGreyImage(frame), plan.boards, intrinsics);
     for (const BoardCorners& found : detection.boards) {
       const auto board =
           std::find_if(plan.boards.begin(), plan.boards.end(), [&](auto& one) { return one.id == found.board; });
@@ -138,7 +138,7 @@ TEST_CASE("a quick world without a camera loop goes on") {
   for (int i = 0; i < 100; ++i) {
     REQUIRE(robot->waitForState(1s));
   }
-  CHECK(robot->link().states == 100);
+  CHECK(robot->status().states == 100);
 }
 
 // Proves that blocked cameras give nothing and say so, and that time goes on meanwhile.
@@ -147,7 +147,7 @@ TEST_CASE("a camera that gives no pictures leaves the other one alone") {
   world.block(CameraName::top, true);
   play(world, 50, standing, [&](const CameraFrame& frame, const CameraInterface& cameras) {
     CHECK(frame.camera == CameraName::bottom);
-    CHECK(cameras.link(CameraName::top).problem == "the top camera gives no pictures");
+    CHECK(cameras.status(CameraName::top).problem == "the top camera gives no pictures");
   });
 }
 
@@ -181,8 +181,8 @@ TEST_CASE("rows of a simulated picture are exposed one after the other") {
   const CameraIntrinsics intrinsics = plan.cameras.intrinsics.at("bottom");
   const std::size_t camera = *v6().cameraIndex("bottom");
   const auto turning = [](int cycle) {
-    RawAngles angles = SimulatedPlan::standing();
-    angles[*jointNumber("HeadYaw")] = std::clamp(-0.4 + 0.008 * (cycle - 50), -0.4, 0.4); // 0.67 rad/s from cycle 50 on
+    RawAngles angles = SimulatedPlan::standingAngles();
+    angles[*jointIndex("HeadYaw")] = std::clamp(-0.4 + 0.008 * (cycle - 50), -0.4, 0.4); // 0.67 rad/s from cycle 50 on
     return angles;
   };
   std::size_t corners = 0;
@@ -191,7 +191,7 @@ TEST_CASE("rows of a simulated picture are exposed one after the other") {
     if (frame.camera != CameraName::bottom || frame.sequence < 30 || frame.sequence > 36) {
       return;
     }
-    const Detection detection = detect(*greyPicture(frame), plan.boards, intrinsics);
+    const Detection detection = detect(*toGreyImage(frame), plan.boards, intrinsics);
     const Eigen::Isometry3d worldFromTorso = world.truth().worldFromTorso; // still: only the head turns
     for (const BoardCorners& found : detection.boards) {
       const auto board =

@@ -23,7 +23,7 @@ TEST_CASE("how a simulated robot fares and what it costs", "[.measure]") {
       plan.playRange = radians(0.5);
       RobotCommand command;
       for (std::size_t j = 0; j < drawing.joints.size(); ++j) {
-        plan.start[*jointNumber(drawing.joints[j].name)] = pose.angles[Eigen::Index(j)];
+        plan.start[*jointIndex(drawing.joints[j].name)] = pose.angles[Eigen::Index(j)];
       }
       command.angles = plan.start;
       command.stiffness.fill(0.8);

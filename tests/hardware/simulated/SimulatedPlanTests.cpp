@@ -49,9 +49,9 @@ TEST_CASE("a simulated robot's file with a wrong key or value is refused") {
 TEST_CASE("a simulated robot's errors are its seed's") {
   SimulatedPlan plan;
   plan.playRange = radians(0.5);
-  const SimulatedErrors one = drawnErrors(v6(), plan), again = drawnErrors(v6(), plan);
+  const SimulatedErrors one = drawErrors(v6(), plan), again = drawErrors(v6(), plan);
   plan.seed = 2;
-  const SimulatedErrors other = drawnErrors(v6(), plan);
+  const SimulatedErrors other = drawErrors(v6(), plan);
   CHECK(one.robot.jointOffsets == again.robot.jointOffsets);
   CHECK(one.play == again.play);
   CHECK(one.robot.jointOffsets != other.robot.jointOffsets);

@@ -39,7 +39,7 @@ RobotState after(RobotInterface& robot, int cycles, const RobotCommand& command)
 RawAngles raw(const Eigen::VectorXd& angles) {
   RawAngles result;
   for (std::size_t joint = 0; joint < v6().joints.size(); ++joint) {
-    result[*jointNumber(v6().joints[joint].name)] = angles[Eigen::Index(joint)];
+    result[*jointIndex(v6().joints[joint].name)] = angles[Eigen::Index(joint)];
   }
   return result;
 }
@@ -54,18 +54,18 @@ std::size_t of(const char* joint) {
 TEST_CASE("a simulated robot goes where it is told but for its offsets, and its encoders do not know of them") {
   SimulatedWorld world{v6(), quick()};
   const auto robot = world.robot();
-  RawAngles target = SimulatedPlan::standing();
-  target[*jointNumber("HeadYaw")] = 0.4;
-  target[*jointNumber("LElbowRoll")] = -0.5;
+  RawAngles target = SimulatedPlan::standingAngles();
+  target[*jointIndex("HeadYaw")] = 0.4;
+  target[*jointIndex("LElbowRoll")] = -0.5;
   const RobotState state = after(*robot, 100, holding(target));
   const auto truth = world.truth();
   const double encoderStep = 2 * std::numbers::pi / 4096;
   for (const char* name : {"HeadYaw", "LElbowRoll", "LKneePitch", "RHipYawPitch"}) {
     const std::size_t joint = of(name);
-    const double shown = state.angles[*jointNumber(name)];
+    const double shown = state.angles[*jointIndex(name)];
     const double offset = world.errors().robot.jointOffsets[Eigen::Index(joint)];
     CHECK(std::abs(shown / encoderStep - std::round(shown / encoderStep)) < 1e-9);
-    CHECK(std::abs(shown - target[*jointNumber(name)]) < radians(0.6)); // friction, droop, dither
+    CHECK(std::abs(shown - target[*jointIndex(name)]) < radians(0.6)); // friction, droop, dither
     CHECK(std::abs(truth.joints[Eigen::Index(joint)] + offset - shown) <=
           world.errors().play[joint] / 2 + encoderStep / 2 + 5 * radians(0.007));
   }
@@ -103,7 +103,7 @@ TEST_CASE("a simulated robot falls over when its pose is not stable") {
   after(*robot, 50, holding(plan.start));
   CHECK(!world.truth().fallen);
   RawAngles leaning = plan.start;
-  leaning[*jointNumber("LAnklePitch")] = leaning[*jointNumber("RAnklePitch")] = radians(25);
+  leaning[*jointIndex("LAnklePitch")] = leaning[*jointIndex("RAnklePitch")] = radians(25);
   const RobotState state = after(*robot, 200, holding(leaning));
   CHECK(world.truth().fallen);
   CHECK(state.torsoAngles.norm() > 1);
@@ -122,10 +122,10 @@ TEST_CASE("a simulated robot is held as long as its eyes are yellow") {
     SimulatedWorld world{v6(), plan};
     const auto robot = world.robot();
     RobotCommand command = holding(plan.start);
-    command.leds.leftEye.fill(holdMe);
+    command.leds.leftEye.fill(holdMeColour);
     after(*robot, 50, command);
     RawAngles leaning = plan.start;
-    leaning[*jointNumber("LAnklePitch")] = leaning[*jointNumber("RAnklePitch")] = radians(25);
+    leaning[*jointIndex("LAnklePitch")] = leaning[*jointIndex("RAnklePitch")] = radians(25);
     command.angles = leaning;
     after(*robot, 200, command);
     CHECK(!world.truth().fallen);
@@ -157,9 +157,9 @@ TEST_CASE("the support foot stays where it is while the rest of the robot moves"
   after(*robot, 20, holding(plan.start));
   const Eigen::Isometry3d before = sole();
   RawAngles turned = plan.start;
-  turned[*jointNumber("HeadYaw")] += 0.3;
-  turned[*jointNumber("LKneePitch")] += 0.02;
-  turned[*jointNumber("LAnklePitch")] -= 0.02;
+  turned[*jointIndex("HeadYaw")] += 0.3;
+  turned[*jointIndex("LKneePitch")] += 0.02;
+  turned[*jointIndex("LAnklePitch")] -= 0.02;
   for (int i = 0; i < 50; ++i) {
     after(*robot, 1, holding(turned));
     CHECK(sole().isApprox(before, 1e-6));
@@ -174,6 +174,6 @@ TEST_CASE("a motor that carries gets warmer than one that does not") {
   plan.mechanics.heatPerTorqueSquared = 20;
   SimulatedWorld world{v6(), plan};
   const RobotState state = after(*world.robot(), 1000, holding(plan.start));
-  CHECK(state.temperature[*jointNumber("LKneePitch")] > state.temperature[*jointNumber("HeadYaw")] + 1);
-  CHECK(state.temperature[*jointNumber("HeadYaw")] < plan.mechanics.ambientTemperature + 3);
+  CHECK(state.temperature[*jointIndex("LKneePitch")] > state.temperature[*jointIndex("HeadYaw")] + 1);
+  CHECK(state.temperature[*jointIndex("HeadYaw")] < plan.mechanics.ambientTemperature + 3);
 }

@@ -73,7 +73,7 @@ TEST_CASE("of several pictures the newest is given, of two cameras' pictures the
   CHECK(second->picture->bytes().front() == 2);
   CHECK(second->picture->bytes().size() == 2 * 640 * 480);
   CHECK(second->sequence == 1);
-  CHECK(scene.cameras().link(CameraName::top).skipped == 1);
+  CHECK(scene.cameras().status(CameraName::top).skipped == 1);
   CHECK(scene.top().free.size() == 4); // all buffers are the driver's again
   CHECK(!scene.cameras().waitForFrame(0ms));
 }
@@ -93,7 +93,7 @@ TEST_CASE("every exposed picture is accounted for, also when the driver's count 
       }
     }
   }
-  const CameraLink link = scene.cameras().link(CameraName::top);
+  const CameraStatus link = scene.cameras().status(CameraName::top);
   CHECK(link.lost >= 4 * 3);
   CHECK(link.broken > 10);
   CHECK(link.frames + link.skipped + link.broken + link.lost == 200);
@@ -115,19 +115,19 @@ TEST_CASE("a camera whose stream fails is opened anew, and its pictures go on co
   scene.top().failures[VIDIOC_QBUF] = 2;
   scene.video.expose(scene.top(), 3, 3s);
   CHECK(scene.next()->sequence == 2); // was whole before
-  CHECK(scene.cameras().link(CameraName::top).problem ==
+  CHECK(scene.cameras().status(CameraName::top).problem ==
         "/dev/top (top camera): it does not take its buffers back: Invalid argument");
 
   for (int round = 1; round <= 3; ++round) {
     while (!scene.top().streaming) {
       scene.cameras().waitForFrame(10ms);
     }
-    CHECK(scene.cameras().link(CameraName::top).problem.empty());
+    CHECK(scene.cameras().status(CameraName::top).problem.empty());
     scene.video.expose(scene.top(), 4, 4s);
     CHECK(scene.next()->sequence == std::uint64_t(2 + round));
     scene.top().broken = true;
     CHECK(!scene.cameras().waitForFrame(5ms));
-    CHECK(scene.cameras().link(CameraName::top).reopened == std::uint64_t(round));
+    CHECK(scene.cameras().status(CameraName::top).reopened == std::uint64_t(round));
   }
 }
 
@@ -146,7 +146,7 @@ TEST_CASE("a camera that is unplugged is waited for while the other one goes on"
   while (scene.top().file >= 0) {
     scene.cameras().waitForFrame(1ms);
   }
-  CHECK(scene.cameras().link(CameraName::top).problem.find("/dev/top (top camera): ") == 0);
+  CHECK(scene.cameras().status(CameraName::top).problem.find("/dev/top (top camera): ") == 0);
   CHECK(scene.video.mapped == 4);
   scene.top().present = true;
   while (!scene.top().streaming) {
@@ -180,7 +180,7 @@ TEST_CASE("a camera whose opening takes over a second is not the other one's tro
   scene.video.expose(scene.top(), 3, 3s);
   CHECK(scene.next());
   CHECK(scene.top().opened == 1);
-  CHECK(scene.cameras().link(CameraName::top).problem.empty());
+  CHECK(scene.cameras().status(CameraName::top).problem.empty());
   CHECK(begins[1] - ends[0] >= 100ms);
 }
 
@@ -193,7 +193,7 @@ TEST_CASE("a camera that gives no picture for a second is opened anew") {
     scene.cameras().waitForFrame(1ms);
     scene.cameras().waitForFrame(1ms);
   }
-  CHECK(scene.cameras().link(CameraName::top).reopened == 1);
+  CHECK(scene.cameras().status(CameraName::top).reopened == 1);
   CHECK(scene.bottom().opened == 1);
 }
 
@@ -205,17 +205,17 @@ TEST_CASE("a camera that fails while it is opened is closed and tried again") {
     scene.cameras();
     CHECK(scene.top().file == -1);
     CHECK(scene.video.mapped == 4);
-    CHECK(scene.opened->link(CameraName::top).problem.find("Invalid argument") != std::string::npos);
+    CHECK(scene.opened->status(CameraName::top).problem.find("Invalid argument") != std::string::npos);
     while (!scene.top().streaming) {
       scene.cameras().waitForFrame(1ms);
     }
-    CHECK(scene.opened->link(CameraName::top).problem.empty());
-    CHECK(scene.opened->link(CameraName::top).reopened == 0);
+    CHECK(scene.opened->status(CameraName::top).problem.empty());
+    CHECK(scene.opened->status(CameraName::top).reopened == 0);
   }
   Scene scene;
   scene.top().width = 320;
   scene.cameras();
-  CHECK(scene.opened->link(CameraName::top).problem ==
+  CHECK(scene.opened->status(CameraName::top).problem ==
         "/dev/top (top camera): it offers 320 x 480 pixels in 640 bytes a row instead of 640 x 480 in YUYV");
 }
 
@@ -228,11 +228,11 @@ TEST_CASE("a setting is read back, tried again, and said when it is refused") {
   scene.cameras();
   CHECK(scene.top().controls[V4L2_CID_EXPOSURE_ABSOLUTE].value == 100);
   CHECK(scene.top().extensions[0x0d] == 1);
-  CHECK(scene.cameras().link(CameraName::top).problem.empty());
+  CHECK(scene.cameras().status(CameraName::top).problem.empty());
 
   const auto refusal = [&](VideoControl control) {
-    scene.cameras().set(CameraName::top, {control});
-    return scene.cameras().link(CameraName::top).problem;
+    scene.cameras().setControls(CameraName::top, {control});
+    return scene.cameras().status(CameraName::top).problem;
   };
   scene.top().controls[V4L2_CID_EXPOSURE_ABSOLUTE].stubborn = 1000;
   CHECK(refusal({"exposure", V4L2_CID_EXPOSURE_ABSOLUTE, 50}) ==
@@ -248,12 +248,12 @@ TEST_CASE("a setting is read back, tried again, and said when it is refused") {
   scene.video.expose(scene.top(), 1, 1s);
   CHECK(scene.next());
 
-  CHECK(videoOptions("V6")[0].extensions.size() == 2);
-  CHECK(videoOptions("V5")[0].controls[1].value == 1);
-  CHECK(videoOptions("V5")[1].controls[1].value == 0);
-  CHECK_THROWS_AS(videoOptions("V7"), std::invalid_argument);
-  CHECK(videoControl("exposure") == V4L2_CID_EXPOSURE_ABSOLUTE);
-  CHECK(!videoControl("zoom"));
+  CHECK(videoOptionsForModel("V6")[0].extensions.size() == 2);
+  CHECK(videoOptionsForModel("V5")[0].controls[1].value == 1);
+  CHECK(videoOptionsForModel("V5")[1].controls[1].value == 0);
+  CHECK_THROWS_AS(videoOptionsForModel("V7"), std::invalid_argument);
+  CHECK(videoControlId("exposure") == V4L2_CID_EXPOSURE_ABSOLUTE);
+  CHECK(!videoControlId("zoom"));
 }
 
 // Proves that stamps of the wall clock, as a V5's driver gives them, become those of the clock that joints have.

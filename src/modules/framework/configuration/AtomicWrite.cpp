@@ -45,8 +45,8 @@ void writeAll(const std::vector<FileContent>& files, const FileWriter& writer) {
 
 } // namespace
 
-void writeTogether(const std::filesystem::path& journal, const std::filesystem::path& folder,
-                   const std::vector<FileContent>& files, const FileWriter& writer) {
+void writeFilesAtomically(const std::filesystem::path& journal, const std::filesystem::path& folder,
+                          const std::vector<FileContent>& files, const FileWriter& writer) {
   if (files.empty()) {
     return;
   }
@@ -61,7 +61,7 @@ void writeTogether(const std::filesystem::path& journal, const std::filesystem::
   std::filesystem::remove(journal);
 }
 
-std::string finishWriting(const std::filesystem::path& journal, const std::filesystem::path& folder,
+std::string recoverWrites(const std::filesystem::path& journal, const std::filesystem::path& folder,
                           const FileWriter& writer) {
   std::vector<FileContent> files;
   try {

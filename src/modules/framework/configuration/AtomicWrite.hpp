@@ -18,15 +18,15 @@ struct FileContent {
 };
 
 /// Writes several files of a folder, so that after whatever ends the program either all of them or none of them are
-/// new: they are noted in `journal` first, by their paths in the folder, from which `finishWriting` goes on.
-void writeTogether(const std::filesystem::path& journal, const std::filesystem::path& folder,
-                   const std::vector<FileContent>& files, const FileWriter& writer);
+/// new: they are noted in `journal` first, by their paths in the folder, from which `recoverWrites` goes on.
+void writeFilesAtomically(const std::filesystem::path& journal, const std::filesystem::path& folder,
+                          const std::vector<FileContent>& files, const FileWriter& writer);
 
 /// Writes what a program that ended in between did not get to, and removes the journal; does nothing without one. A
 /// journal that is broken, or names any file outside the folder (by its path or by links), is not obeyed at all and
 /// stays: the sentence that is returned says why, else it is empty. Absolute paths into the folder, as earlier versions
 /// wrote, are obeyed.
-std::string finishWriting(const std::filesystem::path& journal, const std::filesystem::path& folder,
+std::string recoverWrites(const std::filesystem::path& journal, const std::filesystem::path& folder,
                           const FileWriter& writer);
 
 } // namespace naocal

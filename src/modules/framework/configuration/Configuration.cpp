@@ -55,7 +55,7 @@ std::string textOf(const std::filesystem::path& file) {
 struct Configuration::Mounted {
   std::string name;
   std::string file;
-  Part part = Part::none;
+  RobotPart part = RobotPart::none;
   Listener listener;
   std::set<std::string> unsaved; // top-level keys that no file shall get
   Overlay overlay;
@@ -66,15 +66,15 @@ struct Configuration::Mounted {
 Configuration::Configuration(ConfigurationFolders folders, RobotNames names, FileWriter writer,
                              const std::function<void(std::string_view)>& log)
     : folders_{std::move(folders)}, names_{std::move(names)}, writer_{std::move(writer)} {
-  if (const std::string refused = finishWriting(journal(), folders_.saved, writer_); !refused.empty()) {
+  if (const std::string refused = recoverWrites(journal(), folders_.saved, writer_); !refused.empty()) {
     log(refused);
   }
 }
 Configuration::~Configuration() = default;
 
-void Configuration::mount(const std::string& mount, const std::string& file, Part part, Listener listener,
+void Configuration::mount(const std::string& mount, const std::string& file, RobotPart part, Listener listener,
                           std::set<std::string> unsaved) {
-  Overlay overlay{layersOf(folders_, file, part, names_)};
+  Overlay overlay{layerFiles(folders_, file, part, names_)};
   const std::lock_guard lock{mutex_};
   const auto [place, isNew] = mounts_.try_emplace(mount);
   if (!isNew) {
@@ -109,7 +109,7 @@ std::vector<Configuration::Mount> Configuration::mounts() const {
   return all;
 }
 
-void Configuration::keys(std::string_view mount, json& out) const {
+void Configuration::readKeys(std::string_view mount, json& out) const {
   const std::lock_guard lock{mutex_};
   out = json::object();
   if (const auto entry = mounts_.find(mount); entry != mounts_.end()) {
@@ -122,7 +122,7 @@ void Configuration::set(std::string_view mount, std::string_view path, const jso
   const std::lock_guard lock{mutex_};
   Mounted& entry = mounted(mount);
   json changed = *entry.overlay.merged;
-  const auto place = placeAt(changed, path);
+  const auto place = resolvePath(changed, path);
   if (place.value == nullptr) {
     throw ConfigurationError{
         fmt::format("{}: there is no {} to set; keys cannot be added and lists cannot grow", mount, path)};
@@ -142,8 +142,8 @@ void Configuration::set(std::string_view mount, std::string_view path, const jso
 }
 
 std::filesystem::path Configuration::target(const Mounted& entry) const {
-  const auto layers = layersOf(folders_, entry.file, entry.part, names_);
-  const std::size_t perLocation = (entry.part == Part::none ? 1 : 3) * (folders_.areTwo() ? 2 : 1);
+  const auto layers = layerFiles(folders_, entry.file, entry.part, names_);
+  const std::size_t perLocation = (entry.part == RobotPart::none ? 1 : 3) * (folders_.areTwo() ? 2 : 1);
   for (std::size_t i = perLocation; i < layers.size(); ++i) {
     for (const auto& [key, origin] : entry.overlay.origins) {
       if (origin == layers[i]) {
@@ -154,7 +154,7 @@ std::filesystem::path Configuration::target(const Mounted& entry) const {
   return layers[perLocation - 1];
 }
 
-std::filesystem::path Configuration::savedFile(std::string_view mount) const {
+std::filesystem::path Configuration::saveTarget(std::string_view mount) const {
   const std::lock_guard lock{mutex_};
   return target(mounted(mount));
 }
@@ -190,7 +190,7 @@ void Configuration::save(const std::set<std::vector<Mounted*>>& groups) {
       written.push_back(entry);
     }
   }
-  writeTogether(journal(), folders_.saved, files, writer_);
+  writeFilesAtomically(journal(), folders_.saved, files, writer_);
   for (Mounted* entry : written) {
     const auto file = target(*entry);
     for (const auto& [key, before] : entry->changed) {
@@ -205,7 +205,7 @@ void Configuration::save(const std::set<std::vector<Mounted*>>& groups) {
   }
 }
 
-void Configuration::keepTogether(std::vector<std::string> mounts) {
+void Configuration::saveTogether(std::vector<std::string> mounts) {
   const std::lock_guard lock{mutex_};
   together_.push_back(std::move(mounts));
 }
@@ -289,10 +289,10 @@ void Configuration::undo(const std::string& mount) {
     }
     files.push_back({file, textOf(previousOf(file))});
   }
-  writeTogether(journal(), folders_.saved, files, writer_);
+  writeFilesAtomically(journal(), folders_.saved, files, writer_);
   for (Mounted* entry : entries) {
     std::filesystem::remove(previousOf(target(*entry)));
-    Overlay overlay{layersOf(folders_, entry->file, entry->part, names_)};
+    Overlay overlay{layerFiles(folders_, entry->file, entry->part, names_)};
     if (entry->listener) {
       for (const auto& [key, value] : overlay.merged->items()) {
         entry->listener(key, value);

@@ -28,7 +28,7 @@ public:
 
   /// Serves a file's keys as `mount`; those of `unsaved` are never saved. Throws ConfigurationError for a broken file
   /// or a mount name that is taken.
-  void mount(const std::string& mount, const std::string& file, Part part, Listener listener = {},
+  void mount(const std::string& mount, const std::string& file, RobotPart part, Listener listener = {},
              std::set<std::string> unsaved = {});
 
   /// Serves a key that is in no file and cannot be set (NaoInfo.headName).
@@ -41,22 +41,22 @@ public:
   std::vector<Mount> mounts() const;
 
   /// All keys of a mount; an empty object for one that does not exist.
-  void keys(std::string_view mount, nlohmann::json& out) const;
+  void readKeys(std::string_view mount, nlohmann::json& out) const;
 
   /// Sets the value at a path such as `a.b[2].c` (lists cannot grow, keys must exist, a key may hold dots itself).
   /// Throws ConfigurationError when there is no such place or its module refuses the value; nothing has changed then.
   void set(std::string_view mount, std::string_view path, const nlohmann::json& value);
 
-  /// Writes what was set since the last save into the robot's own files (savedFile), the file's other keys as they are;
-  /// the file as it was is kept beside it as `<file>.previous`. Where no content would change, nothing is written, and
-  /// an undo takes back the save before. Whatever ends the program, all files are old or all new.
+  /// Writes what was set since the last save into the robot's own files (saveTarget), the file's other keys as they
+  /// are; the file as it was is kept beside it as `<file>.previous`. Where no content would change, nothing is written,
+  /// and an undo takes back the save before. Whatever ends the program, all files are old or all new.
   void save();
   /// Only this mount.
   void save(const std::string& mount);
 
   /// From now on a save or an undo of one of these mounts is one of all of them, changed or not: what belongs together
   /// goes back together.
-  void keepTogether(std::vector<std::string> mounts);
+  void saveTogether(std::vector<std::string> mounts);
 
   /// All is as the files say: nothing was set since the last save, or it was put back.
   bool isSaved(std::string_view mount) const;
@@ -71,7 +71,7 @@ public:
 
   /// Where a mount's changes are saved: the robot's own file of the default location, so that a robot keeps them
   /// wherever it plays; its file of the present location when that location sets keys of this mount already.
-  std::filesystem::path savedFile(std::string_view mount) const;
+  std::filesystem::path saveTarget(std::string_view mount) const;
 
 private:
   struct Mounted;

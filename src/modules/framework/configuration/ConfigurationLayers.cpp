@@ -23,8 +23,8 @@ std::string folderName(const std::string& name, std::string_view what) {
 
 } // namespace
 
-std::vector<std::filesystem::path> layersOf(const ConfigurationFolders& folders, const std::string& file, Part part,
-                                            const RobotNames& names) {
+std::vector<std::filesystem::path> layerFiles(const ConfigurationFolders& folders, const std::string& file,
+                                              RobotPart part, const RobotNames& names) {
   std::vector<std::filesystem::path> layers;
   const auto addOne = [&](const std::filesystem::path& path) {
     layers.push_back(folders.shipped / path);
@@ -35,8 +35,8 @@ std::vector<std::filesystem::path> layersOf(const ConfigurationFolders& folders,
   const auto add = [&](const std::string& location) {
     const auto folder = std::filesystem::path{"location"} / location;
     addOne(folder / file);
-    if (part != Part::none) {
-      const bool isHead = part == Part::head;
+    if (part != RobotPart::none) {
+      const bool isHead = part == RobotPart::head;
       const auto half = folder / (isHead ? "head" : "body");
       addOne(half / "default" / file);
       addOne(half / folderName(isHead ? names.head : names.body, isHead ? "head" : "body") / file);
@@ -84,9 +84,10 @@ std::optional<json> readConfiguration(const std::filesystem::path& file) {
         fmt::format("{}: expected text in UTF-8, found other bytes; save it as UTF-8", file.string())};
   }
   try {
-    content = parsedJson(text.str(), true);
+    content = parseBoundedJson(text.str(), true);
   } catch (const json::exception& error) {
-    throw ConfigurationError{fmt::format("{}: expected valid JSON, found a {}", file.string(), reasonOf(error))};
+    throw ConfigurationError{
+        fmt::format("{}: expected valid JSON, found a {}", file.string(), parseErrorReason(error))};
   }
   if (!content.is_object()) {
     throw ConfigurationError{fmt::format("{}: expected an object with keys at its top level", file.string())};
@@ -94,7 +95,7 @@ std::optional<json> readConfiguration(const std::filesystem::path& file) {
   return content;
 }
 
-RobotNames robotNames(const std::filesystem::path& root, std::string_view headId, std::string_view bodyId) {
+RobotNames findRobotNames(const std::filesystem::path& root, std::string_view headId, std::string_view bodyId) {
   const auto file = root / "location" / "default" / "id_map.json";
   RobotNames names{"", std::string{headId}, std::string{bodyId}};
   const auto map = readConfiguration(file);

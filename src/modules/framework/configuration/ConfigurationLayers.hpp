@@ -20,7 +20,7 @@ public:
 };
 
 /// Which half of the robot a file of the configuration belongs to; heads and bodies are exchanged separately.
-enum class Part { none, head, body };
+enum class RobotPart { none, head, body };
 
 /// What selects the layers of a robot's configuration. An empty location is none beside the default.
 struct RobotNames {
@@ -43,8 +43,8 @@ struct ConfigurationFolders {
 /// location/default/, location/default/<part>/default/, location/default/<part>/<name>/, then the same three below
 /// location/<location>/. A file of no part has only the first of each three. Each as it was shipped, then as it was
 /// saved, where these are two.
-std::vector<std::filesystem::path> layersOf(const ConfigurationFolders& folders, const std::string& file, Part part,
-                                            const RobotNames& names);
+std::vector<std::filesystem::path> layerFiles(const ConfigurationFolders& folders, const std::string& file,
+                                              RobotPart part, const RobotNames& names);
 
 /// A file as its robot sees it: all keys, and for each the layer that it comes from. Files that do not exist are
 /// skipped. Throws ConfigurationError for one that is broken.
@@ -65,6 +65,6 @@ std::optional<nlohmann::json> readConfiguration(const std::filesystem::path& fil
 
 /// The names of a robot's head and body in id_map.json: {"idmap.nao": [{"name": .., "headid": .., "bodyid": ..}]}. The
 /// body's last characters are enough (a V5 tells four). Whoever is not listed is called by its id.
-RobotNames robotNames(const std::filesystem::path& root, std::string_view headId, std::string_view bodyId);
+RobotNames findRobotNames(const std::filesystem::path& root, std::string_view headId, std::string_view bodyId);
 
 } // namespace naocal

@@ -56,8 +56,8 @@ json* descend(json& value, std::string_view path) {
 
 } // namespace
 
-JsonPlaceByPath placeAt(json& object, std::string_view path) {
-  JsonPlaceByPath place;
+JsonPathTarget resolvePath(json& object, std::string_view path) {
+  JsonPathTarget place;
   place.value = descendKey(object, path, &place.topLevelKey);
   return place;
 }

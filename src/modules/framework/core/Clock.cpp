@@ -22,7 +22,7 @@ void ClockOffset::sample(TimePoint before, Wall wall, TimePoint after) {
     return;
   }
   Stretch& stretch = stretches_.back();
-  const Duration aged = fromSeconds(seconds(middle - stretch.last) * seconds(agingPerSecond));
+  const Duration aged = fromSeconds(toSeconds(middle - stretch.last) * toSeconds(agingPerSecond));
   stretch.last = middle;
   stretch.bracket += aged;
   if (bracket <= stretch.bracket) {
@@ -37,7 +37,7 @@ void ClockOffset::sampleNow() {
   sample(before, std::chrono::duration_cast<Wall>(wall), Clock::now());
 }
 
-std::optional<TimePoint> ClockOffset::converted(Wall stamp, TimePoint now) const {
+std::optional<TimePoint> ClockOffset::convert(Wall stamp, TimePoint now) const {
   for (auto entry = stretches_.rbegin(); entry != stretches_.rend(); ++entry) {
     const Stretch& stretch = *entry;
     const TimePoint time{std::chrono::duration_cast<Duration>(stamp) - stretch.offset};

@@ -12,7 +12,7 @@ using TimePoint = Clock::time_point;
 using Duration = Clock::duration;
 
 /// A duration in seconds.
-inline double seconds(Duration duration) {
+inline double toSeconds(Duration duration) {
   return std::chrono::duration<double>{duration}.count();
 }
 
@@ -40,7 +40,7 @@ public:
   void sampleNow();
 
   /// When a stamp was taken, seen at `now`; absent when no stretch fits: before the first sample, or in the future.
-  std::optional<TimePoint> converted(Wall stamp, TimePoint now) const;
+  std::optional<TimePoint> convert(Wall stamp, TimePoint now) const;
 
 private:
   struct Stretch {

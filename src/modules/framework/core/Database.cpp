@@ -15,35 +15,35 @@
 namespace naocal {
 namespace {
 
-/// `prepared` with the place in its refusal.
+/// `prepare` with the place in its refusal.
 std::function<void()> preparedAt(AnyParameter& parameter, const nlohmann::json& value, const std::string& mount) {
   try {
-    return parameter.prepared(value);
+    return parameter.prepare(value);
   } catch (const ConfigurationError& error) {
     throw ConfigurationError{fmt::format("{}: {}: {}", mount, parameter.key(), error.what())};
   }
 }
 
-void configure(Thread& thread, Module& module, Configuration& configuration, std::vector<std::string>& unknown) {
+void configureModule(Thread& thread, Module& module, Configuration& configuration, std::vector<std::string>& unknown) {
   const std::string mount = thread.name() + "." + module.name();
   const std::string file = module.name() + ".json";
   std::set<std::string> known, wishes;
   for (const AnyParameter* parameter : module.parameters()) {
     known.insert(parameter->key());
-    if (parameter->isWish()) {
+    if (parameter->isCommand()) {
       wishes.insert(parameter->key());
     }
   }
   const auto listener = [&thread, &module, mount](const auto& key, const auto& value) {
     for (AnyParameter* parameter : module.parameters()) {
       if (parameter->key() == key) {
-        thread.change(module, preparedAt(*parameter, value, mount));
+        thread.postChange(module, preparedAt(*parameter, value, mount));
       }
     }
   };
   configuration.mount(mount, file, thread.part(), listener, std::move(wishes));
   nlohmann::json keys;
-  configuration.keys(mount, keys);
+  configuration.readKeys(mount, keys);
   for (AnyParameter* parameter : module.parameters()) {
     const auto entry = keys.find(parameter->key());
     if (entry == keys.end()) {
@@ -155,13 +155,13 @@ std::vector<std::size_t> orderOf(const Thread& thread, const Predecessors& prede
 
 } // namespace
 
-std::vector<std::string> configure(Thread& thread, Configuration& configuration) {
+std::vector<std::string> configureModules(Thread& thread, Configuration& configuration) {
   std::vector<std::string> unknown;
   for (const auto& module : thread.modules()) {
     if (!module->parameters().empty()) {
-      configure(thread, *module, configuration, unknown);
+      configureModule(thread, *module, configuration, unknown);
     }
-    module->parametersChanged();
+    module->onParametersChanged();
   }
   return unknown;
 }

@@ -39,6 +39,6 @@ private:
 /// its value, and has later changes reach the module between its cycles. Returns a sentence for each key of a file that
 /// no parameter has. Throws ConfigurationError that names thread, module, key and file for a missing key or a wrong
 /// type.
-std::vector<std::string> configure(Thread& thread, Configuration& configuration);
+std::vector<std::string> configureModules(Thread& thread, Configuration& configuration);
 
 } // namespace naocal

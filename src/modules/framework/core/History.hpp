@@ -20,7 +20,7 @@ template <class T>
 requires requires(const T& a) {
   T(a + (a - a) * 0.5);
 }
-T interpolated(const T& from, const T& to, double fraction) {
+T interpolate(const T& from, const T& to, double fraction) {
   return T(from + (to - from) * fraction);
 }
 
@@ -160,7 +160,7 @@ private:
     if (time == from->time || time == to->time) {
       return Answer{time == from->time ? from->value : to->value};
     }
-    return Answer{interpolated(from->value, to->value, seconds(time - from->time) / seconds(to->time - from->time))};
+    return Answer{interpolate(from->value, to->value, toSeconds(time - from->time) / toSeconds(to->time - from->time))};
   }
 
   std::array<Slot, Capacity> slots_;

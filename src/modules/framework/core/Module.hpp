@@ -41,10 +41,10 @@ public:
   virtual void cycle() = 0;
 
   /// Called before the first cycle, and between cycles after each change of a parameter.
-  virtual void parametersChanged() {}
+  virtual void onParametersChanged() {}
 
   /// Called when its thread has ended, while all modules are still there: what others do for it must end now.
-  virtual void ended() {}
+  virtual void onThreadEnd() {}
 
   const std::string& name() const { return name_; }
   const std::vector<AnyParameter*>& parameters() const { return parameters_; }
@@ -103,15 +103,15 @@ public:
 };
 
 /// A picture as the debug socket sends it.
-struct EncodedPicture {
+struct EncodedImage {
   std::uint16_t width = 0, height = 0; // [px]
   std::string bytes;                   // a JPEG or PNG file
 };
 
-/// A type that is shown as a picture: `toPicture` is declared beside it.
+/// A type that is shown as a picture: `toImage` is declared beside it.
 template <class T>
-concept ShownAsPicture = requires(const T& value) {
-  { toPicture(value) } -> std::same_as<EncodedPicture>;
+concept DisplayableAsImage = requires(const T& value) {
+  { toImage(value) } -> std::same_as<EncodedImage>;
 };
 
 /// A copy of a production as it was in one cycle. The cycle only copies; whoever shows it turns it into text.
@@ -121,20 +121,20 @@ public:
   /// The value through its type's `to_json`; null for a picture.
   virtual void json(nlohmann::json& out) const = 0;
   /// Absent for what is no picture.
-  virtual std::optional<EncodedPicture> picture() const = 0;
+  virtual std::optional<EncodedImage> image() const = 0;
 };
 
-template <class T> class SampleOf final : public Sample {
+template <class T> class TypedSample final : public Sample {
 public:
-  explicit SampleOf(const T& value) : value_{value} {}
+  explicit TypedSample(const T& value) : value_{value} {}
   void json(nlohmann::json& out) const override {
-    if constexpr (!ShownAsPicture<T>) {
+    if constexpr (!DisplayableAsImage<T>) {
       out = value_;
     }
   }
-  std::optional<EncodedPicture> picture() const override {
-    if constexpr (ShownAsPicture<T>) {
-      return toPicture(value_);
+  std::optional<EncodedImage> image() const override {
+    if constexpr (DisplayableAsImage<T>) {
+      return toImage(value_);
     } else {
       return std::nullopt;
     }
@@ -145,20 +145,20 @@ private:
 };
 
 /// How a production's value is copied for showing: nullptr where there is nothing to show.
-template <class T> std::unique_ptr<const Sample> sampleOf(const T& value) {
-  return std::make_unique<SampleOf<T>>(value);
+template <class T> std::unique_ptr<const Sample> makeSample(const T& value) {
+  return std::make_unique<TypedSample<T>>(value);
 }
-template <class T, std::size_t Capacity> std::unique_ptr<const Sample> sampleOf(const History<T, Capacity>& history) {
+template <class T, std::size_t Capacity> std::unique_ptr<const Sample> makeSample(const History<T, Capacity>& history) {
   const auto entry = history.newest();
-  return entry ? std::make_unique<SampleOf<T>>(entry->value) : nullptr;
+  return entry ? std::make_unique<TypedSample<T>>(entry->value) : nullptr;
 }
-template <class T> std::unique_ptr<const Sample> sampleOf(const Latest<T>&) {
+template <class T> std::unique_ptr<const Sample> makeSample(const Latest<T>&) {
   return nullptr;
 }
 
 /// What is handed over belongs to its reader, and is not shown.
-template <class T> inline constexpr bool isShown = true;
-template <class T> inline constexpr bool isShown<Latest<T>> = false;
+template <class T> inline constexpr bool isDisplayable = true;
+template <class T> inline constexpr bool isDisplayable<Latest<T>> = false;
 
 /// What the wiring and the debug socket see of a production. Its key is `<thread>.<name>`.
 class AnyProduction {
@@ -172,8 +172,8 @@ public:
   std::type_index type() const { return type_; }
   bool crossesThreads() const { return crossesThreads_; }
   int mostReaders() const { return mostReaders_; } // 0: any number
-  virtual bool isPicture() const = 0;
-  virtual bool isShown() const = 0; // has a value that can be looked at
+  virtual bool isImage() const = 0;
+  virtual bool isDisplayable() const = 0; // has a value that can be looked at
   virtual const void* value() const = 0;
 
   /// A copy for showing; nullptr where there is nothing to show.
@@ -181,10 +181,10 @@ public:
 
   /// Whether anybody wants to see it; set by the debug server's thread, read at the end of a cycle.
   void setWanted(bool wanted) { wanted_.store(wanted, std::memory_order_relaxed); }
-  bool wanted() const { return wanted_.load(std::memory_order_relaxed); }
+  bool isWanted() const { return wanted_.load(std::memory_order_relaxed); }
 
   /// Whether it was edited in the current cycle.
-  bool edited() const { return edited_; }
+  bool wasEdited() const { return edited_; }
   void beginCycle() { edited_ = false; }
 
 protected:
@@ -225,10 +225,10 @@ public:
     return *this;
   }
 
-  bool isPicture() const override { return ShownAsPicture<T>; }
-  bool isShown() const override { return naocal::isShown<T>; }
+  bool isImage() const override { return DisplayableAsImage<T>; }
+  bool isDisplayable() const override { return naocal::isDisplayable<T>; }
   const void* value() const override { return &value_; }
-  std::unique_ptr<const Sample> sample() const override { return sampleOf(value_); }
+  std::unique_ptr<const Sample> sample() const override { return makeSample(value_); }
 
 private:
   T value_{};

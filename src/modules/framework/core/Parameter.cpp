@@ -20,33 +20,34 @@ AnyParameter::AnyParameter(Module& owner, std::string key) : key_{std::move(key)
   owner.parameters_.push_back(this);
 }
 
-void refused(const nlohmann::json& value, const std::string& expected) {
+void refuseValue(const nlohmann::json& value, const std::string& expected) {
   throw ConfigurationError{fmt::format("expected {}, found {}", expected, shortened(value))};
 }
 
-void refused(const nlohmann::json& value) {
+void refuseValue(const nlohmann::json& value) {
   try {
     throw;
   } catch (const std::exception& error) {
-    throw ConfigurationError{fmt::format("expected another value than {}: {}", shortened(value), reasonOf(error))};
+    throw ConfigurationError{
+        fmt::format("expected another value than {}: {}", shortened(value), parseErrorReason(error))};
   }
 }
 
 void requireBoolean(const nlohmann::json& value) {
   if (!value.is_boolean()) {
-    refused(value, "true or false");
+    refuseValue(value, "true or false");
   }
 }
 
 void requireNumber(const nlohmann::json& value) {
   if (!value.is_number()) {
-    refused(value, "a number");
+    refuseValue(value, "a number");
   }
 }
 
 void requireInteger(const nlohmann::json& value, double lowest, double highest) {
   if (!value.is_number_integer() || value.get<double>() < lowest || value.get<double>() > highest) {
-    refused(value, fmt::format("a whole number from {:.0f} to {:.0f}", lowest, highest));
+    refuseValue(value, fmt::format("a whole number from {:.0f} to {:.0f}", lowest, highest));
   }
 }
 

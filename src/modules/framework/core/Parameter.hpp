@@ -26,23 +26,23 @@ public:
 
   /// What a person asks for at this moment, such as "start": saving leaves it out, so that nobody's wish of yesterday
   /// is found in a file.
-  virtual bool isWish() const { return false; }
+  virtual bool isCommand() const { return false; }
 
   /// Reads a value on any thread and returns what puts it into effect on the module's own thread. Throws
   /// ConfigurationError that says what was expected and found, without the place.
-  virtual std::function<void()> prepared(const nlohmann::json& value) = 0;
+  virtual std::function<void()> prepare(const nlohmann::json& value) = 0;
 
 private:
   std::string key_;
 };
 
-/// Throw ConfigurationError unless the value is what they ask for; `refused` turns the exception of a `from_json` that
-/// is being handled into one.
+/// Throw ConfigurationError unless the value is what they ask for; `refuseValue` turns the exception of a `from_json`
+/// that is being handled into one.
 void requireBoolean(const nlohmann::json& value);
 void requireNumber(const nlohmann::json& value);
 void requireInteger(const nlohmann::json& value, double lowest, double highest);
-[[noreturn]] void refused(const nlohmann::json& value);
-[[noreturn]] void refused(const nlohmann::json& value, const std::string& expected);
+[[noreturn]] void refuseValue(const nlohmann::json& value);
+[[noreturn]] void refuseValue(const nlohmann::json& value, const std::string& expected);
 
 /// A number, text, list or structure (with `from_json`) that a person configures; changes take effect between cycles.
 template <class T> class Parameter : public AnyParameter {
@@ -56,10 +56,10 @@ public:
   const T& operator*() const { return value_; }
   const T* operator->() const { return &value_; }
 
-  std::function<void()> prepared(const nlohmann::json& value) override {
+  std::function<void()> prepare(const nlohmann::json& value) override {
     T read = converted(value);
     if (const std::string expected = check_ ? check_(read) : std::string{}; !expected.empty()) {
-      refused(value, expected);
+      refuseValue(value, expected);
     }
     return [this, read = std::move(read)]() mutable {
       value_ = std::move(read);
@@ -82,7 +82,7 @@ private:
     try {
       return value.template get<T>();
     } catch (const std::exception&) {
-      refused(value);
+      refuseValue(value);
     }
   }
 
@@ -92,13 +92,13 @@ private:
 };
 
 /// A parameter that is an order rather than a setting: that it was given counts, not only what it is.
-template <class T> class Wish final : public Parameter<T> {
+template <class T> class CommandParameter final : public Parameter<T> {
 public:
   using Parameter<T>::Parameter;
-  bool isWish() const override { return true; }
+  bool isCommand() const override { return true; }
 
   /// Whether it was given anew since the last call. What the file says was not given.
-  bool takeGiven() {
+  bool takeCommand() {
     const bool given = seen_ > 0 && this->writes() != seen_;
     seen_ = this->writes();
     return given;
@@ -111,13 +111,13 @@ private:
 // What numbers may be asked to be (Parameter::Check): each says what it expects of a value that is not so.
 
 /// A number from Low to High.
-template <int Low, int High, class T> std::string within(const T& value) {
+template <int Low, int High, class T> std::string checkWithin(const T& value) {
   const bool is = value >= Low && value <= High; // not so for what is no number
   return is ? "" : "a number from " + std::to_string(Low) + " to " + std::to_string(High);
 }
 
 /// Some numbers from Low to High, at most twenty.
-template <int Low, int High> std::string eachWithin(const std::vector<double>& values) {
+template <int Low, int High> std::string checkEachWithin(const std::vector<double>& values) {
   const bool are =
       !values.empty() && values.size() <= 20 &&
       std::all_of(values.begin(), values.end(), [](double value) { return value >= Low && value <= High; });
@@ -125,7 +125,7 @@ template <int Low, int High> std::string eachWithin(const std::vector<double>& v
 }
 
 /// Above none, at most the whole.
-inline std::string share(const double& value) {
+inline std::string checkShare(const double& value) {
   return value > 0 && value <= 1 ? "" : "a number above 0, at most 1";
 }
 

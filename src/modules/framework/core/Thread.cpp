@@ -26,18 +26,18 @@ void CycleClock::cycle() {
 void CycleClock::count(TimePoint start, TimePoint arrival, TimePoint end) {
   CycleTimes& times = counted_;
   ++times.cycles;
-  times.work = seconds(end - arrival);
+  times.work = toSeconds(end - arrival);
   times.longestWork = std::max(times.longestWork, times.work);
   times.meanWork += (times.work - times.meanWork) / double(times.cycles);
   if (lastStart_) {
-    times.period = seconds(start - *lastStart_);
+    times.period = toSeconds(start - *lastStart_);
     times.longestPeriod = std::max(times.longestPeriod, times.period);
     times.meanPeriod += (times.period - times.meanPeriod) / double(times.cycles - 1);
   }
   lastStart_ = start;
 }
 
-Thread::Thread(std::string name, Part part) : name_{std::move(name)}, part_{part} {
+Thread::Thread(std::string name, RobotPart part) : name_{std::move(name)}, part_{part} {
   clock_ = &add<CycleClock>();
 }
 
@@ -63,7 +63,7 @@ void Thread::sort(const std::vector<std::size_t>& order) {
   modules_ = std::move(sorted);
 }
 
-void Thread::change(Module& module, std::function<void()> apply) {
+void Thread::postChange(Module& module, std::function<void()> apply) {
   const std::lock_guard lock{changesMutex_};
   changes_.push_back({&module, std::move(apply)});
 }
@@ -79,7 +79,7 @@ void Thread::applyChanges() {
   }
   for (Change& change : changes) { // told one by one: of two values that come together, the first is one as well
     change.apply();
-    change.module->parametersChanged();
+    change.module->onParametersChanged();
   }
 }
 
@@ -99,13 +99,13 @@ void Thread::cycle() {
   }
   clock_->count(start, arrival, Clock::now());
   if (listener_ != nullptr) {
-    listener_->cycleEnded(start, productions_);
+    listener_->onCycleEnd(start, productions_);
   }
 }
 
 void Thread::end() {
   for (const auto& module : modules_) {
-    module->ended();
+    module->onThreadEnd();
   }
 }
 

@@ -44,14 +44,14 @@ class CycleClock;
 class CycleListener {
 public:
   virtual ~CycleListener() = default;
-  virtual void cycleEnded(TimePoint time, const std::vector<AnyProduction*>& productions) = 0;
+  virtual void onCycleEnd(TimePoint time, const std::vector<AnyProduction*>& productions) = 0;
 };
 
 /// A cycle of modules, and what is common to them: their order, their parameters' changes, the cycle's times.
 class Thread {
 public:
   /// `part`: whose configuration its modules have, the head's or the body's.
-  Thread(std::string name, Part part);
+  Thread(std::string name, RobotPart part);
 
   /// Adds a module; before the wiring (Database).
   Module& add(std::unique_ptr<Module> module);
@@ -60,7 +60,7 @@ public:
   }
 
   const std::string& name() const { return name_; }
-  Part part() const { return part_; }
+  RobotPart part() const { return part_; }
   const std::vector<std::unique_ptr<Module>>& modules() const { return modules_; }
   std::vector<AnyProduction*> productions() const;
 
@@ -68,10 +68,10 @@ public:
   void sort(const std::vector<std::size_t>& order);
 
   /// Has a change of one module's parameters done before a later cycle; from any thread.
-  void change(Module& module, std::function<void()> apply);
+  void postChange(Module& module, std::function<void()> apply);
 
   /// Has one listener told of each cycle; before the first one.
-  void tell(CycleListener& listener) { listener_ = &listener; }
+  void setListener(CycleListener& listener) { listener_ = &listener; }
 
   /// Changes of parameters, every module in order, times, listener.
   void cycle();
@@ -87,7 +87,7 @@ private:
   void applyChanges();
 
   std::string name_;
-  Part part_;
+  RobotPart part_;
   std::vector<std::unique_ptr<Module>> modules_;
   CycleClock* clock_ = nullptr;
   CycleListener* listener_ = nullptr;

@@ -16,7 +16,7 @@ namespace {
 using nlohmann::json;
 
 void send(Peer& peer, ConfigType type, const json& body) {
-  peer.send(std::make_shared<const std::string>(configFrame(type, line(body))));
+  peer.send(std::make_shared<const std::string>(encodeConfigFrame(type, jsonLine(body))));
 }
 
 std::string nameOf(const Peer& peer) {
@@ -45,11 +45,11 @@ const FrameFormat& ConfigServer::format() const {
   return configFormat;
 }
 
-void ConfigServer::opened(Peer& peer) {
+void ConfigServer::onOpened(Peer& peer) {
   clients_[peer.weak_from_this()];
 }
 
-void ConfigServer::closed(Peer& peer) {
+void ConfigServer::onClosed(Peer& peer) {
   const auto client = clients_.find(peer.weak_from_this());
   if (client == clients_.end()) {
     return;
@@ -73,7 +73,7 @@ bool ConfigServer::isTrusted(const Peer& peer) const {
   return client != clients_.end() && (client->second.hasEntered || !access_.needsSecret(peer.address()));
 }
 
-void ConfigServer::received(Peer& peer, std::uint8_t type, std::string body) {
+void ConfigServer::onReceived(Peer& peer, std::uint8_t type, std::string body) {
   if (!clients_.contains(peer.weak_from_this())) {
     return; // it has left
   }
@@ -112,7 +112,7 @@ template <class Action> void ConfigServer::change(const Peer& peer, std::string_
 void ConfigServer::set(Peer& peer, const std::string& body) {
   json changes;
   try {
-    changes = parsedJson(body);
+    changes = parseBoundedJson(body);
     for (const json& entry : changes) {
       static_cast<void>(entry.at("mp").get_ref<const std::string&>());
       static_cast<void>(entry.at("key").get_ref<const std::string&>());
@@ -120,7 +120,7 @@ void ConfigServer::set(Peer& peer, const std::string& body) {
     }
   } catch (const json::exception& error) {
     throw ProtocolError{fmt::format(
-        "expected [{{\"mp\": mount, \"key\": key, \"value\": value}}, ..] to set, found: {}", reasonOf(error))};
+        "expected [{{\"mp\": mount, \"key\": key, \"value\": value}}, ..] to set, found: {}", parseErrorReason(error))};
   }
   for (const json& entry : changes) {
     setOne(peer, entry["mp"], entry["key"], entry["value"]);
@@ -182,7 +182,7 @@ void ConfigServer::sendMounts(Peer& peer) const {
 
 void ConfigServer::sendKeys(Peer& peer, const std::string& mount) const {
   json found;
-  configuration_.keys(mount, found);
+  configuration_.readKeys(mount, found);
   json keys = json::array();
   for (const auto& [key, value] : found.items()) {
     keys.push_back({{"key", key}, {"value", value}});

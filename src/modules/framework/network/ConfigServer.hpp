@@ -24,9 +24,9 @@ public:
   ~ConfigServer() override;
 
   const FrameFormat& format() const override;
-  void opened(Peer& peer) override;
-  void received(Peer& peer, std::uint8_t type, std::string body) override;
-  void closed(Peer& peer) override;
+  void onOpened(Peer& peer) override;
+  void onReceived(Peer& peer, std::uint8_t type, std::string body) override;
+  void onClosed(Peer& peer) override;
   bool isTrusted(const Peer& peer) const override;
 
 private:

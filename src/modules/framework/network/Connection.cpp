@@ -19,7 +19,7 @@ Connection::Connection(Socket socket, std::string address, Protocol& protocol, c
 void Connection::start() {
   error_code ignored; // a socket that is gone already says so when it is read
   socket_.non_blocking(true, ignored);
-  protocol_.opened(*this);
+  protocol_.onOpened(*this);
   readHeader();
 }
 
@@ -28,7 +28,7 @@ void Connection::end() {
     return;
   }
   open_ = false;
-  protocol_.closed(*this);
+  protocol_.onClosed(*this);
   error_code ignored;
   socket_.close(ignored);
   ended_(*this);
@@ -83,7 +83,7 @@ void Connection::handle(std::uint8_t type) {
     return refuse(fmt::format("expected at most {:.0f} messages per second, found more", limits_.messagesPerSecond));
   }
   try {
-    protocol_.received(*this, type, std::move(body_));
+    protocol_.onReceived(*this, type, std::move(body_));
   } catch (const ProtocolError& error) {
     return refuse(error.what());
   }
@@ -95,7 +95,7 @@ void Connection::handle(std::uint8_t type) {
 
 bool Connection::tooFast() {
   const TimePoint now = Clock::now();
-  allowance_ += seconds(now - lastMessage_) * limits_.messagesPerSecond;
+  allowance_ += toSeconds(now - lastMessage_) * limits_.messagesPerSecond;
   allowance_ = std::min(allowance_, 2 * limits_.messagesPerSecond) - 1;
   lastMessage_ = now;
   return allowance_ < 0;
@@ -109,7 +109,7 @@ void Connection::send(std::shared_ptr<const std::string> bytes) {
   queue_.push_back(std::move(bytes));
   if (queue_.size() == 1) {
     write();
-  } else if (owed_ > limits_.mostOwed) {
+  } else if (owed_ > limits_.maxPendingBytes) {
     boost::asio::post(socket_.get_executor(),
                       [self = self()] { self->refuse("asks for answers and does not read them"); });
   }

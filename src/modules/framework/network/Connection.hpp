@@ -17,11 +17,11 @@ using Socket = boost::asio::generic::stream_protocol::socket;
 
 /// What one client may ask for and be owed.
 struct ClientLimits {
-  double messagesPerSecond = 1000; // on average; twice as many at once
-  std::size_t mostOwed = 8 << 20;  // [bytes] that wait for a client that does not read
+  double messagesPerSecond = 1000;       // on average; twice as many at once
+  std::size_t maxPendingBytes = 8 << 20; // [bytes] that wait for a client that does not read
   /// How long what was sent may stay unconfirmed before the network counts as gone, and with it a client that only does
   /// not read; 0: as long as the system has patience with the network, and for ever with the client.
-  std::chrono::milliseconds unconfirmed{0};
+  std::chrono::milliseconds unacknowledgedTimeout{0};
 };
 
 /// One client's socket: cuts what it sends into frames, and writes what it is sent without ever waiting for it. Ends at
@@ -38,7 +38,7 @@ public:
   std::shared_ptr<Connection> self() { return std::static_pointer_cast<Connection>(shared_from_this()); }
 
   void send(std::shared_ptr<const std::string> bytes) override;
-  bool busy() const override { return !queue_.empty(); }
+  bool isBusy() const override { return !queue_.empty(); }
   const std::string& address() const override { return address_; }
 
 private:

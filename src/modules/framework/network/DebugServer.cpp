@@ -28,12 +28,12 @@ DebugServer::DebugServer(const std::vector<Thread*>& threads, Access& access, Ti
     : access_{access}, base_{base} {
   for (const Thread* thread : threads) {
     for (AnyProduction* production : thread->productions()) {
-      if (!production->isShown()) {
+      if (!production->isDisplayable()) {
         continue;
       }
       const std::string key = thread->name() + "." + production->name();
       const json unknown = {{"key", key}, {"timestamp", 0}, {"value", nullptr}};
-      shown_.push_back({key, thread, production, production->isPicture() ? "" : line(unknown)});
+      shown_.push_back({key, thread, production, production->isImage() ? "" : jsonLine(unknown)});
     }
   }
   for (Shown& shown : shown_) {
@@ -46,11 +46,11 @@ const FrameFormat& DebugServer::format() const {
   return debugFormat;
 }
 
-void DebugServer::opened(Peer& peer) {
+void DebugServer::onOpened(Peer& peer) {
   clients_[peer.weak_from_this()];
 }
 
-void DebugServer::closed(Peer& peer) {
+void DebugServer::onClosed(Peer& peer) {
   const auto client = clients_.extract(peer.weak_from_this());
   if (!client.empty()) {
     for (const std::string& key : client.mapped().keys) {
@@ -63,7 +63,7 @@ bool DebugServer::isTrusted(const Peer& peer) const {
   return access_.isOpen(peer.address());
 }
 
-void DebugServer::received(Peer& peer, std::uint8_t type, std::string body) {
+void DebugServer::onReceived(Peer& peer, std::uint8_t type, std::string body) {
   const auto client = clients_.find(peer.weak_from_this());
   if (client == clients_.end()) {
     return; // it has left
@@ -107,7 +107,7 @@ void DebugServer::unsubscribe(Client& client, const std::string& key) {
 
 void DebugServer::subscribeAll(Client& client, const std::string& body) {
   try {
-    const json request = parsedJson(body);
+    const json request = parseBoundedJson(body);
     for (const json& key : request.at("keys")) {
       subscribe(client, key.get_ref<const std::string&>());
     }
@@ -132,13 +132,13 @@ void DebugServer::sendList(Peer& peer) const {
   if (access_.isOpen(peer.address())) {
     for (const auto& [key, shown] : byKey_) {
       body += body.back() == '[' ? "" : ",";
-      body += shown->production->isPicture() ? json{{"key", key}, {"isImage", true}}.dump() : shown->bytes;
+      body += shown->production->isImage() ? json{{"key", key}, {"isImage", true}}.dump() : shown->bytes;
     }
   }
-  peer.send(std::make_shared<const std::string>(debugFrame(DebugType::list, body + "]}\n")));
+  peer.send(std::make_shared<const std::string>(encodeDebugFrame(DebugType::list, body + "]}\n")));
 }
 
-void DebugServer::listTo(const std::string& address) {
+void DebugServer::sendListTo(const std::string& address) {
   for (const auto& [who, client] : clients_) {
     if (const auto peer = who.lock(); peer && peer->address() == address) {
       sendList(*peer);
@@ -148,7 +148,7 @@ void DebugServer::listTo(const std::string& address) {
 
 bool DebugServer::isReady(const std::weak_ptr<Peer>& client) const {
   const auto peer = client.lock();
-  return peer && !peer->busy() && access_.isOpen(peer->address());
+  return peer && !peer->isBusy() && access_.isOpen(peer->address());
 }
 
 const Thread* DebugServer::threadOf(const CycleReport& report) const {
@@ -170,12 +170,12 @@ bool DebugServer::isOverdue(Shown& shown, TimePoint now) const {
 void DebugServer::joinMissed(CycleReport& report) {
   const Thread* thread = threadOf(report);
   for (const CycleReport::Item& item : report.items) {
-    if (item.production->isPicture()) {
+    if (item.production->isImage()) {
       byProduction_.at(item.production)->newest.reset();
     }
   }
   for (Shown& shown : shown_) {
-    if (shown.thread == thread && shown.production->isPicture() && shown.newest && !shown.newest->picture &&
+    if (shown.thread == thread && shown.production->isImage() && shown.newest && !shown.newest->picture &&
         isOverdue(shown, report.time)) {
       report.items.push_back(*std::exchange(shown.newest, std::nullopt));
     }
@@ -186,7 +186,7 @@ std::vector<CycleReport::Item*> DebugServer::picturesToEncode(CycleReport& repor
   joinMissed(report);
   std::vector<CycleReport::Item*> result;
   for (CycleReport::Item& item : report.items) {
-    if (item.production->isPicture() && isAwaited(byProduction_.at(item.production)->key)) {
+    if (item.production->isImage() && isAwaited(byProduction_.at(item.production)->key)) {
       result.push_back(&item);
     }
   }
@@ -209,7 +209,7 @@ void DebugServer::note(CycleReport::Item item, TimePoint now) {
 }
 
 bool DebugServer::goes(const Shown& shown, TimePoint since, const CycleReport& report) const {
-  if (!shown.production->isPicture()) {
+  if (!shown.production->isImage()) {
     return true;
   }
   const bool encoded = !shown.newest || shown.newest->picture;
@@ -221,12 +221,12 @@ const std::string& DebugServer::bytesOf(Shown& shown) const {
     const auto age = std::chrono::duration_cast<std::chrono::milliseconds>(item->time - base_).count();
     const auto timestamp = static_cast<std::uint64_t>(std::max<decltype(age)>(age, 0));
     if (const auto& picture = item->picture) {
-      shown.bytes = debugFrame(DebugType::image,
-                               imageBody(timestamp, picture->width, picture->height, shown.key, picture->bytes));
+      shown.bytes = encodeDebugFrame(
+          DebugType::image, encodeImageBody(timestamp, picture->width, picture->height, shown.key, picture->bytes));
     } else {
       nlohmann::json value;
       item->sample->json(value);
-      shown.bytes = line({{"key", shown.key}, {"timestamp", timestamp}, {"value", std::move(value)}});
+      shown.bytes = jsonLine({{"key", shown.key}, {"timestamp", timestamp}, {"value", std::move(value)}});
     }
   }
   return shown.bytes;
@@ -241,14 +241,14 @@ void DebugServer::sendDue(Peer& peer, Client& client, const CycleReport& report)
     if (!goes(*shown, since, report)) {
       return false;
     }
-    if (shown->production->isPicture()) {
+    if (shown->production->isImage()) {
       pictures += bytesOf(*shown);
     } else {
       values += (values.empty() ? "" : ",") + bytesOf(*shown);
     }
     return true;
   });
-  const std::string update = values.empty() ? "" : debugFrame(DebugType::update, "[" + values + "]");
+  const std::string update = values.empty() ? "" : encodeDebugFrame(DebugType::update, "[" + values + "]");
   if (std::string bytes = missedSome ? update + pictures : pictures + update; !bytes.empty()) {
     peer.send(std::make_shared<const std::string>(std::move(bytes)));
   }

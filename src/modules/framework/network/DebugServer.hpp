@@ -28,9 +28,9 @@ public:
   ~DebugServer() override;
 
   const FrameFormat& format() const override;
-  void opened(Peer& peer) override;
-  void received(Peer& peer, std::uint8_t type, std::string body) override;
-  void closed(Peer& peer) override;
+  void onOpened(Peer& peer) override;
+  void onReceived(Peer& peer, std::uint8_t type, std::string body) override;
+  void onClosed(Peer& peer) override;
   bool isTrusted(const Peer& peer) const override;
 
   /// The samples of pictures that somebody wants and can take now: to be encoded, by any thread, before the report is
@@ -42,7 +42,7 @@ public:
   void send(CycleReport& report);
 
   /// Sends the list to the clients of an address that has just become open.
-  void listTo(const std::string& address);
+  void sendListTo(const std::string& address);
 
 private:
   /// What is known of one key.

@@ -37,9 +37,9 @@ std::string addressOf(const Generic::endpoint& endpoint) {
 
 } // namespace
 
-Listener::Listener(boost::asio::io_context& context, Protocol& protocol, std::size_t mostClients, ClientLimits limits,
+Listener::Listener(boost::asio::io_context& context, Protocol& protocol, std::size_t maxClients, ClientLimits limits,
                    Log log)
-    : context_{context}, protocol_{protocol}, mostClients_{mostClients}, limits_{limits}, log_{std::move(log)} {}
+    : context_{context}, protocol_{protocol}, mostClients_{maxClients}, limits_{limits}, log_{std::move(log)} {}
 
 Listener::~Listener() {
   while (!connections_.empty()) {
@@ -51,15 +51,15 @@ Listener::~Listener() {
   }
 }
 
-Listener::Door& Listener::open(const Generic& protocol) {
+Listener::Acceptor& Listener::open(const Generic& protocol) {
   return doors_.emplace_back(
-      Door{boost::asio::basic_socket_acceptor<Generic>{context_, protocol}, boost::asio::steady_timer{context_}});
+      Acceptor{boost::asio::basic_socket_acceptor<Generic>{context_, protocol}, boost::asio::steady_timer{context_}});
 }
 
 std::uint16_t Listener::listenTcp(const std::string& address, std::uint16_t port) {
   try {
     const tcp::endpoint endpoint{boost::asio::ip::make_address(address), port};
-    Door& door = open(Generic{endpoint.protocol()});
+    Acceptor& door = open(Generic{endpoint.protocol()});
     auto& acceptor = door.acceptor;
     acceptor.set_option(boost::asio::socket_base::reuse_address{true});
     acceptor.bind(Generic::endpoint{endpoint});
@@ -86,7 +86,7 @@ void Listener::listenUnix(const std::filesystem::path& path) {
       std::filesystem::remove(path);
     }
     std::filesystem::create_directories(path.parent_path());
-    Door& door = open(Generic{endpoint.protocol()});
+    Acceptor& door = open(Generic{endpoint.protocol()});
     auto& acceptor = door.acceptor;
     acceptor.bind(Generic::endpoint{endpoint});
     ::chmod(path.c_str(), S_IRUSR | S_IWUSR); // before it listens
@@ -98,7 +98,7 @@ void Listener::listenUnix(const std::filesystem::path& path) {
   }
 }
 
-void Listener::accept(Door& door) {
+void Listener::accept(Acceptor& door) {
   door.acceptor.async_accept([this, &door](const error_code& error, Socket socket) {
     if (error == boost::asio::error::operation_aborted) {
       return;
@@ -169,7 +169,7 @@ void Listener::welcome(Socket socket) {
   }
   if (!address.empty()) {
     socket.set_option(tcp::no_delay{true}, gone);
-    watchNetwork(socket, limits_.unconfirmed);
+    watchNetwork(socket, limits_.unacknowledgedTimeout);
     keepQueueShort(socket);
   }
   const auto connection = std::make_shared<Connection>(std::move(socket), address, protocol_, limits_, log_,

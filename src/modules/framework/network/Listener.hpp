@@ -14,7 +14,7 @@ namespace naocal {
 /// taken, a client that has not shown the secret where it is needed gives up its place.
 class Listener {
 public:
-  Listener(boost::asio::io_context& context, Protocol& protocol, std::size_t mostClients, ClientLimits limits, Log log);
+  Listener(boost::asio::io_context& context, Protocol& protocol, std::size_t maxClients, ClientLimits limits, Log log);
   ~Listener();
 
   /// Listens on an address and port; 0 takes any that is free. Returns the port. Throws ConfigurationError.
@@ -26,12 +26,12 @@ public:
 
 private:
   /// Where clients come in.
-  struct Door {
+  struct Acceptor {
     boost::asio::basic_socket_acceptor<boost::asio::generic::stream_protocol> acceptor;
     boost::asio::steady_timer pause;
   };
-  Door& open(const boost::asio::generic::stream_protocol& protocol);
-  void accept(Door& door);
+  Acceptor& open(const boost::asio::generic::stream_protocol& protocol);
+  void accept(Acceptor& door);
   void welcome(Socket socket);
   void makeRoom(); // where all places are taken, by a client without the secret
 
@@ -40,7 +40,7 @@ private:
   std::size_t mostClients_;
   ClientLimits limits_;
   Log log_;
-  std::deque<Door> doors_;
+  std::deque<Acceptor> doors_;
   std::deque<std::filesystem::path> paths_; // of UNIX sockets, removed at the end
   std::set<std::shared_ptr<Connection>> connections_;
 };

@@ -32,10 +32,10 @@ int Outbox::descriptor() const {
   return queue_->descriptor;
 }
 
-void Outbox::cycleEnded(TimePoint time, const std::vector<AnyProduction*>& productions) {
+void Outbox::onCycleEnd(TimePoint time, const std::vector<AnyProduction*>& productions) {
   std::unique_ptr<CycleReport> report;
   for (const AnyProduction* production : productions) {
-    if (production->wanted() && production->edited()) {
+    if (production->isWanted() && production->wasEdited()) {
       if (auto sample = production->sample()) {
         report = report ? std::move(report) : std::make_unique<CycleReport>(CycleReport{time, {}});
         report->items.push_back({production, time, std::move(sample)});

@@ -15,8 +15,8 @@ struct CycleReport {
   struct Item {
     const AnyProduction* production;
     TimePoint time;
-    std::unique_ptr<const Sample> sample;    // until it is encoded
-    std::optional<EncodedPicture> picture{}; // of a picture, once it is encoded
+    std::unique_ptr<const Sample> sample;  // until it is encoded
+    std::optional<EncodedImage> picture{}; // of a picture, once it is encoded
   };
   std::vector<Item> items; // in the order of the thread's productions
 };
@@ -28,7 +28,7 @@ public:
   Outbox();
   ~Outbox() override;
 
-  void cycleEnded(TimePoint time, const std::vector<AnyProduction*>& productions) override;
+  void onCycleEnd(TimePoint time, const std::vector<AnyProduction*>& productions) override;
 
   /// Readable (poll) when there are reports.
   int descriptor() const;

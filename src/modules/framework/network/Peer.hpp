@@ -22,7 +22,7 @@ public:
   /// Sends in the order of calls; one that takes none of it and is owed too much is closed.
   virtual void send(std::shared_ptr<const std::string> bytes) = 0;
   /// Something that was sent before has not gone out yet.
-  virtual bool busy() const = 0;
+  virtual bool isBusy() const = 0;
   /// The address without the port; empty for a client on this computer's file system (UNIX socket).
   virtual const std::string& address() const = 0;
 };
@@ -37,15 +37,15 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// What a server does with its clients' frames: `opened` comes before all, `closed` after all others. `received` may
-/// throw ProtocolError.
+/// What a server does with its clients' frames: `onOpened` comes before all, `onClosed` after all others. `onReceived`
+/// may throw ProtocolError.
 class Protocol {
 public:
   virtual ~Protocol() = default;
   virtual const FrameFormat& format() const = 0;
-  virtual void opened(Peer& peer) = 0;
-  virtual void received(Peer& peer, std::uint8_t type, std::string body) = 0;
-  virtual void closed(Peer& peer) = 0;
+  virtual void onOpened(Peer& peer) = 0;
+  virtual void onReceived(Peer& peer, std::uint8_t type, std::string body) = 0;
+  virtual void onClosed(Peer& peer) = 0;
   /// Where the secret is needed, whether the client has shown it: else it makes room for others when all is full.
   virtual bool isTrusted(const Peer& peer) const = 0;
 };

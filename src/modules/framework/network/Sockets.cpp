@@ -59,7 +59,7 @@ private:
       try {
         for (CycleReport::Item* item : pictures) {
           const auto sample = std::move(item->sample); // tried once
-          item->picture = sample->picture();
+          item->picture = sample->image();
         }
       } catch (...) {
         failure = std::current_exception();
@@ -77,7 +77,7 @@ private:
 } // namespace
 
 SocketSettings readSocketSettings(const ConfigurationFolders& configuration, const std::string& headName) {
-  const Overlay sdk{layersOf(configuration, "sdk.json", Part::none, {})};
+  const Overlay sdk{layerFiles(configuration, "sdk.json", RobotPart::none, {})};
   const nlohmann::json& keys = *sdk.merged;
   const auto refuse = [&](const char* key, const char* expected) {
     throw ConfigurationError{fmt::format("{}: {}: expected {}", sdk.origins.at(key).string(), key, expected)};
@@ -108,17 +108,18 @@ SocketSettings readSocketSettings(const ConfigurationFolders& configuration, con
   return settings;
 }
 
-struct Sockets::Implementation {
+struct SocketServers::Implementation {
   Implementation(const SocketSettings& settings, const std::vector<Thread*>& threads, Configuration& configuration,
                  TimePoint base, const Log& log)
       : access{settings.access}, debug{threads, access, base}, config{configuration, access, log},
-        debugListener{context, debug, settings.mostClients, {.messagesPerSecond = settings.messagesPerSecond}, log},
-        configListener{context,
-                       config,
-                       settings.mostClients,
-                       {.messagesPerSecond = settings.messagesPerSecond, .unconfirmed = std::chrono::seconds{6}},
-                       log} {
-    access.onOpened([this](const std::string& address) { debug.listTo(address); });
+        debugListener{context, debug, settings.maxClients, {.messagesPerSecond = settings.messagesPerSecond}, log},
+        configListener{
+            context,
+            config,
+            settings.maxClients,
+            {.messagesPerSecond = settings.messagesPerSecond, .unacknowledgedTimeout = std::chrono::seconds{6}},
+            log} {
+    access.onOpened([this](const std::string& address) { debug.sendListTo(address); });
     if (settings.tcp) {
       debugPort = debugListener.listenTcp(settings.access.address, settings.debugPort);
       configPort = configListener.listenTcp(settings.access.address, settings.configPort);
@@ -131,7 +132,7 @@ struct Sockets::Implementation {
     for (Thread* cycling : threads) {
       Mailbox& mailbox = mailboxes.emplace_back(context, debug, encoder);
       mailbox.forward();
-      cycling->tell(mailbox.outbox);
+      cycling->setListener(mailbox.outbox);
     }
     thread = std::thread{[this, log] { run(log); }};
   }
@@ -166,19 +167,19 @@ struct Sockets::Implementation {
   std::thread thread;
 };
 
-Sockets::Sockets(const SocketSettings& settings, const std::vector<Thread*>& threads, Configuration& configuration,
-                 TimePoint base, Log log)
+SocketServers::SocketServers(const SocketSettings& settings, const std::vector<Thread*>& threads,
+                             Configuration& configuration, TimePoint base, Log log)
     : implementation_{std::make_unique<Implementation>(settings, threads, configuration, base, log)} {}
-Sockets::~Sockets() = default;
+SocketServers::~SocketServers() = default;
 
-std::uint16_t Sockets::debugPort() const {
+std::uint16_t SocketServers::debugPort() const {
   return implementation_->debugPort;
 }
-std::uint16_t Sockets::configPort() const {
+std::uint16_t SocketServers::configPort() const {
   return implementation_->configPort;
 }
 
-std::string Sockets::where() const {
+std::string SocketServers::addressText() const {
   std::string result;
   if (implementation_->debugPort != 0) {
     result += fmt::format("; debug socket on port {}, configuration on port {}", debugPort(), configPort());

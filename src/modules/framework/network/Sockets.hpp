@@ -23,7 +23,7 @@ struct SocketSettings {
   bool tcp = true;
   std::uint16_t debugPort = 12441, configPort = 12442; // HULKs' numbers; 0: any that is free
   std::filesystem::path unixFolder;                    // of the UNIX sockets `debug` and `config`; empty: none
-  std::size_t mostClients = 16;                        // of each server
+  std::size_t maxClients = 16;                         // of each server
   double messagesPerSecond = 1000;                     // of each client
 };
 
@@ -34,21 +34,21 @@ SocketSettings readSocketSettings(const ConfigurationFolders& configuration, con
 
 /// Both servers on a thread of their own, over TCP and UNIX sockets. The threads' cycles only hand over copies of what
 /// clients want to see.
-class Sockets {
+class SocketServers {
 public:
   /// Starts to listen. The threads must be wired and not run yet; the configuration must outlive it, and the threads
   /// must have ended before it. `base`: what timestamps count from. Throws ConfigurationError where it cannot listen.
-  Sockets(const SocketSettings& settings, const std::vector<Thread*>& threads, Configuration& configuration,
-          TimePoint base, Log log);
-  ~Sockets();
-  Sockets(const Sockets&) = delete;
-  Sockets& operator=(const Sockets&) = delete;
+  SocketServers(const SocketSettings& settings, const std::vector<Thread*>& threads, Configuration& configuration,
+                TimePoint base, Log log);
+  ~SocketServers();
+  SocketServers(const SocketServers&) = delete;
+  SocketServers& operator=(const SocketServers&) = delete;
 
   std::uint16_t debugPort() const;
   std::uint16_t configPort() const;
 
   /// Where clients find them: the end of a sentence.
-  std::string where() const;
+  std::string addressText() const;
 
 private:
   struct Implementation;

@@ -77,13 +77,13 @@ TEST_CASE("two cameras stream at full rate and every picture is accounted for") 
     ++given[camera];
   }
   for (const CameraName camera : {CameraName::top, CameraName::bottom}) {
-    const CameraLink link = video.link(camera);
+    const CameraStatus link = video.status(camera);
     const auto i = std::size_t(camera);
     CHECK(link.frames == given[i]);
     CHECK(link.frames + link.skipped + link.broken + link.lost >= last[i] + 1);
     CHECK(link.frames + link.skipped + link.broken + link.lost <= last[i] + 1 + 4); // taken but not given yet
     CHECK(link.problem == "");
-    const double rate = double(last[i] - first[i]) / seconds(end[i] - begin[i]);
+    const double rate = double(last[i] - first[i]) / toSeconds(end[i] - begin[i]);
     CHECK(rate == Approx(25).margin(0.5));
     fmt::print("{} camera: {} exposed, {} given, {} skipped, {} lost, {} broken, {:.2f} a second\n", toString(camera),
                last[i] + 1, link.frames, link.skipped, link.lost, link.broken, rate);
@@ -114,7 +114,7 @@ TEST_CASE("a known picture is captured byte for byte and its board is found") {
     same += std::equal(bytes.begin(), bytes.end(), picture.begin(), picture.end());
   }
   CHECK(same == 30);
-  const Detection detection = detect(greyPicture(*frame).value(), {board}, lens);
+  const Detection detection = detect(toGreyImage(*frame).value(), {board}, lens);
   REQUIRE(detection.boards.size() == 1);
   CHECK(detection.boards.front().ids.size() == board.points.size());
   fmt::print("{} of 30 captured pictures are the known one, {} of {} corners found\n", same,
@@ -128,14 +128,14 @@ TEST_CASE("a real driver takes settings, reads them back and refuses what it has
       {"brightness", V4L2_CID_BRIGHTNESS, 100}, {"automatic gain", V4L2_CID_AUTOGAIN, 0}, {"gain", V4L2_CID_GAIN, 33}};
   VideoCameras video{options};
   REQUIRE(top(video));
-  CHECK(video.link(CameraName::top).problem == "");
+  CHECK(video.status(CameraName::top).problem == "");
   v4l2_control now{V4L2_CID_BRIGHTNESS, 0};
   vivid::Node{topCapture}.call(VIDIOC_G_CTRL, &now, "G_CTRL");
   CHECK(now.value == 100);
-  video.set(CameraName::top, {{"exposure", V4L2_CID_EXPOSURE_ABSOLUTE, 100}});
-  CHECK(video.link(CameraName::top).problem == "/dev/video0 (top camera): it has no exposure");
-  video.set(CameraName::top, {{"brightness", V4L2_CID_BRIGHTNESS, 128}});
-  CHECK(video.link(CameraName::top).problem == "");
+  video.setControls(CameraName::top, {{"exposure", V4L2_CID_EXPOSURE_ABSOLUTE, 100}});
+  CHECK(video.status(CameraName::top).problem == "/dev/video0 (top camera): it has no exposure");
+  video.setControls(CameraName::top, {{"brightness", V4L2_CID_BRIGHTNESS, 128}});
+  CHECK(video.status(CameraName::top).problem == "");
 }
 
 // Proves that what the driver drops or damages is counted and not given.
@@ -145,12 +145,12 @@ TEST_CASE("pictures that a real driver drops or damages are counted") {
   inject("Percentage of Dropped Buffers", 50);
   REQUIRE(top(video, 20));
   inject("Percentage of Dropped Buffers", 0);
-  const std::uint64_t lost = video.link(CameraName::top).lost;
+  const std::uint64_t lost = video.status(CameraName::top).lost;
   CHECK(lost > 3);
   inject("Inject V4L2_BUF_FLAG_ERROR");
   REQUIRE(top(video, 5));
-  CHECK(video.link(CameraName::top).broken == 1);
-  CHECK(video.link(CameraName::top).reopened == 0);
+  CHECK(video.status(CameraName::top).broken == 1);
+  CHECK(video.status(CameraName::top).reopened == 0);
 }
 
 // Proves that every failure that the driver can be asked for ends in a stream again while the other camera goes on.
@@ -160,7 +160,7 @@ TEST_CASE("queue errors, a dead stream and an unplugged camera end in a stream a
   std::uint64_t reopened = 0;
   for (const char* failure : {"Inject VIDIOC_QBUF Error", "Inject Fatal Streaming Error", "Disconnect",
                               "Inject Fatal Streaming Error", "Disconnect"}) {
-    const std::uint64_t before = video.link(CameraName::top).frames, others = video.link(CameraName::bottom).frames;
+    const std::uint64_t before = video.status(CameraName::top).frames, others = video.status(CameraName::bottom).frames;
     inject(failure);
     const TimePoint since = Clock::now();
     std::uint64_t sequence = 0;
@@ -170,12 +170,12 @@ TEST_CASE("queue errors, a dead stream and an unplugged camera end in a stream a
       CHECK(frame->sequence > sequence);
       sequence = frame->sequence;
     }
-    CHECK(video.link(CameraName::top).frames >= before + 10);
-    CHECK(video.link(CameraName::bottom).frames > others);
-    CHECK(video.link(CameraName::bottom).reopened == 0);
+    CHECK(video.status(CameraName::top).frames >= before + 10);
+    CHECK(video.status(CameraName::bottom).frames > others);
+    CHECK(video.status(CameraName::bottom).reopened == 0);
     reopened += failure != std::string_view{"Inject VIDIOC_QBUF Error"};
-    CHECK(video.link(CameraName::top).reopened == reopened);
-    fmt::print("{}: ten pictures later after {:.2f} s\n", failure, seconds(Clock::now() - since));
+    CHECK(video.status(CameraName::top).reopened == reopened);
+    fmt::print("{}: ten pictures later after {:.2f} s\n", failure, toSeconds(Clock::now() - since));
   }
 }
 
@@ -185,8 +185,8 @@ TEST_CASE("a camera whose buffers or stream a real driver refuses at first is op
     inject(failure);
     VideoCameras video{cameras()};
     video.waitForFrame(0ms);
-    CHECK(video.link(CameraName::top).problem.find("Invalid argument") != std::string::npos);
+    CHECK(video.status(CameraName::top).problem.find("Invalid argument") != std::string::npos);
     CHECK(top(video, 3));
-    CHECK(video.link(CameraName::top).problem == "");
+    CHECK(video.status(CameraName::top).problem == "");
   }
 }
