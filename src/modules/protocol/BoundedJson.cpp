@@ -25,8 +25,12 @@ std::string parseErrorReason(const std::exception& error) {
   return std::string{message.substr(mark == std::string_view::npos ? 0 : mark + 2)};
 }
 
+std::string jsonText(const nlohmann::json& value) {
+  return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 std::string jsonLine(const nlohmann::json& value) {
-  return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return jsonText(value) + "\n";
 }
 
 } // namespace naocal

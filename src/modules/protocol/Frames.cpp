@@ -12,7 +12,49 @@ template <class Integer> void append(std::string& bytes, Integer value) {
   }
 }
 
-std::string frame(const FrameFormat& format, std::uint8_t type, std::string_view body) {
+/// The integer whose first byte is at `first`.
+template <class Integer> Integer integerAt(std::string_view bytes, std::size_t first) {
+  Integer value = 0;
+  for (std::size_t i = 0; i < sizeof(Integer); ++i) {
+    value |= static_cast<Integer>(static_cast<Integer>(static_cast<std::uint8_t>(bytes[first + i])) << (8 * i));
+  }
+  return value;
+}
+
+} // namespace
+
+FrameHeader parseHeader(const FrameFormat& format, std::string_view header, std::uint32_t maxBodyBytes) {
+  assert(header.size() == format.headerSize);
+  if (header.substr(0, 4) != format.magic) {
+    return {.problem = FrameProblem::magic};
+  }
+  FrameHeader parsed{integerAt<std::uint8_t>(header, 4), integerAt<std::uint8_t>(header, 5),
+                     integerAt<std::uint32_t>(header, 8), FrameProblem::none};
+  if (parsed.version != format.version) {
+    parsed.problem = FrameProblem::version;
+  } else if (parsed.bodySize > maxBodyBytes) {
+    parsed.problem = FrameProblem::size;
+  }
+  return parsed;
+}
+
+std::string describeProblem(const FrameHeader& header, const FrameFormat& format, std::uint32_t maxBodyBytes) {
+  if (header.problem == FrameProblem::magic) {
+    return fmt::format("expected the four letters {} at the start of a frame, found others", format.magic);
+  }
+  if (header.problem == FrameProblem::version) {
+    return fmt::format("expected version {} of the protocol, found {}", format.version, header.version);
+  }
+  if (header.type > format.largestType) {
+    return fmt::format("expected a message type from 0 to {}, found {}", format.largestType, header.type);
+  }
+  if (header.problem == FrameProblem::size) {
+    return fmt::format("expected at most {} bytes in a frame, found {} announced", maxBodyBytes, header.bodySize);
+  }
+  return "";
+}
+
+std::string encodeFrame(const FrameFormat& format, std::uint8_t type, std::string_view body) {
   std::string bytes;
   bytes.reserve(format.headerSize + body.size());
   bytes.append(format.magic);
@@ -24,46 +66,34 @@ std::string frame(const FrameFormat& format, std::uint8_t type, std::string_view
   return bytes.append(body);
 }
 
-} // namespace
-
-FrameHeader parseHeader(const FrameFormat& format, std::string_view header) {
-  assert(header.size() == format.headerSize);
-  if (header.substr(0, 4) != format.magic) {
-    return {0, 0, fmt::format("expected the four letters {} at the start of a frame, found others", format.magic)};
-  }
-  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(header[i]); };
-  if (byte(4) != format.version) {
-    return {0, 0, fmt::format("expected version {} of the protocol, found {}", format.version, byte(4))};
-  }
-  FrameHeader parsed{byte(5), 0, ""};
-  for (std::size_t i = 0; i < 4; ++i) {
-    parsed.bodySize |= static_cast<std::uint32_t>(byte(8 + i)) << (8 * i);
-  }
-  if (parsed.type > format.largestType) {
-    parsed.problem = fmt::format("expected a message type from 0 to {}, found {}", format.largestType, parsed.type);
-  } else if (parsed.bodySize > format.maxBodyBytes) {
-    parsed.problem =
-        fmt::format("expected at most {} bytes in a frame, found {} announced", format.maxBodyBytes, parsed.bodySize);
-  }
-  return parsed;
-}
-
 std::string encodeDebugFrame(DebugType type, std::string_view body) {
-  return frame(debugFormat, static_cast<std::uint8_t>(type), body);
+  return encodeFrame(debugFormat, static_cast<std::uint8_t>(type), body);
 }
 
 std::string encodeConfigFrame(ConfigType type, std::string_view body) {
-  return frame(configFormat, static_cast<std::uint8_t>(type), body);
+  return encodeFrame(configFormat, static_cast<std::uint8_t>(type), body);
 }
 
-std::string encodeImageBody(std::uint64_t timestamp, std::uint16_t width, std::uint16_t height, std::string_view key,
-                            std::string_view file) {
+std::string encodeImageBody(const ImageBody& image) {
   std::string bytes;
-  append(bytes, timestamp);
-  append(bytes, width);
-  append(bytes, height);
-  append(bytes, static_cast<std::uint16_t>(key.size()));
-  return bytes.append(key).append(file);
+  append(bytes, image.timestamp);
+  append(bytes, image.width);
+  append(bytes, image.height);
+  append(bytes, static_cast<std::uint16_t>(image.key.size()));
+  return bytes.append(image.key).append(image.file);
+}
+
+std::optional<ImageBody> parseImageBody(std::string_view body) {
+  constexpr std::size_t prefix = 14; // [bytes] before the key
+  if (body.size() < prefix) {
+    return std::nullopt;
+  }
+  const std::size_t keySize = integerAt<std::uint16_t>(body, 12);
+  if (body.size() < prefix + keySize) {
+    return std::nullopt;
+  }
+  return ImageBody{integerAt<std::uint64_t>(body, 0), integerAt<std::uint16_t>(body, 8),
+                   integerAt<std::uint16_t>(body, 10), body.substr(prefix, keySize), body.substr(prefix + keySize)};
 }
 
 } // namespace naocal

@@ -56,9 +56,11 @@ void Connection::readHeader() {
     if (error) {
       return self->readFailed(error);
     }
-    const FrameHeader header = parseHeader(self->protocol_.format(), self->header_);
-    if (!header.problem.empty()) {
-      return self->refuse(header.problem);
+    const FrameFormat& format = self->protocol_.format();
+    const std::uint32_t maxBodyBytes = self->limits_.maxBodyBytes;
+    const FrameHeader header = parseHeader(format, self->header_, maxBodyBytes);
+    if (const std::string refusal = describeProblem(header, format, maxBodyBytes); !refusal.empty()) {
+      return self->refuse(refusal);
     }
     self->readBody(header.type, header.bodySize);
   });

@@ -18,6 +18,7 @@ using Socket = boost::asio::generic::stream_protocol::socket;
 /// What one client may ask for and be owed.
 struct ClientLimits {
   double messagesPerSecond = 1000;       // on average; twice as many at once
+  std::uint32_t maxBodyBytes = 1 << 16;  // [bytes] of one of its frames
   std::size_t maxPendingBytes = 8 << 20; // [bytes] that wait for a client that does not read
   /// How long what was sent may stay unconfirmed before the network counts as gone, and with it a client that only does
   /// not read; 0: as long as the system has patience with the network, and for ever with the client.

@@ -222,7 +222,7 @@ const std::string& DebugServer::bytesOf(Shown& shown) const {
     const auto timestamp = static_cast<std::uint64_t>(std::max<decltype(age)>(age, 0));
     if (const auto& picture = item->picture) {
       shown.bytes = encodeDebugFrame(
-          DebugType::image, encodeImageBody(timestamp, picture->width, picture->height, shown.key, picture->bytes));
+          DebugType::image, encodeImageBody({timestamp, picture->width, picture->height, shown.key, picture->bytes}));
     } else {
       nlohmann::json value;
       item->sample->json(value);

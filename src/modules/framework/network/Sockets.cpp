@@ -113,12 +113,13 @@ struct SocketServers::Implementation {
                  TimePoint base, const Log& log)
       : access{settings.access}, debug{threads, access, base}, config{configuration, access, log},
         debugListener{context, debug, settings.maxClients, {.messagesPerSecond = settings.messagesPerSecond}, log},
-        configListener{
-            context,
-            config,
-            settings.maxClients,
-            {.messagesPerSecond = settings.messagesPerSecond, .unacknowledgedTimeout = std::chrono::seconds{6}},
-            log} {
+        configListener{context,
+                       config,
+                       settings.maxClients,
+                       {.messagesPerSecond = settings.messagesPerSecond,
+                        .maxBodyBytes = 1 << 20,
+                        .unacknowledgedTimeout = std::chrono::seconds{6}},
+                       log} {
     access.onOpened([this](const std::string& address) { debug.sendListTo(address); });
     if (settings.tcp) {
       debugPort = debugListener.listenTcp(settings.access.address, settings.debugPort);
