@@ -9,8 +9,6 @@
 namespace naocal {
 namespace {
 
-using Phase = PlayerState::Phase;
-
 constexpr double longestSilence = 0.1; // [s]
 
 bool isTouched(const Touch& touch) {
@@ -52,8 +50,30 @@ void PosePlayer::cycle() {
     watch(measured_->state);
     advance();
   }
-  ending_.atRest = state_->phase == Phase::off || state_->phase == Phase::fallen || state_->atHome;
+  ending_.atRest = !isPlaying() || stage_ == Stage::atStand;
   forBrain_.edit().write(*state_);
+}
+
+void PosePlayer::enter(Stage stage) {
+  using Phase = PlayerState::Phase;
+  stage_ = stage;
+  state_.edit().atHome = stage == Stage::atStand;
+  switch (stage) {
+  case Stage::off:
+    state_.edit().phase = Phase::off;
+    return;
+  case Stage::fallen:
+    state_.edit().phase = Phase::fallen;
+    return;
+  case Stage::atStand:
+  case Stage::holding:
+  case Stage::askingForHands:
+    state_.edit().phase = Phase::holding;
+    return;
+  case Stage::goingOut:
+  case Stage::goingHome:
+    state_.edit().phase = Phase::moving;
+  }
 }
 
 void PosePlayer::look(const PoseRequest& request) {
@@ -71,7 +91,7 @@ void PosePlayer::look(const PoseRequest& request) {
     state.done = true;
     return;
   case PoseRequest::Kind::rest:
-    stop(Phase::off, "");
+    stop(Stage::off, "");
     state.done = true;
   }
 }
@@ -99,10 +119,10 @@ bool PosePlayer::isNear(const CompensatedAngles& angles, const CompensatedAngles
 }
 
 bool PosePlayer::isReady(const std::string& who) {
-  PlayerState& state = state_.edit();
-  if (state.phase == Phase::moving || state.phase == Phase::holding) {
+  if (isPlaying()) {
     return true;
   }
+  PlayerState& state = state_.edit();
   if (!isNear(*angles_, home_)) {
     state.reason = fmt::format("{} was refused: the robot is not at its stand. Put it there (each joint within {:.0f} "
                                "degrees) and start again.",
@@ -122,7 +142,7 @@ void PosePlayer::go(const PoseRequest& request) {
   }
   leaveMotion();
   extendTrail(desired_->angles);
-  start(request.points);
+  start(Stage::goingOut, request.points);
   state_.edit().needsHands |= request.held;
 }
 
@@ -135,7 +155,7 @@ void PosePlayer::goHome(const std::string& reason) {
   waits_ = false;
   PlayerState& state = state_.edit();
   if (state.needsHands && !state.held) {
-    state.phase = Phase::holding;
+    enter(Stage::askingForHands);
     state.held = true;
     state.reason += fmt::format("{}Take hold of it by its trunk: its eyes are yellow. It steps back onto both feet in "
                                 "{:.0f} s, or at once when its chest button is pressed.",
@@ -147,33 +167,28 @@ void PosePlayer::goHome(const std::string& reason) {
 }
 
 void PosePlayer::startHome() {
-  handsUntil_.reset();
-  start({trail_.rbegin(), trail_.rend()});
-  goingHome_ = true;
+  start(Stage::goingHome, {trail_.rbegin(), trail_.rend()});
 }
 
-void PosePlayer::start(std::vector<CompensatedAngles> points) {
+void PosePlayer::start(Stage stage, std::vector<CompensatedAngles> points) {
   points_ = std::move(points);
   motion_.emplace(desired_->angles, points_, limits_, *speed_);
   motionTime_ = 0;
-  state_.edit().phase = Phase::moving;
-  state_.edit().atHome = false;
+  enter(stage);
   desired_.edit().stiffness = *stiffness_;
 }
 
 void PosePlayer::leaveMotion() {
-  handsUntil_.reset();
   if (!motion_) {
     return;
   }
   const auto passed = points_.begin() + static_cast<std::ptrdiff_t>(motion_->passedPoints(motionTime_));
-  if (goingHome_) {
+  if (stage_ == Stage::goingHome) {
     trail_.assign(std::make_reverse_iterator(points_.end()), std::make_reverse_iterator(passed));
   } else {
     std::for_each(points_.begin(), passed, [this](const CompensatedAngles& point) { extendTrail(point); });
   }
   motion_.reset();
-  goingHome_ = false;
 }
 
 void PosePlayer::extendTrail(const CompensatedAngles& point) {
@@ -184,28 +199,28 @@ void PosePlayer::extendTrail(const CompensatedAngles& point) {
   }
 }
 
-void PosePlayer::stop(Phase phase, const std::string& reason) {
+void PosePlayer::stop(Stage stage, const std::string& reason) {
   leaveMotion();
   waits_ = false;
   PlayerState& state = state_.edit();
-  state = {.phase = phase,
-           .request = state.request,
+  state = {.request = state.request,
            .held = state.held,
            .needsHands = state.needsHands,
            .home = home_,
            .reason = reason,
            .presses = state.presses};
-  desired_.edit().stiffness = phase == Phase::off ? 0 : phase == Phase::fallen ? *fallenStiffness_ : *stiffness_;
+  enter(stage);
+  desired_.edit().stiffness = stage == Stage::off ? 0 : stage == Stage::fallen ? *fallenStiffness_ : *stiffness_;
 }
 
 void PosePlayer::advance() {
   PlayerState& state = state_.edit();
   DesiredPose& desired = desired_.edit();
-  if (state.phase == Phase::off || state.phase == Phase::fallen) {
+  if (!isPlaying()) {
     desired.angles = *angles_; // nothing pulls when the motors come on
     return;
   }
-  if (handsUntil_ && now_ >= *handsUntil_) {
+  if (stage_ == Stage::askingForHands && now_ >= handsUntil_) {
     startHome();
   }
   if (!motion_) {
@@ -215,12 +230,11 @@ void PosePlayer::advance() {
   state.progress = std::min(1.0, motionTime_ / motion_->duration());
   state.secondsLeft = std::max(0.0, motion_->duration() - motionTime_);
   if (motionTime_ >= motion_->duration()) {
-    state.phase = Phase::holding;
     state.done = true;
     state.doneAt = now_;
-    state.atHome = goingHome_;
     leaveMotion();
-    if (state.atHome) {
+    enter(stage_ == Stage::goingHome ? Stage::atStand : Stage::holding);
+    if (stage_ == Stage::atStand) {
       trail_ = {home_};
       state.needsHands = state.held = false;
     }
@@ -232,22 +246,20 @@ void to_json(nlohmann::json& out, const DesiredPose& desired) {
 }
 
 void PosePlayer::afterSilence(double length) {
-  const bool plays = state_->phase == Phase::moving || state_->phase == Phase::holding;
-  if (plays && length > longestSilence && !isNear(*angles_, desired_->angles)) {
-    stop(Phase::fallen, fmt::format("Nothing was heard of the robot for {:.1f} s, and its joints were moved meanwhile, "
+  if (isPlaying() && length > longestSilence && !isNear(*angles_, desired_->angles)) {
+    stop(Stage::fallen, fmt::format("Nothing was heard of the robot for {:.1f} s, and its joints were moved meanwhile, "
                                     "so the motors are weak. Stand the robot up and start again.",
                                     length));
   }
 }
 
 void PosePlayer::chestPressed() {
-  const Phase phase = state_->phase;
-  const bool isOwn = (phase == Phase::moving || phase == Phase::holding) && !state_->atHome && !waits_;
+  const bool isOwn = isPlaying() && stage_ != Stage::atStand && !waits_;
   if (!isOwn) {
     ++state_.edit().presses;
-  } else if (handsUntil_) {
+  } else if (stage_ == Stage::askingForHands) {
     startHome();
-  } else if (!goingHome_) {
+  } else if (stage_ != Stage::goingHome) {
     goHome("The chest button was pressed: the robot goes back to its stand.");
   }
 }
@@ -258,18 +270,18 @@ void PosePlayer::watch(const RobotState& state) {
   if (newlyPressed) {
     chestPressed();
   }
-  if (state_->phase == Phase::off || state_->phase == Phase::fallen) {
+  if (!isPlaying()) {
     return;
   }
   const double tilt = degrees(std::max(std::abs(state.torsoAngles.x()), std::abs(state.torsoAngles.y())));
   const auto hot = std::max_element(state.temperature.begin(), state.temperature.end());
-  const bool isOut = !goingHome_ && !handsUntil_ && !state_->atHome;
+  const bool isOut = stage_ == Stage::goingOut || stage_ == Stage::holding;
   if (tilt > *largestTilt_) {
-    stop(Phase::fallen, fmt::format("The torso is tilted by {:.0f} degrees, so the motors are weak. Stand the robot up "
+    stop(Stage::fallen, fmt::format("The torso is tilted by {:.0f} degrees, so the motors are weak. Stand the robot up "
                                     "and start again.",
                                     tilt));
   } else if (isTouched(state.touch) && motion_) {
-    stop(Phase::holding, "The robot was touched and stopped. Press its chest button to have it go back to its stand.");
+    stop(Stage::holding, "The robot was touched and stopped. Press its chest button to have it go back to its stand.");
   } else if (ending_.asked && isOut) {
     goHome("The program is being ended: the robot goes back to its stand.");
   } else if (*hot > *hottest_ && isOut) {

@@ -43,6 +43,18 @@ public:
   void onParametersChanged() override;
 
 private:
+  /// What it does; PlayerState tells less of it.
+  enum class Stage {
+    off,            // motors off
+    fallen,         // motors weak
+    atStand,        // holding the stand
+    goingOut,       // towards a request's last point
+    holding,        // there, or where it was stopped
+    askingForHands, // holding, until somebody has taken hold of the robot or `handsUntil_`
+    goingHome,      // back along the trail
+  };
+  void enter(Stage stage);
+  bool isPlaying() const { return stage_ != Stage::off && stage_ != Stage::fallen; }
   static std::string joints(const std::map<std::string, double>& stand); // what is expected, if they are not
   void watch(const RobotState& state);
   void chestPressed();
@@ -52,10 +64,10 @@ private:
   void goHome(const std::string& reason);
   void startHome();
   bool isReady(const std::string& who); // motors are on, or the robot is at its stand; `who` is refused otherwise
-  void start(std::vector<CompensatedAngles> points);
+  void start(Stage stage, std::vector<CompensatedAngles> points);
   void leaveMotion();                               // keeps in the trail what it has passed
   void extendTrail(const CompensatedAngles& point); // back at a point of it, the loop from there is forgotten
-  void stop(PlayerState::Phase phase, const std::string& reason);
+  void stop(Stage stage, const std::string& reason);
   void advance();
   std::string unreachable(const PoseRequest& request) const;
   bool isNear(const CompensatedAngles& angles, const CompensatedAngles& point) const;
@@ -79,13 +91,13 @@ private:
   ShutdownRequest& ending_;
   CompensatedAngles home_;
   std::vector<CompensatedAngles> trail_; // from the stand on: what a way home passes, backwards
-  std::optional<PoseMotion> motion_;
+  Stage stage_ = Stage::off;
+  std::optional<PoseMotion> motion_;      // while it goes out or home
   std::vector<CompensatedAngles> points_; // of that motion
-  bool goingHome_ = false;
-  bool wasPressed_ = false;
-  bool waits_ = false;                  // for a person's answer
-  std::optional<TimePoint> handsUntil_; // asking for hands, to go home then
-  double motionTime_ = 0;               // [s]
+  double motionTime_ = 0;                 // [s]
+  TimePoint handsUntil_;                  // goes home then
+  bool waits_ = false;                    // for a person's answer, whatever it does meanwhile
+  bool wasPressed_ = false;               // the chest button, in the cycle before
   TimePoint now_;
 };
 
