@@ -50,16 +50,16 @@ CalibrationJobs::CalibrationJobs(CalibrationContext context) : context_{std::mov
 void CalibrationJobs::begin(std::filesystem::path folder) {
   folder_ = std::move(folder);
   sessions_ = {};
-  give([this, folder = folder_](JobResult&) {
+  give([this, folder = folder_](bool&) {
     before_ = readConfiguredCalibration(context_.configuration);
     isChecked_ = false;
     context_.configuration.writeTo(folder / "configuration");
+    return std::nullopt;
   });
 }
 
 void CalibrationJobs::planLegs(LegRounds legs) {
-  give([legs = std::move(legs), &drawing = context_.drawing, folder = folder_,
-        files = context_.files](JobResult& finding) mutable {
+  give([legs = std::move(legs), &drawing = context_.drawing, folder = folder_, files = context_.files](bool&) mutable {
     std::filesystem::path file = files / "poses" / (drawing.model + ".json");
     if (!legs.asked.empty()) { // what was asked for stays with what was recorded
       file = folder / "poses.json";
@@ -70,78 +70,83 @@ void CalibrationJobs::planLegs(LegRounds legs) {
     for (const SupportFoot foot : legs.feet) {
       each.emplace_back(drawing, poses, foot, legs.home);
     }
-    finding.rounds.emplace();
-    finding.rounds->at(0) = legRound(each, legs.options);
+    PlannedRounds planned;
+    planned.rounds[0] = legRound(each, legs.options);
     ++legs.options.seed;
     legs.options.poses = static_cast<std::size_t>(legs.checkPoses);
-    finding.rounds->at(1) = legRound(each, legs.options);
+    planned.rounds[1] = legRound(each, legs.options);
+    return planned;
   });
 }
 
 void CalibrationJobs::openRound(std::size_t round, CaptureSet header) {
   sessions_[round] = std::make_shared<Round>();
   give([session = sessions_[round], &drawing = context_.drawing, header = std::move(header),
-        folder = folder_ / (round == 0 ? "first" : "second"), files = context_.files](JobResult&) {
+        folder = folder_ / (round == 0 ? "first" : "second"), files = context_.files](bool&) {
     session->session.emplace(drawing, header, folder, loadCalibrationModel(files, drawing));
+    return std::nullopt;
   });
 }
 
 void CalibrationJobs::processCapture(std::size_t round, Capture capture, PublishedCapture shown, CameraFrame frame) {
   give([this, session = sessions_[round], folder = folder_, capture = std::move(capture), shown = std::move(shown),
-        frame = std::move(frame)](JobResult&) mutable {
-    if (lookedAt_.folder != folder) {
-      lookedAt_ = {folder, {}};
+        frame = std::move(frame)](bool&) mutable {
+    if (processedSoFar_.folder != folder) {
+      processedSoFar_ = {folder, {}};
     }
     shown.corners = 0;
     for (const BoardCorners& board : session->session.value().record(capture, frame)) {
       shown.boards.push_back(board.board);
       *shown.corners += static_cast<int>(board.ids.size());
     }
-    lookedAt_.captures.push_back(std::move(shown));
-    looked_.write(lookedAt_);
+    processedSoFar_.captures.push_back(std::move(shown));
+    processed_.write(processedSoFar_);
+    return std::nullopt;
   });
 }
 
 void CalibrationJobs::solve(bool onlyHead) {
-  give([this, session = sessions_[0], onlyHead, abandoned = abandoned_.load()](JobResult& finding) {
+  give([this, session = sessions_[0], onlyHead, abandoned = abandoned_.load()](bool&) -> std::optional<JobResult> {
     const CalibrationRecorder::Solution solved = session->session.value().solve();
     const std::vector<ShownOffset> offsets = onlyHead ? headOffsets(solved.offsets) : solved.offsets;
-    finding.outcome = summarizeOutcome(before_, offsets, lookedAt_.captures);
+    PublishedOutcome outcome = summarizeOutcome(before_, offsets, processedSoFar_.captures);
     for (const Warning& warning : solved.warnings) { // only with the legs it is known where the floor is
       if (warning.about == Warning::About::fit || (warning.about == Warning::About::floor && !onlyHead)) {
-        finding.outcome->warnings.push_back(warning.sentence);
+        outcome.warnings.push_back(warning.sentence);
       }
     }
-    const std::string keys = snapshotCalibration(context_.configuration);
-    finding.outcome->before = keys;
-    if (abandoned == abandoned_) {
-      requirePlausible(learnedOffsets(offsets));
-      applyCalibration(learnedOffsets(offsets), solved.result, context_.configuration);
-      keysToPutBack_ = keys;
-      finding.isApplied = true;
+    outcome.before = snapshotCalibration(context_.configuration);
+    if (abandoned != abandoned_) {
+      return std::nullopt;
     }
+    requirePlausible(learnedOffsets(offsets));
+    applyCalibration(learnedOffsets(offsets), solved.result, context_.configuration);
+    keysToPutBack_ = outcome.before;
+    return AppliedCalibration{std::move(outcome)};
   });
 }
 
 void CalibrationJobs::check() {
-  give([this, session = sessions_[1], abandoned = abandoned_.load()](JobResult& finding) {
-    finding.error = session->session.value().compareErrors(before_, readConfiguredCalibration(context_.configuration));
-    finding.isKept = abandoned == abandoned_ && finding.error->after <= leastGain * finding.error->before;
-    if (finding.isKept) {
+  give([this, session = sessions_[1], abandoned = abandoned_.load()](bool& isLasting) {
+    const CalibrationRecorder::ErrorComparison error =
+        session->session.value().compareErrors(before_, readConfiguredCalibration(context_.configuration));
+    isLasting = abandoned == abandoned_ && error.after <= leastGain * error.before;
+    if (isLasting) {
       saveCalibration(context_.configuration);
       keysToPutBack_.reset();
     }
     putBackUnsaved();
     isChecked_ = true;
+    return CheckedCalibration{error, isLasting};
   });
-  give([this, session = sessions_[0]](JobResult& finding) {
+  give([this, session = sessions_[0]](bool&) -> std::optional<JobResult> {
     if (!isChecked_) {
-      return;
+      return std::nullopt;
     }
     try {
-      finding.diagnosis = session->session.value().diagnose();
+      return ModelDiagnosis{session->session.value().diagnose()};
     } catch (const std::exception& error) {
-      finding.diagnosis = fmt::format("How well the model fits could not be told: {}.", error.what());
+      return ModelDiagnosis{fmt::format("How well the model fits could not be told: {}.", error.what())};
     }
   });
 }
@@ -159,13 +164,17 @@ void CalibrationJobs::putBackUnsaved() {
 
 void CalibrationJobs::abandon() {
   ++abandoned_;
-  give([this](JobResult&) { putBackUnsaved(); });
+  give([this](bool&) {
+    putBackUnsaved();
+    return std::nullopt;
+  });
 }
 
 void CalibrationJobs::undo() {
-  give([this](JobResult& finding) {
+  give([this](bool& isLasting) {
     undoCalibration(context_.configuration);
-    finding.isUndone = true;
+    isLasting = true;
+    return CalibrationUndone{};
   });
 }
 
@@ -175,36 +184,34 @@ void CalibrationJobs::finish() {
 }
 
 std::optional<CalibrationJobs::JobResult> CalibrationJobs::takeResult() {
-  const std::lock_guard lock{findingsMutex_};
-  while (!findings_.empty()) {
-    JobResult finding = std::move(findings_.front());
-    findings_.pop_front();
-    if (finding.folder == folder_) {
-      return finding;
+  const std::lock_guard lock{resultsMutex_};
+  while (!results_.empty()) {
+    QueuedResult next = std::move(results_.front());
+    results_.pop_front();
+    if (next.folder == folder_) {
+      return std::move(next.result);
     }
   }
   return std::nullopt;
 }
 
 const std::vector<PublishedCapture>* CalibrationJobs::takeProcessed() {
-  const ProcessedCaptures* looked = looked_.take();
-  return looked != nullptr && looked->folder == folder_ ? &looked->captures : nullptr;
+  const ProcessedCaptures* processed = processed_.take();
+  return processed != nullptr && processed->folder == folder_ ? &processed->captures : nullptr;
 }
 
-void CalibrationJobs::give(std::function<void(JobResult&)> task) {
-  worker_.enqueue([this, folder = folder_, abandoned = abandoned_.load(), task = std::move(task)] {
-    JobResult finding{.folder = folder};
+void CalibrationJobs::give(Job job) {
+  worker_.enqueue([this, folder = folder_, abandoned = abandoned_.load(), job = std::move(job)] {
+    bool isLasting = false;
+    std::optional<JobResult> result;
     try {
-      task(finding);
+      result = job(isLasting);
     } catch (const std::exception& error) {
-      finding.problem = error.what();
+      result = JobFailure{error.what()};
     }
-    const bool isWanted = abandoned == abandoned_ || finding.isKept || finding.isUndone;
-    const bool isSomething = finding.rounds || finding.isApplied || finding.error || finding.isUndone ||
-                             !finding.diagnosis.empty() || !finding.problem.empty();
-    if (isWanted && isSomething) {
-      const std::lock_guard lock{findingsMutex_};
-      findings_.push_back(std::move(finding));
+    if (result && (isLasting || abandoned == abandoned_)) {
+      const std::lock_guard lock{resultsMutex_};
+      results_.push_back({folder, *std::move(result)});
     }
   });
 }

@@ -19,6 +19,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace naocal {
@@ -75,18 +76,27 @@ public:
   /// Waits until nothing is done any more; what was put into effect and not saved stays so.
   void finish();
 
-  struct JobResult {
-    std::filesystem::path folder; // of the calibration that it is about
-    std::optional<Rounds> rounds;
-    bool isApplied = false;
-    std::optional<PublishedOutcome> outcome;
-    std::optional<CalibrationRecorder::ErrorComparison> error;
-    bool isKept = false;   // with `error`: what was applied is saved
-    bool isUndone = false; // what was saved before is taken back
-    std::string diagnosis; // a sentence or two about how well the model fits
-    std::string problem;   // one sentence; empty: none
+  /// What came of a job.
+  struct PlannedRounds {
+    Rounds rounds;
   };
-  /// What came of it, in its order, one by one.
+  struct AppliedCalibration { // in effect, not saved
+    PublishedOutcome outcome;
+  };
+  struct CheckedCalibration {
+    CalibrationRecorder::ErrorComparison error;
+    bool isKept; // what was applied is saved; else what was before is back
+  };
+  struct ModelDiagnosis {
+    std::string sentence; // or two: how well the model fits
+  };
+  struct CalibrationUndone {}; // what was saved before is taken back
+  struct JobFailure {
+    std::string reason; // the middle of a sentence
+  };
+  using JobResult = std::variant<PlannedRounds, AppliedCalibration, CheckedCalibration, ModelDiagnosis,
+                                 CalibrationUndone, JobFailure>;
+  /// The next of them, in the order of jobs.
   std::optional<JobResult> takeResult();
   /// All captures that were looked at so far, in their order; nullptr: none since the last call.
   const std::vector<PublishedCapture>* takeProcessed();
@@ -100,9 +110,15 @@ private:
     std::filesystem::path folder;
     std::vector<PublishedCapture> captures;
   };
+  struct QueuedResult {
+    std::filesystem::path folder; // of the calibration that it is about
+    JobResult result;
+  };
+  /// A job's result, if it has one; what it throws becomes a JobFailure. Of a calibration that was abandoned meanwhile
+  /// only what `isLasting` counts: what is saved, or should have been.
+  using Job = std::function<std::optional<JobResult>(bool& isLasting)>;
   void putBackUnsaved(); // the worker's
-  /// Has the worker do it; what it finds or throws comes back as a finding.
-  void give(std::function<void(JobResult&)> task);
+  void give(Job job);    // has the worker do it
 
   CalibrationContext context_;
   std::filesystem::path folder_;
@@ -111,11 +127,11 @@ private:
   StoredResult before_;                            // the worker's
   bool isChecked_ = false;                         // the worker's
   std::array<std::shared_ptr<Round>, 2> sessions_; // belong to the worker
-  std::mutex findingsMutex_;
-  std::deque<JobResult> findings_;
-  Latest<ProcessedCaptures> looked_;
-  ProcessedCaptures lookedAt_; // the worker's
-  Worker worker_;              // last: it uses the others
+  std::mutex resultsMutex_;
+  std::deque<QueuedResult> results_;
+  Latest<ProcessedCaptures> processed_;
+  ProcessedCaptures processedSoFar_; // the worker's
+  Worker worker_;                    // last: it uses the others
 };
 
 } // namespace naocal

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <utility>
+#include <variant>
 
 namespace naocal {
 namespace {
@@ -110,14 +111,14 @@ void CalibrationRunner::cycle() {
     shownOutcome_.edit();
   }
   watchPlayer();
-  takeFound();
+  takeResults();
   follow(*look_);
   const bool arrived = player_.request == requests_ && player_.done;
   switch (state_->phase) {
   case Phase::waiting:
     return *confirmed_ == state_->questionNumber ? go() : void();
   case Phase::goingHome:
-    return arrived && player_.atHome ? endStep() : void();
+    return arrived && player_.atHome ? arriveAtStand() : void();
   case Phase::moving:
     waitingSince_ = pictureSince_ = Clock::now();
     return arrived ? enter(Phase::collecting, state_->sentence) : void();
@@ -275,10 +276,12 @@ void CalibrationRunner::collect() {
   endStep();
 }
 
+void CalibrationRunner::arriveAtStand() {
+  const bool isPlanned = !rounds_[0].empty(); // else it is there to begin with
+  return isPlanned ? endStep() : prepare();
+}
+
 void CalibrationRunner::endStep() {
-  if (rounds_[0].empty()) { // at the stand, to begin with
-    return prepare();
-  }
   ++step_;
   return step_ < rounds_[round_].size() ? nextStep() : endRound();
 }
@@ -328,35 +331,52 @@ void CalibrationRunner::endRound() {
   }
 }
 
-void CalibrationRunner::takeFound() {
-  if (const std::vector<PublishedCapture>* looked = jobs_.takeProcessed()) {
-    std::copy(looked->begin(), looked->end(), shownCaptures_.edit().begin());
+void CalibrationRunner::takeResults() {
+  if (const std::vector<PublishedCapture>* processed = jobs_.takeProcessed()) {
+    std::copy(processed->begin(), processed->end(), shownCaptures_.edit().begin());
   }
-  while (auto found = jobs_.takeResult()) {
-    take(std::move(*found));
+  while (auto result = jobs_.takeResult()) {
+    std::visit([this](auto& one) { take(std::move(one)); }, *result);
   }
 }
 
-void CalibrationRunner::take(CalibrationJobs::JobResult found) {
-  if (found.isUndone) {
-    shownOutcome_ = PublishedOutcome{};
-    enter(Phase::finished, "What the last calibration saved was taken back.");
-  } else if (!found.diagnosis.empty()) {
-    shownOutcome_.edit().diagnosis = found.diagnosis;
-  } else if (!found.problem.empty()) {
-    const bool isUndo = state_->kind == "undo";
-    isUndo || !state_->isRunning()
-        ? enter(Phase::failed, fmt::format("{}{}.", isUndo ? "Nothing was taken back: " : "", found.problem))
-        : fail(fmt::format("The calibration ended: {}.", found.problem));
-  } else if (found.error && (found.isKept || state_->isRunning())) {
-    tellError(*found.error, found.isKept);
-  } else if (found.rounds && state_->isRunning()) {
-    rounds_ = std::move(*found.rounds);
+void CalibrationRunner::take(CalibrationJobs::PlannedRounds planned) {
+  if (state_->isRunning()) {
+    rounds_ = std::move(planned.rounds);
     startRound();
-  } else if (found.isApplied && state_->isRunning()) {
-    shownOutcome_ = *found.outcome;
+  }
+}
+
+void CalibrationRunner::take(CalibrationJobs::AppliedCalibration applied) {
+  if (state_->isRunning()) {
+    shownOutcome_ = std::move(applied.outcome);
     round_ = 1;
     startRound();
+  }
+}
+
+void CalibrationRunner::take(CalibrationJobs::CheckedCalibration checked) {
+  if (checked.isKept || state_->isRunning()) {
+    tellError(checked.error, checked.isKept);
+  }
+}
+
+void CalibrationRunner::take(CalibrationJobs::ModelDiagnosis diagnosis) {
+  shownOutcome_.edit().diagnosis = std::move(diagnosis.sentence);
+}
+
+void CalibrationRunner::take(CalibrationJobs::CalibrationUndone) {
+  shownOutcome_ = PublishedOutcome{};
+  enter(Phase::finished, "What the last calibration saved was taken back.");
+}
+
+void CalibrationRunner::take(CalibrationJobs::JobFailure failure) {
+  if (state_->kind == "undo") {
+    enter(Phase::failed, fmt::format("Nothing was taken back: {}.", failure.reason));
+  } else if (state_->isRunning()) {
+    fail(fmt::format("The calibration ended: {}.", failure.reason));
+  } else {
+    enter(Phase::failed, fmt::format("{}.", failure.reason));
   }
 }
 

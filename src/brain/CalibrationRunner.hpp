@@ -50,10 +50,16 @@ private:
   bool takePicture(); // if there is one, and all is still; else says what it waits for
   void waitFor(const char* what);
   void tellTimeLeft();
+  void arriveAtStand();
   void endStep();
   void endRound();
-  void takeFound();
-  void take(CalibrationJobs::JobResult found);
+  void takeResults();
+  void take(CalibrationJobs::PlannedRounds planned);
+  void take(CalibrationJobs::AppliedCalibration applied);
+  void take(CalibrationJobs::CheckedCalibration checked);
+  void take(CalibrationJobs::ModelDiagnosis diagnosis);
+  void take(CalibrationJobs::CalibrationUndone);
+  void take(CalibrationJobs::JobFailure failure);
   void take(const Capture& capture);
   void tellError(const CalibrationRecorder::ErrorComparison& error, bool isKept);
   CaptureSet header() const;
