@@ -27,11 +27,11 @@ std::function<void()> preparedAt(AnyParameter& parameter, const nlohmann::json& 
 void configureModule(Thread& thread, Module& module, Configuration& configuration, std::vector<std::string>& unknown) {
   const std::string mount = thread.name() + "." + module.name();
   const std::string file = module.name() + ".json";
-  std::set<std::string> known, wishes;
+  std::set<std::string> known, commands;
   for (const AnyParameter* parameter : module.parameters()) {
     known.insert(parameter->key());
     if (parameter->isCommand()) {
-      wishes.insert(parameter->key());
+      commands.insert(parameter->key());
     }
   }
   const auto listener = [&thread, &module, mount](const auto& key, const auto& value) {
@@ -41,7 +41,7 @@ void configureModule(Thread& thread, Module& module, Configuration& configuratio
       }
     }
   };
-  configuration.mount(mount, file, thread.part(), listener, std::move(wishes));
+  configuration.mount(mount, file, thread.part(), listener, std::move(commands));
   nlohmann::json keys;
   configuration.readKeys(mount, keys);
   for (AnyParameter* parameter : module.parameters()) {

@@ -24,8 +24,7 @@ public:
 
   const std::string& key() const { return key_; }
 
-  /// What a person asks for at this moment, such as "start": saving leaves it out, so that nobody's wish of yesterday
-  /// is found in a file.
+  /// A command for this moment, such as "start": saving leaves it out, so that no file holds yesterday's command.
   virtual bool isCommand() const { return false; }
 
   /// Reads a value on any thread and returns what puts it into effect on the module's own thread. Throws
@@ -91,7 +90,7 @@ private:
   std::uint64_t writes_ = 0;
 };
 
-/// A parameter that is an order rather than a setting: that it was given counts, not only what it is.
+/// A command rather than a setting: that it was given counts, not only its value.
 template <class T> class CommandParameter final : public Parameter<T> {
 public:
   using Parameter<T>::Parameter;

@@ -107,11 +107,11 @@ void Connection::send(std::shared_ptr<const std::string> bytes) {
   if (!open_) {
     return;
   }
-  owed_ += bytes->size();
+  pendingBytes_ += bytes->size();
   queue_.push_back(std::move(bytes));
   if (queue_.size() == 1) {
     write();
-  } else if (owed_ > limits_.maxPendingBytes) {
+  } else if (pendingBytes_ > limits_.maxPendingBytes) {
     boost::asio::post(socket_.get_executor(),
                       [self = self()] { self->refuse("asks for answers and does not read them"); });
   }
@@ -130,7 +130,7 @@ void Connection::write() {
     if (written_ < queue_.front()->size()) {
       return writeWhenPossible();
     }
-    owed_ -= queue_.front()->size();
+    pendingBytes_ -= queue_.front()->size();
     queue_.pop_front();
     written_ = 0;
   }

@@ -15,7 +15,7 @@ namespace naocal {
 
 using Socket = boost::asio::generic::stream_protocol::socket;
 
-/// What one client may ask for and be owed.
+/// Limits of one client.
 struct ClientLimits {
   double messagesPerSecond = 1000;       // on average; twice as many at once
   std::uint32_t maxBodyBytes = 1 << 16;  // [bytes] of one of its frames
@@ -62,8 +62,8 @@ private:
   std::string header_, body_;
   std::deque<std::shared_ptr<const std::string>> queue_; // the first is being written
   std::size_t written_ = 0;                              // of the first [bytes]
-  std::size_t owed_ = 0;                                 // [bytes]
-  double allowance_;                                     // messages that it may send at once now
+  std::size_t pendingBytes_ = 0;
+  double allowance_; // messages that it may send at once now
   TimePoint lastMessage_ = Clock::now();
 };
 

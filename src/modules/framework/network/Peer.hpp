@@ -19,7 +19,7 @@ using Log = std::function<void(std::string_view sentence)>;
 class Peer : public std::enable_shared_from_this<Peer> {
 public:
   virtual ~Peer() = default;
-  /// Sends in the order of calls; one that takes none of it and is owed too much is closed.
+  /// Sends in the order of calls; a client that takes none of it while too many bytes are pending is closed.
   virtual void send(std::shared_ptr<const std::string> bytes) = 0;
   /// Something that was sent before has not gone out yet.
   virtual bool isBusy() const = 0;
