@@ -3,10 +3,27 @@
 #include <algorithm>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <pthread.h>
 #include <sched.h>
 
 namespace naocal {
+
+/// Keeps a thread's CycleTimes; each thread has one as its first module.
+class CycleClock final : public Module {
+public:
+  CycleClock() : Module{"CycleClock"} {}
+  void cycle() override; // publishes what was counted up to the cycle before
+
+  /// Counts a cycle whose measurements had the time `start`, arrived at `arrival` and were worked on until `end`.
+  void count(TimePoint start, TimePoint arrival, TimePoint end);
+
+private:
+  CycleTimes counted_;
+  std::optional<TimePoint> lastStart_;
+  Production<CycleTimes> times_{*this, "cycleTimes"};
+  Production<double> measured_{*this, "measuredCycleTime"}; // [s]
+};
 
 void to_json(nlohmann::json& out, const CycleTimes& times) {
   out = {{"cycles", times.cycles},
