@@ -6,6 +6,8 @@
 #include "motion/PosePlayer.hpp"
 #include "motion/SensorProvider.hpp"
 
+#include <nlohmann/json.hpp> // modules show their values
+
 namespace naocal {
 
 void addMotionModules(Thread& motion, RobotInterface& robot, const Robot& drawing, ShutdownRequest& ending) {

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <fmt/format.h>
 #include <iostream>
+#include <nlohmann/json.hpp> // modules show their values
 
 namespace naocal {
 namespace {
