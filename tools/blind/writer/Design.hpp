@@ -1,5 +1,8 @@
 #pragma once
 
+#include "writer/RandomStream.hpp"
+#include "writer/SessionPlanner.hpp"
+
 #include <array>
 #include <cstdint>
 #include <string>
@@ -34,5 +37,16 @@ const std::vector<std::string>& noiseRegimes();
 
 /// All sets of a benchmark in a random order: any beginning of it is a fair sample.
 std::vector<Item> design(const Counts& counts, std::uint64_t seed);
+
+/// How the session of an item is held: what the item leaves open is drawn.
+SessionPlan drawnPlan(const Item& item, Chance& chance);
+
+/// A robot without flaws but with offsets within 6.5 degrees and camera mounts within 2 degrees.
+Robot drawnRobot(const Drawing& drawing, std::size_t boards, Chance& chance);
+
+/// The same robot with its offsets and mounts, all else sound.
+Robot withoutFlaws(Robot robot);
+
+NoiseRegime noiseRegime(const std::string& name);
 
 } // namespace blind

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "writer/Chance.hpp"
+#include "writer/RandomStream.hpp"
 #include "writer/Session.hpp"
 #include "writer/Skeleton.hpp"
 
@@ -8,6 +8,12 @@
 #include <optional>
 
 namespace blind {
+
+/// The joints that move a camera over the standing sole: head and standing leg, hip yaw-pitch by its motor's name.
+std::vector<int> chainOf(const Drawing& drawing, int side);
+
+/// Places of A2 boards round the robot on which no two overlap.
+std::vector<FloorPlace> layOut(int boards, Chance& chance);
 
 /// Draws attitudes in which a robot stands on one foot without falling: bent somehow, then balanced at the ankle.
 class Poses {

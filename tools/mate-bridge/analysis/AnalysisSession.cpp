@@ -1,0 +1,354 @@
+#include "analysis/AnalysisSession.hpp"
+
+#include "PassingFolder.hpp"
+#include "analysis/Dataset.hpp"
+#include "analysis/PanelJson.hpp"
+#include "calibrate/Comparison.hpp"
+#include "calibrate/ResultFile.hpp"
+#include "diagnose/DiagnosisFile.hpp"
+#include "diagnose/SessionFile.hpp"
+#include "effects/UserEffect.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+#include "poses/PoseFile.hpp"
+#include "report/Report.hpp"
+#include "residuals/Candidates.hpp"
+#include "residuals/ModelFile.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+/// A person's own effects in the laboratory.
+
+/// What the laboratory shares with the terminal's commands: their files, proposed poses, other captures.
+
+namespace naocal {
+
+/// Where to begin: the base model, or that of the result that was opened.
+Rung firstRung(const OpenedSets& opened, const Measurements& measurements);
+
+/// For the panel's ladder.
+nlohmann::json rungForPanel(const Rung& rung);
+
+/// The labels of a model's effects that were asked for.
+std::vector<std::string> labelsOf(const Model& model);
+
+bool contains(const std::vector<std::string>& labels, const std::string& label);
+
+namespace {
+
+std::vector<std::string> without(const std::vector<std::string>& labels, const std::vector<std::string>& others) {
+  std::vector<std::string> rest;
+  std::copy_if(labels.begin(), labels.end(), std::back_inserter(rest),
+               [&](const std::string& label) { return !contains(others, label); });
+  return rest;
+}
+
+} // namespace
+
+bool contains(const std::vector<std::string>& labels, const std::string& label) {
+  return std::find(labels.begin(), labels.end(), label) != labels.end();
+}
+
+std::vector<std::string> labelsOf(const Model& model) {
+  std::vector<std::string> labels;
+  for (const Term& term : model.terms()) {
+    if (!term.isPlacement && term.asked) {
+      labels.push_back(term.label());
+    }
+  }
+  return labels;
+}
+
+Rung firstRung(const OpenedSets& opened, const Measurements& measurements) {
+  if (opened.terms.empty()) {
+    return {.with = opened.with, .without = opened.without, .definitions = opened.definitions};
+  }
+  const std::vector<std::string> base = labelsOf(makeModel(measurements));
+  std::vector<std::string> with = without(opened.terms, base);
+  // the base has every offset that can be asked for; others are along because torques depend on them
+  std::erase_if(with, [](const std::string& label) { return label.starts_with("jointOffset@"); });
+  return {.with = std::move(with), .without = without(base, opened.terms), .definitions = opened.definitions};
+}
+
+nlohmann::json rungForPanel(const Rung& rung) {
+  nlohmann::json json{{"with", rung.with}, {"without", rung.without}, {"step", rung.step}, {"rms", rung.rmsPx}};
+  if (rung.questioned) {
+    if (rung.questioned->heldOutPx) {
+      json["heldOut"] = *rung.questioned->heldOutPx;
+    }
+    json["floor"] = rung.questioned->noiseFloorPx;
+    json["alarm"] = rung.questioned->alarm;
+  }
+  return json;
+}
+
+namespace {
+
+using Json = nlohmann::json;
+
+} // namespace
+
+Laboratory::Laboratory(OpenedSets opened, Tell tell)
+    : opened_{std::move(opened)}, measurements_{measurementsOf(opened_.sets, opened_.robot)}, tell_{std::move(tell)},
+      rungs_{opened_.ladder.empty() ? std::vector{firstRung(opened_, measurements_)} : opened_.ladder},
+      at_{opened_.at} {
+  tellSet(rungs_[at_]);
+}
+
+std::vector<Effect> Laboratory::effects(const Rung& rung) const {
+  return effectsWith(Json::parse(rung.definitions), definitionsName, opened_.robot);
+}
+
+void Laboratory::tellSet(const Rung& rung) {
+  if (toldDefinitions_ == rung.definitions) {
+    return;
+  }
+  toldDefinitions_ = rung.definitions;
+  Json joints = Json::array();
+  for (const Joint& joint : opened_.robot.joints) {
+    joints.push_back(joint.name);
+  }
+  tell_("set", {{"names", opened_.inputs.sets},
+                {"robot", measurements_.robot.model},
+                {"headId", opened_.sets.front().headId},
+                {"bodyId", opened_.sets.front().bodyId},
+                {"pictures", measurements_.pictures.size()},
+                {"poses", measurements_.poses.size()},
+                {"corners", measurements_.cornerCount},
+                {"joints", std::move(joints)},
+                {"own", Json::parse(rung.definitions)},
+                {"effects", effectsJson(effects(rung))}});
+}
+
+void Laboratory::tellLadder() const {
+  Json rungs = Json::array();
+  for (const Rung& rung : rungs_) {
+    rungs.push_back(rungForPanel(rung));
+  }
+  tell_("ladder", {{"at", at_}, {"rungs", std::move(rungs)}});
+}
+
+Session Laboratory::session() const {
+  return {rungs_, at_, opened_.inputs};
+}
+
+void Laboratory::keepSession() const {
+  if (!opened_.sessionFile.empty()) {
+    writeAtomically(opened_.sessionFile, sessionJson(session()).dump(2) + "\n");
+  }
+}
+
+void Laboratory::fit() {
+  stand(rungs_, at_);
+}
+
+/// Stands on one of these rungs once its fit has come out well; whatever is thrown before leaves everything as it was.
+void Laboratory::stand(std::vector<Rung> rungs, std::size_t at) {
+  Rung& rung = rungs.at(at);
+  const Model model = makeModel(measurements_, rung.with, rung.without, effects(rung));
+  const CalibrationResult result = calibrate(measurements_, model);
+  rung.rmsPx = result.rmsPx;
+  const Json document = resultJson(opened_.sets, measurements_, model, result, opened_.inputs);
+  Json told = fitJson(document, opened_, measurements_, model, result);
+  told["with"] = rung.with;
+  told["without"] = rung.without;
+  told["labels"] = labelsOf(model);
+  told["candidates"] = testableTerms(measurements_, model, effects(rung)).size();
+  result_ = document;
+  rungs_ = std::move(rungs);
+  at_ = at;
+  diagnosis_.reset();
+  next_.reset();
+  tellSet(rungs_[at_]);
+  tellLadder();
+  tell_("fit", told);
+  keepSession();
+}
+
+/// What was undone is forgotten.
+void Laboratory::go(Rung rung) {
+  std::vector<Rung> rungs{rungs_.begin(), rungs_.begin() + static_cast<std::ptrdiff_t>(at_) + 1};
+  rung.questioned.reset();
+  rung.from = at_;
+  rungs.push_back(std::move(rung));
+  stand(std::move(rungs), at_ + 1);
+}
+
+void Laboratory::add(const std::string& label) {
+  Rung rung = rungs_[at_];
+  rung.step = "+ " + label;
+  if (contains(rung.with, label)) {
+    throw InputError{fmt::format("{} is in the model already", label)};
+  }
+  if (std::erase(rung.without, label) == 0) {
+    rung.with.push_back(label);
+  }
+  go(std::move(rung));
+}
+
+void Laboratory::drop(const std::string& label) {
+  Rung rung = rungs_[at_];
+  rung.step = "− " + label;
+  if (std::erase(rung.with, label) == 0) {
+    if (!contains(labelsOf(makeModel(measurements_, rung.with, rung.without, effects(rung))), label)) {
+      throw InputError{fmt::format("{} is not in the model", label)};
+    }
+    rung.without.push_back(label);
+  }
+  go(std::move(rung));
+}
+
+void Laboratory::goTo(std::size_t rung) {
+  if (rung >= rungs_.size()) {
+    throw InputError{"there is no such step in the history"};
+  }
+  stand(rungs_, rung);
+}
+
+DiagnosisOptions Laboratory::options(const Rung& rung) const {
+  DiagnosisOptions result;
+  result.with = rung.with;
+  result.without = rung.without;
+  result.effects = effects(rung);
+  return result;
+}
+
+const Diagnosis& Laboratory::diagnosis() {
+  if (!diagnosis_) {
+    DiagnosisOptions asked = options(rungs_[at_]);
+    asked.grow = false;
+    diagnosis_ = diagnose(opened_.sets, measurements_, asked);
+  }
+  return *diagnosis_;
+}
+
+void Laboratory::question() {
+  const Diagnosis& here = diagnosis();
+  if (!here.steps.empty()) {
+    rungs_[at_].questioned = here.steps.front();
+    tellLadder();
+  }
+  tell_("questions", questionsJson(here));
+  keepSession();
+}
+
+void Laboratory::search(const std::function<bool()>& goesOn) {
+  DiagnosisOptions asked = options(rungs_[at_]);
+  asked.goesOn = goesOn;
+  Json found = questionsJson(diagnose(opened_.sets, measurements_, asked));
+  found["stopped"] = !goesOn();
+  found["with"] = rungs_[at_].with; // of the model that it began with
+  tell_("found", found);
+}
+
+namespace {
+
+using Json = nlohmann::json;
+
+} // namespace
+
+void Laboratory::define(const Json& effect) {
+  const Effect made = userEffect(JsonPlace{effect, definitionsName}, opened_.robot);
+  Rung rung = rungs_[at_];
+  Json kept = Json::array();
+  for (Json& other : Json::parse(rung.definitions)) {
+    if (other["name"] != made.name) {
+      kept.push_back(std::move(other));
+    }
+  }
+  kept.push_back(effect);
+  rung.definitions = kept.dump();
+  const std::string at = effect["at"].get<std::string>(), label = made.name + "@" + at;
+  const auto isIt = [&](const std::string& other) { return other.starts_with(made.name + "@"); };
+  const bool isIn = std::any_of(rung.with.begin(), rung.with.end(), isIt);
+  rung.step = isIn ? "changed " + made.name : at == "*" ? made.name + " offered at every joint" : "+ " + label;
+  if (at != "*") { // where it was before, it is no more
+    std::erase_if(rung.with, isIt);
+    rung.with.push_back(label);
+  }
+  go(std::move(rung));
+}
+
+Json Laboratory::checked(const Json& effect) const {
+  try {
+    const Effect made = userEffect(JsonPlace{effect, definitionsName}, opened_.robot);
+    const std::vector<Effect> all = effectsWith(Json::array({effect}), definitionsName, opened_.robot);
+    if (effect["at"] != "*") {
+      makeModel(measurements_, {fmt::format("{}@{}", made.name, effect["at"].get<std::string>())}, {}, all);
+    }
+    return {{"ok", true}};
+  } catch (const CorrectionError& error) {
+    return {{"ok", false}, {"sentence", error.what()}, {"letter", error.letter}};
+  } catch (const InputError& error) {
+    return {{"ok", false}, {"sentence", error.what()}};
+  }
+}
+
+namespace {
+
+using Json = nlohmann::json;
+
+std::filesystem::path written(const PassingFolder& folder, const Json& content) {
+  std::filesystem::path file = folder.path() / "content.json"; // readers of files read files
+  writeAtomically(file, content.dump());
+  return file;
+}
+
+} // namespace
+
+void Laboratory::propose(std::size_t count) {
+  NextOptions wanted;
+  wanted.count = count;
+  next_ = nextPoses(opened_.sets, measurements_, diagnosis(), options(rungs_[at_]), wanted);
+  Json told = nextJson(*next_, opened_.robot);
+  told["whyNone"] = next_->whyNone;
+  tell_("next", told);
+}
+
+void Laboratory::compareWith(const OpenedSets& others) {
+  const PassingFolder passing;
+  const StoredResult stored = readResult(written(passing, result_));
+  Json told = comparisonJson(compare(stored, others.sets, opened_.robot, false));
+  told["names"] = others.inputs.sets;
+  tell_("compared", told);
+}
+
+std::string Laboratory::file(const std::string& name) {
+  const PassingFolder passing;
+  if (name == "result.json") {
+    return result_.dump(2) + "\n";
+  }
+  if (name == "session.json") {
+    return sessionJson(session()).dump(2) + "\n";
+  }
+  if (name == "report.html") {
+    return reportPage(written(passing, result_));
+  }
+  if (name == "model.json") {
+    const Rung& rung = rungs_[at_];
+    return modelJson(rung.with, rung.without, Json::parse(rung.definitions)).dump(2) + "\n";
+  }
+  if (name == "poses.json") {
+    if (!next_ || next_->poses.empty()) {
+      throw InputError{"no poses were proposed for this model yet; ask for them first"};
+    }
+    return posesJson(*next_, opened_.robot).dump(2) + "\n";
+  }
+  if (name != "diagnosis.json" && name != "diagnosis.html") {
+    throw InputError{fmt::format("there is no file {} to be made", name)};
+  }
+  Json document = diagnosisJson(diagnosis());
+  if (next_) {
+    document["next"] = nextJson(*next_, opened_.robot);
+  }
+  document["inputs"] = {{"sets", opened_.inputs.sets}, {"sha256", opened_.inputs.sha256}};
+  return name == "diagnosis.json" ? document.dump(2) + "\n" : reportPage(written(passing, document));
+}
+
+} // namespace naocal

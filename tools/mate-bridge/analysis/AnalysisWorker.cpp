@@ -1,0 +1,206 @@
+#include "analysis/AnalysisWorker.hpp"
+
+#include "analysis/AnalysisSession.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+#include "server/Wire.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+namespace naocal {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::string_view fitting = "fitting";
+
+/// Pictures below the sets' own folders only, whatever a captures.json names.
+std::map<std::string, std::filesystem::path> imagesOf(const OpenedSets& opened) {
+  std::map<std::string, std::filesystem::path> images;
+  for (const CaptureSet& set : opened.sets) {
+    std::error_code ignored; // what no path can be is no picture
+    const std::filesystem::path folder = std::filesystem::weakly_canonical(opened.folders.at(set.name), ignored);
+    for (const Capture& capture : set.captures) {
+      const std::filesystem::path file = std::filesystem::weakly_canonical(folder / capture.image, ignored);
+      const std::string inside = file.lexically_relative(folder).string();
+      if (!capture.image.empty() && !file.empty() && !inside.starts_with("..")) {
+        images[fmt::format("{}/{}", set.name, capture.id)] = file;
+      }
+    }
+  }
+  return images;
+}
+
+} // namespace
+
+LabDesk::LabDesk(OpenedSets opened, Tell tell)
+    : tell_{std::move(tell)}, images_{imagesOf(opened)},
+      laboratory_{std::make_shared<Laboratory>(std::move(opened), [this](const std::string& kind, const Json& content) {
+        isFitted_ = isFitted_ || kind == "fit";
+        Json message = content;
+        message["kind"] = kind;
+        tell_(kind, wireText(message));
+      })} {
+  work(fitting, [](Laboratory& laboratory) { laboratory.fit(); });
+  question();
+}
+
+LabDesk::~LabDesk() {
+  cancelled_ = true; // its thread ends sooner
+}
+
+void LabDesk::work(std::string_view what, std::function<void(Laboratory&)> change) {
+  jobs_.add([this, what, change = std::move(change)] {
+    tell_("work", wireText({{"kind", "work"}, {"what", what}}));
+    try {
+      change(*laboratory_);
+    } catch (const std::exception& error) { // a full disk, too, must not end the bridge
+      tell_("refused", wireText({{"kind", "refused"}, {"sentence", error.what()}}));
+      if (!isFitted_ && what == fitting) {
+        tell_("unfitted", wireText({{"kind", "unfitted"}, {"sentence", error.what()}}));
+      }
+    }
+    tell_("work", wireText({{"kind", "work"}, {"what", nullptr}}));
+  });
+}
+
+void LabDesk::question() {
+  ++questions_;
+  work("testing causes", [this](Laboratory& laboratory) {
+    if (--questions_ == 0 && isFitted_) { // else the model has changed since: the last one answers
+      laboratory.question();
+    }
+  });
+}
+
+bool LabDesk::asked(const Json& request) {
+  const std::string verb = request.at("do");
+  if (verb == "add" || verb == "drop") {
+    const std::string label = request.at("label");
+    work(fitting,
+         [verb, label](Laboratory& laboratory) { verb == "add" ? laboratory.add(label) : laboratory.drop(label); });
+  } else if (verb == "goTo") {
+    const std::size_t rung = request.at("rung");
+    work(fitting, [rung](Laboratory& laboratory) { laboratory.goTo(rung); });
+  } else if (verb == "define") {
+    const Json effect = request.at("effect");
+    work(fitting, [effect](Laboratory& laboratory) { laboratory.define(effect); });
+  } else {
+    return askedForMore(verb, request);
+  }
+  question();
+  return true;
+}
+
+/// What leaves the model as it is.
+bool LabDesk::askedForMore(const std::string& verb, const Json& request) {
+  if (verb == "search") {
+    cancelled_ = false;
+    work("searching", [this](Laboratory& laboratory) { laboratory.search([this] { return !cancelled_; }); });
+  } else if (verb == "cancel") {
+    cancelled_ = true;
+  } else if (verb == "propose") {
+    const std::size_t count = std::clamp(request.at("count").get<int>(), 1, 20);
+    work("choosing poses", [count](Laboratory& laboratory) { laboratory.propose(count); });
+  } else if (verb == "compare") {
+    const std::vector<std::string> paths = request.at("paths");
+    work("comparing", [paths](Laboratory& laboratory) { laboratory.compareWith(openSets(paths)); });
+  } else if (verb == "make") {
+    const std::string name = request.at("file");
+    work("writing", [this, name](Laboratory& laboratory) {
+      std::string content = laboratory.file(name);
+      {
+        const std::lock_guard lock{mutex_};
+        made_[name] = std::move(content);
+      }
+      tell_("made", wireText({{"kind", "made"}, {"file", name}}));
+    });
+  } else {
+    return false;
+  }
+  return true;
+}
+
+std::optional<std::string> LabDesk::made(const std::string& name) const {
+  const std::lock_guard lock{mutex_};
+  const auto found = made_.find(name);
+  return found == made_.end() ? std::nullopt : std::optional{found->second};
+}
+
+Json LabDesk::checked(const Json& effect) const {
+  return laboratory_->checked(effect);
+}
+
+std::optional<std::string> LabDesk::picture(std::string_view path) const {
+  const auto found = images_.find(std::string{path});
+  try {
+    return found == images_.end() ? std::nullopt : std::optional{fileContent(found->second)};
+  } catch (const InputError&) { // it was taken away
+    return std::nullopt;
+  }
+}
+
+void Desks::put(OpenedSets opened) {
+  const std::size_t number = number_ + 1;
+  auto fresh = std::make_unique<LabDesk>(std::move(opened), [this, number](const std::string& kind, std::string json) {
+    later_([this, number, kind, told = message(std::move(json))] {
+      if (number == number_) { // else the desk was cleared since
+        remember(kind, told);
+        all_(told);
+      }
+    });
+  });
+  number_ = number;
+  latest_.clear();
+  all_(message(R"({"kind": "opened"})"));
+  if (desk_) { // it ends what it is at, which may take seconds
+    leaving_.add([old = std::shared_ptr<LabDesk>{std::move(desk_)}] {});
+  }
+  desk_ = std::move(fresh);
+}
+
+void Desks::open(const std::vector<std::string>& paths, std::function<void(const std::string& problem)> refused) {
+  tellWork("opening captures");
+  opening_.add([this, paths, refused = std::move(refused)] {
+    std::shared_ptr<OpenedSets> opened;
+    std::string problem;
+    try {
+      opened = std::make_shared<OpenedSets>(openSets(paths));
+    } catch (const std::exception& error) {
+      problem = error.what();
+    }
+    later_([this, opened, problem, refused] {
+      tellWork(nullptr);
+      try {
+        opened ? put(std::move(*opened)) : refused(problem);
+      } catch (const std::exception& error) {
+        refused(error.what());
+      }
+    });
+  });
+}
+
+/// What was said of another fit is not true of a new one.
+void Desks::remember(const std::string& kind, const Message& told) {
+  constexpr std::array<std::string_view, 4> ofFit{"questions", "next", "compared", "unfitted"};
+  if (kind == "refused" || kind == "made") {
+    return;
+  }
+  std::erase_if(latest_, [&](const auto& before) {
+    return before.first == kind ||
+           (kind == "fit" && std::find(ofFit.begin(), ofFit.end(), before.first) != ofFit.end());
+  });
+  latest_.emplace_back(kind, told);
+}
+
+void Desks::tellWork(const char* what) {
+  const nlohmann::json work{{"kind", "work"}, {"what", what ? nlohmann::json(what) : nlohmann::json()}};
+  all_(message(work.dump()));
+}
+
+} // namespace naocal
