@@ -1,3 +1,5 @@
+#include "judge/Page.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -6,6 +8,8 @@
 #include <vector>
 
 namespace blind {
+
+namespace {
 
 /// A small plot as SVG text: points with error bars, lines, labels on both axes. Values outside the axes are cut off.
 class Plot {
@@ -31,13 +35,9 @@ private:
   std::string body_;
 };
 
-/// For text inside HTML.
-std::string escaped(const std::string& text);
-
-namespace {
 constexpr double width = 560, height = 320, left = 64, right = 16, top = 34, bottom = 60; // [px]
-}
 
+/// For text inside HTML.
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char letter : text) {
@@ -105,8 +105,6 @@ void Plot::dot(double x, double y, const std::string& colour, const std::string&
 std::string Plot::svg() const {
   return fmt::format("<svg viewBox='0 0 {} {}' width='{}' height='{}'>{}</svg>\n", width, height, width, height, body_);
 }
-
-namespace {
 
 const std::string blue = "#1f6fb2", grey = "#777", red = "#b23a1f";
 

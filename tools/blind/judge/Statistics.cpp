@@ -1,4 +1,4 @@
-#include "judge/Uniformity.hpp"
+#include "judge/Statistics.hpp"
 
 #include <algorithm>
 #include <cmath>

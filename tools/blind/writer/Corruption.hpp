@@ -1,6 +1,6 @@
 #pragma once
 
-#include "writer/Staging.hpp"
+#include "writer/SessionPlanner.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>

@@ -1,4 +1,4 @@
-#include "writer/Hiding.hpp"
+#include "writer/FlawSizing.hpp"
 
 #include <Eigen/SVD>
 #include <cmath>

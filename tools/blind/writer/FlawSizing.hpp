@@ -1,8 +1,8 @@
 #pragma once
 
-#include "writer/Chance.hpp"
-#include "writer/Families.hpp"
+#include "writer/Flaws.hpp"
 #include "writer/Noncentrality.hpp"
+#include "writer/RandomStream.hpp"
 
 #include <optional>
 

@@ -1,4 +1,4 @@
-#include "writer/Families.hpp"
+#include "writer/Flaws.hpp"
 
 #include <algorithm>
 

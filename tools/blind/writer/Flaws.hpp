@@ -1,6 +1,6 @@
 #pragma once
 
-#include "writer/Session.hpp"
+#include "writer/Drawing.hpp"
 
 #include <Eigen/Core>
 #include <array>

@@ -14,6 +14,8 @@ namespace blind {
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
 constexpr double nudge = 1e-5; // [rad, m]
 
@@ -38,7 +40,28 @@ FloorPlace moved(FloorPlace place, int coordinate, double by) {
   return place;
 }
 
-} // namespace
+/// How all corners move with what a calibration does not know, by central differences on a robot without flaws.
+class Jacobian {
+public:
+  static constexpr Eigen::Index chainLength = 8;
+
+  Jacobian(const Robot& robot, const Session& session);
+
+  /// [px/rad, px/m]: the motors in use, three turns of each camera, x, y, yaw of every board but the first and of every
+  /// stance.
+  const Eigen::MatrixXd& unknowns() const { return unknowns_; }
+  /// How many of them, the last ones, are places.
+  Eigen::Index placeCount() const { return placeCount_; }
+  /// 1 / sigma^2 of what is plausible: offsets 0.1 rad, camera turns 0.05 rad, places anything.
+  const Eigen::VectorXd& priorWeights() const { return priorWeights_; }
+  /// [px/rad]: the true angles of the joints between that reading's sole and the cameras.
+  const Eigen::MatrixXd& byChain() const { return byChain_; }
+
+private:
+  Eigen::MatrixXd unknowns_, byChain_;
+  Eigen::VectorXd priorWeights_;
+  Eigen::Index placeCount_ = 0;
+};
 
 Jacobian::Jacobian(const Robot& robot, const Session& session) {
   const Drawing& drawing = *robot.drawing;
@@ -119,6 +142,8 @@ Jacobian::Jacobian(const Robot& robot, const Session& session) {
   }
 }
 
+} // namespace
+
 double noiseFloor(const Robot& robot, const Session& session, const SeenCorners& seen) {
   Session asRead = session;
   for (Reading& reading : asRead.readings) {
@@ -139,14 +164,6 @@ double noiseFloor(const Robot& robot, const Session& session, const SeenCorners&
   const Eigen::VectorXd left = missing - places * places.colPivHouseholderQr().solve(missing);
   return std::sqrt(left.squaredNorm() / (0.5 * static_cast<double>(left.size())));
 }
-
-namespace {
-
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
-} // namespace
 
 Noncentrality::Noncentrality(const Robot& robot, const Session& session, const NoiseRegime& noise) {
   const Jacobian jacobian{robot, session};

@@ -34,6 +34,17 @@ std::vector<int> findableCorners(const Motion& cameraFromFloor, const FloorPlace
   return static_cast<int>(ids.size()) < fewestCorners ? std::vector<int>{} : ids;
 }
 
+/// The radius of the sphere on which an arc of this length, measured from the top, falls by `height`: the solution of
+/// (1 - cos x) / x = height / arc for x = arc / radius.
+double capRadius(double arc, double height) {
+  double x = 2 * height / arc;
+  for (int round = 0; round < 8; ++round) {
+    const double half = std::sin(x / 2);
+    x += 2 * (height / arc - 2 * half * half / x); // the left side's slope is nearly 1/2
+  }
+  return arc / x;
+}
+
 } // namespace
 
 double cornersInView(const Skeleton& skeleton, const Stance& stance, int camera, const std::vector<FloorPlace>& boards,
@@ -73,21 +84,6 @@ double slantFactor(const Pictures& pictures, const Session& session, const Sight
   const double cosine = std::abs(middle.normalized().dot(cameraFromBoard.turn.col(2)));
   return std::sqrt((1 + 1 / (cosine * cosine)) / 2);
 }
-
-namespace {
-
-/// The radius of the sphere on which an arc of this length, measured from the top, falls by `height`: the solution of
-/// (1 - cos x) / x = height / arc for x = arc / radius.
-double capRadius(double arc, double height) {
-  double x = 2 * height / arc;
-  for (int round = 0; round < 8; ++round) {
-    const double half = std::sin(x / 2);
-    x += 2 * (height / arc - 2 * half * half / x); // the left side's slope is nearly 1/2
-  }
-  return arc / x;
-}
-
-} // namespace
 
 Motion onFloor(const FloorPlace& place) {
   return placed(place.x, place.y, place.yaw);

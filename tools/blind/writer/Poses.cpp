@@ -10,6 +10,30 @@
 
 namespace blind {
 
+namespace {
+
+constexpr std::array<char, 2> letters{'L', 'R'};
+
+/// Mirrors what is said of the left side.
+double mirrored(int side, double left) {
+  return side == 0 ? left : -left;
+}
+
+double interpolated(const std::vector<Drawing::Row>& rows, double other, double Drawing::Row::*limit) {
+  if (other <= rows.front().other) {
+    return rows.front().*limit;
+  }
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    if (other <= rows[i].other) {
+      const double share = (other - rows[i - 1].other) / (rows[i].other - rows[i - 1].other);
+      return (1 - share) * rows[i - 1].*limit + share * rows[i].*limit;
+    }
+  }
+  return rows.back().*limit;
+}
+
+} // namespace
+
 std::vector<int> chainOf(const Drawing& drawing, int side) {
   std::vector<int> chain;
   for (const Drawing::Camera& camera : drawing.cameras) {
@@ -41,30 +65,6 @@ std::vector<FloorPlace> layOut(int boards, Chance& chance) {
   }
   return places;
 }
-
-namespace {
-
-constexpr std::array<char, 2> letters{'L', 'R'};
-
-/// Mirrors what is said of the left side.
-double mirrored(int side, double left) {
-  return side == 0 ? left : -left;
-}
-
-double interpolated(const std::vector<Drawing::Row>& rows, double other, double Drawing::Row::*limit) {
-  if (other <= rows.front().other) {
-    return rows.front().*limit;
-  }
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    if (other <= rows[i].other) {
-      const double share = (other - rows[i - 1].other) / (rows[i].other - rows[i - 1].other);
-      return (1 - share) * rows[i - 1].*limit + share * rows[i].*limit;
-    }
-  }
-  return rows.back().*limit;
-}
-
-} // namespace
 
 Eigen::VectorXd Poses::stable(int side, int camera, Chance& chance, const std::vector<Eigen::Vector3d>& targetsInSole,
                               double enough, const std::function<double(const Eigen::VectorXd&)>& worth,

@@ -1,7 +1,7 @@
 #include "writer/Question.hpp"
 
-#include "writer/Drawn.hpp"
-#include "writer/Layout.hpp"
+#include "writer/Design.hpp"
+#include "writer/Poses.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

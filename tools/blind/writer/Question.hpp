@@ -2,8 +2,8 @@
 
 #include "writer/Corruption.hpp"
 #include "writer/Design.hpp"
-#include "writer/Hiding.hpp"
-#include "writer/Staging.hpp"
+#include "writer/FlawSizing.hpp"
+#include "writer/SessionPlanner.hpp"
 
 namespace blind {
 

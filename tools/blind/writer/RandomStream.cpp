@@ -1,4 +1,4 @@
-#include "writer/Chance.hpp"
+#include "writer/RandomStream.hpp"
 
 #include <bit>
 #include <cmath>

@@ -13,7 +13,7 @@ public:
   Chance(std::uint64_t seed, std::string_view purpose);
 
   std::uint64_t next(); // all its bits
-  double uniform(); // [0, 1)
+  double uniform();     // [0, 1)
   double between(double low, double high) { return low + (high - low) * uniform(); }
   double within(double range) { return between(-range, range); }
   double sign() { return uniform() < 0.5 ? -1 : 1; }

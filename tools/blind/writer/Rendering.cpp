@@ -67,7 +67,7 @@ cv::Point2f onPrint(double right, double down) {
 
 /// What is to become a picture, and where something has been painted.
 struct Canvas {
-  cv::Mat grey = cv::Mat(finer * Lens::height, finer * Lens::width, CV_8U);
+  cv::Mat grey = cv::Mat(finer * Lens::height, finer* Lens::width, CV_8U);
   cv::Rect painted;
 
   void clear() {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "writer/Chance.hpp"
+#include "writer/RandomStream.hpp"
 #include "writer/Session.hpp"
 
 #include <filesystem>

@@ -10,6 +10,11 @@
 
 namespace blind {
 
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
 /// How warm the motors are: each follows what it carries with a first-order lag,
 /// dT/dt = (room + heat * torque^2 - T) / slowness.
 class Motors {
@@ -39,11 +44,6 @@ void Motors::pass(double duration, const Eigen::VectorXd& torques, Chance& chanc
     degrees_[i] += share * (target - degrees_[i]);
   }
 }
-
-namespace {
-
-using Eigen::Index;
-using Eigen::VectorXd;
 
 class Stage {
 public:

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "writer/Pictures.hpp"
-#include "writer/Staging.hpp"
+#include "writer/SessionPlanner.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>

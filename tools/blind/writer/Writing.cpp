@@ -1,7 +1,7 @@
 #include "writer/Writing.hpp"
 
 #include "seal/Seal.hpp"
-#include "writer/NoiseFloor.hpp"
+#include "writer/Noncentrality.hpp"
 #include "writer/Question.hpp"
 #include "writer/Rendering.hpp"
 #include "writer/SetFile.hpp"
