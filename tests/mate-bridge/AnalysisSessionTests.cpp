@@ -1,4 +1,4 @@
-#include "Laboratory.hpp"
+#include "analysis/AnalysisSession.hpp"
 
 #include "TemporaryFolder.hpp"
 #include "data/CaptureSetFile.hpp"

@@ -1,4 +1,4 @@
-#include "Desks.hpp"
+#include "analysis/AnalysisWorker.hpp"
 
 #include "TemporaryFolder.hpp"
 #include "data/CaptureSetFile.hpp"

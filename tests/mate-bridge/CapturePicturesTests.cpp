@@ -1,4 +1,4 @@
-#include "TakenPictures.hpp"
+#include "robot/CapturePictures.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

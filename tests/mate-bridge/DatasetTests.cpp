@@ -1,7 +1,7 @@
-#include "OpenedSets.hpp"
+#include "analysis/Dataset.hpp"
 
-#include "Laboratory.hpp"
 #include "TemporaryFolder.hpp"
+#include "analysis/AnalysisSession.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"

@@ -1,5 +1,4 @@
-#include "FloorBoards.hpp"
-#include "StandingRobot.hpp"
+#include "robot/FloorScene.hpp"
 
 #include "data/CaptureSetFile.hpp"
 #include "robot/Kinematics.hpp"

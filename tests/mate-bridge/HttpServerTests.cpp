@@ -1,6 +1,6 @@
-#include "Server.hpp"
+#include "server/HttpServer.hpp"
 
-#include "Guard.hpp"
+#include "server/RequestGuard.hpp"
 
 #include <boost/asio/connect.hpp>
 #include <boost/asio/io_context.hpp>

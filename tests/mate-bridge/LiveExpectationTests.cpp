@@ -1,4 +1,4 @@
-#include "LiveExpectation.hpp"
+#include "robot/LiveExpectation.hpp"
 
 #include "robot/Kinematics.hpp"
 

@@ -1,4 +1,4 @@
-#include "Guard.hpp"
+#include "server/RequestGuard.hpp"
 
 #include <catch2/catch.hpp>
 

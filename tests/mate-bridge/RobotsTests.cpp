@@ -1,8 +1,8 @@
-#include "Robots.hpp"
+#include "robot/Robots.hpp"
 
 #include "FakeRobot.hpp"
-#include "RobotPlace.hpp"
-#include "RobotWatch.hpp"
+#include "robot/LiveDetection.hpp"
+#include "robot/RobotClient.hpp"
 
 #include "framework/ShownRobot.hpp"
 #include "io/InputError.hpp"

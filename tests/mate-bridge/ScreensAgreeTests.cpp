@@ -1,6 +1,6 @@
-#include "Laboratory.hpp"
 #include "SharedData.hpp"
 #include "TemporaryFolder.hpp"
+#include "analysis/AnalysisSession.hpp"
 
 #include "io/Files.hpp"
 

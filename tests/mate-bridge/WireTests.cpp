@@ -1,4 +1,4 @@
-#include "Wire.hpp"
+#include "server/Wire.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

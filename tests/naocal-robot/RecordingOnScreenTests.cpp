@@ -1,7 +1,7 @@
 #include "SimulatedProcess.hpp"
 
-#include "Laboratory.hpp"
-#include "OpenedSets.hpp"
+#include "analysis/AnalysisSession.hpp"
+#include "analysis/Dataset.hpp"
 #include "math/Angles.hpp"
 
 #include <catch2/catch.hpp>

@@ -30,13 +30,10 @@ extern char** environ;
 
 namespace naocal {
 
-/// Where `naocal` is: beside this program, as it is built or installed, or where the shell would find it.
-std::optional<std::filesystem::path> naocalProgram();
+namespace {
 
 /// Starts a program in a process group of its own, without a shell and with nothing that is open here; what it prints
 /// goes into the file `output`. Throws InputError when it cannot be started.
-pid_t started(const std::filesystem::path& program, const std::vector<std::string>& words, int output);
-
 pid_t started(const std::filesystem::path& program, const std::vector<std::string>& words, int output) {
   std::vector<char*> arguments{const_cast<char*>(program.c_str())}; // posix_spawn's type; it changes nothing
   for (const std::string& word : words) {
@@ -67,26 +64,6 @@ pid_t started(const std::filesystem::path& program, const std::vector<std::strin
   }
   return process;
 }
-
-std::optional<std::filesystem::path> naocalProgram() {
-  std::error_code error;
-  const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
-  std::vector<std::filesystem::path> folders{here, here.parent_path() / "naocal"};
-  const char* path = std::getenv("PATH");
-  std::istringstream list{path == nullptr ? "" : path};
-  for (std::string folder; std::getline(list, folder, ':');) {
-    folders.emplace_back(folder);
-  }
-  for (const std::filesystem::path& folder : folders) {
-    const std::filesystem::path program = folder / "naocal";
-    if (std::filesystem::is_regular_file(program, error) && access(program.c_str(), X_OK) == 0) {
-      return std::filesystem::absolute(program);
-    }
-  }
-  return std::nullopt;
-}
-
-namespace {
 
 using Json = nlohmann::json;
 
@@ -242,6 +219,24 @@ bool Errand::asked(const Json& request) {
 
 std::string Errand::latest() const {
   return running_->latest();
+}
+
+std::optional<std::filesystem::path> naocalProgram() {
+  std::error_code error;
+  const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  std::vector<std::filesystem::path> folders{here, here.parent_path() / "naocal"};
+  const char* path = std::getenv("PATH");
+  std::istringstream list{path == nullptr ? "" : path};
+  for (std::string folder; std::getline(list, folder, ':');) {
+    folders.emplace_back(folder);
+  }
+  for (const std::filesystem::path& folder : folders) {
+    const std::filesystem::path program = folder / "naocal";
+    if (std::filesystem::is_regular_file(program, error) && access(program.c_str(), X_OK) == 0) {
+      return std::filesystem::absolute(program);
+    }
+  }
+  return std::nullopt;
 }
 
 } // namespace naocal

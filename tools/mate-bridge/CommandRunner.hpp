@@ -36,4 +36,7 @@ private:
   std::shared_ptr<Running> running_;
 };
 
+/// Where `naocal` is: beside this program, as it is built or installed, or where the shell would find it.
+std::optional<std::filesystem::path> naocalProgram();
+
 } // namespace naocal

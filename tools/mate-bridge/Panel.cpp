@@ -1,14 +1,13 @@
 #include "Panel.hpp"
 
-#include "Desks.hpp"
-#include "Errand.hpp"
-#include "Guard.hpp"
-#include "Programs.hpp"
-#include "Robots.hpp"
-#include "Server.hpp"
-#include "StandingRobot.hpp"
-#include "Wire.hpp"
-#include "page/Page.hpp"
+#include "CommandRunner.hpp"
+#include "analysis/AnalysisWorker.hpp"
+#include "robot/FloorScene.hpp"
+#include "robot/Robots.hpp"
+#include "server/HttpServer.hpp"
+#include "server/PageFiles.hpp"
+#include "server/RequestGuard.hpp"
+#include "server/Wire.hpp"
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>

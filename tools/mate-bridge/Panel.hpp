@@ -1,6 +1,6 @@
 #pragma once
 
-#include "OpenedSets.hpp"
+#include "analysis/Dataset.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -1,7 +1,7 @@
 #include "Browser.hpp"
-#include "OpenedSets.hpp"
 #include "Panel.hpp"
-#include "page/Page.hpp"
+#include "analysis/Dataset.hpp"
+#include "server/PageFiles.hpp"
 
 #include "io/InputError.hpp"
 #include "residuals/KeptMemory.hpp"

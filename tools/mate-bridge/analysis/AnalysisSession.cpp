@@ -1,7 +1,5 @@
 #include "analysis/AnalysisSession.hpp"
 
-#include "PassingFolder.hpp"
-#include "analysis/Dataset.hpp"
 #include "analysis/PanelJson.hpp"
 #include "calibrate/Comparison.hpp"
 #include "calibrate/ResultFile.hpp"
@@ -14,33 +12,24 @@
 #include "report/Report.hpp"
 #include "residuals/Candidates.hpp"
 #include "residuals/ModelFile.hpp"
+#include "server/TemporaryDirectory.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
-/// A person's own effects in the laboratory.
-
-/// What the laboratory shares with the terminal's commands: their files, proposed poses, other captures.
-
 namespace naocal {
 
-/// Where to begin: the base model, or that of the result that was opened.
-Rung firstRung(const OpenedSets& opened, const Measurements& measurements);
-
-/// For the panel's ladder.
-nlohmann::json rungForPanel(const Rung& rung);
-
-/// The labels of a model's effects that were asked for.
-std::vector<std::string> labelsOf(const Model& model);
-
-bool contains(const std::vector<std::string>& labels, const std::string& label);
-
 namespace {
+
+using Json = nlohmann::json;
+
+bool contains(const std::vector<std::string>& labels, const std::string& label) {
+  return std::find(labels.begin(), labels.end(), label) != labels.end();
+}
 
 std::vector<std::string> without(const std::vector<std::string>& labels, const std::vector<std::string>& others) {
   std::vector<std::string> rest;
@@ -49,12 +38,7 @@ std::vector<std::string> without(const std::vector<std::string>& labels, const s
   return rest;
 }
 
-} // namespace
-
-bool contains(const std::vector<std::string>& labels, const std::string& label) {
-  return std::find(labels.begin(), labels.end(), label) != labels.end();
-}
-
+/// The labels of a model's effects that were asked for.
 std::vector<std::string> labelsOf(const Model& model) {
   std::vector<std::string> labels;
   for (const Term& term : model.terms()) {
@@ -65,6 +49,7 @@ std::vector<std::string> labelsOf(const Model& model) {
   return labels;
 }
 
+/// Where to begin: the base model, or that of the result that was opened.
 Rung firstRung(const OpenedSets& opened, const Measurements& measurements) {
   if (opened.terms.empty()) {
     return {.with = opened.with, .without = opened.without, .definitions = opened.definitions};
@@ -76,21 +61,11 @@ Rung firstRung(const OpenedSets& opened, const Measurements& measurements) {
   return {.with = std::move(with), .without = without(base, opened.terms), .definitions = opened.definitions};
 }
 
-nlohmann::json rungForPanel(const Rung& rung) {
-  nlohmann::json json{{"with", rung.with}, {"without", rung.without}, {"step", rung.step}, {"rms", rung.rmsPx}};
-  if (rung.questioned) {
-    if (rung.questioned->heldOutPx) {
-      json["heldOut"] = *rung.questioned->heldOutPx;
-    }
-    json["floor"] = rung.questioned->noiseFloorPx;
-    json["alarm"] = rung.questioned->alarm;
-  }
-  return json;
+std::filesystem::path written(const TemporaryDirectory& folder, const Json& content) {
+  std::filesystem::path file = folder.path() / "content.json"; // readers of files read files
+  writeAtomically(file, content.dump());
+  return file;
 }
-
-namespace {
-
-using Json = nlohmann::json;
 
 } // namespace
 
@@ -247,12 +222,6 @@ void Laboratory::search(const std::function<bool()>& goesOn) {
   tell_("found", found);
 }
 
-namespace {
-
-using Json = nlohmann::json;
-
-} // namespace
-
 void Laboratory::define(const Json& effect) {
   const Effect made = userEffect(JsonPlace{effect, definitionsName}, opened_.robot);
   Rung rung = rungs_[at_];
@@ -290,18 +259,6 @@ Json Laboratory::checked(const Json& effect) const {
   }
 }
 
-namespace {
-
-using Json = nlohmann::json;
-
-std::filesystem::path written(const PassingFolder& folder, const Json& content) {
-  std::filesystem::path file = folder.path() / "content.json"; // readers of files read files
-  writeAtomically(file, content.dump());
-  return file;
-}
-
-} // namespace
-
 void Laboratory::propose(std::size_t count) {
   NextOptions wanted;
   wanted.count = count;
@@ -312,7 +269,7 @@ void Laboratory::propose(std::size_t count) {
 }
 
 void Laboratory::compareWith(const OpenedSets& others) {
-  const PassingFolder passing;
+  const TemporaryDirectory passing;
   const StoredResult stored = readResult(written(passing, result_));
   Json told = comparisonJson(compare(stored, others.sets, opened_.robot, false));
   told["names"] = others.inputs.sets;
@@ -320,7 +277,7 @@ void Laboratory::compareWith(const OpenedSets& others) {
 }
 
 std::string Laboratory::file(const std::string& name) {
-  const PassingFolder passing;
+  const TemporaryDirectory passing;
   if (name == "result.json") {
     return result_.dump(2) + "\n";
   }

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "OpenedSets.hpp"
-#include "Rung.hpp"
+#include "analysis/Dataset.hpp"
 
 #include "poses/NextPoses.hpp"
 

@@ -16,18 +16,6 @@
 
 namespace naocal {
 
-/// Whether that is a folder; what cannot be looked at is none.
-bool isFolder(const std::filesystem::path& path);
-
-/// A set to those that are opened; pictures whose corners were not looked for are searched. Throws InputError.
-void addSet(const std::string& folder, OpenedSets& opened);
-
-/// A set, or the sets that lie in a folder of them, as the robot records a calibration. Throws InputError.
-void addFolder(const std::string& folder, OpenedSets& opened);
-
-/// The folder of a set as a document names it: as it is written, else beside the document. Throws InputError.
-std::string folderOf(const std::string& written, const std::filesystem::path& document);
-
 namespace {
 
 /// A path that cannot be looked at holds none: whose reader says what is wrong.
@@ -36,8 +24,7 @@ bool isSet(const std::filesystem::path& folder) {
   return std::filesystem::exists(folder / "captures.json", ignored);
 }
 
-} // namespace
-
+/// A set to those that are opened; pictures whose corners were not looked for are searched. Throws InputError.
 void addSet(const std::string& folder, OpenedSets& opened) {
   CaptureSet set = readCaptureSet(folder, BadCaptures::refuse).set;
   if (std::any_of(set.captures.begin(), set.captures.end(), [](const Capture& one) { return !one.corners; })) {
@@ -52,11 +39,13 @@ void addSet(const std::string& folder, OpenedSets& opened) {
   opened.sets.push_back(std::move(set));
 }
 
+/// Whether that is a folder; what cannot be looked at is none.
 bool isFolder(const std::filesystem::path& path) {
   std::error_code ignored;
   return std::filesystem::is_directory(path, ignored);
 }
 
+/// The folder of a set as a document names it: as it is written, else beside the document. Throws InputError.
 std::string folderOf(const std::string& written, const std::filesystem::path& document) {
   const std::filesystem::path beside =
       document.parent_path() / std::filesystem::path{written}.lexically_normal().filename();
@@ -71,6 +60,7 @@ std::string folderOf(const std::string& written, const std::filesystem::path& do
                   document.string(), written, beside.string())};
 }
 
+/// A set, or the sets that lie in a folder of them, as the robot records a calibration. Throws InputError.
 void addFolder(const std::string& folder, OpenedSets& opened) {
   std::vector<std::string> sets;
   if (!isSet(folder) && isFolder(folder)) {
@@ -89,8 +79,6 @@ void addFolder(const std::string& folder, OpenedSets& opened) {
     addSet(set, opened);
   }
 }
-
-namespace {
 
 bool isDocument(const std::string& path) {
   std::error_code ignored;

@@ -1,4 +1,4 @@
-#include "LaboratoryJson.hpp"
+#include "analysis/PanelJson.hpp"
 
 #include "calibrate/ShownOffsets.hpp"
 #include "calibrate/Verdict.hpp"
@@ -159,6 +159,18 @@ Json effectsJson(const std::vector<Effect>& effects) {
 Json questionsJson(const Diagnosis& diagnosis) {
   const Json document = diagnosisJson(diagnosis);
   return diagnosisData(JsonPlace{document, "the diagnosis"});
+}
+
+Json rungForPanel(const Rung& rung) {
+  Json json{{"with", rung.with}, {"without", rung.without}, {"step", rung.step}, {"rms", rung.rmsPx}};
+  if (rung.questioned) {
+    if (rung.questioned->heldOutPx) {
+      json["heldOut"] = *rung.questioned->heldOutPx;
+    }
+    json["floor"] = rung.questioned->noiseFloorPx;
+    json["alarm"] = rung.questioned->alarm;
+  }
+  return json;
 }
 
 } // namespace naocal

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "OpenedSets.hpp"
+#include "analysis/Dataset.hpp"
 
 #include "diagnose/Diagnosis.hpp"
 
@@ -18,5 +18,8 @@ nlohmann::json effectsJson(const std::vector<Effect>& effects);
 
 /// A diagnosis as the panel shows it; as in the report.
 nlohmann::json questionsJson(const Diagnosis& diagnosis);
+
+/// A model that was tried, for the panel's ladder.
+nlohmann::json rungForPanel(const Rung& rung);
 
 } // namespace naocal

@@ -1,4 +1,4 @@
-#include "TakenPictures.hpp"
+#include "robot/CapturePictures.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -62,6 +62,20 @@ Json viewOnFloor(const RigidTransform& eye, const CameraIntrinsics& lens) {
   return polygon;
 }
 
+constexpr std::size_t mostViews = 60;             // that a mean is made of
+constexpr double movedBy = 0.15, turnedBy = 0.35; // then the board or the robot was moved [m, rad]
+
+double turn(double from, double to) {
+  return std::remainder(to - from, 2 * M_PI);
+}
+
+/// Where the picture shows a point of the floor.
+Eigen::Vector2d pixelOf(const Eigen::Vector3d& onFloor, const Eye& eye) {
+  const Eigen::Vector3d seen = eye.floorFromOptical.inverse() * onFloor;
+  return Lens{eye.lens}.withDistortion(
+      {eye.lens.fx * seen.x() / seen.z() + eye.lens.cx, eye.lens.fy * seen.y() / seen.z() + eye.lens.cy});
+}
+
 } // namespace
 
 StandingRobot::StandingRobot(const Robot& drawing, const Eigen::VectorXd& angles)
@@ -161,24 +175,6 @@ std::optional<Eigen::Vector2d> onFloor(const RigidTransform& floorFromOptical, c
       floorFromOptical.translation - direction * (floorFromOptical.translation.z() / direction.z());
   return there.head<2>();
 }
-
-namespace {
-
-constexpr std::size_t mostViews = 60;             // that a mean is made of
-constexpr double movedBy = 0.15, turnedBy = 0.35; // then the board or the robot was moved [m, rad]
-
-double turn(double from, double to) {
-  return std::remainder(to - from, 2 * M_PI);
-}
-
-/// Where the picture shows a point of the floor.
-Eigen::Vector2d pixelOf(const Eigen::Vector3d& onFloor, const Eye& eye) {
-  const Eigen::Vector3d seen = eye.floorFromOptical.inverse() * onFloor;
-  return Lens{eye.lens}.withDistortion(
-      {eye.lens.fx * seen.x() / seen.z() + eye.lens.cx, eye.lens.fy * seen.y() / seen.z() + eye.lens.cy});
-}
-
-} // namespace
 
 const Board* FloorBoards::board(const std::string& id) const {
   const auto found = std::find_if(boards_.begin(), boards_.end(), [&](const Board& one) { return one.id == id; });

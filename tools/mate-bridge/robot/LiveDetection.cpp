@@ -1,6 +1,6 @@
-#include "RobotWatch.hpp"
+#include "robot/LiveDetection.hpp"
 
-#include "Wire.hpp"
+#include "server/Wire.hpp"
 
 #include "data/BoardFile.hpp"
 #include "detect/BoardDetector.hpp"

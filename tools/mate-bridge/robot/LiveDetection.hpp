@@ -1,9 +1,8 @@
 #pragma once
 
-#include "FloorBoards.hpp"
-#include "JobQueue.hpp"
-#include "LiveExpectation.hpp"
-#include "StandingRobot.hpp"
+#include "robot/FloorScene.hpp"
+#include "robot/LiveExpectation.hpp"
+#include "server/JobQueue.hpp"
 
 #include <array>
 #include <chrono>

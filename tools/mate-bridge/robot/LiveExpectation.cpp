@@ -1,4 +1,4 @@
-#include "LiveExpectation.hpp"
+#include "robot/LiveExpectation.hpp"
 
 #include "calibrate/Words.hpp"
 #include "detect/LensDistortion.hpp"

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "FloorBoards.hpp"
-#include "StandingRobot.hpp"
+#include "robot/FloorScene.hpp"
 
 #include <Eigen/Core>
 #include <set>

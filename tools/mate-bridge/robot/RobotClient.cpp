@@ -60,6 +60,17 @@ void ListedMounts::forget() {
   wanted_.clear();
 }
 
+namespace {
+
+constexpr std::chrono::milliseconds pauseBetweenTries{1000}, heartbeat{2000}, longestSilence{6000};
+
+std::string debugFrame(DebugFrame type, std::string_view body = {}) {
+  return robotFrame(debugFrames, static_cast<std::uint8_t>(type), body);
+}
+std::string configFrame(ConfigFrame type, std::string_view body = {}) {
+  return robotFrame(configFrames, static_cast<std::uint8_t>(type), body);
+}
+
 /// One of a robot's two sockets: connects, cuts what comes into frames, sends frames. Ends once, with a sentence.
 class RobotSocket : public std::enable_shared_from_this<RobotSocket> {
 public:
@@ -213,6 +224,8 @@ void RobotSocket::drop() {
   socket_.close(ignored);
 }
 
+} // namespace
+
 /// What goes on between a RobotClient and its robot.
 class RobotConversation : public std::enable_shared_from_this<RobotConversation> {
 public:
@@ -253,19 +266,6 @@ private:
   std::string introduction_;   // settings that are sent first
   bool isWelcome_ = false;     // the robot has shown its mounts on this connection
 };
-
-namespace {
-
-constexpr std::chrono::milliseconds pauseBetweenTries{1000}, heartbeat{2000}, longestSilence{6000};
-
-std::string debugFrame(DebugFrame type, std::string_view body = {}) {
-  return robotFrame(debugFrames, static_cast<std::uint8_t>(type), body);
-}
-std::string configFrame(ConfigFrame type, std::string_view body = {}) {
-  return robotFrame(configFrames, static_cast<std::uint8_t>(type), body);
-}
-
-} // namespace
 
 RobotConversation::RobotConversation(boost::asio::io_context& context, const std::string& address, RobotCalls calls)
     : context_{context}, place_{robotPlace(address)}, calls_{std::move(calls)}, timer_{context} {}

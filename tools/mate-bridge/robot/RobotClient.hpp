@@ -56,7 +56,7 @@ struct RobotCalls {
 /// with everything that was subscribed to. All on the thread that runs the context.
 class RobotClient {
 public:
-  /// Throws InputError for an address that cannot be one (RobotPlace.hpp).
+  /// Throws InputError for an address that cannot be one.
   RobotClient(boost::asio::io_context& context, const std::string& address, RobotCalls calls);
   ~RobotClient();
 

@@ -1,4 +1,4 @@
-#include "RobotFrames.hpp"
+#include "robot/RobotFrames.hpp"
 
 #include <fmt/format.h>
 

@@ -11,6 +11,32 @@
 
 namespace naocal {
 
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::string_view capturesKey = "Brain.calibrationCaptures";
+constexpr std::size_t theWatch = std::numeric_limits<std::size_t>::max(); // among the viewers
+
+/// What a robot sent as JSON; null where it is none.
+Json parsed(const std::string& body) {
+  try {
+    return wireJson(body);
+  } catch (const Json::exception&) {
+    return nullptr;
+  }
+}
+
+/// Does what may fail because a robot sent something else under a key than naocal-robot does.
+template <typename Action> void whereItFits(const Action& action) {
+  try {
+    action();
+  } catch (const Json::exception&) {
+  }
+}
+
+} // namespace
+
 void Viewers::add(const std::string& key, std::size_t viewer) {
   viewers_[key].insert(viewer);
 }
@@ -42,32 +68,6 @@ const std::set<std::size_t>& Viewers::of(std::string_view key) const {
   const auto found = viewers_.find(key);
   return found == viewers_.end() ? none : found->second;
 }
-
-namespace {
-
-using Json = nlohmann::json;
-
-constexpr std::string_view capturesKey = "Brain.calibrationCaptures";
-constexpr std::size_t theWatch = std::numeric_limits<std::size_t>::max(); // among the viewers
-
-/// What a robot sent as JSON; null where it is none.
-Json parsed(const std::string& body) {
-  try {
-    return wireJson(body);
-  } catch (const Json::exception&) {
-    return nullptr;
-  }
-}
-
-/// Does what may fail because a robot sent something else under a key than naocal-robot does.
-template <typename Action> void whereItFits(const Action& action) {
-  try {
-    action();
-  } catch (const Json::exception&) {
-  }
-}
-
-} // namespace
 
 SeenRobot::SeenRobot(boost::asio::io_context& context, std::string address, const RobotsCalls& calls)
     : address_{std::move(address)}, calls_{calls},

@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+/// Heavy (Boost.Asio): included by Robots.cpp and Panel.cpp only.
 namespace naocal {
 
 /// Who looks at which of a robot's keys.

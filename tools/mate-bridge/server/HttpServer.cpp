@@ -23,6 +23,8 @@
 
 namespace naocal {
 
+namespace {
+
 /// One request of a browser: read, and answered, refused or made live; then it ends.
 struct Exchange {
   explicit Exchange(boost::asio::ip::tcp::socket socket) : stream{std::move(socket)} {
@@ -35,24 +37,15 @@ struct Exchange {
   boost::beast::http::response<boost::beast::http::string_body> response;
 };
 
-/// What the guard must know of a request that was read.
-Asked askedBy(const Exchange& exchange);
-
-/// Sends the answer and ends the exchange.
-void reply(const std::shared_ptr<Exchange>& exchange, Answer answer);
-
 namespace beast = boost::beast;
 namespace http = boost::beast::http;
-
-namespace {
 
 std::string_view headerOf(const http::request<http::empty_body>& request, beast::string_view name) {
   const beast::string_view value = request[name];
   return {value.data(), value.size()};
 }
 
-} // namespace
-
+/// What the guard must know of a request that was read.
 Asked askedBy(const Exchange& exchange) {
   const auto& request = exchange.parser.get();
   const beast::string_view method = request.method_string(), target = request.target();
@@ -67,6 +60,7 @@ Asked askedBy(const Exchange& exchange) {
           visits};
 }
 
+/// Sends the answer and ends the exchange.
 void reply(const std::shared_ptr<Exchange>& exchange, Answer answer) {
   auto& response = exchange->response;
   response.result(answer.status);
@@ -114,12 +108,8 @@ private:
   bool open_ = true;
 };
 
-namespace {
-
 constexpr std::size_t mostReceived = 1 << 20; // [bytes] of one message from a panel
 constexpr std::size_t mostSkippable = 2 << 20, mostOwed = 256 << 20;
-
-} // namespace
 
 Live::Live(boost::beast::tcp_stream stream, Received received, Closed closed)
     : socket_{std::move(stream)}, received_{std::move(received)}, closed_{std::move(closed)} {}
@@ -198,6 +188,8 @@ void Live::end() {
 namespace beast = boost::beast;
 namespace http = boost::beast::http;
 using Tcp = boost::asio::ip::tcp;
+
+} // namespace
 
 struct Server::Implementation : std::enable_shared_from_this<Implementation> {
   Implementation(boost::asio::io_context& context, std::uint16_t port, const std::string& token, ServerCalls given)

@@ -1,4 +1,4 @@
-#include "JobQueue.hpp"
+#include "server/JobQueue.hpp"
 
 namespace naocal {
 

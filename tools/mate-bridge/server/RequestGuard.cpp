@@ -1,4 +1,4 @@
-#include "Guard.hpp"
+#include "server/RequestGuard.hpp"
 
 #include <fmt/format.h>
 #include <openssl/crypto.h>

@@ -1,4 +1,4 @@
-#include "Wire.hpp"
+#include "server/Wire.hpp"
 
 #include <charconv>
 #include <nlohmann/json.hpp>
