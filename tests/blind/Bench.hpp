@@ -32,7 +32,7 @@ class Bench {
 public:
   void add(const json& truth, const json& said, json locked = json::object(), const json& solved = json::object()) {
     const std::string set = truth.at("set");
-    const std::string bytes = sealed(truth.dump(), "key");
+    const std::string bytes = seal(truth.dump(), "key");
     writeFile(path() / "truth" / "key", "key");
     writeFile(path() / "truth" / (set + ".sealed"), bytes);
     writeFile(path() / "manifest" / (set + ".json"), json{{"truthSha256", sha256Hex(bytes)}}.dump());
@@ -41,7 +41,7 @@ public:
     answer.update(solved);
     writeFile(path() / "answers" / (set + ".json"), answer.dump());
   }
-  Marks marked() const { return marks(readCases(path()).front()); }
+  Marks marked() const { return markAnswer(readCases(path()).front()); }
   const std::filesystem::path& path() const { return folder_.path(); }
 
 private:

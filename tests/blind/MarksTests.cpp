@@ -167,7 +167,7 @@ TEST_CASE("readings that jitter are adequate, with their level in the result, an
   CHECK_FALSE(level(solved));
   solved["noise"].erase("jitter");
   CHECK_FALSE(level(solved));
-  CHECK(sameMotor("spring@RHipYawPitch") == "elasticity@LHipYawPitch");
+  CHECK(canonicalMotor("spring@RHipYawPitch") == "elasticity@LHipYawPitch");
 }
 
 TEST_CASE("theory's power follows the noncentral chi-square of a corrected test") {

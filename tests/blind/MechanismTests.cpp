@@ -9,8 +9,8 @@ namespace blind {
 namespace {
 
 Question soundRobot(int poses = 8) {
-  Chance chance{7, "mechanism"};
-  return ask(naoV6(), {"control", "", 0, poses, "clean"}, chance);
+  RandomStream chance{7, "mechanism"};
+  return drawQuestion(naoV6(), {"control", "", 0, poses, "clean"}, chance);
 }
 
 } // namespace
@@ -27,9 +27,9 @@ TEST_CASE("a link in a gap stays until it is pushed, and a load drives it to the
   CHECK(play.link() == Approx(0.005));
   play.pushTo(-0.02);
   CHECK(play.link() == Approx(-0.01));
-  play.load(-0.02, 0.01); // weaker than friction
+  play.applyLoad(-0.02, 0.01); // weaker than friction
   CHECK(play.link() == Approx(-0.01));
-  play.load(-0.02, -1);
+  play.applyLoad(-0.02, -1);
   CHECK(play.link() == Approx(-0.03));
 }
 
@@ -65,8 +65,8 @@ TEST_CASE("a gear that sticks keeps its side until the load beats its friction")
 TEST_CASE("readings that jitter leave the robot where it stands, and vary by as much as they are told") {
   // Proves level and independence of both kinds of repeats, whole steps, and that the true angles do not follow.
   const std::string kind = GENERATE("rest", "reapproach");
-  Chance chance{11, "jitter"};
-  const Question question = ask(naoV6(), {"jitter", kind, 0, 20, "jitter 0.10"}, chance);
+  RandomStream chance{11, "jitter"};
+  const Question question = drawQuestion(naoV6(), {"jitter", kind, 0, 20, "jitter 0.10"}, chance);
   const Skeleton skeleton{naoV6(), question.robot.flaws};
   const auto angles = trueAngles(question.robot, question.session, skeleton);
   const int knee = naoV6().joint("LKneePitch");
@@ -94,8 +94,8 @@ TEST_CASE("an encoder's displaced magnet errs by a sin q + b cos q to first orde
   flaws.magnetY = -0.006;
   for (const double read : {-1.2, -0.3, 0.0, 0.8, 2.0}) {
     const double expected = read + 0.004 * std::sin(read) + 0.006 * std::cos(read);
-    CHECK(turnedAngle(read, flaws) == Approx(expected).margin(1e-4));
-    const double angle = turnedAngle(read, flaws);
+    CHECK(linkAngle(read, flaws) == Approx(expected).margin(1e-4));
+    const double angle = linkAngle(read, flaws);
     CHECK(std::atan2(std::sin(angle) - 0.006, std::cos(angle) + 0.004) == Approx(read).margin(1e-12));
   }
 }

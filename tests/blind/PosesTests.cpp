@@ -7,9 +7,9 @@ namespace blind {
 
 TEST_CASE("every planned attitude stands: its centre of mass lies over the sole") {
   // Proves that poses are physical for the true robot; joint limits are asked while they are drawn.
-  Chance chance{7, "mechanism"};
-  const Question question = ask(naoV6(), {"control", "", 0, 20, "clean"}, chance);
-  const Pictures pictures{question.robot, question.session};
+  RandomStream chance{7, "mechanism"};
+  const Question question = drawQuestion(naoV6(), {"control", "", 0, 20, "clean"}, chance);
+  const TruePictures pictures{question.robot, question.session};
   for (std::size_t i = 0; i < question.session.readings.size(); ++i) {
     const int side = question.session.stances[question.session.readings[i].stance].side;
     const Skeleton::Posture posture = pictures.skeleton().posture(pictures.angles(static_cast<int>(i)));

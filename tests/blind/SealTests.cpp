@@ -7,10 +7,10 @@ namespace blind {
 TEST_CASE("sealing hides the text and opening brings it back") {
   // Proves the round trip over several blocks; it is a seal against changing, not against reading.
   const std::string text(100, 'a');
-  const std::string bytes = sealed(text, "key");
+  const std::string bytes = seal(text, "key");
   CHECK(bytes.find("aa") == bytes.npos);
-  CHECK(opened(bytes, "key") == text);
-  CHECK(opened(bytes, "other") != text);
+  CHECK(unseal(bytes, "key") == text);
+  CHECK(unseal(bytes, "other") != text);
 }
 
 } // namespace blind

@@ -11,7 +11,7 @@ TEST_CASE("a tally of controls counts alarms by regime with a band") {
     bench.add(truthOf("s" + std::to_string(i), "control", json::array()),
               diagnosis(i == 0 ? "unknown-effect" : "adequate"));
   }
-  const Tally counted = tally(readCases(bench.path()));
+  const Tally counted = tallyCases(readCases(bench.path()));
   const Share& clean = counted.falseAlarms.at("clean");
   CHECK(clean.rate() == 0.25);
   CHECK(clean.low() == Approx(0.0063).margin(1e-3));

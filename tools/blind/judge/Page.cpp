@@ -38,7 +38,7 @@ private:
 constexpr double width = 560, height = 320, left = 64, right = 16, top = 34, bottom = 60; // [px]
 
 /// For text inside HTML.
-std::string escaped(const std::string& text) {
+std::string escapeHtml(const std::string& text) {
   std::string result;
   for (const char letter : text) {
     result += letter == '<'   ? "&lt;"
@@ -51,21 +51,21 @@ std::string escaped(const std::string& text) {
 }
 
 Plot::Plot(std::string title, Axis x, Axis y) : x_{std::move(x)}, y_{std::move(y)} {
-  body_ += fmt::format("<text x='{}' y='18' class='title'>{}</text>", left, escaped(title));
+  body_ += fmt::format("<text x='{}' y='18' class='title'>{}</text>", left, escapeHtml(title));
   for (const auto& [value, label] : x_.ticks) {
     body_ += fmt::format("<line x1='{0:.1f}' x2='{0:.1f}' y1='{1}' y2='{2}' class='grid'/><text x='{0:.1f}' y='{3}' "
                          "text-anchor='middle'>{4}</text>",
-                         across(value), top, height - bottom, height - bottom + 16, escaped(label));
+                         across(value), top, height - bottom, height - bottom + 16, escapeHtml(label));
   }
   for (const auto& [value, label] : y_.ticks) {
     body_ += fmt::format("<line x1='{1}' x2='{2}' y1='{0:.1f}' y2='{0:.1f}' class='grid'/><text x='{3}' y='{4:.1f}' "
                          "text-anchor='end'>{5}</text>",
-                         down(value), left, width - right, left - 6, down(value) + 4, escaped(label));
+                         down(value), left, width - right, left - 6, down(value) + 4, escapeHtml(label));
   }
   body_ += fmt::format("<text x='{}' y='{}' text-anchor='middle'>{}</text>", (left + width - right) / 2, height - 8,
-                       escaped(x_.label));
+                       escapeHtml(x_.label));
   body_ += fmt::format("<text transform='translate(14 {}) rotate(-90)' text-anchor='middle'>{}</text>",
-                       (top + height - bottom) / 2, escaped(y_.label));
+                       (top + height - bottom) / 2, escapeHtml(y_.label));
 }
 
 double Plot::across(double x) const {
@@ -80,7 +80,7 @@ void Plot::level(double y, const std::string& colour, const std::string& text) {
   body_ += fmt::format("<line x1='{}' x2='{}' y1='{:.1f}' y2='{:.1f}' stroke='{}' stroke-dasharray='5 4'/>", left,
                        width - right, down(y), down(y), colour);
   body_ += fmt::format("<text x='{}' y='{:.1f}' text-anchor='end' fill='{}'>{}</text>", width - right - 4, down(y) - 4,
-                       colour, escaped(text));
+                       colour, escapeHtml(text));
 }
 
 void Plot::line(const std::vector<std::pair<double, double>>& points, const std::string& colour) {
@@ -99,7 +99,7 @@ void Plot::point(double x, double y, double low, double high, const std::string&
 
 void Plot::dot(double x, double y, const std::string& colour, const std::string& hover) {
   body_ += fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='4' fill='{}'><title>{}</title></circle>", across(x), down(y),
-                       colour, escaped(hover));
+                       colour, escapeHtml(hover));
 }
 
 std::string Plot::svg() const {
@@ -203,7 +203,7 @@ std::string families(const Tally& tally) {
   for (const auto& [name, cell] : tally.byFamily) {
     rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{:.0f} %</td><td>{:.0f} %</td><td>{:.0f} %</td><td>{:.0f} %</td>"
                         "<td>{:.0f} %</td></tr>\n",
-                        escaped(name), cell.detected.all, 100 * cell.detected.rate(), 100 * cell.inClass.rate(),
+                        escapeHtml(name), cell.detected.all, 100 * cell.detected.rate(), 100 * cell.inClass.rate(),
                         100 * cell.top3.rate(), 100 * cell.covered.rate(), 100 * cell.errorFell.rate());
   }
   return "<h2>By effect, noncentrality 20 and more</h2><table><tr><th>effect</th><th>sets</th><th>detected</th>"
@@ -232,7 +232,7 @@ std::string figures(const Tally& tally) {
   for (const Required& figure : requiredFigures(tally)) {
     rows +=
         fmt::format("<tr class='{}'><td>{}</td><td>{}</td><td>{}</td></tr>\n", figure.met ? "met" : "missed",
-                    escaped(figure.what), escaped(figure.wanted),
+                    escapeHtml(figure.what), escapeHtml(figure.wanted),
                     figure.value ? fmt::format("{:.3f} of {}", *figure.value, figure.share.all) : told(figure.share));
   }
   return "<table><tr><th>figure</th><th>required</th><th>measured (95 % band)</th></tr>\n" + rows + "</table>\n";
@@ -248,7 +248,7 @@ constexpr const char* style =
 
 } // namespace
 
-std::string evaluationPage(const Tally& tally, const std::vector<Case>& cases) {
+std::string renderEvaluation(const Tally& tally, const std::vector<Case>& cases) {
   return fmt::format("<!doctype html><html lang='en'><meta charset='utf-8'><title>Blind benchmark</title>"
                      "<style>{}</style><h1>Blind benchmark of the diagnosis</h1>"
                      "<p>{} robots with sealed truths, {:.2f} s per diagnosis; {} without a verdict.</p>\n{}<div "

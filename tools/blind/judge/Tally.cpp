@@ -199,11 +199,11 @@ void Cell::add(const Marks& one) {
   }
 }
 
-Tally tally(const std::vector<Case>& cases) {
+Tally tallyCases(const std::vector<Case>& cases) {
   Tally result;
   for (const Case& one : cases) {
     const Truth& truth = one.truth;
-    const Marks marked = marks(one);
+    const Marks marked = markAnswer(one);
     ++result.sets;
     const bool silent = one.answer.verdict.empty(); // never counts for the better
     result.withoutVerdict += silent;

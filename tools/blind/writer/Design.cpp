@@ -17,22 +17,22 @@ const std::array<double, 5> sizes{10, 20, 40, 100, 0};
 
 class Designer {
 public:
-  Designer(const Counts& counts, std::uint64_t seed) : counts_{counts}, chance_{seed, "design"} {}
+  Designer(const DesignCounts& counts, std::uint64_t seed) : counts_{counts}, chance_{seed, "design"} {}
 
-  std::vector<Item> items() {
+  std::vector<DesignItem> items() {
     for (const std::string& noise : noiseRegimes()) {
       repeat(counts_.controls, {"control", "", 0, 0, noise});
     }
     for (const char* kind : {"idle temperature", "sorted poses"}) {
       repeat(2 * counts_.sets, {"decoy", kind});
     }
-    for (const Family& family : catalogue()) {
+    for (const FlawFamily& family : catalogue()) {
       for (const double size : sizes) {
         repeat(counts_.sets, {"catalogue", family.effect, size});
       }
     }
     repeat(5 * counts_.sets, {"pair", "", 40, 20});
-    for (const Family& family : outside()) {
+    for (const FlawFamily& family : offCatalogue()) {
       repeat(counts_.sets, {"outside", family.effect, 0, 20, "clean"});
       for (const double size : {40.0, 80.0}) {
         repeat(counts_.sets, {"outside", family.effect, size, 20, "stiction 0.05"});
@@ -54,7 +54,7 @@ public:
 private:
   /// Sets on which a fit that misses something must stay honest.
   void addWrongModels() {
-    for (const Family& family : catalogue()) {
+    for (const FlawFamily& family : catalogue()) {
       for (const double size : plausibleSizes) {
         repeat(counts_.sets, {"sized", family.effect, 0, 0, "clean", false, size});
       }
@@ -76,13 +76,13 @@ private:
   }
 
   /// What the item leaves open is drawn. Rendered sets come on top: they cannot be sized as exactly.
-  void repeat(int count, Item item) {
+  void repeat(int count, DesignItem item) {
     const bool renderable = item.group == "control" || item.group == "catalogue";
     const double share = renderable ? counts_.pictureShare : 0;
     const int rendered = static_cast<int>(std::lround(count * share / (1 - share)));
     const bool open = item.poses == 0 || (item.group != "pair" && item.group != "outside");
     for (int i = 0; i < count + rendered; ++i) {
-      Item one = item;
+      DesignItem one = item;
       if (open) {
         one.poses = poseCounts[chance_.below(static_cast<int>(poseCounts.size()))];
       }
@@ -96,9 +96,9 @@ private:
     }
   }
 
-  const Counts& counts_;
-  Chance chance_;
-  std::vector<Item> items_;
+  const DesignCounts& counts_;
+  RandomStream chance_;
+  std::vector<DesignItem> items_;
 };
 
 } // namespace
@@ -109,11 +109,11 @@ const std::vector<std::string>& noiseRegimes() {
   return regimes;
 }
 
-std::vector<Item> design(const Counts& counts, std::uint64_t seed) {
+std::vector<DesignItem> drawDesign(const DesignCounts& counts, std::uint64_t seed) {
   return Designer{counts, seed}.items();
 }
 
-SessionPlan drawnPlan(const Item& item, Chance& chance) {
+SessionPlan drawPlan(const DesignItem& item, RandomStream& chance) {
   SessionPlan plan;
   plan.poses = item.poses;
   plan.boards = 3 + chance.below(2);
@@ -137,12 +137,12 @@ SessionPlan drawnPlan(const Item& item, Chance& chance) {
   return plan;
 }
 
-Robot drawnRobot(const Drawing& drawing, std::size_t boards, Chance& chance) {
+Robot drawRobot(const Drawing& drawing, std::size_t boards, RandomStream& chance) {
   Robot robot;
   robot.drawing = &drawing;
   robot.offsets.resize(static_cast<Eigen::Index>(drawing.joints.size()));
   for (double& offset : robot.offsets) {
-    offset = chance.within(6.5 * radiansPerDegree);
+    offset = chance.uniformWithin(6.5 * radiansPerDegree);
   }
   for (std::size_t i = 0; i < drawing.joints.size(); ++i) {
     if (!drawing.joints[i].drivenBy.empty()) {
@@ -151,7 +151,7 @@ Robot drawnRobot(const Drawing& drawing, std::size_t boards, Chance& chance) {
   }
   for (Eigen::Vector3d& turns : robot.mountTurns) {
     for (double& turn : turns) {
-      turn = chance.within(2 * radiansPerDegree);
+      turn = chance.uniformWithin(2 * radiansPerDegree);
     }
   }
   robot.flaws.joints.resize(drawing.joints.size());

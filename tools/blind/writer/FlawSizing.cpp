@@ -5,25 +5,26 @@
 
 namespace blind {
 
-Hiding::Hiding(const Robot& robot, const Session& session, const Noncentrality& noncentrality)
+FlawSizing::FlawSizing(const Robot& robot, const Session& session, const Noncentrality& noncentrality)
     : robot_{robot}, session_{session}, noncentrality_{noncentrality}, without_{Noncentrality::stacked(
-                                                                           Pictures{robot, session}, session)} {}
+                                                                           TruePictures{robot, session}, session)} {}
 
-Eigen::VectorXd Hiding::change(const Family& family, const std::string& place, std::span<const double> values) const {
+Eigen::VectorXd FlawSizing::change(const FlawFamily& family, const std::string& place,
+                                   std::span<const double> values) const {
   Robot robot = robot_;
   family.apply(robot.flaws, *robot.drawing, place, values);
-  return Noncentrality::stacked(Pictures{robot, session_}, session_) - without_;
+  return Noncentrality::stacked(TruePictures{robot, session_}, session_) - without_;
 }
 
-Hidden Hiding::given(const Family& family, const std::string& place, std::vector<double> values) const {
+HiddenFlaw FlawSizing::makeFlaw(const FlawFamily& family, const std::string& place, std::vector<double> values) const {
   const Eigen::VectorXd difference = change(family, place, values);
   const double noncentrality = noncentrality_.product(difference, difference);
   const double known = noncentrality_.knownProduct(difference, difference);
   return {&family, place, std::move(values), noncentrality, known > 0 ? noncentrality / known : 0};
 }
 
-std::optional<Hidden> Hiding::sized(const Family& family, const std::string& place, std::vector<double> shape,
-                                    double wanted, double most) const {
+std::optional<HiddenFlaw> FlawSizing::scaleTo(const FlawFamily& family, const std::string& place,
+                                              std::vector<double> shape, double wanted, double most) const {
   constexpr double closeEnough = 0.02;
   double size = 0.3;
   for (int round = 0; round < 12; ++round) {
@@ -31,7 +32,7 @@ std::optional<Hidden> Hiding::sized(const Family& family, const std::string& pla
     for (double& value : values) {
       value *= size;
     }
-    Hidden hidden = given(family, place, std::move(values));
+    HiddenFlaw hidden = makeFlaw(family, place, std::move(values));
     if (std::abs(hidden.noncentrality - wanted) < closeEnough * wanted) {
       return hidden;
     }
@@ -46,7 +47,7 @@ std::optional<Hidden> Hiding::sized(const Family& family, const std::string& pla
   return std::nullopt;
 }
 
-Eigen::MatrixXd Hiding::signatures(const Hidden& hidden) const {
+Eigen::MatrixXd FlawSizing::signatures(const HiddenFlaw& hidden) const {
   const std::size_t count = hidden.family->unknowns.size();
   Eigen::MatrixXd columns{without_.size(), static_cast<Eigen::Index>(count)};
   for (std::size_t i = 0; i < count; ++i) {
@@ -57,7 +58,7 @@ Eigen::MatrixXd Hiding::signatures(const Hidden& hidden) const {
   return columns;
 }
 
-double Hiding::correlation(const Hidden& first, const Hidden& second) const {
+double FlawSizing::correlation(const HiddenFlaw& first, const HiddenFlaw& second) const {
   const auto gram = [&](const Eigen::MatrixXd& left, const Eigen::MatrixXd& right) {
     Eigen::MatrixXd products{left.cols(), right.cols()};
     for (Eigen::Index i = 0; i < left.cols(); ++i) {
@@ -77,7 +78,7 @@ double Hiding::correlation(const Hidden& first, const Hidden& second) const {
 namespace {
 
 /// A random direction, as long as one of these sizes.
-template <typename Size> std::vector<double> drawnShape(const Family& family, Size size, Chance& chance) {
+template <typename Size> std::vector<double> drawnShape(const FlawFamily& family, Size size, RandomStream& chance) {
   std::vector<double> shape;
   double square = 0;
   for (std::size_t i = 0; i < family.unknowns.size(); ++i) {
@@ -99,17 +100,17 @@ template <typename Size> std::vector<double> drawnShape(const Family& family, Si
 
 } // namespace
 
-std::vector<double> randomShape(const Family& family, Chance& chance) {
+std::vector<double> randomShape(const FlawFamily& family, RandomStream& chance) {
   return drawnShape(
-      family, [](const Family::Unknown& unknown) { return unknown.physical; }, chance);
+      family, [](const FlawFamily::Unknown& unknown) { return unknown.physical; }, chance);
 }
 
-std::vector<double> plausibleShape(const Family& family, Chance& chance) {
+std::vector<double> plausibleShape(const FlawFamily& family, RandomStream& chance) {
   return drawnShape(
-      family, [](const Family::Unknown& unknown) { return unknown.wide(); }, chance);
+      family, [](const FlawFamily::Unknown& unknown) { return unknown.wide(); }, chance);
 }
 
-void apply(const Hidden& hidden, Robot& robot) {
+void applyFlaw(const HiddenFlaw& hidden, Robot& robot) {
   hidden.family->apply(robot.flaws, *robot.drawing, hidden.place, hidden.values);
 }
 

@@ -9,8 +9,8 @@
 namespace blind {
 
 /// A flaw that was put into a robot.
-struct Hidden {
-  const Family* family = nullptr;
+struct HiddenFlaw {
+  const FlawFamily* family = nullptr;
   std::string place;
   std::vector<double> values;
   double noncentrality = 0;
@@ -18,21 +18,21 @@ struct Hidden {
 };
 
 /// Gives a robot flaws of the size that makes them so visible on one session.
-class Hiding {
+class FlawSizing {
 public:
-  Hiding(const Robot& robot, const Session& session, const Noncentrality& noncentrality);
+  FlawSizing(const Robot& robot, const Session& session, const Noncentrality& noncentrality);
 
   /// `shape` times the size at which the pictures' change has this noncentrality (found by iterating its square law);
   /// absent when that takes more than `most` shapes.
-  std::optional<Hidden> sized(const Family& family, const std::string& place, std::vector<double> shape, double wanted,
-                              double most) const;
-  Hidden given(const Family& family, const std::string& place, std::vector<double> values) const;
+  std::optional<HiddenFlaw> scaleTo(const FlawFamily& family, const std::string& place, std::vector<double> shape,
+                                    double wanted, double most) const;
+  HiddenFlaw makeFlaw(const FlawFamily& family, const std::string& place, std::vector<double> values) const;
   /// The largest canonical correlation of what two kinds of flaw do to the pictures, all unknowns free.
-  double correlation(const Hidden& first, const Hidden& second) const;
+  double correlation(const HiddenFlaw& first, const HiddenFlaw& second) const;
 
 private:
-  Eigen::VectorXd change(const Family& family, const std::string& place, std::span<const double> values) const;
-  Eigen::MatrixXd signatures(const Hidden& hidden) const;
+  Eigen::VectorXd change(const FlawFamily& family, const std::string& place, std::span<const double> values) const;
+  Eigen::MatrixXd signatures(const HiddenFlaw& hidden) const;
 
   const Robot& robot_;
   const Session& session_;
@@ -41,11 +41,11 @@ private:
 };
 
 /// The physical sizes in a random direction: as long as one of them.
-std::vector<double> randomShape(const Family& family, Chance& chance);
+std::vector<double> randomShape(const FlawFamily& family, RandomStream& chance);
 
 /// The same of the sizes that are plausible.
-std::vector<double> plausibleShape(const Family& family, Chance& chance);
+std::vector<double> plausibleShape(const FlawFamily& family, RandomStream& chance);
 
-void apply(const Hidden& hidden, Robot& robot);
+void applyFlaw(const HiddenFlaw& hidden, Robot& robot);
 
 } // namespace blind

@@ -14,8 +14,8 @@ const std::vector<std::string> loadedJoints{"HeadPitch", "HipRoll", "HipPitch", 
 const std::vector<std::string> bothCameras{"top", "bottom"}, anyBoard{"board"}, anySole{"sole"};
 
 /// A family whose unknowns are numbers of one joint.
-Family ofJoint(std::string effect, std::vector<Family::Unknown> unknowns, std::vector<std::string> places,
-               std::vector<double JointFlaws::*> members, std::vector<double> factors = {1, 1}) {
+FlawFamily ofJoint(std::string effect, std::vector<FlawFamily::Unknown> unknowns, std::vector<std::string> places,
+                   std::vector<double JointFlaws::*> members, std::vector<double> factors = {1, 1}) {
   return {std::move(effect),
           std::move(unknowns),
           std::move(places),
@@ -28,7 +28,8 @@ Family ofJoint(std::string effect, std::vector<Family::Unknown> unknowns, std::v
           {}};
 }
 
-template <typename Apply> Family ofCamera(std::string effect, std::vector<Family::Unknown> unknowns, Apply apply) {
+template <typename Apply>
+FlawFamily ofCamera(std::string effect, std::vector<FlawFamily::Unknown> unknowns, Apply apply) {
   return {std::move(effect),
           std::move(unknowns),
           bothCameras,
@@ -38,7 +39,8 @@ template <typename Apply> Family ofCamera(std::string effect, std::vector<Family
           {}};
 }
 
-template <typename Apply> Family ofBoard(std::string effect, std::vector<Family::Unknown> unknowns, Apply apply) {
+template <typename Apply>
+FlawFamily ofBoard(std::string effect, std::vector<FlawFamily::Unknown> unknowns, Apply apply) {
   return {std::move(effect),
           std::move(unknowns),
           anyBoard,
@@ -48,7 +50,8 @@ template <typename Apply> Family ofBoard(std::string effect, std::vector<Family:
           {}};
 }
 
-template <typename Apply> Family ofSole(std::string effect, std::vector<Family::Unknown> unknowns, Apply apply) {
+template <typename Apply>
+FlawFamily ofSole(std::string effect, std::vector<FlawFamily::Unknown> unknowns, Apply apply) {
   return {std::move(effect),
           std::move(unknowns),
           anySole,
@@ -58,7 +61,7 @@ template <typename Apply> Family ofSole(std::string effect, std::vector<Family::
           {}};
 }
 
-std::vector<Family> makeCatalogue() {
+std::vector<FlawFamily> makeCatalogue() {
   using J = JointFlaws;
   return {
       ofJoint("backlash", {{"D", "rad", 0.006, 0.01}}, loadedJoints, {&J::gap}),
@@ -119,10 +122,10 @@ std::string sideOf(const std::string& place) {
   return place.starts_with("Head") ? "" : place.substr(0, 1);
 }
 
-std::vector<Family> makeOutside() {
+std::vector<FlawFamily> makeOutside() {
   using J = JointFlaws;
   constexpr double size = 0.3 * 3.14159265358979 / 180; // [rad]
-  const auto named = [](Family family, std::vector<std::string> drivers) {
+  const auto named = [](FlawFamily family, std::vector<std::string> drivers) {
     family.drivers = std::move(drivers);
     return family;
   };
@@ -147,13 +150,13 @@ std::vector<Family> makeOutside() {
 
 } // namespace
 
-const std::vector<Family>& catalogue() {
-  static const std::vector<Family> families = makeCatalogue();
+const std::vector<FlawFamily>& catalogue() {
+  static const std::vector<FlawFamily> families = makeCatalogue();
   return families;
 }
 
-const Family& offsetStep() {
-  static const Family family =
+const FlawFamily& offsetStep() {
+  static const FlawFamily family =
       ofJoint("offsetStep", {{"step", "rad", 0.01}}, chainJoints, {&JointFlaws::slip}); // half a degree
   return family;
 }
@@ -163,12 +166,12 @@ const std::vector<std::string>& cameraFamilies() {
   return names;
 }
 
-const std::vector<Family>& outside() {
-  static const std::vector<Family> families = makeOutside();
+const std::vector<FlawFamily>& offCatalogue() {
+  static const std::vector<FlawFamily> families = makeOutside();
   return families;
 }
 
-std::vector<std::string> placesFor(const Family& family, int side, std::size_t boards) {
+std::vector<std::string> placesFor(const FlawFamily& family, int side, std::size_t boards) {
   std::vector<std::string> places;
   for (const std::string& place : family.places) {
     if (place == "board") {

@@ -62,7 +62,7 @@ struct Flaws {
 };
 
 /// One kind of hidden flaw and where it can sit.
-struct Family {
+struct FlawFamily {
   struct Unknown {
     std::string name, unit;
     double physical;      // a size to be expected of a used robot
@@ -77,16 +77,16 @@ struct Family {
 };
 
 /// Effects that every user of the catalogue may find.
-const std::vector<Family>& catalogue();
+const std::vector<FlawFamily>& catalogue();
 /// A joint that stands otherwise from a time on.
-const Family& offsetStep();
+const FlawFamily& offsetStep();
 /// Physics that no catalogue lists; `physical` is 0.3 degrees at a joint's usual extreme.
-const std::vector<Family>& outside();
+const std::vector<FlawFamily>& offCatalogue();
 
 /// The cameras' own families: shift, focal length, principal point, radial distortion.
 const std::vector<std::string>& cameraFamilies();
 
 /// The places of a family for a robot that stands on this foot (0 left, 1 right), as files name them.
-std::vector<std::string> placesFor(const Family& family, int side, std::size_t boards);
+std::vector<std::string> placesFor(const FlawFamily& family, int side, std::size_t boards);
 
 } // namespace blind

@@ -19,18 +19,18 @@ using Eigen::VectorXd;
 
 constexpr double nudge = 1e-5; // [rad, m]
 
-using View = std::function<Motion(double)>; // cameraFromBoard with one unknown changed by so much
+using View = std::function<Transform(double)>; // cameraFromBoard with one unknown changed by so much
 
 /// Derivative of a sight's corners by whatever moves the board in the camera's frame.
-Eigen::VectorXd slope(const Sight& sight, const View& view) {
+Eigen::VectorXd slope(const BoardSight& sight, const View& view) {
   Eigen::VectorXd column{2 * static_cast<Index>(sight.ids.size())};
-  const Motion before = view(-nudge), after = view(nudge);
+  const Transform before = view(-nudge), after = view(nudge);
   for (std::size_t i = 0; i < sight.ids.size(); ++i) {
     const int id = sight.ids[i];
     const Eigen::Vector3d point{Sheet::square * (id % (Sheet::squaresX - 1) + 1),
                                 -Sheet::square * (id / (Sheet::squaresX - 1) + 1), 0};
     column.segment<2>(2 * static_cast<Index>(i)) =
-        (seenAt(after * point, {}) - seenAt(before * point, {})) / (2 * nudge);
+        (projectPoint(after * point, {}) - projectPoint(before * point, {})) / (2 * nudge);
   }
   return column;
 }
@@ -79,7 +79,7 @@ Jacobian::Jacobian(const Robot& robot, const Session& session) {
   const Index stances = boards + 3 * (static_cast<Index>(session.boards.size()) - 1);
   columns = stances + 3 * static_cast<Index>(session.stances.size());
   Index rows = 0;
-  for (const Sight& sight : session.sights) {
+  for (const BoardSight& sight : session.sights) {
     rows += 2 * static_cast<Index>(sight.ids.size());
   }
   placeCount_ = columns - boards;
@@ -91,18 +91,18 @@ Jacobian::Jacobian(const Robot& robot, const Session& session) {
   constexpr double anywhere = 10; // [m, rad]
   priorWeights_.tail(placeCount_).setConstant(1 / (anywhere * anywhere));
 
-  const Pictures pictures{robot, session};
+  const TruePictures pictures{robot, session};
   Index row = 0;
   std::pair<int, int> before{-1, -1};
-  std::array<std::array<Motion, 2>, chainLength> byJoint; // cameraFromFloor with a joint a step back and forth
-  for (const Sight& sight : session.sights) {
+  std::array<std::array<Transform, 2>, chainLength> byJoint; // cameraFromFloor with a joint a step back and forth
+  for (const BoardSight& sight : session.sights) {
     const Index height = 2 * static_cast<Index>(sight.ids.size());
     const Stance& stance = session.stances[session.readings[sight.reading].stance];
     const std::vector<int> chain = chainOf(drawing, stance.side);
     const Eigen::VectorXd& angles = pictures.angles(sight.reading);
-    const Motion cameraFromFloor = pictures.cameraFromFloor(sight.reading, sight.camera, angles);
+    const Transform cameraFromFloor = pictures.cameraFromFloor(sight.reading, sight.camera, angles);
     const FloorPlace& board = session.boards[sight.board];
-    const Motion floorFromBoard = onFloor(board);
+    const Transform floorFromBoard = floorFromPlace(board);
     if (before != std::pair{sight.reading, sight.camera}) {
       before = {sight.reading, sight.camera};
       for (Index i = 0; i < chainLength; ++i) {
@@ -126,16 +126,16 @@ Jacobian::Jacobian(const Robot& robot, const Session& session) {
     }
     for (int axis = 0; axis < 3; ++axis) { // the rotations of a mount that is nearly right, one about each axis
       rowsOf(cameras + 3 * sight.camera + axis) = slope(sight, [&](double by) {
-        return Motion{turnAbout(Eigen::Vector3d::Unit(axis), -by), Eigen::Vector3d::Zero()} * cameraFromFloor *
+        return Transform{rotationAbout(Eigen::Vector3d::Unit(axis), -by), Eigen::Vector3d::Zero()} * cameraFromFloor *
                floorFromBoard;
       });
       if (sight.board > 0) {
         rowsOf(boards + 3 * (sight.board - 1) + axis) =
-            slope(sight, [&](double by) { return cameraFromFloor * onFloor(moved(board, axis, by)); });
+            slope(sight, [&](double by) { return cameraFromFloor * floorFromPlace(moved(board, axis, by)); });
       }
       rowsOf(stances + 3 * session.readings[sight.reading].stance + axis) = slope(sight, [&](double by) {
-        return cameraFromFloor * onFloor(stance.place) * onFloor(moved(stance.place, axis, by)).inverse() *
-               floorFromBoard;
+        return cameraFromFloor * floorFromPlace(stance.place) *
+               floorFromPlace(moved(stance.place, axis, by)).inverse() * floorFromBoard;
       });
     }
     row += height;
@@ -144,13 +144,13 @@ Jacobian::Jacobian(const Robot& robot, const Session& session) {
 
 } // namespace
 
-double noiseFloor(const Robot& robot, const Session& session, const SeenCorners& seen) {
+double noiseFloor(const Robot& robot, const Session& session, const ObservedCorners& seen) {
   Session asRead = session;
   for (Reading& reading : asRead.readings) {
     reading.unread.setZero();
     reading.stuck.setZero();
   }
-  Eigen::VectorXd missing = -Noncentrality::stacked(Pictures{robot, asRead}, asRead);
+  Eigen::VectorXd missing = -Noncentrality::stacked(TruePictures{robot, asRead}, asRead);
   Eigen::Index row = 0;
   for (const std::vector<Eigen::Vector2d>& sight : seen) {
     for (const Eigen::Vector2d& corner : sight) {
@@ -186,7 +186,7 @@ Noncentrality::Noncentrality(const Robot& robot, const Session& session, const N
     std::map<int, Index> approaches;
     std::map<std::pair<int, int>, Index> pictures;
     for (const Member& member : members) {
-      const Sight& sight = session.sights[member.sight];
+      const BoardSight& sight = session.sights[member.sight];
       approaches.try_emplace(session.readings[sight.reading].approachNumber, static_cast<Index>(approaches.size()));
       pictures.try_emplace({sight.reading, sight.camera}, static_cast<Index>(pictures.size()));
     }
@@ -201,7 +201,7 @@ Noncentrality::Noncentrality(const Robot& robot, const Session& session, const N
     block.weights.resize(size);
     Index at = 0;
     for (const Member& member : members) {
-      const Sight& sight = session.sights[member.sight];
+      const BoardSight& sight = session.sights[member.sight];
       const Index height = 2 * static_cast<Index>(sight.ids.size());
       const auto byJoints = jacobian.byChain().middleRows(member.row, height);
       const Index approach = approaches.at(session.readings[sight.reading].approachNumber);
@@ -239,9 +239,9 @@ MatrixXd Noncentrality::whitened(const MatrixXd& columns) const {
   return result;
 }
 
-VectorXd Noncentrality::stacked(const Pictures& pictures, const Session& session) {
+VectorXd Noncentrality::stacked(const TruePictures& pictures, const Session& session) {
   std::vector<double> values;
-  for (const Sight& sight : session.sights) {
+  for (const BoardSight& sight : session.sights) {
     for (const Eigen::Vector2d& corner : pictures.corners(sight)) {
       values.push_back(corner.x());
       values.push_back(corner.y());

@@ -17,26 +17,26 @@ using Eigen::VectorXd;
 
 /// How warm the motors are: each follows what it carries with a first-order lag,
 /// dT/dt = (room + heat * torque^2 - T) / slowness.
-class Motors {
+class MotorTemperatures {
 public:
-  Motors(std::size_t count, const SessionPlan& plan, Chance& chance);
+  MotorTemperatures(std::size_t count, const SessionPlan& plan, RandomStream& chance);
 
-  void pass(double duration, const Eigen::VectorXd& torques, Chance& chance); // [s], [Nm]
-  const Eigen::VectorXd& degrees() const { return degrees_; }                 // Celsius
+  void advance(double duration, const Eigen::VectorXd& torques, RandomStream& chance); // [s], [Nm]
+  const Eigen::VectorXd& degrees() const { return degrees_; }                          // Celsius
 
 private:
   bool constant_, idle_;
   Eigen::VectorXd degrees_;
 };
 
-Motors::Motors(std::size_t count, const SessionPlan& plan, Chance& chance)
+MotorTemperatures::MotorTemperatures(std::size_t count, const SessionPlan& plan, RandomStream& chance)
     : constant_{plan.sameTemperature}, idle_{plan.warmAnyhow}, degrees_{static_cast<Eigen::Index>(count)} {
   for (double& degrees : degrees_) {
     degrees = constant_ ? 38 : chance.between(28, 44);
   }
 }
 
-void Motors::pass(double duration, const Eigen::VectorXd& torques, Chance& chance) {
+void MotorTemperatures::advance(double duration, const Eigen::VectorXd& torques, RandomStream& chance) {
   constexpr double slowness = 150, room = 30, heat = 3; // [s], [degrees Celsius], [K/(Nm)^2]
   const double share = 1 - std::exp(-duration / slowness);
   for (Eigen::Index i = 0; i < degrees_.size() && !constant_; ++i) {
@@ -47,7 +47,7 @@ void Motors::pass(double duration, const Eigen::VectorXd& torques, Chance& chanc
 
 class Stage {
 public:
-  Stage(const Robot& robot, const SessionPlan& plan, Chance& chance)
+  Stage(const Robot& robot, const SessionPlan& plan, RandomStream& chance)
       : robot_{robot}, plan_{plan}, chance_{chance}, skeleton_{*robot.drawing, robot.flaws},
         motors_{robot.drawing->joints.size(), plan, chance} {}
 
@@ -62,9 +62,9 @@ public:
     for (std::size_t pose = 0; pose < poses_.size(); ++pose) {
       take(static_cast<int>(pose));
     }
-    const Pictures pictures{robot_, session_};
-    session_.sights = allSights(pictures, session_);
-    for (Sight& sight : session_.sights) {
+    const TruePictures pictures{robot_, session_};
+    session_.sights = findSights(pictures, session_);
+    for (BoardSight& sight : session_.sights) {
       const double worse = plan_.noise.foreshortened ? slantFactor(pictures, session_, sight) : 1;
       sight.sigma = worse * plan_.noise.pixel;
     }
@@ -74,11 +74,13 @@ public:
 private:
   Stance stance(int side) {
     const double halfWidth = robot_.drawing->lengths.at("hipY");
-    return {side, {chance_.within(0.02), (side == 0 ? 1 : -1) * halfWidth + chance_.within(0.02), chance_.within(0.1)}};
+    return {side,
+            {chance_.uniformWithin(0.02), (side == 0 ? 1 : -1) * halfWidth + chance_.uniformWithin(0.02),
+             chance_.uniformWithin(0.1)}};
   }
 
   void drawPoses() {
-    const Poses poses{*robot_.drawing, skeleton_};
+    const PoseDrawer poses{*robot_.drawing, skeleton_};
     for (int pose = 0; pose < plan_.poses; ++pose) {
       const int stance = plan_.bothSides ? pose % 2 : 0;
       const int camera = (plan_.bothSides ? pose / 2 : pose) % 2; // both cameras in turns: neither is left untested
@@ -86,8 +88,8 @@ private:
         return cornersInView(skeleton_, session_.stances[stance], camera, session_.boards, angles);
       };
       constexpr double enough = 12;
-      VectorXd angles = poses.stable(session_.stances[stance].side, camera, chance_, targets(session_.stances[stance]),
-                                     enough, worth, plan_.hipYawPitch);
+      VectorXd angles = poses.drawStable(session_.stances[stance].side, camera, chance_,
+                                         targets(session_.stances[stance]), enough, worth, plan_.hipYawPitch);
       poses_.push_back({std::move(angles), stance});
     }
     if (plan_.sortedByKnee) {
@@ -103,11 +105,11 @@ private:
 
   /// The boards' middles.
   std::vector<Eigen::Vector3d> targets(const Stance& stance) const {
-    const Motion soleFromFloor = onFloor(stance.place).inverse();
+    const Transform soleFromFloor = floorFromPlace(stance.place).inverse();
     std::vector<Eigen::Vector3d> middles;
     for (const FloorPlace& board : session_.boards) {
       middles.push_back(soleFromFloor *
-                        (onFloor(board) * sheetPoint({}, Sheet::squaresX / 2.0, Sheet::squaresY / 2.0)));
+                        (floorFromPlace(board) * sheetPoint({}, Sheet::squaresX / 2.0, Sheet::squaresY / 2.0)));
     }
     return middles;
   }
@@ -119,7 +121,7 @@ private:
     const VectorXd commanded = angles + robot_.offsets;
     VectorXd sticking{joints};
     for (Index i = 0; i < joints; ++i) {
-      sticking[i] = chance_.boxed(plan_.noise.stiction / std::sqrt(2.0));
+      sticking[i] = chance_.uniformOfSigma(plan_.noise.stiction / std::sqrt(2.0));
     }
     pass(chance_.between(5, 14), angles, poses_[pose].stance);
     for (int repeat = 0; repeat < plan_.samples; ++repeat) {
@@ -178,11 +180,11 @@ private:
     reading.stuck.resize(joints);
     reading.excursion.resize(joints);
     for (Index i = 0; i < joints; ++i) {
-      const double stopped = reading.commanded[i] + chance_.within(deadZone);
+      const double stopped = reading.commanded[i] + chance_.uniformWithin(deadZone);
       const double noise = chance_.normal(encoderStep / std::sqrt(12.0));
       reading.measured[i] = plan_.noise.quantised ? std::round(stopped / encoderStep) * encoderStep : stopped + noise;
       reading.unread[i] = stopped - reading.measured[i];
-      reading.stuck[i] = sticking[i] + chance_.boxed(plan_.noise.stiction / std::sqrt(2.0));
+      reading.stuck[i] = sticking[i] + chance_.uniformOfSigma(plan_.noise.stiction / std::sqrt(2.0));
       reading.excursion[i] = chance_.sign() * chance_.between(least, most);
     }
     if (plan_.sameApproach) {
@@ -219,8 +221,8 @@ private:
     time_ += duration;
     const int side = session_.stances[stance].side;
     const Skeleton::Posture posture = skeleton_.posture(angles);
-    motors_.pass(duration, skeleton_.torques(posture, side, skeleton_.torsoFromSole(posture, side).turn.col(2)),
-                 chance_);
+    motors_.advance(duration, skeleton_.torques(posture, side, skeleton_.torsoFromSole(posture, side).turn.col(2)),
+                    chance_);
   }
 
   struct Planned {
@@ -230,11 +232,11 @@ private:
 
   const Robot& robot_;
   const SessionPlan& plan_;
-  Chance& chance_;
+  RandomStream& chance_;
   Skeleton skeleton_;
   Session session_;
   std::vector<Planned> poses_;
-  Motors motors_;
+  MotorTemperatures motors_;
   double time_ = 0;
   int approaches_ = 0;
   Reading calm_; // the last one, without its jitter
@@ -242,7 +244,8 @@ private:
 
 } // namespace
 
-Session staged(const Robot& robot, const SessionPlan& plan, const std::vector<FloorPlace>& boards, Chance& chance) {
+Session stageSession(const Robot& robot, const SessionPlan& plan, const std::vector<FloorPlace>& boards,
+                     RandomStream& chance) {
   return Stage{robot, plan, chance}.session(boards);
 }
 

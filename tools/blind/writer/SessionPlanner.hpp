@@ -40,6 +40,7 @@ struct SessionPlan {
 };
 
 /// Lets a robot without flaws but with its offsets stand in front of boards as planned.
-Session staged(const Robot& robot, const SessionPlan& plan, const std::vector<FloorPlace>& boards, Chance& chance);
+Session stageSession(const Robot& robot, const SessionPlan& plan, const std::vector<FloorPlace>& boards,
+                     RandomStream& chance);
 
 } // namespace blind
