@@ -39,7 +39,7 @@ struct FlawedSet {
 };
 
 /// As of a robot that records none.
-OpenedSets withoutCurrents(OpenedSets opened) {
+Dataset withoutCurrents(Dataset opened) {
   for (CaptureSet& set : opened.sets) {
     for (Capture& capture : set.captures) {
       capture.joints.current.clear();
@@ -52,8 +52,8 @@ OpenedSets withoutCurrents(OpenedSets opened) {
 struct Bench {
   FlawedSet set;
   std::map<std::string, Json> told;
-  Laboratory laboratory{withoutCurrents(openSets({(set.folder.path() / "flawed").string()})),
-                        [this](const std::string& kind, const Json& content) { told[kind] = content; }};
+  AnalysisSession laboratory{withoutCurrents(openDataset({(set.folder.path() / "flawed").string()})),
+                             [this](const std::string& kind, const Json& content) { told[kind] = content; }};
 };
 
 } // namespace
@@ -64,13 +64,13 @@ TEST_CASE("adding what is missing lets the error on unseen poses fall to the noi
   Bench bench;
   REQUIRE_FALSE(bench.set.flaw.empty());
   bench.laboratory.fit();
-  bench.laboratory.question();
+  bench.laboratory.testCandidates();
   const Json before = bench.told["ladder"]["rungs"][0];
   CHECK(bench.told["questions"]["candidates"][0]["label"] == bench.set.flaw);
 
   bench.laboratory.add(bench.set.flaw);
   CHECK(bench.told["fit"]["with"] == Json::array({bench.set.flaw}));
-  bench.laboratory.question();
+  bench.laboratory.testCandidates();
   const Json after = bench.told["ladder"]["rungs"][1];
   CHECK(after["heldOut"] < 0.7 * before["heldOut"].get<double>());
   CHECK(after["heldOut"] < 1.3 * after["floor"].get<double>());
@@ -92,9 +92,9 @@ TEST_CASE("an own effect is fitted like the built-in ones, and a broken one chan
               {"unknowns", {{"a", {{"unit", "rad/Nm"}, {"sigma", 0.01}}}}}};
   Json broken = effect;
   broken["correction"] = "a*tua";
-  CHECK_THROWS_AS(bench.laboratory.define(broken), InputError);
+  CHECK_THROWS_AS(bench.laboratory.defineEffect(broken), InputError);
   CHECK(bench.told["ladder"]["rungs"].size() == 1);
-  bench.laboratory.define(effect);
+  bench.laboratory.defineEffect(effect);
   CHECK(bench.told["fit"]["with"] == Json::array({"softness@LKneePitch"}));
   CHECK(bench.told["fit"]["rms"] < fit["rms"]);
   CHECK(bench.told["set"]["own"][0] == effect);
@@ -109,16 +109,16 @@ TEST_CASE("an own effect that is changed can be taken back, and one for every jo
               {"at", "LKneePitch"},
               {"correction", "a*tau"},
               {"unknowns", {{"a", {{"unit", "rad/Nm"}, {"sigma", 0.01}}}}}};
-  bench.laboratory.define(effect);
+  bench.laboratory.defineEffect(effect);
   const Json before = bench.told["fit"]["rms"];
   effect["correction"] = "a*sin(q)";
   effect["unknowns"]["a"]["unit"] = "rad";
-  bench.laboratory.define(effect);
+  bench.laboratory.defineEffect(effect);
   CHECK(bench.told["set"]["own"][0]["correction"] == "a*sin(q)");
   CHECK(bench.told["fit"]["rms"] != before);
   Json broken = effect;
   broken["correction"] = "a*current"; // was not recorded
-  CHECK_THROWS_AS(bench.laboratory.define(broken), InputError);
+  CHECK_THROWS_AS(bench.laboratory.defineEffect(broken), InputError);
   CHECK(bench.told["set"]["own"][0]["correction"] == "a*sin(q)");
   CHECK(bench.told["ladder"]["rungs"].size() == 3);
   bench.laboratory.goTo(1);
@@ -127,9 +127,9 @@ TEST_CASE("an own effect that is changed can be taken back, and one for every jo
 
   effect["name"] = "anywhere";
   effect["at"] = "*";
-  bench.laboratory.question();
-  bench.laboratory.define(effect);
-  bench.laboratory.question();
+  bench.laboratory.testCandidates();
+  bench.laboratory.defineEffect(effect);
+  bench.laboratory.testCandidates();
   const Json& candidates = bench.told["questions"]["candidates"];
   CHECK(std::any_of(candidates.begin(), candidates.end(),
                     [](const Json& one) { return one["label"].get<std::string>().starts_with("anywhere@"); }));
@@ -165,10 +165,10 @@ TEST_CASE("of a broken expression the place is told") {
   // said before one tries.
   const Bench bench;
   const auto checked = [&](const std::string& correction, const std::string& name = "mine") {
-    return bench.laboratory.checked({{"name", name},
-                                     {"at", "LKneePitch"},
-                                     {"correction", correction},
-                                     {"unknowns", {{"a", {{"unit", "rad"}, {"sigma", 0.01}}}}}});
+    return bench.laboratory.checkEffect({{"name", name},
+                                         {"at", "LKneePitch"},
+                                         {"correction", correction},
+                                         {"unknowns", {{"a", {{"unit", "rad"}, {"sigma", 0.01}}}}}});
   };
   CHECK(checked("a*sin(3*q)") == Json{{"ok", true}});
   CHECK(checked("a*sin(3*q) + a*tua")["letter"] == 15);
@@ -199,10 +199,10 @@ TEST_CASE("a search that is cancelled says what it has found so far") {
   // that may go on finds the flaw.
   Bench bench;
   bench.laboratory.fit();
-  bench.laboratory.search([] { return false; });
+  bench.laboratory.searchMissing([] { return false; });
   CHECK(bench.told["found"]["stopped"] == true);
   CHECK(bench.told["found"]["suggested"].empty());
-  bench.laboratory.search([] { return true; });
+  bench.laboratory.searchMissing([] { return true; });
   CHECK(bench.told["found"]["stopped"] == false);
   CHECK(bench.told["found"]["suggested"] == Json::array({bench.set.flaw}));
   CHECK(bench.told["ladder"]["rungs"].size() == 1);
@@ -213,31 +213,31 @@ TEST_CASE("what the panel saves is what the terminal reads") {
   // person's own effect, and that reports are pages; what is in them is tested with them.
   Bench bench;
   bench.laboratory.fit();
-  bench.laboratory.define({{"name", "softness"},
-                           {"at", "LKneePitch"},
-                           {"correction", "a*tau"},
-                           {"unknowns", {{"a", {{"unit", "rad/Nm"}, {"sigma", 0.01}}}}}});
+  bench.laboratory.defineEffect({{"name", "softness"},
+                                 {"at", "LKneePitch"},
+                                 {"correction", "a*tau"},
+                                 {"unknowns", {{"a", {{"unit", "rad/Nm"}, {"sigma", 0.01}}}}}});
   const std::filesystem::path folder = bench.set.folder.path();
-  writeAtomically(folder / "result.json", bench.laboratory.file("result.json"));
-  const OpenedSets again = openSets({(folder / "result.json").string()});
+  writeAtomically(folder / "result.json", bench.laboratory.generateFile("result.json"));
+  const Dataset again = openDataset({(folder / "result.json").string()});
   CHECK(std::count(again.terms.begin(), again.terms.end(), "softness@LKneePitch") == 1);
-  CHECK(Json::parse(bench.laboratory.file("model.json"))["define"][0]["name"] == "softness");
+  CHECK(Json::parse(bench.laboratory.generateFile("model.json"))["define"][0]["name"] == "softness");
   bench.laboratory.goTo(0);
-  bench.laboratory.question();
-  writeAtomically(folder / "diagnosis.json", bench.laboratory.file("diagnosis.json"));
-  CHECK(openSets({(folder / "diagnosis.json").string()}).sets.size() == 1);
+  bench.laboratory.testCandidates();
+  writeAtomically(folder / "diagnosis.json", bench.laboratory.generateFile("diagnosis.json"));
+  CHECK(openDataset({(folder / "diagnosis.json").string()}).sets.size() == 1);
   for (const char* const name : {"report.html", "diagnosis.html"}) {
-    CHECK_THAT(bench.laboratory.file(name), Catch::StartsWith("<!doctype html>"));
+    CHECK_THAT(bench.laboratory.generateFile(name), Catch::StartsWith("<!doctype html>"));
   }
-  CHECK_THROWS_WITH(bench.laboratory.file("poses.json"), Catch::Contains("ask for them first"));
-  CHECK_THROWS_AS(bench.laboratory.file("passwords.txt"), InputError);
+  CHECK_THROWS_WITH(bench.laboratory.generateFile("poses.json"), Catch::Contains("ask for them first"));
+  CHECK_THROWS_AS(bench.laboratory.generateFile("passwords.txt"), InputError);
 }
 
 TEST_CASE("other captures are compared with the fit") {
   // Proves that the same captures give the fit's own error, and that the drawing alone is worse.
   Bench bench;
   bench.laboratory.fit();
-  bench.laboratory.compareWith(openSets({(bench.set.folder.path() / "flawed").string()}));
+  bench.laboratory.compareWith(openDataset({(bench.set.folder.path() / "flawed").string()}));
   const Json compared = bench.told["compared"];
   CHECK(compared["rmsPx"].get<double>() == Approx(bench.told["fit"]["rms"].get<double>()).epsilon(0.2));
   CHECK(compared["nominal"]["rmsPx"].get<double>() > 3 * compared["rmsPx"].get<double>());
@@ -247,9 +247,9 @@ TEST_CASE("poses are proposed for what the model leaves open") {
   // Proves that as many come as were asked for, with the angles to play them; that they tell is proven with the poses.
   Bench bench;
   bench.laboratory.fit();
-  bench.laboratory.propose(2);
+  bench.laboratory.proposePoses(2);
   const Json next = bench.told["next"];
   REQUIRE(next["poses"].size() == 2);
   CHECK(next["poses"][0]["joints"].contains("LKneePitch"));
-  CHECK(Json::parse(bench.laboratory.file("poses.json"))["poses"].size() == 2);
+  CHECK(Json::parse(bench.laboratory.generateFile("poses.json"))["poses"].size() == 2);
 }

@@ -54,11 +54,11 @@ struct Thread {
   std::mutex mutex;
   std::deque<std::function<void()>> waiting;
   std::vector<std::string> told;
-  Desks desks{[this](std::function<void()> action) {
-                const std::lock_guard lock{mutex};
-                waiting.push_back(std::move(action));
-              },
-              [this](const Message& message) { told.push_back(Json::parse(*message.bytes)["kind"]); }};
+  AnalysisSlot desks{[this](std::function<void()> action) {
+                       const std::lock_guard lock{mutex};
+                       waiting.push_back(std::move(action));
+                     },
+                     [this](const Message& message) { told.push_back(Json::parse(*message.bytes)["kind"]); }};
 };
 
 /// A few captures of a simulated robot.
@@ -83,19 +83,19 @@ TEST_CASE("who comes later is told what is true of the present fit, in the order
     thread.told.emplace_back("refused");
   };
   thread.desks.open({(folder.path() / "few").string()}, refused);
-  CHECK(thread.desks.desk() == nullptr);
+  CHECK(thread.desks.worker() == nullptr);
   REQUIRE(thread.until("questions"));
   CHECK(thread.kept() == std::vector<std::string>{"set", "fit", "ladder", "questions"});
-  thread.desks.desk()->asked({{"do", "drop"}, {"label", "jointOffset@HeadYaw"}});
+  thread.desks.worker()->handle({{"do", "drop"}, {"label", "jointOffset@HeadYaw"}});
   REQUIRE(thread.until("fit"));
   CHECK(thread.kept() == std::vector<std::string>{"set", "ladder", "fit"});
   REQUIRE(thread.until("questions"));
 
-  const LabDesk* const desk = thread.desks.desk();
+  const AnalysisWorker* const desk = thread.desks.worker();
   thread.desks.open({(folder.path() / "none").string()}, refused);
   REQUIRE(thread.until("refused"));
   CHECK_FALSE(problem.empty());
-  CHECK(thread.desks.desk() == desk);
+  CHECK(thread.desks.worker() == desk);
 }
 
 TEST_CASE("why there is no fit at all is told to whoever comes later, until there is one") {
@@ -114,7 +114,7 @@ TEST_CASE("why there is no fit at all is told to whoever comes later, until ther
   CHECK(thread.kept() == std::vector<std::string>{"set", "unfitted"});
   CHECK(Json::parse(*thread.desks.latest().back().second.bytes)["sentence"].get<std::string>().find(label) !=
         std::string::npos);
-  thread.desks.desk()->asked({{"do", "drop"}, {"label", label}});
+  thread.desks.worker()->handle({{"do", "drop"}, {"label", label}});
   REQUIRE(thread.until("fit"));
   CHECK(thread.kept() == std::vector<std::string>{"set", "ladder", "fit"});
 }

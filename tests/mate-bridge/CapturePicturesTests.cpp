@@ -22,17 +22,17 @@ Json captures(int count, const std::string& calibration = "L") {
 TEST_CASE("each capture keeps the picture of its own moment, whoever asks later") {
   // Proves that the picture nearest to a capture is taken, before or after it was told, and that later ones change
   // nothing; and the list that panels are told.
-  TakenPictures taken;
-  taken.watchBegins();
-  taken.told(captures(0), 500);
-  taken.pictured("top", 900, "early");
-  taken.pictured("bottom", 1000, "of the other camera");
-  CHECK(taken.told(captures(1), 1000));
+  CapturePictures taken;
+  taken.beginWatch();
+  taken.onCaptures(captures(0), 500);
+  taken.onImage("top", 900, "early");
+  taken.onImage("bottom", 1000, "of the other camera");
+  CHECK(taken.onCaptures(captures(1), 1000));
   CHECK(taken.picture(0, 0) == "early");
-  CHECK(taken.pictured("top", 1010, "right"));
-  CHECK_FALSE(taken.pictured("top", 1200, "later"));
+  CHECK(taken.onImage("top", 1010, "right"));
+  CHECK_FALSE(taken.onImage("top", 1200, "later"));
   CHECK(taken.picture(0, 0) == "right");
-  CHECK(taken.told(captures(2), 3000) == false); // no picture is near
+  CHECK(taken.onCaptures(captures(2), 3000) == false); // no picture is near
   CHECK(taken.list() == Json{{"series", 0}, {"places", {0}}});
   CHECK_FALSE(taken.picture(0, 1));
   CHECK_FALSE(taken.picture(1, 0));
@@ -41,35 +41,35 @@ TEST_CASE("each capture keeps the picture of its own moment, whoever asks later"
 
 TEST_CASE("captures that nobody watched have no picture, whatever the cameras show now") {
   // Proves that neither captures from before the first look nor those taken in a gap get the present picture.
-  TakenPictures taken;
-  taken.watchBegins();
-  taken.pictured("top", 8990, "now");
-  taken.told(captures(3), 9000);
-  taken.pictured("top", 9010, "now");
+  CapturePictures taken;
+  taken.beginWatch();
+  taken.onImage("top", 8990, "now");
+  taken.onCaptures(captures(3), 9000);
+  taken.onImage("top", 9010, "now");
   CHECK(taken.list()["places"].empty());
-  CHECK(taken.told(captures(4), 9020));
+  CHECK(taken.onCaptures(captures(4), 9020));
   CHECK(taken.picture(0, 3) == "now");
-  taken.watchBegins(); // it was away in between
-  taken.told(captures(6), 20000);
-  taken.pictured("top", 20001, "later");
+  taken.beginWatch(); // it was away in between
+  taken.onCaptures(captures(6), 20000);
+  taken.onImage("top", 20001, "later");
   CHECK(taken.list()["places"] == Json{3});
   CHECK(taken.picture(0, 3) == "now"); // what was seen is kept
 }
 
 TEST_CASE("a new calibration begins with no pictures of the old one") {
   // Proves it for a list that is shorter and for one that is as long but of other poses; addresses do not meet.
-  TakenPictures taken;
-  taken.watchBegins();
-  taken.told(captures(0), 0);
-  taken.pictured("top", 1000, "first");
-  taken.told(captures(2), 1000);
+  CapturePictures taken;
+  taken.beginWatch();
+  taken.onCaptures(captures(0), 0);
+  taken.onImage("top", 1000, "first");
+  taken.onCaptures(captures(2), 1000);
   CHECK(taken.list()["places"].size() == 2);
-  CHECK(taken.told(captures(0), 2000));
+  CHECK(taken.onCaptures(captures(0), 2000));
   CHECK(taken.list() == Json{{"series", 1}, {"places", Json::array()}});
-  taken.told(captures(2), 60000);
-  CHECK(taken.told(captures(2, "R"), 61000));
+  taken.onCaptures(captures(2), 60000);
+  CHECK(taken.onCaptures(captures(2, "R"), 61000));
   CHECK(taken.list()["series"] == 2);
-  CHECK_THROWS_AS(taken.told({{{"number", "one"}}}, 1), Json::exception);
+  CHECK_THROWS_AS(taken.onCaptures({{{"number", "one"}}}, 1), Json::exception);
 }
 
 } // namespace naocal

@@ -38,8 +38,8 @@ TEST_CASE("a result is opened with its captures and its model") {
   const TemporaryFolder folder;
   writeSetAndResult(folder.path());
   std::map<std::string, Json> told;
-  Laboratory laboratory{openSets({(folder.path() / "result.json").string()}),
-                        [&](const std::string& kind, const Json& content) { told[kind] = content; }};
+  AnalysisSession laboratory{openDataset({(folder.path() / "result.json").string()}),
+                             [&](const std::string& kind, const Json& content) { told[kind] = content; }};
   laboratory.fit();
   CHECK(told["fit"]["with"] == Json::array({"elasticity@LKneePitch"}));
   CHECK(told["fit"]["without"] == Json::array({"jointOffset@HeadYaw"}));
@@ -54,18 +54,18 @@ TEST_CASE("a recording is opened with all its sets, a diagnosis with what it sug
   std::filesystem::copy(folder.path() / "recording" / "second", folder.path() / "recording" / "first",
                         std::filesystem::copy_options::recursive);
   const std::string recording = (folder.path() / "recording").string();
-  const OpenedSets opened = openSets({recording});
+  const Dataset opened = openDataset({recording});
   REQUIRE(opened.sets.size() == 2);
   CHECK(opened.sets.front().name == "first");
 
   const std::string first = recording + "/first", file = (folder.path() / "diagnosis.json").string();
   Json diagnosis{{"format", "naocal-diagnosis"}, {"version", 1}, {"suggested", {"elasticity@LKneePitch"}}};
   writeAtomically(file, diagnosis.dump());
-  CHECK_THROWS_WITH(openSets({file}), Contains("name them behind it"));
-  CHECK(openSets({file, first}).with == std::vector<std::string>{"elasticity@LKneePitch"});
+  CHECK_THROWS_WITH(openDataset({file}), Contains("name them behind it"));
+  CHECK(openDataset({file, first}).with == std::vector<std::string>{"elasticity@LKneePitch"});
   diagnosis["inputs"] = {{"sets", {first}}, {"sha256", {""}}};
   writeAtomically(file, diagnosis.dump());
-  CHECK(openSets({file}).sets.size() == 1);
+  CHECK(openDataset({file}).sets.size() == 1);
 }
 
 TEST_CASE("a model that was saved is opened with captures") {
@@ -84,13 +84,13 @@ TEST_CASE("a model that was saved is opened with captures") {
                               {"define", {spring}}}
                              .dump());
   std::map<std::string, Json> told;
-  Laboratory laboratory{openSets({model, set}),
-                        [&](const std::string& kind, const Json& content) { told[kind] = content; }};
+  AnalysisSession laboratory{openDataset({model, set}),
+                             [&](const std::string& kind, const Json& content) { told[kind] = content; }};
   laboratory.fit();
   CHECK(told["fit"]["with"] == Json::array({"softness@LKneePitch"}));
   CHECK(told["fit"]["without"] == Json::array({"jointOffset@HeadYaw"}));
   CHECK(told["set"]["own"][0] == spring);
-  CHECK_THROWS_WITH(openSets({model}), Contains("name them behind it"));
+  CHECK_THROWS_WITH(openDataset({model}), Contains("name them behind it"));
 }
 
 TEST_CASE("a session is kept as it goes, and gone on from") {
@@ -102,22 +102,22 @@ TEST_CASE("a session is kept as it goes, and gone on from") {
   std::map<std::string, Json> told;
   const auto tell = [&](const std::string& kind, const Json& content) { told[kind] = content; };
   {
-    Laboratory laboratory{openSession({set}, file), tell};
+    AnalysisSession laboratory{openSession({set}, file), tell};
     laboratory.fit();
     laboratory.add("elasticity@LKneePitch");
-    laboratory.question();
+    laboratory.testCandidates();
     laboratory.add("focalLength@top");
     laboratory.goTo(1);
   }
   const Json ladder = told["ladder"];
-  for (const OpenedSets& opened : {openSets({file}), openSets({file, set}), openSession({set}, file)}) {
+  for (const Dataset& opened : {openDataset({file}), openDataset({file, set}), openSession({set}, file)}) {
     told.clear();
-    Laboratory laboratory{opened, tell};
+    AnalysisSession laboratory{opened, tell};
     laboratory.fit();
     CHECK(told["fit"]["with"] == Json::array({"elasticity@LKneePitch"}));
     CHECK(told["ladder"] == ladder);
     CHECK(ladder["rungs"][1].contains("heldOut"));
-    CHECK(Json::parse(laboratory.file("session.json")) == Json::parse(fileContent(file)));
+    CHECK(Json::parse(laboratory.generateFile("session.json")) == Json::parse(fileContent(file)));
   }
   writeAtomically(std::filesystem::path{set} / "captures.json",
                   fileContent(std::filesystem::path{set} / "captures.json") + "\n");
@@ -129,14 +129,15 @@ TEST_CASE("what cannot be opened is refused with its name and what to do") {
   const TemporaryFolder folder;
   writeSetAndResult(folder.path());
   const std::string result = (folder.path() / "result.json").string();
-  CHECK_THROWS_AS(openSets({(folder.path() / "nowhere").string()}), InputError);
-  CHECK_THROWS_WITH(openSets({result, result}), Contains("opened by itself"));
+  CHECK_THROWS_AS(openDataset({(folder.path() / "nowhere").string()}), InputError);
+  CHECK_THROWS_WITH(openDataset({result, result}), Contains("opened by itself"));
   writeAtomically(folder.path() / "other.json", R"({"format": "naocal-poses"})");
-  CHECK_THROWS_WITH(openSets({(folder.path() / "other.json").string()}),
+  CHECK_THROWS_WITH(openDataset({(folder.path() / "other.json").string()}),
                     Contains("opens capture sets, recordings, results, diagnoses, sessions and models"));
   const std::string overlong(5000, 'x'); // no system opens it
-  CHECK_THROWS_AS(openSets({overlong}), InputError);
-  CHECK_THROWS_AS(openSets({overlong + ".json"}), InputError);
+  CHECK_THROWS_AS(openDataset({overlong}), InputError);
+  CHECK_THROWS_AS(openDataset({overlong + ".json"}), InputError);
   std::filesystem::remove_all(folder.path() / "few");
-  CHECK_THROWS_WITH(openSets({result}), Contains("is not there any more") && Contains("open the captures themselves"));
+  CHECK_THROWS_WITH(openDataset({result}),
+                    Contains("is not there any more") && Contains("open the captures themselves"));
 }

@@ -50,13 +50,14 @@ struct Serving {
   }
 
   boost::asio::io_context context;
-  Server server{context,
-                0,
-                newToken(),
-                {[](std::string_view path) {
-                   return path.empty() ? Answer{200, "text/html", "the page"} : Answer{404, "text/plain", "nothing"};
-                 },
-                 [](std::size_t) {}, [](std::size_t) {}, [](std::size_t, const std::string&) {}}};
+  HttpServer server{
+      context,
+      0,
+      makeToken(),
+      {[](std::string_view path) {
+         return path.empty() ? HttpReply{200, "text/html", "the page"} : HttpReply{404, "text/plain", "nothing"};
+       },
+       [](std::size_t) {}, [](std::size_t) {}, [](std::size_t, const std::string&) {}}};
   std::thread thread;
 };
 
@@ -91,4 +92,10 @@ TEST_CASE("what is no HTTP is closed without harm") {
   CHECK(serving.answer("GET / HTTP/1.1\r\nX: " + std::string(20000, 'x')).find("200") == std::string::npos);
   CHECK_THAT(serving.answer(fmt::format("GET {} HTTP/1.1\r\nHost: {}\r\n\r\n", serving.path(), serving.host())),
              Contains("200"));
+}
+
+TEST_CASE("codes in an address are letters again") {
+  // Proves it for spaces and umlauts, as browsers encode them, and that what is no code stays.
+  CHECK(decodePercents("a%20robot/%C3%BCbung/3") == "a robot/\u00fcbung/3");
+  CHECK(decodePercents("100%/%zz%4") == "100%/%zz%4");
 }

@@ -7,16 +7,16 @@ using namespace naocal;
 namespace {
 
 const std::string token = "0123456789abcdef0123456789abcdef";
-const Guard guard{token, 8123};
+const RequestGuard guard{token, 8123};
 
 /// What the page's own script asks.
-Asked own() {
+RequestInfo own() {
   return {
       "GET", "/0123456789abcdef0123456789abcdef/live", "127.0.0.1:8123", "http://127.0.0.1:8123", "same-origin", true,
       false};
 }
-unsigned refused(const Asked& asked) {
-  const auto refusal = guard.refusal(asked);
+unsigned refused(const RequestInfo& asked) {
+  const auto refusal = guard.check(asked);
   return refusal ? refusal->status : 200;
 }
 
@@ -26,7 +26,7 @@ TEST_CASE("the panel's own page is let in") {
   // Proves that page and live connection pass, with either name of this computer; not that browsers send these headers.
   CHECK(refused(own()) == 200);
   CHECK(guard.pathOf(own().target) == "live");
-  Asked page{"GET", "/0123456789abcdef0123456789abcdef/", "localhost:8123", "", "none", false, true};
+  RequestInfo page{"GET", "/0123456789abcdef0123456789abcdef/", "localhost:8123", "", "none", false, true};
   CHECK(refused(page) == 200);
   CHECK(guard.pathOf(page.target).empty());
 }
@@ -36,18 +36,18 @@ TEST_CASE("pages of other origins and sites are refused") {
   // origin.
   for (const char* const origin : {"http://evil.example", "https://127.0.0.1:8123", "http://127.0.0.1:8124", "null",
                                    "http://127.0.0.1:8123.evil.example", "http://localhost"}) {
-    Asked asked = own();
+    RequestInfo asked = own();
     asked.origin = origin;
     CHECK(refused(asked) == 403);
     asked.live = false;
     CHECK(refused(asked) == 403);
   }
   for (const char* const site : {"cross-site", "same-site"}) {
-    Asked asked = own();
+    RequestInfo asked = own();
     asked.fetchSite = site;
     CHECK(refused(asked) == 403);
   }
-  Asked silent = own();
+  RequestInfo silent = own();
   silent.origin = silent.fetchSite = "";
   CHECK(refused(silent) == 403);
 }
@@ -55,7 +55,7 @@ TEST_CASE("pages of other origins and sites are refused") {
 TEST_CASE("a person's browser may be led to the page, and to nothing else") {
   // Proves that a page that knows the token may send the window there as a whole (as the private file does that
   // mate-bridge opens), but may not load its parts, nor open a frame: that is no visit.
-  Asked visit{"GET", "/0123456789abcdef0123456789abcdef/", "127.0.0.1:8123", "", "cross-site", false, true};
+  RequestInfo visit{"GET", "/0123456789abcdef0123456789abcdef/", "127.0.0.1:8123", "", "cross-site", false, true};
   CHECK(refused(visit) == 200);
   visit.visits = false;
   CHECK(refused(visit) == 403);
@@ -68,7 +68,7 @@ TEST_CASE("a person's browser may be led to the page, and to nothing else") {
 TEST_CASE("a name that was bent to point here is refused") {
   // Proves that DNS rebinding fails: the browser still sends the stranger's host name.
   for (const char* const host : {"evil.example:8123", "127.0.0.1", "127.0.0.1:80", "", "127.0.0.1:8123@evil.example"}) {
-    Asked asked = own();
+    RequestInfo asked = own();
     asked.host = host;
     CHECK(refused(asked) == 421);
   }
@@ -79,7 +79,7 @@ TEST_CASE("without the whole token there is nothing to find") {
   for (const char* const target : {"/", "", "/live", "/0123456789abcdef0123456789abcde/live",
                                    "/0123456789abcdef0123456789abcdee/live", "/0123456789abcdef0123456789abcdef",
                                    "/0123456789abcdef0123456789abcdef0/live", "//0123456789abcdef0123456789abcdef/"}) {
-    Asked asked = own();
+    RequestInfo asked = own();
     asked.target = target;
     CHECK(refused(asked) == 404);
   }
@@ -87,7 +87,7 @@ TEST_CASE("without the whole token there is nothing to find") {
 
 TEST_CASE("only reading is allowed over HTTP") {
   // Proves that forms of other pages cannot post anything.
-  Asked asked = own();
+  RequestInfo asked = own();
   asked.live = false;
   asked.method = "POST";
   CHECK(refused(asked) == 405);
@@ -95,6 +95,6 @@ TEST_CASE("only reading is allowed over HTTP") {
 
 TEST_CASE("tokens differ and have 128 bits") {
   // Proves length and difference; how random they are is the system's affair.
-  CHECK(newToken().size() == 32);
-  CHECK(newToken() != newToken());
+  CHECK(makeToken().size() == 32);
+  CHECK(makeToken() != makeToken());
 }

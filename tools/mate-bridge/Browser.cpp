@@ -53,7 +53,7 @@ void start(const std::string& program, const std::string& argument) {
 
 } // namespace
 
-std::unique_ptr<TemporaryDirectory> openedInBrowser(const std::string& address) {
+std::unique_ptr<TemporaryDirectory> openInBrowser(const std::string& address) {
   for (const char* const program : {"chromium", "google-chrome", "chromium-browser", "brave-browser", "microsoft-edge",
                                     "xdg-open", "firefox", "open"}) {
     if (isInstalled(program)) {

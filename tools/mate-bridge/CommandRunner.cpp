@@ -34,7 +34,7 @@ namespace {
 
 /// Starts a program in a process group of its own, without a shell and with nothing that is open here; what it prints
 /// goes into the file `output`. Throws InputError when it cannot be started.
-pid_t started(const std::filesystem::path& program, const std::vector<std::string>& words, int output) {
+pid_t startProcess(const std::filesystem::path& program, const std::vector<std::string>& words, int output) {
   std::vector<char*> arguments{const_cast<char*>(program.c_str())}; // posix_spawn's type; it changes nothing
   for (const std::string& word : words) {
     arguments.push_back(const_cast<char*>(word.c_str()));
@@ -76,8 +76,8 @@ const std::set<std::string> commands{"poses",   "simulate", "detect",   "solve",
 } // namespace
 
 /// Lives on while something is still to be read.
-struct Errand::Running : std::enable_shared_from_this<Running> {
-  Running(boost::asio::io_context& given, std::optional<std::filesystem::path> path, Tell call)
+struct CommandRunner::Running : std::enable_shared_from_this<Running> {
+  Running(boost::asio::io_context& given, std::optional<std::filesystem::path> path, MessageSink call)
       : program{std::move(path)}, tell{std::move(call)}, output{given}, soon{given} {}
 
   void start(const std::vector<std::string>& asked) {
@@ -93,7 +93,7 @@ struct Errand::Running : std::enable_shared_from_this<Running> {
       throw InputError{fmt::format("no pipe can be made: {}", std::strerror(errno))};
     }
     try {
-      process = started(*program, asked, ends[1]);
+      process = startProcess(*program, asked, ends[1]);
     } catch (...) {
       close(ends[0]);
       close(ends[1]);
@@ -178,7 +178,7 @@ struct Errand::Running : std::enable_shared_from_this<Running> {
   }
 
   std::optional<std::filesystem::path> program;
-  Tell tell;
+  MessageSink tell;
   boost::asio::posix::stream_descriptor output;
   boost::asio::steady_timer soon;
   std::array<char, 4096> part{};
@@ -189,15 +189,16 @@ struct Errand::Running : std::enable_shared_from_this<Running> {
   std::optional<int> exitCode;
 };
 
-Errand::Errand(boost::asio::io_context& context, std::optional<std::filesystem::path> program, Tell tell)
+CommandRunner::CommandRunner(boost::asio::io_context& context, std::optional<std::filesystem::path> program,
+                             MessageSink tell)
     : running_{std::make_shared<Running>(context, std::move(program), std::move(tell))} {}
 
-Errand::~Errand() {
+CommandRunner::~CommandRunner() {
   running_->tell = nullptr;
   running_->end(SIGTERM);
 }
 
-bool Errand::asked(const Json& request) {
+bool CommandRunner::handle(const Json& request) {
   const std::string verb = request.at("do");
   if (verb == "endRun") {
     running_->end(running_->ending ? SIGTERM : SIGINT);
@@ -217,11 +218,11 @@ bool Errand::asked(const Json& request) {
   return true;
 }
 
-std::string Errand::latest() const {
+std::string CommandRunner::latest() const {
   return running_->latest();
 }
 
-std::optional<std::filesystem::path> naocalProgram() {
+std::optional<std::filesystem::path> findNaocal() {
   std::error_code error;
   const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
   std::vector<std::filesystem::path> folders{here, here.parent_path() / "naocal"};

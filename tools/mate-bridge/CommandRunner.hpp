@@ -12,21 +12,21 @@ namespace naocal {
 
 /// The terminal's program `naocal`, run for a person who is at the panel: one command at a time, what it prints is told
 /// as it comes. It runs in the folder where the bridge was started, without a shell.
-class Errand {
+class CommandRunner {
 public:
   /// A message for all panels, in JSON: {"kind": "errand", "program" or null, "folder", "words", "lines": the last that
   /// were printed, "running", "ending": whether a person asked for its end, "exitCode" or null}.
-  using Tell = std::function<void(const std::string& json)>;
+  using MessageSink = std::function<void(const std::string& json)>;
 
   /// `program`: absent when this computer has none.
-  Errand(boost::asio::io_context& context, std::optional<std::filesystem::path> program, Tell tell);
+  CommandRunner(boost::asio::io_context& context, std::optional<std::filesystem::path> program, MessageSink tell);
   /// Ends the command.
-  ~Errand();
+  ~CommandRunner();
 
   /// {"do": "run", "words": ["poses", "-o", "poses.json"]} starts a command, {"do": "endRun"} ends it as Ctrl-C
   /// does: it may finish what it has begun; asked again, it ends at once.
   /// False: that is nothing for it. Throws InputError for what cannot be run, or not now.
-  bool asked(const nlohmann::json& request);
+  bool handle(const nlohmann::json& request);
 
   /// What was told last, for a panel to come.
   std::string latest() const;
@@ -37,6 +37,6 @@ private:
 };
 
 /// Where `naocal` is: beside this program, as it is built or installed, or where the shell would find it.
-std::optional<std::filesystem::path> naocalProgram();
+std::optional<std::filesystem::path> findNaocal();
 
 } // namespace naocal

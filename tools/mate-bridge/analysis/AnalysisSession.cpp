@@ -39,7 +39,7 @@ std::vector<std::string> without(const std::vector<std::string>& labels, const s
 }
 
 /// The labels of a model's effects that were asked for.
-std::vector<std::string> labelsOf(const Model& model) {
+std::vector<std::string> termLabels(const Model& model) {
   std::vector<std::string> labels;
   for (const Term& term : model.terms()) {
     if (!term.isPlacement && term.asked) {
@@ -50,11 +50,11 @@ std::vector<std::string> labelsOf(const Model& model) {
 }
 
 /// Where to begin: the base model, or that of the result that was opened.
-Rung firstRung(const OpenedSets& opened, const Measurements& measurements) {
+Rung initialRevision(const Dataset& opened, const Measurements& measurements) {
   if (opened.terms.empty()) {
     return {.with = opened.with, .without = opened.without, .definitions = opened.definitions};
   }
-  const std::vector<std::string> base = labelsOf(makeModel(measurements));
+  const std::vector<std::string> base = termLabels(makeModel(measurements));
   std::vector<std::string> with = without(opened.terms, base);
   // the base has every offset that can be asked for; others are along because torques depend on them
   std::erase_if(with, [](const std::string& label) { return label.starts_with("jointOffset@"); });
@@ -69,18 +69,18 @@ std::filesystem::path written(const TemporaryDirectory& folder, const Json& cont
 
 } // namespace
 
-Laboratory::Laboratory(OpenedSets opened, Tell tell)
+AnalysisSession::AnalysisSession(Dataset opened, MessageSink tell)
     : opened_{std::move(opened)}, measurements_{measurementsOf(opened_.sets, opened_.robot)}, tell_{std::move(tell)},
-      rungs_{opened_.ladder.empty() ? std::vector{firstRung(opened_, measurements_)} : opened_.ladder},
+      rungs_{opened_.ladder.empty() ? std::vector{initialRevision(opened_, measurements_)} : opened_.ladder},
       at_{opened_.at} {
   tellSet(rungs_[at_]);
 }
 
-std::vector<Effect> Laboratory::effects(const Rung& rung) const {
+std::vector<Effect> AnalysisSession::effects(const Rung& rung) const {
   return effectsWith(Json::parse(rung.definitions), definitionsName, opened_.robot);
 }
 
-void Laboratory::tellSet(const Rung& rung) {
+void AnalysisSession::tellSet(const Rung& rung) {
   if (toldDefinitions_ == rung.definitions) {
     return;
   }
@@ -101,30 +101,30 @@ void Laboratory::tellSet(const Rung& rung) {
                 {"effects", effectsJson(effects(rung))}});
 }
 
-void Laboratory::tellLadder() const {
+void AnalysisSession::tellLadder() const {
   Json rungs = Json::array();
   for (const Rung& rung : rungs_) {
-    rungs.push_back(rungForPanel(rung));
+    rungs.push_back(revisionPanelJson(rung));
   }
   tell_("ladder", {{"at", at_}, {"rungs", std::move(rungs)}});
 }
 
-Session Laboratory::session() const {
+Session AnalysisSession::session() const {
   return {rungs_, at_, opened_.inputs};
 }
 
-void Laboratory::keepSession() const {
+void AnalysisSession::keepSession() const {
   if (!opened_.sessionFile.empty()) {
     writeAtomically(opened_.sessionFile, sessionJson(session()).dump(2) + "\n");
   }
 }
 
-void Laboratory::fit() {
+void AnalysisSession::fit() {
   stand(rungs_, at_);
 }
 
 /// Stands on one of these rungs once its fit has come out well; whatever is thrown before leaves everything as it was.
-void Laboratory::stand(std::vector<Rung> rungs, std::size_t at) {
+void AnalysisSession::stand(std::vector<Rung> rungs, std::size_t at) {
   Rung& rung = rungs.at(at);
   const Model model = makeModel(measurements_, rung.with, rung.without, effects(rung));
   const CalibrationResult result = calibrate(measurements_, model);
@@ -133,7 +133,7 @@ void Laboratory::stand(std::vector<Rung> rungs, std::size_t at) {
   Json told = fitJson(document, opened_, measurements_, model, result);
   told["with"] = rung.with;
   told["without"] = rung.without;
-  told["labels"] = labelsOf(model);
+  told["labels"] = termLabels(model);
   told["candidates"] = testableTerms(measurements_, model, effects(rung)).size();
   result_ = document;
   rungs_ = std::move(rungs);
@@ -147,7 +147,7 @@ void Laboratory::stand(std::vector<Rung> rungs, std::size_t at) {
 }
 
 /// What was undone is forgotten.
-void Laboratory::go(Rung rung) {
+void AnalysisSession::go(Rung rung) {
   std::vector<Rung> rungs{rungs_.begin(), rungs_.begin() + static_cast<std::ptrdiff_t>(at_) + 1};
   rung.questioned.reset();
   rung.from = at_;
@@ -155,7 +155,7 @@ void Laboratory::go(Rung rung) {
   stand(std::move(rungs), at_ + 1);
 }
 
-void Laboratory::add(const std::string& label) {
+void AnalysisSession::add(const std::string& label) {
   Rung rung = rungs_[at_];
   rung.step = "+ " + label;
   if (contains(rung.with, label)) {
@@ -167,11 +167,11 @@ void Laboratory::add(const std::string& label) {
   go(std::move(rung));
 }
 
-void Laboratory::drop(const std::string& label) {
+void AnalysisSession::drop(const std::string& label) {
   Rung rung = rungs_[at_];
   rung.step = "− " + label;
   if (std::erase(rung.with, label) == 0) {
-    if (!contains(labelsOf(makeModel(measurements_, rung.with, rung.without, effects(rung))), label)) {
+    if (!contains(termLabels(makeModel(measurements_, rung.with, rung.without, effects(rung))), label)) {
       throw InputError{fmt::format("{} is not in the model", label)};
     }
     rung.without.push_back(label);
@@ -179,14 +179,14 @@ void Laboratory::drop(const std::string& label) {
   go(std::move(rung));
 }
 
-void Laboratory::goTo(std::size_t rung) {
+void AnalysisSession::goTo(std::size_t rung) {
   if (rung >= rungs_.size()) {
     throw InputError{"there is no such step in the history"};
   }
   stand(rungs_, rung);
 }
 
-DiagnosisOptions Laboratory::options(const Rung& rung) const {
+DiagnosisOptions AnalysisSession::options(const Rung& rung) const {
   DiagnosisOptions result;
   result.with = rung.with;
   result.without = rung.without;
@@ -194,7 +194,7 @@ DiagnosisOptions Laboratory::options(const Rung& rung) const {
   return result;
 }
 
-const Diagnosis& Laboratory::diagnosis() {
+const Diagnosis& AnalysisSession::diagnosis() {
   if (!diagnosis_) {
     DiagnosisOptions asked = options(rungs_[at_]);
     asked.grow = false;
@@ -203,26 +203,26 @@ const Diagnosis& Laboratory::diagnosis() {
   return *diagnosis_;
 }
 
-void Laboratory::question() {
+void AnalysisSession::testCandidates() {
   const Diagnosis& here = diagnosis();
   if (!here.steps.empty()) {
     rungs_[at_].questioned = here.steps.front();
     tellLadder();
   }
-  tell_("questions", questionsJson(here));
+  tell_("questions", diagnosisPanelJson(here));
   keepSession();
 }
 
-void Laboratory::search(const std::function<bool()>& goesOn) {
+void AnalysisSession::searchMissing(const std::function<bool()>& goesOn) {
   DiagnosisOptions asked = options(rungs_[at_]);
   asked.goesOn = goesOn;
-  Json found = questionsJson(diagnose(opened_.sets, measurements_, asked));
+  Json found = diagnosisPanelJson(diagnose(opened_.sets, measurements_, asked));
   found["stopped"] = !goesOn();
   found["with"] = rungs_[at_].with; // of the model that it began with
   tell_("found", found);
 }
 
-void Laboratory::define(const Json& effect) {
+void AnalysisSession::defineEffect(const Json& effect) {
   const Effect made = userEffect(JsonPlace{effect, definitionsName}, opened_.robot);
   Rung rung = rungs_[at_];
   Json kept = Json::array();
@@ -244,7 +244,7 @@ void Laboratory::define(const Json& effect) {
   go(std::move(rung));
 }
 
-Json Laboratory::checked(const Json& effect) const {
+Json AnalysisSession::checkEffect(const Json& effect) const {
   try {
     const Effect made = userEffect(JsonPlace{effect, definitionsName}, opened_.robot);
     const std::vector<Effect> all = effectsWith(Json::array({effect}), definitionsName, opened_.robot);
@@ -259,7 +259,7 @@ Json Laboratory::checked(const Json& effect) const {
   }
 }
 
-void Laboratory::propose(std::size_t count) {
+void AnalysisSession::proposePoses(std::size_t count) {
   NextOptions wanted;
   wanted.count = count;
   next_ = nextPoses(opened_.sets, measurements_, diagnosis(), options(rungs_[at_]), wanted);
@@ -268,7 +268,7 @@ void Laboratory::propose(std::size_t count) {
   tell_("next", told);
 }
 
-void Laboratory::compareWith(const OpenedSets& others) {
+void AnalysisSession::compareWith(const Dataset& others) {
   const TemporaryDirectory passing;
   const StoredResult stored = readResult(written(passing, result_));
   Json told = comparisonJson(compare(stored, others.sets, opened_.robot, false));
@@ -276,7 +276,7 @@ void Laboratory::compareWith(const OpenedSets& others) {
   tell_("compared", told);
 }
 
-std::string Laboratory::file(const std::string& name) {
+std::string AnalysisSession::generateFile(const std::string& name) {
   const TemporaryDirectory passing;
   if (name == "result.json") {
     return result_.dump(2) + "\n";

@@ -18,10 +18,10 @@ namespace naocal {
 /// rungs and where one stands), "fit" (estimates and residuals of the model), "questions" (its candidates, map,
 /// curves), "found" (what a search for all that is missing says), "next" (poses that would tell more), "compared"
 /// (other captures' errors).
-class Laboratory {
+class AnalysisSession {
 public:
-  using Tell = std::function<void(const std::string& kind, const nlohmann::json& content)>;
-  Laboratory(OpenedSets opened, Tell tell);
+  using MessageSink = std::function<void(const std::string& kind, const nlohmann::json& content)>;
+  AnalysisSession(Dataset opened, MessageSink tell);
 
   /// Fits the model that one stands on, or a changed one as a new rung. Throw InputError for what cannot be done.
   void fit();
@@ -30,26 +30,26 @@ public:
   void goTo(std::size_t rung);
 
   /// Questions the model that one stands on: seconds.
-  void question();
+  void testCandidates();
   /// Adds what is missing as long as the captures bear it and `goesOn` agrees, without changing the model: many
   /// seconds.
-  void search(const std::function<bool()>& goesOn);
+  void searchMissing(const std::function<bool()>& goesOn);
   /// Proposes poses that would best tell what the model leaves open: some seconds.
-  void propose(std::size_t count);
+  void proposePoses(std::size_t count);
   /// How well the fit predicts captures that it has not seen.
-  void compareWith(const OpenedSets& others);
+  void compareWith(const Dataset& others);
   /// What naocal would write of the model: "result.json", "diagnosis.json", "poses.json", "model.json", "report.html"
   /// of the result, "diagnosis.html", "session.json". Throws InputError for another name, or where nothing was
   /// proposed.
-  std::string file(const std::string& name);
+  std::string generateFile(const std::string& name);
 
   /// Takes a person's own effect in, in place of one of that name, as a new rung: in the model where it sits at a
   /// joint, else as a candidate everywhere.
-  void define(const nlohmann::json& effect);
+  void defineEffect(const nlohmann::json& effect);
 
   /// Whether a person's own effect can be used with these captures: {"ok": true}, or {"ok": false, "sentence": ..,
   /// "letter": place in the correction's text or absent}. May be called while another thread works with the rest.
-  nlohmann::json checked(const nlohmann::json& effect) const;
+  nlohmann::json checkEffect(const nlohmann::json& effect) const;
 
 private:
   static constexpr const char* definitionsName = "your own effects"; // in refusals, for a file
@@ -64,9 +64,9 @@ private:
   DiagnosisOptions options(const Rung& rung) const;
   const Diagnosis& diagnosis();
 
-  const OpenedSets opened_;
+  const Dataset opened_;
   const Measurements measurements_;
-  Tell tell_;
+  MessageSink tell_;
   std::vector<Rung> rungs_;
   std::size_t at_ = 0;                 // the rung that one stands on
   std::string toldDefinitions_;        // the person's own effects, as they were last told

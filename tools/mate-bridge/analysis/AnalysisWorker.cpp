@@ -20,7 +20,7 @@ using Json = nlohmann::json;
 constexpr std::string_view fitting = "fitting";
 
 /// Pictures below the sets' own folders only, whatever a captures.json names.
-std::map<std::string, std::filesystem::path> imagesOf(const OpenedSets& opened) {
+std::map<std::string, std::filesystem::path> imagesOf(const Dataset& opened) {
   std::map<std::string, std::filesystem::path> images;
   for (const CaptureSet& set : opened.sets) {
     std::error_code ignored; // what no path can be is no picture
@@ -38,27 +38,28 @@ std::map<std::string, std::filesystem::path> imagesOf(const OpenedSets& opened) 
 
 } // namespace
 
-LabDesk::LabDesk(OpenedSets opened, Tell tell)
-    : tell_{std::move(tell)}, images_{imagesOf(opened)},
-      laboratory_{std::make_shared<Laboratory>(std::move(opened), [this](const std::string& kind, const Json& content) {
-        isFitted_ = isFitted_ || kind == "fit";
-        Json message = content;
-        message["kind"] = kind;
-        tell_(kind, wireText(message));
-      })} {
-  work(fitting, [](Laboratory& laboratory) { laboratory.fit(); });
-  question();
+AnalysisWorker::AnalysisWorker(Dataset opened, MessageSink tell)
+    : tell_{std::move(tell)}, images_{imagesOf(opened)}, session_{std::make_shared<AnalysisSession>(
+                                                             std::move(opened),
+                                                             [this](const std::string& kind, const Json& content) {
+                                                               isFitted_ = isFitted_ || kind == "fit";
+                                                               Json message = content;
+                                                               message["kind"] = kind;
+                                                               tell_(kind, wireText(message));
+                                                             })} {
+  work(fitting, [](AnalysisSession& session) { session.fit(); });
+  testCandidates();
 }
 
-LabDesk::~LabDesk() {
+AnalysisWorker::~AnalysisWorker() {
   cancelled_ = true; // its thread ends sooner
 }
 
-void LabDesk::work(std::string_view what, std::function<void(Laboratory&)> change) {
+void AnalysisWorker::work(std::string_view what, std::function<void(AnalysisSession&)> change) {
   jobs_.add([this, what, change = std::move(change)] {
     tell_("work", wireText({{"kind", "work"}, {"what", what}}));
     try {
-      change(*laboratory_);
+      change(*session_);
     } catch (const std::exception& error) { // a full disk, too, must not end the bridge
       tell_("refused", wireText({{"kind", "refused"}, {"sentence", error.what()}}));
       if (!isFitted_ && what == fitting) {
@@ -69,51 +70,51 @@ void LabDesk::work(std::string_view what, std::function<void(Laboratory&)> chang
   });
 }
 
-void LabDesk::question() {
+void AnalysisWorker::testCandidates() {
   ++questions_;
-  work("testing causes", [this](Laboratory& laboratory) {
+  work("testing causes", [this](AnalysisSession& session) {
     if (--questions_ == 0 && isFitted_) { // else the model has changed since: the last one answers
-      laboratory.question();
+      session.testCandidates();
     }
   });
 }
 
-bool LabDesk::asked(const Json& request) {
+bool AnalysisWorker::handle(const Json& request) {
   const std::string verb = request.at("do");
   if (verb == "add" || verb == "drop") {
     const std::string label = request.at("label");
     work(fitting,
-         [verb, label](Laboratory& laboratory) { verb == "add" ? laboratory.add(label) : laboratory.drop(label); });
+         [verb, label](AnalysisSession& session) { verb == "add" ? session.add(label) : session.drop(label); });
   } else if (verb == "goTo") {
     const std::size_t rung = request.at("rung");
-    work(fitting, [rung](Laboratory& laboratory) { laboratory.goTo(rung); });
+    work(fitting, [rung](AnalysisSession& session) { session.goTo(rung); });
   } else if (verb == "define") {
     const Json effect = request.at("effect");
-    work(fitting, [effect](Laboratory& laboratory) { laboratory.define(effect); });
+    work(fitting, [effect](AnalysisSession& session) { session.defineEffect(effect); });
   } else {
-    return askedForMore(verb, request);
+    return handleWithoutChange(verb, request);
   }
-  question();
+  testCandidates();
   return true;
 }
 
 /// What leaves the model as it is.
-bool LabDesk::askedForMore(const std::string& verb, const Json& request) {
+bool AnalysisWorker::handleWithoutChange(const std::string& verb, const Json& request) {
   if (verb == "search") {
     cancelled_ = false;
-    work("searching", [this](Laboratory& laboratory) { laboratory.search([this] { return !cancelled_; }); });
+    work("searching", [this](AnalysisSession& session) { session.searchMissing([this] { return !cancelled_; }); });
   } else if (verb == "cancel") {
     cancelled_ = true;
   } else if (verb == "propose") {
     const std::size_t count = std::clamp(request.at("count").get<int>(), 1, 20);
-    work("choosing poses", [count](Laboratory& laboratory) { laboratory.propose(count); });
+    work("choosing poses", [count](AnalysisSession& session) { session.proposePoses(count); });
   } else if (verb == "compare") {
     const std::vector<std::string> paths = request.at("paths");
-    work("comparing", [paths](Laboratory& laboratory) { laboratory.compareWith(openSets(paths)); });
+    work("comparing", [paths](AnalysisSession& session) { session.compareWith(openDataset(paths)); });
   } else if (verb == "make") {
     const std::string name = request.at("file");
-    work("writing", [this, name](Laboratory& laboratory) {
-      std::string content = laboratory.file(name);
+    work("writing", [this, name](AnalysisSession& session) {
+      std::string content = session.generateFile(name);
       {
         const std::lock_guard lock{mutex_};
         made_[name] = std::move(content);
@@ -126,17 +127,17 @@ bool LabDesk::askedForMore(const std::string& verb, const Json& request) {
   return true;
 }
 
-std::optional<std::string> LabDesk::made(const std::string& name) const {
+std::optional<std::string> AnalysisWorker::generatedFile(const std::string& name) const {
   const std::lock_guard lock{mutex_};
   const auto found = made_.find(name);
   return found == made_.end() ? std::nullopt : std::optional{found->second};
 }
 
-Json LabDesk::checked(const Json& effect) const {
-  return laboratory_->checked(effect);
+Json AnalysisWorker::checkEffect(const Json& effect) const {
+  return session_->checkEffect(effect);
 }
 
-std::optional<std::string> LabDesk::picture(std::string_view path) const {
+std::optional<std::string> AnalysisWorker::picture(std::string_view path) const {
   const auto found = images_.find(std::string{path});
   try {
     return found == images_.end() ? std::nullopt : std::optional{fileContent(found->second)};
@@ -145,39 +146,41 @@ std::optional<std::string> LabDesk::picture(std::string_view path) const {
   }
 }
 
-void Desks::put(OpenedSets opened) {
+void AnalysisSlot::setDataset(Dataset opened) {
   const std::size_t number = number_ + 1;
-  auto fresh = std::make_unique<LabDesk>(std::move(opened), [this, number](const std::string& kind, std::string json) {
-    later_([this, number, kind, told = message(std::move(json))] {
-      if (number == number_) { // else the desk was cleared since
-        remember(kind, told);
-        all_(told);
-      }
-    });
-  });
+  auto fresh =
+      std::make_unique<AnalysisWorker>(std::move(opened), [this, number](const std::string& kind, std::string json) {
+        later_([this, number, kind, told = makeMessage(std::move(json))] {
+          if (number == number_) { // else other captures were opened since
+            remember(kind, told);
+            all_(told);
+          }
+        });
+      });
   number_ = number;
   latest_.clear();
-  all_(message(R"({"kind": "opened"})"));
-  if (desk_) { // it ends what it is at, which may take seconds
-    leaving_.add([old = std::shared_ptr<LabDesk>{std::move(desk_)}] {});
+  all_(makeMessage(R"({"kind": "opened"})"));
+  if (worker_) { // it ends what it is at, which may take seconds
+    leaving_.add([old = std::shared_ptr<AnalysisWorker>{std::move(worker_)}] {});
   }
-  desk_ = std::move(fresh);
+  worker_ = std::move(fresh);
 }
 
-void Desks::open(const std::vector<std::string>& paths, std::function<void(const std::string& problem)> refused) {
+void AnalysisSlot::open(const std::vector<std::string>& paths,
+                        std::function<void(const std::string& problem)> refused) {
   tellWork("opening captures");
   opening_.add([this, paths, refused = std::move(refused)] {
-    std::shared_ptr<OpenedSets> opened;
+    std::shared_ptr<Dataset> opened;
     std::string problem;
     try {
-      opened = std::make_shared<OpenedSets>(openSets(paths));
+      opened = std::make_shared<Dataset>(openDataset(paths));
     } catch (const std::exception& error) {
       problem = error.what();
     }
     later_([this, opened, problem, refused] {
       tellWork(nullptr);
       try {
-        opened ? put(std::move(*opened)) : refused(problem);
+        opened ? setDataset(std::move(*opened)) : refused(problem);
       } catch (const std::exception& error) {
         refused(error.what());
       }
@@ -186,7 +189,7 @@ void Desks::open(const std::vector<std::string>& paths, std::function<void(const
 }
 
 /// What was said of another fit is not true of a new one.
-void Desks::remember(const std::string& kind, const Message& told) {
+void AnalysisSlot::remember(const std::string& kind, const Message& told) {
   constexpr std::array<std::string_view, 4> ofFit{"questions", "next", "compared", "unfitted"};
   if (kind == "refused" || kind == "made") {
     return;
@@ -198,9 +201,9 @@ void Desks::remember(const std::string& kind, const Message& told) {
   latest_.emplace_back(kind, told);
 }
 
-void Desks::tellWork(const char* what) {
+void AnalysisSlot::tellWork(const char* what) {
   const nlohmann::json work{{"kind", "work"}, {"what", what ? nlohmann::json(what) : nlohmann::json()}};
-  all_(message(work.dump()));
+  all_(makeMessage(work.dump()));
 }
 
 } // namespace naocal

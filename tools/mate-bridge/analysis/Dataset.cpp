@@ -25,7 +25,7 @@ bool isSet(const std::filesystem::path& folder) {
 }
 
 /// A set to those that are opened; pictures whose corners were not looked for are searched. Throws InputError.
-void addSet(const std::string& folder, OpenedSets& opened) {
+void addSet(const std::string& folder, Dataset& opened) {
   CaptureSet set = readCaptureSet(folder, BadCaptures::refuse).set;
   if (std::any_of(set.captures.begin(), set.captures.end(), [](const Capture& one) { return !one.corners; })) {
     detectInSet(set, folder, std::max(1U, std::thread::hardware_concurrency()),
@@ -40,13 +40,13 @@ void addSet(const std::string& folder, OpenedSets& opened) {
 }
 
 /// Whether that is a folder; what cannot be looked at is none.
-bool isFolder(const std::filesystem::path& path) {
+bool isDirectory(const std::filesystem::path& path) {
   std::error_code ignored;
   return std::filesystem::is_directory(path, ignored);
 }
 
 /// The folder of a set as a document names it: as it is written, else beside the document. Throws InputError.
-std::string folderOf(const std::string& written, const std::filesystem::path& document) {
+std::string resolveFolder(const std::string& written, const std::filesystem::path& document) {
   const std::filesystem::path beside =
       document.parent_path() / std::filesystem::path{written}.lexically_normal().filename();
   for (const std::filesystem::path& folder : {std::filesystem::path{written}, beside}) {
@@ -61,12 +61,12 @@ std::string folderOf(const std::string& written, const std::filesystem::path& do
 }
 
 /// A set, or the sets that lie in a folder of them, as the robot records a calibration. Throws InputError.
-void addFolder(const std::string& folder, OpenedSets& opened) {
+void addFolder(const std::string& folder, Dataset& opened) {
   std::vector<std::string> sets;
-  if (!isSet(folder) && isFolder(folder)) {
+  if (!isSet(folder) && isDirectory(folder)) {
     std::error_code unreadable;
     for (const auto& entry : std::filesystem::directory_iterator{folder, unreadable}) {
-      if (isFolder(entry.path()) && isSet(entry.path())) {
+      if (isDirectory(entry.path()) && isSet(entry.path())) {
         sets.push_back(entry.path().string());
       }
     }
@@ -82,18 +82,18 @@ void addFolder(const std::string& folder, OpenedSets& opened) {
 
 bool isDocument(const std::string& path) {
   std::error_code ignored;
-  return std::filesystem::is_regular_file(path, ignored) || (!isFolder(path) && path.ends_with(".json"));
+  return std::filesystem::is_regular_file(path, ignored) || (!isDirectory(path) && path.ends_with(".json"));
 }
 
 /// The sets that a document was made from.
-void addInputs(const JsonPlace& inputs, const std::string& file, OpenedSets& opened) {
+void addInputs(const JsonPlace& inputs, const std::string& file, Dataset& opened) {
   for (const JsonPlace& set : inputs.at("sets").elements()) {
-    addSet(folderOf(set.text(), file), opened);
+    addSet(resolveFolder(set.text(), file), opened);
   }
 }
 
 /// A diagnosis: its sets, unless they are named, and what it suggests.
-void addDiagnosis(const JsonPlace& diagnosis, const std::string& file, bool setsAreNamed, OpenedSets& opened) {
+void addDiagnosis(const JsonPlace& diagnosis, const std::string& file, bool setsAreNamed, Dataset& opened) {
   for (const JsonPlace& label : diagnosis.at("suggested").elements()) {
     opened.with.push_back(label.text());
   }
@@ -106,13 +106,13 @@ void addDiagnosis(const JsonPlace& diagnosis, const std::string& file, bool sets
   }
 }
 
-void takeModel(const std::string& resultFile, OpenedSets& opened) {
+void takeModel(const std::string& resultFile, Dataset& opened) {
   const StoredResult stored = readResult(resultFile);
   opened.terms = stored.terms;
   opened.definitions = stored.definitions;
 }
 
-void addResult(const JsonPlace& result, const std::string& file, OpenedSets& opened) {
+void addResult(const JsonPlace& result, const std::string& file, Dataset& opened) {
   takeModel(file, opened);
   addInputs(result.at("inputs"), file, opened);
 }
@@ -132,7 +132,7 @@ std::optional<std::filesystem::path> solvedRound(const std::filesystem::path& fo
 
 /// A folder that is opened alone: of a robot's recording the solved round, with the model that it was solved with. What
 /// was taken to check it was taken with other offsets, and is opened by its own name.
-void addAlone(const std::string& folder, OpenedSets& opened) {
+void addAlone(const std::string& folder, Dataset& opened) {
   if (const auto round = solvedRound(folder)) {
     addSet(round->string(), opened);
     takeModel((*round / "result.json").string(), opened);
@@ -142,7 +142,7 @@ void addAlone(const std::string& folder, OpenedSets& opened) {
 }
 
 /// A model: what was added, taken out and defined; of which captures is for others to say.
-void addModel(const JsonPlace& model, const std::string& file, bool alone, OpenedSets& opened) {
+void addModel(const JsonPlace& model, const std::string& file, bool alone, Dataset& opened) {
   if (alone) {
     throw InputError{fmt::format("{}: a model is opened together with captures; name them behind it", file)};
   }
@@ -159,7 +159,7 @@ void addModel(const JsonPlace& model, const std::string& file, bool alone, Opene
 }
 
 /// A session: its ladder, and its sets unless they are named.
-void addSession(const JsonPlace& document, const std::string& file, bool alone, OpenedSets& opened) {
+void addSession(const JsonPlace& document, const std::string& file, bool alone, Dataset& opened) {
   Session session = readSession(file);
   if (alone) {
     addInputs(document, file, opened);
@@ -170,7 +170,7 @@ void addSession(const JsonPlace& document, const std::string& file, bool alone, 
 }
 
 /// A result, a diagnosis, a session or a model, which may stand with its sets.
-void addDocument(const std::string& file, bool alone, OpenedSets& opened) {
+void addDocument(const std::string& file, bool alone, Dataset& opened) {
   const nlohmann::json document = parseJson(fileContent(file), file);
   const JsonPlace place{document, file};
   const std::string format = place.at("format").text();
@@ -195,8 +195,8 @@ void addDocument(const std::string& file, bool alone, OpenedSets& opened) {
 
 } // namespace
 
-OpenedSets openSets(const std::vector<std::string>& paths) {
-  OpenedSets opened;
+Dataset openDataset(const std::vector<std::string>& paths) {
+  Dataset opened;
   for (const std::string& path : paths) {
     if (!isDocument(path)) {
       paths.size() == 1 ? addAlone(path, opened) : addFolder(path, opened);
@@ -214,11 +214,11 @@ OpenedSets openSets(const std::vector<std::string>& paths) {
   return opened;
 }
 
-OpenedSets openSession(std::vector<std::string> paths, const std::string& file) {
+Dataset openSession(std::vector<std::string> paths, const std::string& file) {
   if (std::filesystem::exists(file)) {
     paths.push_back(file);
   }
-  OpenedSets opened = openSets(paths);
+  Dataset opened = openDataset(paths);
   opened.sessionFile = file;
   return opened;
 }

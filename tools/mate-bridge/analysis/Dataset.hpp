@@ -12,7 +12,7 @@
 namespace naocal {
 
 /// What a person opened: capture sets, and the model to begin with.
-struct OpenedSets {
+struct Dataset {
   std::vector<CaptureSet> sets;
   ResultInputs inputs;
   std::map<std::string, std::filesystem::path> folders; // by the set's name
@@ -32,9 +32,9 @@ struct OpenedSets {
 /// alone opens with the round that it was solved from and the model that it was solved with. Pictures whose corners
 /// were not looked for are searched, and nothing is written. Throws InputError that names file, what was expected and
 /// found.
-OpenedSets openSets(const std::vector<std::string>& paths);
+Dataset openDataset(const std::vector<std::string>& paths);
 
 /// The same, and keeps a session of it in a file: goes on from it where it is there already.
-OpenedSets openSession(std::vector<std::string> paths, const std::string& file);
+Dataset openSession(std::vector<std::string> paths, const std::string& file);
 
 } // namespace naocal

@@ -75,7 +75,7 @@ Json tellingJson(const TellingPairs& telling, const std::vector<DriverValues>& d
 }
 
 /// The pictures, worst first; `index` says where a driver has its value.
-Json picturesJson(const OpenedSets& opened, const Measurements& measurements, const JsonPlace& result) {
+Json picturesJson(const Dataset& opened, const Measurements& measurements, const JsonPlace& result) {
   std::map<std::pair<std::string, int>, std::size_t> indices;
   for (std::size_t i = 0; i < measurements.pictures.size(); ++i) {
     const CaptureSet& set = opened.sets[measurements.pictures[i].set];
@@ -109,7 +109,7 @@ Json compensationJson(const Measurements& measurements, const Model& model, cons
 
 } // namespace
 
-Json fitJson(const Json& document, const OpenedSets& opened, const Measurements& measurements, const Model& model,
+Json fitJson(const Json& document, const Dataset& opened, const Measurements& measurements, const Model& model,
              const CalibrationResult& result) {
   const JsonPlace place{document, "the fit"};
   const VerdictWords words = verdictWords(place);
@@ -156,12 +156,12 @@ Json effectsJson(const std::vector<Effect>& effects) {
   return list;
 }
 
-Json questionsJson(const Diagnosis& diagnosis) {
+Json diagnosisPanelJson(const Diagnosis& diagnosis) {
   const Json document = diagnosisJson(diagnosis);
   return diagnosisData(JsonPlace{document, "the diagnosis"});
 }
 
-Json rungForPanel(const Rung& rung) {
+Json revisionPanelJson(const Rung& rung) {
   Json json{{"with", rung.with}, {"without", rung.without}, {"step", rung.step}, {"rms", rung.rmsPx}};
   if (rung.questioned) {
     if (rung.questioned->heldOutPx) {

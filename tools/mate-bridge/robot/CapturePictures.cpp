@@ -19,13 +19,13 @@ std::uint64_t distance(std::uint64_t a, std::uint64_t b) {
 
 } // namespace
 
-void TakenPictures::watchBegins() {
+void CapturePictures::beginWatch() {
   isFirst_ = true;
   seen_.clear();
 }
 
 /// Takes the picture where it is nearer than the one that the capture has.
-bool TakenPictures::offer(Taken& taken, const Seen& seen) const {
+bool CapturePictures::offer(Taken& taken, const Seen& seen) const {
   const std::uint64_t off = taken.time ? distance(*taken.time, seen.time) : nearby + 1;
   if (off > nearby || (taken.file && taken.off <= off)) {
     return false;
@@ -35,7 +35,7 @@ bool TakenPictures::offer(Taken& taken, const Seen& seen) const {
   return true;
 }
 
-bool TakenPictures::told(const Json& captures, std::uint64_t timestamp) {
+bool CapturePictures::onCaptures(const Json& captures, std::uint64_t timestamp) {
   bool changed = false;
   const auto nameOf = [](const Json& capture) {
     return fmt::format("{}/{}/{}/{}", capture.at("number").get<int>(), capture.at("round").get<int>(),
@@ -65,7 +65,7 @@ bool TakenPictures::told(const Json& captures, std::uint64_t timestamp) {
   return changed;
 }
 
-bool TakenPictures::pictured(const std::string& camera, std::uint64_t timestamp, std::string_view file) {
+bool CapturePictures::onImage(const std::string& camera, std::uint64_t timestamp, std::string_view file) {
   std::deque<Seen>& pictures = seen_[camera];
   if (!pictures.empty() && timestamp < pictures.back().time) {
     pictures.clear(); // the robot was started anew
@@ -81,7 +81,7 @@ bool TakenPictures::pictured(const std::string& camera, std::uint64_t timestamp,
   return changed;
 }
 
-Json TakenPictures::list() const {
+Json CapturePictures::list() const {
   Json places = Json::array();
   for (std::size_t i = 0; i < taken_.size(); ++i) {
     if (taken_[i].file) {
@@ -91,7 +91,7 @@ Json TakenPictures::list() const {
   return {{"series", series_}, {"places", std::move(places)}};
 }
 
-std::optional<std::string> TakenPictures::picture(std::size_t series, std::size_t place) const {
+std::optional<std::string> CapturePictures::picture(std::size_t series, std::size_t place) const {
   return series == series_ && place < taken_.size() && taken_[place].file ? std::optional{*taken_[place].file}
                                                                           : std::nullopt;
 }

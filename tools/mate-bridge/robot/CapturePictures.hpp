@@ -17,15 +17,15 @@ namespace naocal {
 /// it. A robot tells its captures without pictures and without times; a capture's time is that of the message in which
 /// it turned up, as long as the robot was watched without a gap. Captures that were there when watching began have no
 /// picture: any that the cameras show now would be another.
-class TakenPictures {
+class CapturePictures {
 public:
   /// From now on until the next call nothing is missed.
-  void watchBegins();
+  void beginWatch();
   /// The robot's list of captures, [{"number", "pose", "camera", "round"}]; a shorter or another one is of a new
   /// calibration. Throws Json::exception for anything else. True: there are other pictures than before.
-  bool told(const nlohmann::json& captures, std::uint64_t timestamp);
+  bool onCaptures(const nlohmann::json& captures, std::uint64_t timestamp);
   /// A camera's live picture ("top", "bottom"; time as in `told` [ms]). True: it is a capture's.
-  bool pictured(const std::string& camera, std::uint64_t timestamp, std::string_view file);
+  bool onImage(const std::string& camera, std::uint64_t timestamp, std::string_view file);
 
   /// Which calibration it is, counted, and whose captures (by their place in the robot's list) have pictures.
   nlohmann::json list() const;

@@ -70,7 +70,7 @@ double turn(double from, double to) {
 }
 
 /// Where the picture shows a point of the floor.
-Eigen::Vector2d pixelOf(const Eigen::Vector3d& onFloor, const Eye& eye) {
+Eigen::Vector2d pixelOf(const Eigen::Vector3d& onFloor, const CameraView& eye) {
   const Eigen::Vector3d seen = eye.floorFromOptical.inverse() * onFloor;
   return Lens{eye.lens}.withDistortion(
       {eye.lens.fx * seen.x() / seen.z() + eye.lens.cx, eye.lens.fy * seen.y() / seen.z() + eye.lens.cy});
@@ -78,7 +78,7 @@ Eigen::Vector2d pixelOf(const Eigen::Vector3d& onFloor, const Eye& eye) {
 
 } // namespace
 
-StandingRobot::StandingRobot(const Robot& drawing, const Eigen::VectorXd& angles)
+RobotOutline::RobotOutline(const Robot& drawing, const Eigen::VectorXd& angles)
     : drawing_{drawing}, angles_{angles}, floorFromLink_{posture(drawing, angles)} {
   const Sole *const left = drawing.sole("left"), *const right = drawing.sole("right");
   const Sole* carrying = left;
@@ -93,7 +93,8 @@ StandingRobot::StandingRobot(const Robot& drawing, const Eigen::VectorXd& angles
   }
 }
 
-std::optional<RigidTransform> StandingRobot::eye(const std::string& camera, const LiveCamera& belief) const {
+std::optional<RigidTransform> RobotOutline::floorFromOptical(const std::string& camera,
+                                                             const LiveCamera& belief) const {
   const auto index = drawing_.cameraIndex(camera);
   if (!index) {
     return std::nullopt;
@@ -104,7 +105,7 @@ std::optional<RigidTransform> StandingRobot::eye(const std::string& camera, cons
   return floorFromLink_[mount.link] * linkFromOptical(mount, believed);
 }
 
-Json StandingRobot::drawn(const LiveCameras& cameras) const {
+Json RobotOutline::toJson(const LiveCameras& cameras) const {
   Json hull = Json::array(), feet = Json::object(), views = Json::object(), gaze;
   for (const Capsule& part : drawing_.hull) {
     const RigidTransform& link = floorFromLink_[part.link];
@@ -123,11 +124,11 @@ Json StandingRobot::drawn(const LiveCameras& cameras) const {
     }
   }
   for (const auto& [name, belief] : cameras) {
-    if (const auto eyeHere = eye(name, belief)) {
+    if (const auto eyeHere = floorFromOptical(name, belief)) {
       views[name] = viewOnFloor(*eyeHere, belief.intrinsics);
     }
   }
-  if (const auto eyeHere = eye("top", {})) {
+  if (const auto eyeHere = floorFromOptical("top", {})) {
     const Eigen::Vector3d from = eyeHere->translation, ahead = eyeHere->rotation * Eigen::Vector3d{0, 0, 0.12};
     gaze = {rounded(from), rounded(Eigen::Vector3d{from + ahead})};
   }
@@ -140,7 +141,7 @@ Json StandingRobot::drawn(const LiveCameras& cameras) const {
           {"centre", rounded(floorFromLink_.front() * centreOfMass(drawing_, torsoFromLink).inTorso)}};
 }
 
-std::optional<Eigen::VectorXd> anglesByName(const Json& byName, const Robot& drawing) {
+std::optional<Eigen::VectorXd> parseNamedAngles(const Json& byName, const Robot& drawing) {
   Eigen::VectorXd angles = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(drawing.joints.size()));
   for (const auto& [name, value] : byName.items()) {
     const auto joint = drawing.jointIndex(name);
@@ -154,7 +155,7 @@ std::optional<Eigen::VectorXd> anglesByName(const Json& byName, const Robot& dra
   return angles;
 }
 
-std::optional<Eigen::VectorXd> anglesInOrder(const Json& list, const Robot& drawing) {
+std::optional<Eigen::VectorXd> parseOrderedAngles(const Json& list, const Robot& drawing) {
   if (!list.is_array() || list.size() != wireJoints.size()) {
     return std::nullopt;
   }
@@ -162,11 +163,11 @@ std::optional<Eigen::VectorXd> anglesInOrder(const Json& list, const Robot& draw
   for (std::size_t i = 0; i < wireJoints.size(); ++i) {
     byName[wireJoints[i]] = list[i];
   }
-  return anglesByName(byName, drawing);
+  return parseNamedAngles(byName, drawing);
 }
 
-std::optional<Eigen::Vector2d> onFloor(const RigidTransform& floorFromOptical, const CameraIntrinsics& lens,
-                                       const Eigen::Vector2d& pixel) {
+std::optional<Eigen::Vector2d> intersectFloor(const RigidTransform& floorFromOptical, const CameraIntrinsics& lens,
+                                              const Eigen::Vector2d& pixel) {
   const Eigen::Vector3d direction = ray(floorFromOptical, lens, pixel);
   if (direction.z() >= 0) {
     return std::nullopt;
@@ -176,12 +177,12 @@ std::optional<Eigen::Vector2d> onFloor(const RigidTransform& floorFromOptical, c
   return there.head<2>();
 }
 
-const Board* FloorBoards::board(const std::string& id) const {
+const Board* FloorBoardTracker::board(const std::string& id) const {
   const auto found = std::find_if(boards_.begin(), boards_.end(), [&](const Board& one) { return one.id == id; });
   return found == boards_.end() ? nullptr : &*found;
 }
 
-FloorBoards::Place FloorBoards::mean(const std::string& id) const {
+FloorBoardTracker::Place FloorBoardTracker::mean(const std::string& id) const {
   const auto& views = views_.at(id);
   Place sum;
   double cosine = 0, sine = 0;
@@ -195,7 +196,7 @@ FloorBoards::Place FloorBoards::mean(const std::string& id) const {
   return sum;
 }
 
-std::vector<Eigen::Vector2d> FloorBoards::predicted(const BoardCorners& seen, const Eye& eye) {
+std::vector<Eigen::Vector2d> FloorBoardTracker::update(const BoardCorners& seen, const CameraView& eye) {
   const Board* const described = board(seen.board);
   const auto isOnIt = [&](int corner) { return corner >= 0 && std::size_t(corner) < described->points.size(); };
   if (described == nullptr || seen.ids.size() < 2 || !std::all_of(seen.ids.begin(), seen.ids.end(), isOnIt)) {
@@ -204,7 +205,7 @@ std::vector<Eigen::Vector2d> FloorBoards::predicted(const BoardCorners& seen, co
   // the rotation and shift of the plane that fit best: Umeyama's, in two dimensions
   std::vector<Eigen::Vector2d> onBoard, there;
   for (std::size_t i = 0; i < seen.ids.size(); ++i) {
-    const auto place = onFloor(eye.floorFromOptical, eye.lens, seen.uv[i]);
+    const auto place = intersectFloor(eye.floorFromOptical, eye.lens, seen.uv[i]);
     if (!place) {
       return {};
     }
@@ -246,7 +247,7 @@ std::vector<Eigen::Vector2d> FloorBoards::predicted(const BoardCorners& seen, co
   return pixels;
 }
 
-nlohmann::json FloorBoards::drawn() const {
+nlohmann::json FloorBoardTracker::toJson() const {
   nlohmann::json list = nlohmann::json::array();
   for (const auto& [id, views] : views_) {
     const CharucoPattern& pattern = board(id)->pattern.value();

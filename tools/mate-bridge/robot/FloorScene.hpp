@@ -24,21 +24,21 @@ using LiveCameras = std::map<std::string, LiveCamera>; // "top", "bottom"
 
 /// A robot on the floor at given angles. The floor's frame is the sole of the foot that carries it, the lower one; the
 /// left one where both do (they differ by less than a centimetre): x forward, y left, z up [m].
-class StandingRobot {
+class RobotOutline {
 public:
   /// `angles`: one per joint of the drawing [rad].
-  StandingRobot(const Robot& drawing, const Eigen::VectorXd& angles);
+  RobotOutline(const Robot& drawing, const Eigen::VectorXd& angles);
 
   /// Which feet carry it: "left", "right", "both".
   const std::string& carries() const { return carries_; }
 
   /// floorFromOptical (x right, y down, z forward); absent: the robot has no such camera.
-  std::optional<RigidTransform> eye(const std::string& camera, const LiveCamera& belief) const;
+  std::optional<RigidTransform> floorFromOptical(const std::string& camera, const LiveCamera& belief) const;
 
   /// For a drawing: `hull` [[from, to, radius]] of its parts, `feet` {left, right} their outlines, `centre` of mass,
   /// `gaze` [from, to] from the top camera ahead, `carries` "left" | "right" | "both", `views` by camera: what it sees
   /// of the floor up to 3 m, as a polygon [m].
-  nlohmann::json drawn(const LiveCameras& cameras) const;
+  nlohmann::json toJson(const LiveCameras& cameras) const;
 
 private:
   const Robot& drawing_;
@@ -48,17 +48,17 @@ private:
 };
 
 /// Angles by the joints' names, those that are not named at rest (0). Absent: some value is no number.
-std::optional<Eigen::VectorXd> anglesByName(const nlohmann::json& byName, const Robot& drawing);
+std::optional<Eigen::VectorXd> parseNamedAngles(const nlohmann::json& byName, const Robot& drawing);
 
 /// Angles in HULKs' order of joints, as robots send them. Absent: there are not as many, or they are no numbers.
-std::optional<Eigen::VectorXd> anglesInOrder(const nlohmann::json& list, const Robot& drawing);
+std::optional<Eigen::VectorXd> parseOrderedAngles(const nlohmann::json& list, const Robot& drawing);
 
 /// Where a ray through a pixel meets the floor; absent where it does not [m].
-std::optional<Eigen::Vector2d> onFloor(const RigidTransform& floorFromOptical, const CameraIntrinsics& lens,
-                                       const Eigen::Vector2d& pixel);
+std::optional<Eigen::Vector2d> intersectFloor(const RigidTransform& floorFromOptical, const CameraIntrinsics& lens,
+                                              const Eigen::Vector2d& pixel);
 
 /// A picture's camera when it was taken.
-struct Eye {
+struct CameraView {
   RigidTransform floorFromOptical;
   CameraIntrinsics lens;
 };
@@ -66,16 +66,16 @@ struct Eye {
 /// Boards on the floor as pictures show them, one after the other: where each lies in the mean of its last views, and
 /// where a picture should hence show its corners. What is off from picture to picture is what the robot does not know
 /// about its joints and cameras.
-class FloorBoards {
+class FloorBoardTracker {
 public:
-  explicit FloorBoards(std::vector<Board> boards) : boards_{std::move(boards)} {}
+  explicit FloorBoardTracker(std::vector<Board> boards) : boards_{std::move(boards)} {}
 
   /// Takes a view of a board in; afterwards `predicted` tells where these corners should have been [px]. Empty: the
   /// picture does not tell where it lies (a corner above the horizon), or there is no such board or corner.
-  std::vector<Eigen::Vector2d> predicted(const BoardCorners& seen, const Eye& eye);
+  std::vector<Eigen::Vector2d> update(const BoardCorners& seen, const CameraView& eye);
 
   /// For a plan: [{"id", "columns", "rows", "square", "x", "y", "yaw"}] of those seen so far [m, rad].
-  nlohmann::json drawn() const;
+  nlohmann::json toJson() const;
 
 private:
   struct Place {

@@ -60,29 +60,29 @@ Json listOf(const std::vector<Eigen::Vector2d>& pixels) {
 } // namespace
 
 /// What the thread works with.
-struct RobotWatch::Sight {
+struct LiveDetection::Sight {
   std::mutex mutex;
   std::vector<Board> boards;
-  FloorBoards places{{}};
+  FloorBoardTracker places{{}};
   std::map<std::string, bool> busy; // by camera
 };
 
-RobotWatch::RobotWatch(std::string robot, Tell tell)
+LiveDetection::LiveDetection(std::string robot, MessageSink tell)
     : robot_{std::move(robot)}, tell_{std::move(tell)}, drawing_{loadRobot(configurationDirectory(), "V6")},
       sight_{std::make_shared<Sight>()} {}
 
-RobotWatch::~RobotWatch() = default;
+LiveDetection::~LiveDetection() = default;
 
-void RobotWatch::updated(const Json& update) {
+void LiveDetection::onUpdate(const Json& update) {
   const Json& value = update.at("value");
   if (update.at("key") == keys[1]) {
     if (wireText(value) != camerasText_) { // calibrated: boards lie elsewhere than they seemed to
       camerasText_ = wireText(value);
       cameras_ = camerasOf(value);
       const std::lock_guard lock{sight_->mutex};
-      sight_->places = FloorBoards{sight_->boards};
+      sight_->places = FloorBoardTracker{sight_->boards};
     }
-  } else if (auto angles = anglesInOrder(value, drawing_)) {
+  } else if (auto angles = parseOrderedAngles(value, drawing_)) {
     const std::uint64_t now = update.at("timestamp").get<std::uint64_t>();
     if (!angles_.empty() && now + remembered < angles_.rbegin()->first) {
       angles_.clear(); // the robot was started anew
@@ -93,24 +93,24 @@ void RobotWatch::updated(const Json& update) {
   }
 }
 
-void RobotWatch::tellScene() {
+void LiveDetection::tellScene() {
   const auto now = SteadyClock::now();
   if (now - told_ < betweenScenes) {
     return;
   }
   told_ = now;
-  Json scene = StandingRobot{drawing_, angles_.rbegin()->second}.drawn(cameras_);
+  Json scene = RobotOutline{drawing_, angles_.rbegin()->second}.toJson(cameras_);
   {
     const std::lock_guard lock{sight_->mutex};
-    scene["boards"] = sight_->places.drawn();
+    scene["boards"] = sight_->places.toJson();
   }
   scene["kind"] = "scene";
   scene["robot"] = robot_;
   tell_(wireText(scene));
 }
 
-void RobotWatch::pictured(const std::string& key, std::uint64_t timestamp, int width, int height,
-                          std::string_view file) {
+void LiveDetection::onImage(const std::string& key, std::uint64_t timestamp, int width, int height,
+                            std::string_view file) {
   const std::string camera = cameraOf(key);
   const auto belief = cameras_.find(camera);
   const auto now = SteadyClock::now();
@@ -119,11 +119,11 @@ void RobotWatch::pictured(const std::string& key, std::uint64_t timestamp, int w
   }
   const auto after = angles_.lower_bound(timestamp);
   const Eigen::VectorXd& angles = after == angles_.end() ? angles_.rbegin()->second : after->second;
-  const auto floorFromOptical = StandingRobot{drawing_, angles}.eye(camera, belief->second);
+  const auto floorFromOptical = RobotOutline{drawing_, angles}.floorFromOptical(camera, belief->second);
   if (!floorFromOptical) {
     return;
   }
-  const Eye eye{*floorFromOptical, scaled(belief->second.intrinsics, width, height)};
+  const CameraView eye{*floorFromOptical, scaled(belief->second.intrinsics, width, height)};
   {
     const std::lock_guard lock{sight_->mutex};
     bool& busy = sight_->busy[camera];
@@ -136,8 +136,8 @@ void RobotWatch::pictured(const std::string& key, std::uint64_t timestamp, int w
   LiveCamera seenWith = belief->second;
   seenWith.intrinsics = eye.lens;
   jobs_.add([sight = sight_, tell = tell_, robot = robot_, key, camera, timestamp, eye, bytes = std::string{file},
-             angles, seenWith, unknown = uncalibrated(drawing_, offsets_, cameras_), offsetsKnown = !offsets_.is_null(),
-             &drawing = drawing_] {
+             angles, seenWith, unknown = findUncalibrated(drawing_, offsets_, cameras_),
+             offsetsKnown = !offsets_.is_null(), &drawing = drawing_] {
     Json boards = Json::array();
     std::vector<Eigen::Vector2d> corners;
     try {
@@ -146,7 +146,7 @@ void RobotWatch::pictured(const std::string& key, std::uint64_t timestamp, int w
       lock.unlock();
       for (const BoardCorners& seen : detect(decodedPicture(bytes, "a live picture"), described, eye.lens).boards) {
         lock.lock();
-        const auto predicted = sight->places.predicted(seen, eye);
+        const auto predicted = sight->places.update(seen, eye);
         lock.unlock();
         corners.insert(corners.end(), seen.uv.begin(), seen.uv.end());
         boards.push_back({{"board", seen.board}, {"measured", listOf(seen.uv)}, {"predicted", listOf(predicted)}});
@@ -159,22 +159,22 @@ void RobotWatch::pictured(const std::string& key, std::uint64_t timestamp, int w
     }
     Json seen{{"kind", "seen"}, {"robot", robot}, {"key", key}, {"timestamp", timestamp}, {"boards", boards}};
     if (!corners.empty() && offsetsKnown) {
-      seen["rests"] = expected(drawing, angles, camera, seenWith, corners, unknown).sentence(drawing, camera);
+      seen["rests"] = predictLiveError(drawing, angles, camera, seenWith, corners, unknown).sentence(drawing, camera);
     }
     tell(wireText(seen));
   });
 }
 
-std::string RobotWatch::cameraOf(std::string_view key) {
+std::string LiveDetection::cameraOf(std::string_view key) {
   return key == keys[2] ? "top" : key == keys[3] ? "bottom" : "";
 }
 
-void RobotWatch::calibrated(const Json& offsets) {
-  uncalibrated(drawing_, offsets, {}); // throws for what are none
+void LiveDetection::onOffsets(const Json& offsets) {
+  findUncalibrated(drawing_, offsets, {}); // throws for what are none
   offsets_ = offsets;
 }
 
-void RobotWatch::configured(const Json& settings) {
+void LiveDetection::onConfiguration(const Json& settings) {
   for (const Json& entry : settings.is_array() ? settings : Json::array()) {
     if (entry.at("key") != "boards") {
       continue;
@@ -189,7 +189,7 @@ void RobotWatch::configured(const Json& settings) {
     }
     const std::lock_guard lock{sight_->mutex};
     sight_->boards = boards;
-    sight_->places = FloorBoards{std::move(boards)};
+    sight_->places = FloorBoardTracker{std::move(boards)};
   }
 }
 

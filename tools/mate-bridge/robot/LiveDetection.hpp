@@ -17,12 +17,12 @@ namespace naocal {
 /// Looks over a robot's shoulder while some panel wants that: how it stands, what its cameras see of the floor, where
 /// corners are in its pictures and where they should be. Corners are found by a thread of its own, in the newest
 /// picture of a camera only, a few times a second.
-class RobotWatch {
+class LiveDetection {
 public:
   /// A message for panels: {"kind": "scene" | "seen", ..}. "seen" comes from the watch's own thread.
-  using Tell = std::function<void(std::string json)>;
-  RobotWatch(std::string robot, Tell tell);
-  ~RobotWatch();
+  using MessageSink = std::function<void(std::string json)>;
+  LiveDetection(std::string robot, MessageSink tell);
+  ~LiveDetection();
 
   /// What it wants to be told of.
   static constexpr std::array<std::string_view, 4> keys{
@@ -32,17 +32,17 @@ public:
   static constexpr std::string_view boardsMount = "Brain.CalibrationRunner",
                                     offsetsMount = "Motion.JointCalibrationProvider";
 
-  void updated(const nlohmann::json& update); // {"key", "timestamp", "value"}
-  void pictured(const std::string& key, std::uint64_t timestamp, int width, int height, std::string_view file);
-  void configured(const nlohmann::json& settings); // of `boardsMount`: [{"key", "value"}]
-  void calibrated(const nlohmann::json& offsets);  // of `offsetsMount`, alike
+  void onUpdate(const nlohmann::json& update); // {"key", "timestamp", "value"}
+  void onImage(const std::string& key, std::uint64_t timestamp, int width, int height, std::string_view file);
+  void onConfiguration(const nlohmann::json& settings); // of `boardsMount`: [{"key", "value"}]
+  void onOffsets(const nlohmann::json& offsets);        // of `offsetsMount`, alike
 
 private:
   struct Sight;
   void tellScene();
 
   std::string robot_;
-  Tell tell_;
+  MessageSink tell_;
   Robot drawing_;
   LiveCameras cameras_;
   nlohmann::json offsets_;                          // as they were last told

@@ -49,7 +49,7 @@ double meanSquare(const RigidTransform& floorFromOptical, const RigidTransform& 
   double sum = 0;
   std::size_t count = 0;
   for (const Eigen::Vector2d& pixel : pixels) {
-    const auto place = onFloor(floorFromOptical, lens, pixel);
+    const auto place = intersectFloor(floorFromOptical, lens, pixel);
     if (!place) {
       continue;
     }
@@ -67,7 +67,7 @@ double meanSquare(const RigidTransform& floorFromOptical, const RigidTransform& 
 
 /// The soles that carry; the lower one, or both.
 std::vector<const Sole*> carrying(const Robot& drawing, const Eigen::VectorXd& angles) {
-  const std::string carries = StandingRobot{drawing, angles}.carries();
+  const std::string carries = RobotOutline{drawing, angles}.carries();
   std::vector<const Sole*> soles;
   for (const char* const name : {"left", "right"}) {
     if (const Sole* const sole = drawing.sole(name); sole && (carries == "both" || carries == name)) {
@@ -96,7 +96,7 @@ void takeLimb(const Robot& drawing, const std::string& side, std::vector<std::st
 
 } // namespace
 
-Uncalibrated uncalibrated(const Robot& drawing, const Json& offsets, const LiveCameras& cameras) {
+Uncalibrated findUncalibrated(const Robot& drawing, const Json& offsets, const LiveCameras& cameras) {
   Uncalibrated result;
   for (const Json& entry : offsets) {
     std::string name = entry.at("key");
@@ -113,9 +113,9 @@ Uncalibrated uncalibrated(const Robot& drawing, const Json& offsets, const LiveC
   return result;
 }
 
-LiveExpectation expected(const Robot& drawing, const Eigen::VectorXd& angles, const std::string& camera,
-                         const LiveCamera& belief, const std::vector<Eigen::Vector2d>& pixels,
-                         const Uncalibrated& uncalibrated) {
+LiveExpectation predictLiveError(const Robot& drawing, const Eigen::VectorXd& angles, const std::string& camera,
+                                 const LiveCamera& belief, const std::vector<Eigen::Vector2d>& pixels,
+                                 const Uncalibrated& uncalibrated) {
   const auto index = drawing.cameraIndex(camera);
   const std::vector<const Sole*> soles = carrying(drawing, angles);
   LiveExpectation result;

@@ -16,7 +16,7 @@ struct Uncalibrated {
 
 /// Joints whose offset and cameras whose mount angles are exactly as drawn. `offsets`: the keys of
 /// Motion.JointCalibrationProvider, [{"key": "headYaw", "value": 0}].
-Uncalibrated uncalibrated(const Robot& drawing, const nlohmann::json& offsets, const LiveCameras& cameras);
+Uncalibrated findUncalibrated(const Robot& drawing, const nlohmann::json& offsets, const LiveCameras& cameras);
 
 /// What a comparison of live predictions with live pictures rests on.
 struct LiveExpectation {
@@ -29,11 +29,11 @@ struct LiveExpectation {
 };
 
 /// How far corners seen at `pixels` may be off in a camera: each offset and mount angle that was never calibrated is
-/// unknown by the sigma that its effect declares. `FloorBoards` puts the boards where pictures show them, so what moves
-/// the whole floor within its plane (a turned HeadYaw) shows nowhere and does not count. A robot on both feet stands on
-/// the mean of what either leg says.
-LiveExpectation expected(const Robot& drawing, const Eigen::VectorXd& angles, const std::string& camera,
-                         const LiveCamera& belief, const std::vector<Eigen::Vector2d>& pixels,
-                         const Uncalibrated& uncalibrated);
+/// unknown by the sigma that its effect declares. `FloorBoardTracker` puts the boards where pictures show them, so what
+/// moves the whole floor within its plane (a turned HeadYaw) shows nowhere and does not count. A robot on both feet
+/// stands on the mean of what either leg says.
+LiveExpectation predictLiveError(const Robot& drawing, const Eigen::VectorXd& angles, const std::string& camera,
+                                 const LiveCamera& belief, const std::vector<Eigen::Vector2d>& pixels,
+                                 const Uncalibrated& uncalibrated);
 
 } // namespace naocal

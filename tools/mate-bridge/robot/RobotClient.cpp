@@ -20,13 +20,13 @@
 
 namespace naocal {
 
-RobotPlace robotPlace(const std::string& address) {
+RobotAddress parseRobotAddress(const std::string& address) {
   constexpr std::uint16_t usual = 12440;
   if (address.starts_with('/')) {
     return {"", 0, address};
   }
   const std::size_t colon = address.find(':');
-  RobotPlace place{address.substr(0, colon), usual, ""};
+  RobotAddress place{address.substr(0, colon), usual, ""};
   bool good = !place.host.empty() && place.host.find_first_of(" \t\r\n/@") == std::string::npos;
   if (colon != std::string::npos) {
     const char *const first = address.data() + colon + 1, *const last = address.data() + address.size();
@@ -41,21 +41,21 @@ RobotPlace robotPlace(const std::string& address) {
   return place;
 }
 
-void ListedMounts::want(const std::string& mount) {
+void MountRegistry::request(const std::string& mount) {
   listed_.contains(mount) ? ask_(mount) : void(wanted_.insert(mount));
 }
 
-void ListedMounts::listed(const nlohmann::json& told) {
+void MountRegistry::onListed(const nlohmann::json& told) {
   listed_.clear();
   for (const nlohmann::json& mount : told.at("keys")) {
     listed_.insert(mount.at("key").get<std::string>());
   }
   for (const std::string& mount : std::exchange(wanted_, {})) {
-    want(mount);
+    request(mount);
   }
 }
 
-void ListedMounts::forget() {
+void MountRegistry::forget() {
   listed_.clear();
   wanted_.clear();
 }
@@ -74,15 +74,15 @@ std::string configFrame(ConfigFrame type, std::string_view body = {}) {
 /// One of a robot's two sockets: connects, cuts what comes into frames, sends frames. Ends once, with a sentence.
 class RobotSocket : public std::enable_shared_from_this<RobotSocket> {
 public:
-  struct Calls {
+  struct Callbacks {
     std::function<void()> connected;
     std::function<void(std::uint8_t type, std::string body)> received;
     std::function<void(const std::string& sentence)> ended; // without the robot's name: "refused the connection"
   };
-  RobotSocket(boost::asio::io_context& context, const RobotFormat& format, Calls calls);
+  RobotSocket(boost::asio::io_context& context, const RobotFormat& format, Callbacks calls);
 
   /// `offset`: of the TCP port above the base port; `name`: of the UNIX socket.
-  void connect(const RobotPlace& place, std::uint16_t offset, const std::string& name);
+  void connect(const RobotAddress& place, std::uint16_t offset, const std::string& name);
   void send(std::string frame);
   /// Ends without a call.
   void drop();
@@ -96,7 +96,7 @@ private:
   void end(const std::string& sentence);
 
   const RobotFormat& format_;
-  Calls calls_;
+  Callbacks calls_;
   Socket socket_;
   boost::asio::ip::tcp::resolver resolver_;
   boost::asio::steady_timer patience_;
@@ -107,10 +107,10 @@ private:
 
 using Error = boost::system::error_code;
 
-RobotSocket::RobotSocket(boost::asio::io_context& context, const RobotFormat& format, Calls calls)
+RobotSocket::RobotSocket(boost::asio::io_context& context, const RobotFormat& format, Callbacks calls)
     : format_{format}, calls_{std::move(calls)}, socket_{context}, resolver_{context}, patience_{context} {}
 
-void RobotSocket::connect(const RobotPlace& place, std::uint16_t offset, const std::string& name) {
+void RobotSocket::connect(const RobotAddress& place, std::uint16_t offset, const std::string& name) {
   patience_.expires_after(std::chrono::seconds{3});
   patience_.async_wait([self = shared_from_this()](Error stopped) {
     if (!stopped) {
@@ -227,24 +227,24 @@ void RobotSocket::drop() {
 } // namespace
 
 /// What goes on between a RobotClient and its robot.
-class RobotConversation : public std::enable_shared_from_this<RobotConversation> {
+class RobotClient::Implementation : public std::enable_shared_from_this<Implementation> {
 public:
-  RobotConversation(boost::asio::io_context& context, const std::string& address, RobotCalls calls);
+  Implementation(boost::asio::io_context& context, const std::string& address, RobotCallbacks calls);
 
   void connect();
   void drop();
   /// As RobotClient.
-  void rest();
-  void wake();
-  bool connected() const { return missing_ == 0; }
+  void suspend();
+  void resume();
+  bool isConnected() const { return missing_ == 0; }
   const std::string& sentence() const { return sentence_; }
 
   void subscribe(const std::string& key);
   void unsubscribe(const std::string& key);
   /// As RobotClient.
-  bool introduce(const std::string& settings);
+  bool authenticate(const std::string& settings);
   /// False: not connected, so nothing was sent.
-  bool say(ConfigFrame type, std::string_view body = {});
+  bool send(ConfigFrame type, std::string_view body = {});
 
 private:
   void opened();
@@ -254,8 +254,8 @@ private:
   void configSaid(ConfigFrame type, const std::string& body);
 
   boost::asio::io_context& context_;
-  RobotPlace place_;
-  RobotCalls calls_;
+  RobotAddress place_;
+  RobotCallbacks calls_;
   boost::asio::steady_timer timer_;
   std::shared_ptr<RobotSocket> debug_, config_;
   int missing_ = 2; // sockets that are not connected
@@ -267,11 +267,12 @@ private:
   bool isWelcome_ = false;     // the robot has shown its mounts on this connection
 };
 
-RobotConversation::RobotConversation(boost::asio::io_context& context, const std::string& address, RobotCalls calls)
-    : context_{context}, place_{robotPlace(address)}, calls_{std::move(calls)}, timer_{context} {}
+RobotClient::Implementation::Implementation(boost::asio::io_context& context, const std::string& address,
+                                            RobotCallbacks calls)
+    : context_{context}, place_{parseRobotAddress(address)}, calls_{std::move(calls)}, timer_{context} {}
 
-void RobotConversation::connect() {
-  const std::weak_ptr<RobotConversation> weak = weak_from_this();
+void RobotClient::Implementation::connect() {
+  const std::weak_ptr<Implementation> weak = weak_from_this();
   const auto guarded = [weak](auto action) {
     return [weak, action](auto&&... given) {
       if (const auto self = weak.lock()) {
@@ -279,26 +280,26 @@ void RobotConversation::connect() {
       }
     };
   };
-  const auto opened = guarded([](RobotConversation& self) { self.opened(); });
-  const auto ended = guarded([](RobotConversation& self, const std::string& why) { self.ended(why); });
+  const auto opened = guarded([](Implementation& self) { self.opened(); });
+  const auto ended = guarded([](Implementation& self, const std::string& why) { self.ended(why); });
   debug_ = std::make_shared<RobotSocket>(
       context_, debugFrames,
-      RobotSocket::Calls{opened, guarded([](RobotConversation& self, std::uint8_t type, const std::string& body) {
-                           self.debugSaid(static_cast<DebugFrame>(type), body);
-                         }),
-                         ended});
+      RobotSocket::Callbacks{opened, guarded([](Implementation& self, std::uint8_t type, const std::string& body) {
+                               self.debugSaid(static_cast<DebugFrame>(type), body);
+                             }),
+                             ended});
   config_ = std::make_shared<RobotSocket>(
       context_, configFrames,
-      RobotSocket::Calls{opened, guarded([](RobotConversation& self, std::uint8_t type, const std::string& body) {
-                           self.configSaid(static_cast<ConfigFrame>(type), body);
-                         }),
-                         ended});
+      RobotSocket::Callbacks{opened, guarded([](Implementation& self, std::uint8_t type, const std::string& body) {
+                               self.configSaid(static_cast<ConfigFrame>(type), body);
+                             }),
+                             ended});
   missing_ = 2;
   debug_->connect(place_, 1, "debug");
   config_->connect(place_, 2, "config");
 }
 
-void RobotConversation::opened() {
+void RobotClient::Implementation::opened() {
   if (--missing_ > 0) {
     return;
   }
@@ -318,7 +319,7 @@ void RobotConversation::opened() {
 }
 
 /// A robot whose cable was pulled says nothing: now and then it is asked for a word.
-void RobotConversation::listen() {
+void RobotClient::Implementation::listen() {
   timer_.expires_after(heartbeat);
   timer_.async_wait([weak = weak_from_this()](boost::system::error_code stopped) {
     const auto self = weak.lock();
@@ -337,7 +338,7 @@ void RobotConversation::listen() {
   });
 }
 
-void RobotConversation::ended(const std::string& why) {
+void RobotClient::Implementation::ended(const std::string& why) {
   if (missing_ == 0 && !isWelcome_) {
     introduction_.clear(); // the robot did not like it
   }
@@ -357,7 +358,7 @@ void RobotConversation::ended(const std::string& why) {
   }
 }
 
-void RobotConversation::debugSaid(DebugFrame type, const std::string& body) {
+void RobotClient::Implementation::debugSaid(DebugFrame type, const std::string& body) {
   heard_ = std::chrono::steady_clock::now();
   if (type == DebugFrame::update) {
     calls_.update(body);
@@ -368,7 +369,7 @@ void RobotConversation::debugSaid(DebugFrame type, const std::string& body) {
   }
 }
 
-void RobotConversation::configSaid(ConfigFrame type, const std::string& body) {
+void RobotClient::Implementation::configSaid(ConfigFrame type, const std::string& body) {
   if (type == ConfigFrame::sendMounts) {
     isWelcome_ = isWelcome_ || body.find("\"key\"") != body.npos;
     calls_.mounts(body);
@@ -377,13 +378,13 @@ void RobotConversation::configSaid(ConfigFrame type, const std::string& body) {
   }
 }
 
-void RobotConversation::drop() {
+void RobotClient::Implementation::drop() {
   timer_.cancel();
   debug_->drop();
   config_->drop();
 }
 
-void RobotConversation::rest() {
+void RobotClient::Implementation::suspend() {
   drop();
   rests_ = true;
   missing_ = 2;
@@ -391,84 +392,84 @@ void RobotConversation::rest() {
   calls_.changed();
 }
 
-void RobotConversation::wake() {
+void RobotClient::Implementation::resume() {
   if (std::exchange(rests_, false)) {
     sentence_ = "connecting";
     connect();
   }
 }
 
-void RobotConversation::subscribe(const std::string& key) {
-  if (keys_.insert(key).second && connected()) {
+void RobotClient::Implementation::subscribe(const std::string& key) {
+  if (keys_.insert(key).second && isConnected()) {
     debug_->send(debugFrame(DebugFrame::subscribe, key));
   }
 }
 
-void RobotConversation::unsubscribe(const std::string& key) {
-  if (keys_.erase(key) > 0 && connected()) {
+void RobotClient::Implementation::unsubscribe(const std::string& key) {
+  if (keys_.erase(key) > 0 && isConnected()) {
     debug_->send(debugFrame(DebugFrame::unsubscribe, key));
   }
 }
 
-bool RobotConversation::introduce(const std::string& settings) {
+bool RobotClient::Implementation::authenticate(const std::string& settings) {
   introduction_ = settings;
-  return say(ConfigFrame::set, settings) && say(ConfigFrame::getMounts);
+  return send(ConfigFrame::set, settings) && send(ConfigFrame::getMounts);
 }
 
-bool RobotConversation::say(ConfigFrame type, std::string_view body) {
-  if (connected()) {
+bool RobotClient::Implementation::send(ConfigFrame type, std::string_view body) {
+  if (isConnected()) {
     config_->send(configFrame(type, body));
   }
-  return connected();
+  return isConnected();
 }
 
-RobotClient::RobotClient(boost::asio::io_context& context, const std::string& address, RobotCalls calls)
-    : conversation_{std::make_shared<RobotConversation>(context, address, std::move(calls))} {
-  conversation_->connect();
+RobotClient::RobotClient(boost::asio::io_context& context, const std::string& address, RobotCallbacks calls)
+    : implementation_{std::make_shared<Implementation>(context, address, std::move(calls))} {
+  implementation_->connect();
 }
 
 RobotClient::~RobotClient() {
-  conversation_->drop();
+  implementation_->drop();
 }
 
-bool RobotClient::connected() const {
-  return conversation_->connected();
+bool RobotClient::isConnected() const {
+  return implementation_->isConnected();
 }
 
 const std::string& RobotClient::sentence() const {
-  return conversation_->sentence();
+  return implementation_->sentence();
 }
 
 void RobotClient::subscribe(const std::string& key) {
-  conversation_->subscribe(key);
+  implementation_->subscribe(key);
 }
 
 void RobotClient::unsubscribe(const std::string& key) {
-  conversation_->unsubscribe(key);
+  implementation_->unsubscribe(key);
 }
 
 void RobotClient::askForKeys(const std::string& mount) {
-  conversation_->say(ConfigFrame::getKeys, mount);
+  implementation_->send(ConfigFrame::getKeys, mount);
 }
 
 bool RobotClient::set(const std::string& settings) {
-  return conversation_->say(ConfigFrame::set, settings);
+  return implementation_->send(ConfigFrame::set, settings);
 }
 
-bool RobotClient::introduce(const std::string& settings) {
-  return conversation_->introduce(settings);
+bool RobotClient::authenticate(const std::string& settings) {
+  return implementation_->authenticate(settings);
 }
 
-void RobotClient::rest() {
-  conversation_->rest();
+void RobotClient::suspend() {
+  implementation_->suspend();
 }
 
-void RobotClient::wake() {
-  conversation_->wake();
+void RobotClient::resume() {
+  implementation_->resume();
 }
 
 bool RobotClient::save() {
-  return conversation_->say(ConfigFrame::save);
+  return implementation_->send(ConfigFrame::save);
 }
 
 } // namespace naocal

@@ -16,25 +16,25 @@ namespace naocal {
 
 /// Where a robot's sockets are: "nao21", "10.1.24.31:12440" (base port; debug is one above, configuration two), or a
 /// folder with the UNIX sockets `debug` and `config`.
-struct RobotPlace {
+struct RobotAddress {
   std::string host;             // empty: UNIX sockets
   std::uint16_t basePort = 0;   // [1, 65533]
   std::filesystem::path folder; // of UNIX sockets
 };
 
 /// Throws InputError that says what is expected.
-RobotPlace robotPlace(const std::string& address);
+RobotAddress parseRobotAddress(const std::string& address);
 
 /// Which of a robot's mounts may be asked for their keys. HULKs' own service ends at the name of a mount that it does
 /// not have, so that a question waits until the robot has listed its mount.
-class ListedMounts {
+class MountRegistry {
 public:
-  explicit ListedMounts(std::function<void(const std::string& mount)> ask) : ask_{std::move(ask)} {}
+  explicit MountRegistry(std::function<void(const std::string& mount)> ask) : ask_{std::move(ask)} {}
 
   /// Asks now, or once the mount is listed.
-  void want(const std::string& mount);
+  void request(const std::string& mount);
   /// The robot's list: {"keys": [{"key": mount}]}. Throws Json::exception for anything else.
-  void listed(const nlohmann::json& told);
+  void onListed(const nlohmann::json& told);
   /// It may be another robot, or another program on it, that comes back.
   void forget();
 
@@ -43,10 +43,8 @@ private:
   std::set<std::string> listed_, wanted_;
 };
 
-class RobotConversation;
-
 /// What a robot tells; bodies as they came, JSON where it should be.
-struct RobotCalls {
+struct RobotCallbacks {
   std::function<void()> changed; // connected, or not any more: `sentence` says why
   std::function<void(const std::string&body)> list, update, mounts, keys;
   std::function<void(const std::string& body)> picture; // an IMAGE's body
@@ -57,10 +55,10 @@ struct RobotCalls {
 class RobotClient {
 public:
   /// Throws InputError for an address that cannot be one.
-  RobotClient(boost::asio::io_context& context, const std::string& address, RobotCalls calls);
+  RobotClient(boost::asio::io_context& context, const std::string& address, RobotCallbacks calls);
   ~RobotClient();
 
-  bool connected() const;
+  bool isConnected() const;
   /// How it stands, for people: "connected", "connecting", or what went wrong.
   const std::string& sentence() const;
 
@@ -72,14 +70,15 @@ public:
   bool save();
   /// The same settings again whenever it connects anew, before anything else, until a robot ends the connection for
   /// them: its secret.
-  bool introduce(const std::string& settings);
+  bool authenticate(const std::string& settings);
 
   /// Ends both connections, so that the robot does what was left with it as a last will, until `wake`.
-  void rest();
-  void wake();
+  void suspend();
+  void resume();
 
 private:
-  std::shared_ptr<RobotConversation> conversation_;
+  class Implementation;
+  std::shared_ptr<Implementation> implementation_;
 };
 
 } // namespace naocal

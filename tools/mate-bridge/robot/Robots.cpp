@@ -37,11 +37,11 @@ template <typename Action> void whereItFits(const Action& action) {
 
 } // namespace
 
-void Viewers::add(const std::string& key, std::size_t viewer) {
+void Subscriptions::add(const std::string& key, std::size_t viewer) {
   viewers_[key].insert(viewer);
 }
 
-bool Viewers::remove(const std::string& key, std::size_t viewer) {
+bool Subscriptions::remove(const std::string& key, std::size_t viewer) {
   const auto found = viewers_.find(key);
   if (found == viewers_.end() || found->second.erase(viewer) == 0 || !found->second.empty()) {
     return false;
@@ -50,7 +50,7 @@ bool Viewers::remove(const std::string& key, std::size_t viewer) {
   return true;
 }
 
-std::vector<std::string> Viewers::forget(std::size_t viewer) {
+std::vector<std::string> Subscriptions::forget(std::size_t viewer) {
   std::vector<std::string> keys, unseen;
   for (const auto& [key, viewers] : viewers_) {
     keys.push_back(key);
@@ -63,53 +63,53 @@ std::vector<std::string> Viewers::forget(std::size_t viewer) {
   return unseen;
 }
 
-const std::set<std::size_t>& Viewers::of(std::string_view key) const {
+const std::set<std::size_t>& Subscriptions::subscribersOf(std::string_view key) const {
   static const std::set<std::size_t> none;
   const auto found = viewers_.find(key);
   return found == viewers_.end() ? none : found->second;
 }
 
-SeenRobot::SeenRobot(boost::asio::io_context& context, std::string address, const RobotsCalls& calls)
+WatchedRobot::WatchedRobot(boost::asio::io_context& context, std::string address, const PanelCallbacks& calls)
     : address_{std::move(address)}, calls_{calls},
       link_{std::make_unique<RobotClient>(context, address_,
-                                          RobotCalls{[this] { changed(); },
-                                                     [this](const std::string& body) { listed("list", body); },
-                                                     [this](const std::string& body) { updated(body); },
-                                                     [this](const std::string& body) { listed("mounts", body); },
-                                                     [this](const std::string& body) { listed("keys", body); },
-                                                     [this](const std::string& body) { pictured(body); }})} {
+                                          RobotCallbacks{[this] { changed(); },
+                                                         [this](const std::string& body) { listed("list", body); },
+                                                         [this](const std::string& body) { updated(body); },
+                                                         [this](const std::string& body) { listed("mounts", body); },
+                                                         [this](const std::string& body) { listed("keys", body); },
+                                                         [this](const std::string& body) { pictured(body); }})} {
   calls_.all(state());
 }
 
-std::string SeenRobot::state() const {
+std::string WatchedRobot::state() const {
   return wireText({{"kind", "robot"},
                    {"robot", address_},
-                   {"connected", link_ && link_->connected()},
+                   {"connected", link_ && link_->isConnected()},
                    {"sentence", link_ ? link_->sentence() : "connecting"}});
 }
 
-void SeenRobot::changed() {
+void WatchedRobot::changed() {
   mounts_.forget();
   if (!watchers_.empty()) {
-    taken_.watchBegins(); // what was told while it was away is not known
+    taken_.beginWatch(); // what was told while it was away is not known
     wantMounts();
   }
   calls_.all(state());
 }
 
-void SeenRobot::listed(const std::string& kind, const std::string& body) {
+void WatchedRobot::listed(const std::string& kind, const std::string& body) {
   const Json told = parsed(body);
   if (kind == "keys" && watch_) {
     whereItFits([&] {
-      if (told.at("mountPoint") == RobotWatch::boardsMount) {
-        watch_->configured(told.at("keys"));
-      } else if (told.at("mountPoint") == RobotWatch::offsetsMount) {
-        watch_->calibrated(told.at("keys"));
+      if (told.at("mountPoint") == LiveDetection::boardsMount) {
+        watch_->onConfiguration(told.at("keys"));
+      } else if (told.at("mountPoint") == LiveDetection::offsetsMount) {
+        watch_->onOffsets(told.at("keys"));
       }
     });
   }
   if (kind == "mounts") {
-    whereItFits([&] { mounts_.listed(told); });
+    whereItFits([&] { mounts_.onListed(told); });
   }
   const std::string message = wireText({{"kind", kind}, {"robot", address_}, {"body", told}});
   if (kind != "keys" && latest_[kind] == message) {
@@ -119,19 +119,19 @@ void SeenRobot::listed(const std::string& kind, const std::string& body) {
   calls_.all(message);
 }
 
-void SeenRobot::updated(const std::string& body) {
+void WatchedRobot::updated(const std::string& body) {
   const Json values = parsed(body);
   std::map<std::size_t, Json> wanted; // by panel
   for (const Json& value : values.is_array() ? values : Json::array()) {
     if (!value.is_object() || !value.contains("key") || !value["key"].is_string()) {
       continue;
     }
-    for (const std::size_t viewer : viewers_.of(value["key"].get<std::string>())) {
+    for (const std::size_t viewer : viewers_.subscribersOf(value["key"].get<std::string>())) {
       if (viewer == theWatch) {
         whereItFits([&] {
           if (value["key"] != capturesKey) {
-            watch_->updated(value);
-          } else if (taken_.told(value.at("value"), value.at("timestamp"))) {
+            watch_->onUpdate(value);
+          } else if (taken_.onCaptures(value.at("value"), value.at("timestamp"))) {
             tellTaken();
           }
         });
@@ -145,7 +145,7 @@ void SeenRobot::updated(const std::string& body) {
   }
 }
 
-void SeenRobot::pictured(const std::string& body) {
+void WatchedRobot::pictured(const std::string& body) {
   const auto picture = robotPicture(body);
   if (!picture) {
     return;
@@ -156,20 +156,20 @@ void SeenRobot::pictured(const std::string& body) {
                                      {"timestamp", picture->timestamp},
                                      {"width", picture->width},
                                      {"height", picture->height}});
-  for (const std::size_t viewer : viewers_.of(picture->key)) {
+  for (const std::size_t viewer : viewers_.subscribersOf(picture->key)) {
     if (viewer == theWatch) {
-      if (taken_.pictured(RobotWatch::cameraOf(picture->key), picture->timestamp, picture->file)) {
+      if (taken_.onImage(LiveDetection::cameraOf(picture->key), picture->timestamp, picture->file)) {
         tellTaken();
       }
-      watch_->pictured(std::string{picture->key}, picture->timestamp, static_cast<int>(picture->width),
-                       static_cast<int>(picture->height), picture->file);
+      watch_->onImage(std::string{picture->key}, picture->timestamp, static_cast<int>(picture->width),
+                      static_cast<int>(picture->height), picture->file);
     } else {
       calls_.picture(viewer, head + "\n" + std::string{picture->file});
     }
   }
 }
 
-void SeenRobot::asked(std::size_t panel, const std::string& verb, const Json& request) {
+void WatchedRobot::handle(std::size_t panel, const std::string& verb, const Json& request) {
   bool done = true;
   if (verb == "subscribe") {
     look(request.at("key"), panel);
@@ -180,11 +180,11 @@ void SeenRobot::asked(std::size_t panel, const std::string& verb, const Json& re
   } else if (verb == "unwatch") {
     unwatch(panel);
   } else if (verb == "keys") {
-    mounts_.want(request.at("mount"));
+    mounts_.request(request.at("mount"));
   } else if (verb == "set") {
     const Json& settings = request.at("settings");
     const bool isSecret = settings.is_array() && settings.size() == 1 && settings[0].value("mp", "") == "naocal.access";
-    done = isSecret ? link_->introduce(wireText(settings)) : link_->set(wireText(settings));
+    done = isSecret ? link_->authenticate(wireText(settings)) : link_->set(wireText(settings));
   } else {
     done = link_->save();
   }
@@ -193,34 +193,35 @@ void SeenRobot::asked(std::size_t panel, const std::string& verb, const Json& re
   }
 }
 
-void SeenRobot::look(const std::string& key, std::size_t viewer) {
+void WatchedRobot::look(const std::string& key, std::size_t viewer) {
   viewers_.add(key, viewer);
   link_->subscribe(key);
 }
 
-void SeenRobot::lookAway(const std::string& key, std::size_t viewer) {
+void WatchedRobot::lookAway(const std::string& key, std::size_t viewer) {
   if (viewers_.remove(key, viewer)) {
     link_->unsubscribe(key);
   }
 }
 
-void SeenRobot::watch(std::size_t panel) {
+void WatchedRobot::watch(std::size_t panel) {
   if (watchers_.empty()) {
-    taken_.watchBegins();
+    taken_.beginWatch();
   }
   watchers_.insert(panel);
   if (!watch_) {
-    watch_ = std::make_unique<RobotWatch>(address_, [weak = weak_from_this(), later = calls_.later](std::string json) {
-      later([weak, json = std::move(json)] {
-        if (const auto self = weak.lock()) {
-          for (const std::size_t watcher : self->watchers_) {
-            self->calls_.update(watcher, json);
-          }
-        }
-      });
-    });
+    watch_ =
+        std::make_unique<LiveDetection>(address_, [weak = weak_from_this(), later = calls_.later](std::string json) {
+          later([weak, json = std::move(json)] {
+            if (const auto self = weak.lock()) {
+              for (const std::size_t watcher : self->watchers_) {
+                self->calls_.update(watcher, json);
+              }
+            }
+          });
+        });
   }
-  for (const std::string_view key : RobotWatch::keys) {
+  for (const std::string_view key : LiveDetection::keys) {
     look(std::string{key}, theWatch);
   }
   look(std::string{capturesKey}, theWatch);
@@ -228,26 +229,26 @@ void SeenRobot::watch(std::size_t panel) {
   wantMounts();
 }
 
-void SeenRobot::wantMounts() {
-  for (const std::string_view mount : {RobotWatch::boardsMount, RobotWatch::offsetsMount}) {
-    mounts_.want(std::string{mount});
+void WatchedRobot::wantMounts() {
+  for (const std::string_view mount : {LiveDetection::boardsMount, LiveDetection::offsetsMount}) {
+    mounts_.request(std::string{mount});
   }
 }
 
-std::string SeenRobot::takenPictures() const {
+std::string WatchedRobot::takenPictures() const {
   Json message = taken_.list();
   message["kind"] = "taken";
   message["robot"] = address_;
   return wireText(message);
 }
 
-void SeenRobot::tellTaken() const {
+void WatchedRobot::tellTaken() const {
   for (const std::size_t watcher : watchers_) {
     calls_.one(watcher, takenPictures());
   }
 }
 
-std::optional<std::string> SeenRobot::takenPicture(std::string_view which) const {
+std::optional<std::string> WatchedRobot::takenPicture(std::string_view which) const {
   const std::size_t slash = which.find('/');
   std::size_t series = 0, place = 0;
   const auto number = [](std::string_view text, std::size_t& value) {
@@ -261,36 +262,36 @@ std::optional<std::string> SeenRobot::takenPicture(std::string_view which) const
   return taken_.picture(series, place);
 }
 
-void SeenRobot::unwatch(std::size_t panel) {
+void WatchedRobot::unwatch(std::size_t panel) {
   watchers_.erase(panel);
   if (watch_ && watchers_.empty()) {
-    for (const std::string_view key : RobotWatch::keys) {
+    for (const std::string_view key : LiveDetection::keys) {
       lookAway(std::string{key}, theWatch);
     }
     lookAway(std::string{capturesKey}, theWatch);
   }
 }
 
-void SeenRobot::greet(std::size_t panel) const {
+void WatchedRobot::addPanel(std::size_t panel) const {
   calls_.one(panel, state());
   for (const auto& [kind, message] : latest_) {
     calls_.one(panel, message);
   }
 }
 
-void SeenRobot::forget(std::size_t panel) {
+void WatchedRobot::removePanel(std::size_t panel) {
   unwatch(panel);
   for (const std::string& key : viewers_.forget(panel)) {
     link_->unsubscribe(key);
   }
 }
 
-Robots::Robots(boost::asio::io_context& context, RobotsCalls calls, std::chrono::milliseconds patience)
+Robots::Robots(boost::asio::io_context& context, PanelCallbacks calls, std::chrono::milliseconds patience)
     : context_{context}, calls_{std::move(calls)}, patience_{patience}, alone_{context} {}
 
 void Robots::connect(const std::string& address) {
   if (!robots_.contains(address)) {
-    robots_[address] = std::make_shared<SeenRobot>(context_, address, calls_);
+    robots_[address] = std::make_shared<WatchedRobot>(context_, address, calls_);
   }
 }
 
@@ -300,7 +301,7 @@ void Robots::disconnect(const std::string& address) {
   }
 }
 
-bool Robots::asked(std::size_t panel, const nlohmann::json& request) {
+bool Robots::handle(std::size_t panel, const nlohmann::json& request) {
   const std::string verb = request.at("do");
   if (verb == "connect") {
     connect(request.at("robot"));
@@ -319,7 +320,7 @@ bool Robots::asked(std::size_t panel, const nlohmann::json& request) {
   if (found == robots_.end()) {
     throw InputError{fmt::format("there is no robot {} to {}; connect to it first", address, verb)};
   }
-  verb == "disconnect" ? disconnect(address) : found->second->asked(panel, verb, request);
+  verb == "disconnect" ? disconnect(address) : found->second->handle(panel, verb, request);
   return true;
 }
 
@@ -341,17 +342,17 @@ std::optional<std::string> Robots::takenPicture(std::string_view path) const {
   return found == robots_.end() ? std::nullopt : found->second->takenPicture(path.substr(series + 1));
 }
 
-void Robots::greet(std::size_t panel) {
+void Robots::addPanel(std::size_t panel) {
   panels_.insert(panel);
   for (const auto& [address, robot] : robots_) {
-    robot->wake();
-    robot->greet(panel);
+    robot->resume();
+    robot->addPanel(panel);
   }
 }
 
-void Robots::forget(std::size_t panel) {
+void Robots::removePanel(std::size_t panel) {
   for (const auto& [address, robot] : robots_) {
-    robot->forget(panel);
+    robot->removePanel(panel);
   }
   if (panels_.erase(panel) == 0 || !panels_.empty()) {
     return;
@@ -362,7 +363,7 @@ void Robots::forget(std::size_t panel) {
       return;
     }
     for (const auto& [address, robot] : robots_) {
-      robot->rest();
+      robot->suspend();
     }
   });
 }

@@ -21,7 +21,7 @@
 namespace naocal {
 
 /// Who looks at which of a robot's keys.
-class Viewers {
+class Subscriptions {
 public:
   void add(const std::string& key, std::size_t viewer);
   /// Whether nobody looks at that key any more.
@@ -29,14 +29,14 @@ public:
   /// The keys that nobody looks at once this one has gone.
   std::vector<std::string> forget(std::size_t viewer);
 
-  const std::set<std::size_t>& of(std::string_view key) const;
+  const std::set<std::size_t>& subscribersOf(std::string_view key) const;
 
 private:
   std::map<std::string, std::set<std::size_t>, std::less<>> viewers_; // by key; none is empty
 };
 
 /// Where robots' messages go; all on the thread that runs the context.
-struct RobotsCalls {
+struct PanelCallbacks {
   std::function<void(const std::string& json)> all;                        // for every panel
   std::function<void(std::size_t panel, const std::string& json)> one;     // for one
   std::function<void(std::size_t panel, std::string json)> update;         // live values, skippable
@@ -45,23 +45,23 @@ struct RobotsCalls {
 };
 
 /// A robot that panels look at: its link, who looks at which of its keys, and what its watch works out.
-class SeenRobot : public std::enable_shared_from_this<SeenRobot> {
+class WatchedRobot : public std::enable_shared_from_this<WatchedRobot> {
 public:
   /// Throws InputError for an address that cannot be one.
-  SeenRobot(boost::asio::io_context& context, std::string address, const RobotsCalls& calls);
+  WatchedRobot(boost::asio::io_context& context, std::string address, const PanelCallbacks& calls);
 
   /// Does what a panel asks for (Robots::asked, but for connecting). Throws InputError when the robot is away.
-  void asked(std::size_t panel, const std::string& verb, const nlohmann::json& request);
+  void handle(std::size_t panel, const std::string& verb, const nlohmann::json& request);
   /// What a panel that has just come must know.
-  void greet(std::size_t panel) const;
+  void addPanel(std::size_t panel) const;
   /// The picture of a capture ("SERIES/PLACE" of its list); absent where none was seen.
   std::optional<std::string> takenPicture(std::string_view which) const;
   /// A panel has gone.
-  void forget(std::size_t panel);
+  void removePanel(std::size_t panel);
 
   /// Leaves the robot alone until `wake`.
-  void rest() { link_->rest(); }
-  void wake() { link_->wake(); }
+  void suspend() { link_->suspend(); }
+  void resume() { link_->resume(); }
 
 private:
   std::string state() const;
@@ -78,13 +78,13 @@ private:
   void unwatch(std::size_t panel);
 
   std::string address_;
-  const RobotsCalls& calls_;
-  Viewers viewers_;
+  const PanelCallbacks& calls_;
+  Subscriptions viewers_;
   std::map<std::string, std::string> latest_; // messages for panels to come, by kind
   std::set<std::size_t> watchers_;            // panels
-  TakenPictures taken_;                       // of its calibration's captures
-  std::unique_ptr<RobotWatch> watch_;         // once somebody asked for it
-  ListedMounts mounts_{[this](const std::string& mount) { link_->askForKeys(mount); }};
+  CapturePictures taken_;                     // of its calibration's captures
+  std::unique_ptr<LiveDetection> watch_;      // once somebody asked for it
+  MountRegistry mounts_{[this](const std::string& mount) { link_->askForKeys(mount); }};
   std::unique_ptr<RobotClient> link_;
 };
 
@@ -93,8 +93,8 @@ private:
 /// were told to do.
 class Robots {
 public:
-  static constexpr std::chrono::milliseconds usualPatience{5000}; // a page may be loaded anew
-  Robots(boost::asio::io_context& context, RobotsCalls calls, std::chrono::milliseconds patience = usualPatience);
+  static constexpr std::chrono::milliseconds defaultPatience{5000}; // a page may be loaded anew
+  Robots(boost::asio::io_context& context, PanelCallbacks calls, std::chrono::milliseconds patience = defaultPatience);
 
   /// Throws InputError for an address that cannot be one.
   void connect(const std::string& address);
@@ -102,26 +102,26 @@ public:
   /// Does what a panel asks for: {"do": "connect" | "disconnect" | "watch" | "unwatch", "robot"}, {"do": "subscribe" |
   /// "unsubscribe", "robot", "key"}, {"do": "keys", "robot", "mount"}, {"do": "set", "robot", "settings"}, {"do":
   /// "save", "robot"}. False: that is nothing for robots.
-  bool asked(std::size_t panel, const nlohmann::json& request);
+  bool handle(std::size_t panel, const nlohmann::json& request);
 
   std::vector<std::string> addresses() const;
   /// The picture of a capture, "ROBOT/SERIES/PLACE"; absent where none was seen.
   std::optional<std::string> takenPicture(std::string_view path) const;
 
   /// A panel has come; tells it what it must know.
-  void greet(std::size_t panel);
+  void addPanel(std::size_t panel);
   /// A panel has gone.
-  void forget(std::size_t panel);
+  void removePanel(std::size_t panel);
 
 private:
   void disconnect(const std::string& address);
 
   boost::asio::io_context& context_;
-  RobotsCalls calls_;
+  PanelCallbacks calls_;
   std::chrono::milliseconds patience_;
   std::set<std::size_t> panels_; // that are open
   boost::asio::steady_timer alone_;
-  std::map<std::string, std::shared_ptr<SeenRobot>> robots_;
+  std::map<std::string, std::shared_ptr<WatchedRobot>> robots_;
 };
 
 } // namespace naocal

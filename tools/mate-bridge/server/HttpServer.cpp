@@ -16,6 +16,7 @@
 #include <boost/beast/http/write.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <boost/beast/websocket/stream.hpp>
+#include <charconv>
 #include <deque>
 #include <fmt/format.h>
 #include <map>
@@ -26,8 +27,8 @@ namespace naocal {
 namespace {
 
 /// One request of a browser: read, and answered, refused or made live; then it ends.
-struct Exchange {
-  explicit Exchange(boost::asio::ip::tcp::socket socket) : stream{std::move(socket)} {
+struct HttpExchange {
+  explicit HttpExchange(boost::asio::ip::tcp::socket socket) : stream{std::move(socket)} {
     parser.header_limit(16 << 10);
     parser.body_limit(0);
   }
@@ -46,7 +47,7 @@ std::string_view headerOf(const http::request<http::empty_body>& request, beast:
 }
 
 /// What the guard must know of a request that was read.
-Asked askedBy(const Exchange& exchange) {
+RequestInfo requestInfo(const HttpExchange& exchange) {
   const auto& request = exchange.parser.get();
   const beast::string_view method = request.method_string(), target = request.target();
   const bool visits =
@@ -61,7 +62,7 @@ Asked askedBy(const Exchange& exchange) {
 }
 
 /// Sends the answer and ends the exchange.
-void reply(const std::shared_ptr<Exchange>& exchange, Answer answer) {
+void sendReply(const std::shared_ptr<HttpExchange>& exchange, HttpReply answer) {
   auto& response = exchange->response;
   response.result(answer.status);
   response.set(http::field::content_type, answer.type);
@@ -84,12 +85,12 @@ void reply(const std::shared_ptr<Exchange>& exchange, Answer answer) {
 
 /// One panel's live connection. Never waits for a slow panel: pictures and live values skip it, and one that does not
 /// read what it must have is closed (it connects anew and gets everything).
-class Live : public std::enable_shared_from_this<Live> {
+class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {
 public:
   using Closed = std::function<void()>;
   using Received = std::function<void(std::string)>;
 
-  Live(boost::beast::tcp_stream stream, Received received, Closed closed);
+  WebSocketSession(boost::beast::tcp_stream stream, Received received, Closed closed);
 
   void accept(const boost::beast::http::request<boost::beast::http::empty_body>& request, std::function<void()> opened);
   void send(const Message& message);
@@ -111,11 +112,11 @@ private:
 constexpr std::size_t mostReceived = 1 << 20; // [bytes] of one message from a panel
 constexpr std::size_t mostSkippable = 2 << 20, mostOwed = 256 << 20;
 
-Live::Live(boost::beast::tcp_stream stream, Received received, Closed closed)
+WebSocketSession::WebSocketSession(boost::beast::tcp_stream stream, Received received, Closed closed)
     : socket_{std::move(stream)}, received_{std::move(received)}, closed_{std::move(closed)} {}
 
-void Live::accept(const boost::beast::http::request<boost::beast::http::empty_body>& request,
-                  std::function<void()> opened) {
+void WebSocketSession::accept(const boost::beast::http::request<boost::beast::http::empty_body>& request,
+                              std::function<void()> opened) {
   boost::beast::get_lowest_layer(socket_).expires_never();
   socket_.set_option(
       boost::beast::websocket::stream_base::timeout::suggested(boost::beast::role_type::server)); // pings
@@ -131,7 +132,7 @@ void Live::accept(const boost::beast::http::request<boost::beast::http::empty_bo
                        });
 }
 
-void Live::read() {
+void WebSocketSession::read() {
   socket_.async_read(buffer_, [self = shared_from_this()](boost::beast::error_code error, std::size_t) {
     if (error) {
       self->end();
@@ -146,7 +147,7 @@ void Live::read() {
   });
 }
 
-void Live::send(const Message& message) {
+void WebSocketSession::send(const Message& message) {
   if (!open_ || (message.skippable && owed_ > mostSkippable)) {
     return;
   }
@@ -161,7 +162,7 @@ void Live::send(const Message& message) {
   }
 }
 
-void Live::write() {
+void WebSocketSession::write() {
   socket_.binary(queue_.front().binary);
   socket_.async_write(boost::asio::buffer(*queue_.front().bytes),
                       [self = shared_from_this()](boost::beast::error_code error, std::size_t) {
@@ -177,7 +178,7 @@ void Live::write() {
                       });
 }
 
-void Live::end() {
+void WebSocketSession::end() {
   if (open_) {
     open_ = false;
     boost::beast::get_lowest_layer(socket_).close();
@@ -191,8 +192,8 @@ using Tcp = boost::asio::ip::tcp;
 
 } // namespace
 
-struct Server::Implementation : std::enable_shared_from_this<Implementation> {
-  Implementation(boost::asio::io_context& context, std::uint16_t port, const std::string& token, ServerCalls given)
+struct HttpServer::Implementation : std::enable_shared_from_this<Implementation> {
+  Implementation(boost::asio::io_context& context, std::uint16_t port, const std::string& token, ServerCallbacks given)
       : acceptor{context}, pause{context}, guard{token, port}, calls{std::move(given)} {
     try {
       const Tcp::endpoint here{boost::asio::ip::address_v4::loopback(), port};
@@ -200,7 +201,7 @@ struct Server::Implementation : std::enable_shared_from_this<Implementation> {
       acceptor.set_option(boost::asio::socket_base::reuse_address{true});
       acceptor.bind(here);
       acceptor.listen();
-      guard = Guard{token, acceptor.local_endpoint().port()};
+      guard = RequestGuard{token, acceptor.local_endpoint().port()};
     } catch (const boost::system::system_error& error) {
       throw InputError{fmt::format("cannot listen on 127.0.0.1:{}: {}; choose another port, or 0 for any", port,
                                    error.code().message())};
@@ -221,12 +222,12 @@ struct Server::Implementation : std::enable_shared_from_this<Implementation> {
         });
         return;
       }
-      self->read(std::make_shared<Exchange>(std::move(socket)));
+      self->read(std::make_shared<HttpExchange>(std::move(socket)));
       self->accept();
     });
   }
 
-  void read(const std::shared_ptr<Exchange>& exchange) {
+  void read(const std::shared_ptr<HttpExchange>& exchange) {
     exchange->stream.expires_after(std::chrono::seconds{30});
     http::async_read(exchange->stream, exchange->buffer, exchange->parser,
                      [self = shared_from_this(), exchange](beast::error_code error, std::size_t) {
@@ -236,23 +237,23 @@ struct Server::Implementation : std::enable_shared_from_this<Implementation> {
                      });
   }
 
-  void answer(const std::shared_ptr<Exchange>& exchange) {
-    const Asked asked = askedBy(*exchange);
-    if (const auto refusal = guard.refusal(asked)) {
-      reply(exchange, {refusal->status, "text/plain; charset=utf-8", refusal->sentence + "\n"});
+  void answer(const std::shared_ptr<HttpExchange>& exchange) {
+    const RequestInfo asked = requestInfo(*exchange);
+    if (const auto refusal = guard.check(asked)) {
+      sendReply(exchange, {refusal->status, "text/plain; charset=utf-8", refusal->sentence + "\n"});
     } else if (!asked.live) {
-      reply(exchange, calls.file(guard.pathOf(asked.target)));
+      sendReply(exchange, calls.file(guard.pathOf(asked.target)));
     } else if (guard.pathOf(asked.target) == "live") {
       welcome(exchange);
     } else {
-      reply(exchange, {404, "text/plain; charset=utf-8", "There is no live connection here.\n"});
+      sendReply(exchange, {404, "text/plain; charset=utf-8", "There is no live connection here.\n"});
     }
   }
 
-  void welcome(const std::shared_ptr<Exchange>& exchange) {
+  void welcome(const std::shared_ptr<HttpExchange>& exchange) {
     const std::size_t number = next++;
     const auto self = shared_from_this();
-    const auto live = std::make_shared<Live>(
+    const auto live = std::make_shared<WebSocketSession>(
         std::move(exchange->stream),
         [self, number](std::string text) { self->calls.received(number, std::move(text)); },
         [self, number] {
@@ -268,18 +269,19 @@ struct Server::Implementation : std::enable_shared_from_this<Implementation> {
 
   Tcp::acceptor acceptor;
   boost::asio::steady_timer pause;
-  Guard guard;
-  ServerCalls calls;
-  std::map<std::size_t, std::shared_ptr<Live>> panels;
+  RequestGuard guard;
+  ServerCallbacks calls;
+  std::map<std::size_t, std::shared_ptr<WebSocketSession>> panels;
   std::size_t next = 0;
 };
 
-Server::Server(boost::asio::io_context& context, std::uint16_t port, const std::string& token, ServerCalls calls)
+HttpServer::HttpServer(boost::asio::io_context& context, std::uint16_t port, const std::string& token,
+                       ServerCallbacks calls)
     : implementation_{std::make_shared<Implementation>(context, port, token, std::move(calls))} {
   implementation_->accept();
 }
 
-Server::~Server() {
+HttpServer::~HttpServer() {
   implementation_->acceptor.close();
   const auto panels = std::exchange(implementation_->panels, {});
   for (const auto& [number, live] : panels) {
@@ -287,22 +289,37 @@ Server::~Server() {
   }
 }
 
-std::string Server::address() const {
+std::string HttpServer::address() const {
   return implementation_->guard.address();
 }
 
-void Server::send(std::size_t panel, const Message& message) {
+void HttpServer::send(std::size_t panel, const Message& message) {
   if (const auto found = implementation_->panels.find(panel); found != implementation_->panels.end()) {
     const auto live = found->second;
     live->send(message);
   }
 }
 
-void Server::sendAll(const Message& message) {
+void HttpServer::sendAll(const Message& message) {
   const auto panels = implementation_->panels; // who cannot keep up ends, and leaves the list
   for (const auto& [number, live] : panels) {
     live->send(message);
   }
+}
+
+std::string decodePercents(std::string_view path) {
+  std::string plain;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    unsigned char byte = 0;
+    const char* const code = path.data() + i + 1;
+    if (path[i] == '%' && i + 2 < path.size() && std::from_chars(code, code + 2, byte, 16).ptr == code + 2) {
+      plain += static_cast<char>(byte);
+      i += 2;
+    } else {
+      plain += path[i];
+    }
+  }
+  return plain;
 }
 
 } // namespace naocal

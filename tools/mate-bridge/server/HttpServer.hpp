@@ -13,10 +13,10 @@ class io_context;
 
 namespace naocal {
 
-class Guard;
+class RequestGuard;
 
 /// What a path is answered with.
-struct Answer {
+struct HttpReply {
   unsigned status = 200;
   std::string type, body;
 };
@@ -27,23 +27,23 @@ struct Message {
   bool binary = false;
   bool skippable = false; // newer ones follow: whoever is slow does without
 };
-inline Message message(std::string bytes, bool binary = false, bool skippable = false) {
+inline Message makeMessage(std::string bytes, bool binary = false, bool skippable = false) {
   return {std::make_shared<const std::string>(std::move(bytes)), binary, skippable};
 }
 
 /// What the server calls, all on the thread that runs the context. Panels are numbered as they come.
-struct ServerCalls {
-  std::function<Answer(std::string_view path)> file; // path: behind the token
+struct ServerCallbacks {
+  std::function<HttpReply(std::string_view path)> file; // path: behind the token
   std::function<void(std::size_t panel)> opened, closed;
   std::function<void(std::size_t panel, std::string text)> received;
 };
 
 /// Serves the page and its live connections on 127.0.0.1, to those only whom the guard lets in.
-class Server {
+class HttpServer {
 public:
   /// Listens; port 0 takes any that is free. Throws InputError when it cannot.
-  Server(boost::asio::io_context& context, std::uint16_t port, const std::string& token, ServerCalls calls);
-  ~Server();
+  HttpServer(boost::asio::io_context& context, std::uint16_t port, const std::string& token, ServerCallbacks calls);
+  ~HttpServer();
 
   /// What a person opens.
   std::string address() const;
@@ -55,5 +55,8 @@ private:
   struct Implementation;
   std::shared_ptr<Implementation> implementation_;
 };
+
+/// An address' path with its %20 as letters; what is no such code stays as it is.
+std::string decodePercents(std::string_view path);
 
 } // namespace naocal

@@ -7,7 +7,7 @@
 
 namespace naocal {
 
-std::string newToken() {
+std::string makeToken() {
   unsigned char random[16];
   if (RAND_bytes(random, sizeof random) != 1) {
     throw std::runtime_error{"the system has no randomness for the panel's token"};
@@ -19,13 +19,13 @@ std::string newToken() {
   return token;
 }
 
-Guard::Guard(std::string token, std::uint16_t port) : token_{std::move(token)}, port_{port} {}
+RequestGuard::RequestGuard(std::string token, std::uint16_t port) : token_{std::move(token)}, port_{port} {}
 
-bool Guard::isHere(std::string_view host) const {
+bool RequestGuard::isHere(std::string_view host) const {
   return host == fmt::format("127.0.0.1:{}", port_) || host == fmt::format("localhost:{}", port_);
 }
 
-std::optional<Refusal> Guard::refusal(const Asked& asked) const {
+std::optional<Refusal> RequestGuard::check(const RequestInfo& asked) const {
   if (!isHere(asked.host)) {
     return Refusal{421, "The panel answers under its own address only."};
   }
@@ -54,11 +54,11 @@ std::optional<Refusal> Guard::refusal(const Asked& asked) const {
   return std::nullopt;
 }
 
-std::string_view Guard::pathOf(std::string_view target) const {
+std::string_view RequestGuard::pathOf(std::string_view target) const {
   return target.substr(std::min(target.size(), token_.size() + 2));
 }
 
-std::string Guard::address() const {
+std::string RequestGuard::address() const {
   return fmt::format("http://127.0.0.1:{}/{}/", port_, token_);
 }
 

@@ -8,7 +8,7 @@
 namespace naocal {
 
 /// What of a request says who sent it; empty where the header is missing.
-struct Asked {
+struct RequestInfo {
   std::string_view method, target, host, origin, fetchSite; // fetchSite: Sec-Fetch-Site
   bool live = false;                                        // wants a WebSocket
   bool visits = false;                                      // a person's browser goes there as a whole
@@ -21,16 +21,16 @@ struct Refusal {
 };
 
 /// 128 random bits from the system as 32 letters: whoever knows them may use the panel.
-std::string newToken();
+std::string makeToken();
 
 /// Lets only the panel's own page in: other programs' users do not know the token, other sites' pages have another
 /// origin, and names that were bent to point here (DNS rebinding) are not this host's.
-class Guard {
+class RequestGuard {
 public:
   /// `port`: where the panel listens on 127.0.0.1.
-  Guard(std::string token, std::uint16_t port);
+  RequestGuard(std::string token, std::uint16_t port);
 
-  std::optional<Refusal> refusal(const Asked& asked) const;
+  std::optional<Refusal> check(const RequestInfo& asked) const;
 
   /// The part of a target behind the token: "" for "/TOKEN/", "live" for "/TOKEN/live".
   std::string_view pathOf(std::string_view target) const;

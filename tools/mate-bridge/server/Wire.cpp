@@ -1,6 +1,5 @@
 #include "server/Wire.hpp"
 
-#include <charconv>
 #include <nlohmann/json.hpp>
 
 namespace naocal {
@@ -19,21 +18,6 @@ json wireJson(std::string_view text) {
     }
     return true;
   });
-}
-
-std::string withoutPercents(std::string_view path) {
-  std::string plain;
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    unsigned char byte = 0;
-    const char* const code = path.data() + i + 1;
-    if (path[i] == '%' && i + 2 < path.size() && std::from_chars(code, code + 2, byte, 16).ptr == code + 2) {
-      plain += static_cast<char>(byte);
-      i += 2;
-    } else {
-      plain += path[i];
-    }
-  }
-  return plain;
 }
 
 } // namespace naocal

@@ -13,7 +13,4 @@ std::string wireText(const nlohmann::json& json);
 /// the stack.
 nlohmann::json wireJson(std::string_view text);
 
-/// An address' path with its %20 as letters; what is no such code stays as it is.
-std::string withoutPercents(std::string_view path);
-
 } // namespace naocal
