@@ -26,7 +26,7 @@ struct Versus {
   double otherRms = 0;       // [px]
 };
 
-Versus compareTwo(const StoredResult& result, const StoredResult& other, const GivenSets& given, bool samePlace) {
+Versus compareTwo(const StoredResult& result, const StoredResult& other, const LoadedSets& given, bool samePlace) {
   const auto error = [&](const StoredResult& one) {
     return weightedError(one, given.sets, given.robot, samePlace, result.noise);
   };
@@ -35,7 +35,7 @@ Versus compareTwo(const StoredResult& result, const StoredResult& other, const G
 
 void compareSets(const CompareCommand& command) {
   const StoredResult result = readResult(command.result);
-  const GivenSets given = readSets(command.sets, command.skipBad);
+  const LoadedSets given = loadSets(command.sets, command.skipBad);
   const Comparison comparison = compare(result, given.sets, given.robot, command.samePlace);
   nlohmann::json json = comparisonJson(comparison);
   std::optional<Versus> versus;
@@ -81,7 +81,7 @@ void addCompare(CLI::App& app) {
   comparer->add_option("SET", command->sets, "folders with captures.json")->required();
   comparer->add_option("--against", command->against, "another result file: which of the two predicts better?");
   comparer->add_option("--json", command->json, "write JSON to a file, or - for standard output")
-      ->check(replaces("naocal-compare"));
+      ->check(replaceableFile("naocal-compare"));
   comparer->add_flag("--same-place", command->samePlace, "boards and feet are where the result found them");
   comparer->add_flag("--skip-bad", command->skipBad, "use the other captures when some cannot be used, and list those");
   comparer->callback([command] { compareSets(*command); });

@@ -84,7 +84,7 @@ bool takeCaptures(const DemoCommand& command, const Robot& robot, const std::str
     const Progress progress{"pictures searched for corners"};
     detectInSet(captures, set, threads(), [&](std::size_t done, std::size_t all) { return progress(done, all); });
   }
-  if (Progress::interrupted()) {
+  if (Progress::wasInterrupted()) {
     return false;
   }
   writeCaptureSet(captures, set);
@@ -96,7 +96,7 @@ bool takeCaptures(const DemoCommand& command, const Robot& robot, const std::str
 int demo(const DemoCommand& command) {
   const std::filesystem::path folder{command.folder};
   const std::string set = (folder / "captures").string();
-  refuseForeignSet(set);
+  requireReplaceableSet(set);
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   fmt::print("A simulated {} with joints off by up to 6.5° and cameras by up to 2° looks at four printed boards.\n"
              "Something else in its leg is not as drawn. What is it?\n",
@@ -106,7 +106,7 @@ int demo(const DemoCommand& command) {
     fmt::print("stopped\n");
     return 0;
   }
-  const GivenSets given = readSets({set}, false);
+  const LoadedSets given = loadSets({set}, false);
   const Measurements measurements = measurementsOf(given.sets, given.robot);
   const Diagnosis diagnosis = diagnose(given.sets, measurements);
   const std::string diagnosisFile = (folder / "diagnosis.json").string(),
@@ -120,7 +120,7 @@ int demo(const DemoCommand& command) {
   const std::string resultFile = (folder / "result.json").string(), reportFile = (folder / "report.html").string();
   writeJson(resultJson(given.sets, measurements, model, result, given.inputs), resultFile);
   fmt::print("\nCalibrated {}:\n", diagnosis.suggested.empty() ? "as it is, nothing added" : "with that added");
-  printStory(given.sets, measurements, model, result);
+  printCalibration(given.sets, measurements, model, result);
   const TrueEffect& hidden = truth.effects.back();
   fmt::print("\nNow the truth is opened. Hidden was {}@{}.\n", hidden.effect, hidden.at);
   const std::size_t inside = printTruth(truth, model, result);

@@ -165,7 +165,7 @@ void addDetect(CLI::App& app) {
   detector->footer("Example: naocal detect captures/ --json findings.json");
   detector->add_option("SET", command->set, "a folder with captures.json and pictures")->required();
   detector->add_option("--json", command->json, "what was found and refused, to a file or - for standard output")
-      ->check(replaces("naocal-detection"));
+      ->check(replaceableFile("naocal-detection"));
   detector->add_option("--threads", command->threads, "how many pictures at once")->check(CLI::PositiveNumber);
   detector->add_flag("--dry-run", command->dryRun, "look, but leave the set as it is");
   detector->add_flag("--skip-bad", command->skipBad, "leave captures whose picture cannot be used as they are");

@@ -42,7 +42,7 @@ void readModel(DiagnoseCommand& command, const Robot& robot) {
 }
 
 /// What to measure next; only what is open where nobody asked for poses.
-NextPoses asked(const DiagnoseCommand& command, const GivenSets& given, const Measurements& measurements,
+NextPoses asked(const DiagnoseCommand& command, const LoadedSets& given, const Measurements& measurements,
                 const Diagnosis& diagnosis) {
   NextOptions options = command.next;
   options.count = command.json.empty() && command.poses.empty() ? 0 : options.count;
@@ -77,7 +77,7 @@ nlohmann::json modelWith(const DriverFinding& curve, const DiagnoseCommand& comm
 }
 
 /// Ctrl-C ends it with what it has found so far.
-Diagnosis withProgress(const GivenSets& given, const Measurements& measurements, DiagnosisOptions options) {
+Diagnosis withProgress(const LoadedSets& given, const Measurements& measurements, DiagnosisOptions options) {
   const Progress progress{"models looked at (at most)"};
   const std::size_t most = 2 + measurements.poses.size() / 4;
   std::size_t done = 0;
@@ -88,10 +88,10 @@ Diagnosis withProgress(const GivenSets& given, const Measurements& measurements,
 }
 
 int diagnose(DiagnoseCommand& command) {
-  const GivenSets given = readSets(command.sets, command.skipBad);
+  const LoadedSets given = loadSets(command.sets, command.skipBad);
   const Measurements measurements = measurementsOf(given.sets, given.robot, command.next.samePlace);
-  const AsAsked asIs{command.sets,  command.options.with,   command.options.without,
-                     command.model, command.next.samePlace, command.skipBad};
+  const GivenOptions asIs{command.sets,  command.options.with,   command.options.without,
+                          command.model, command.next.samePlace, command.skipBad};
   readModel(command, measurements.robot);
   const Diagnosis diagnosis = withProgress(given, measurements, command.options);
   const NextPoses next = asked(command, given, measurements, diagnosis);
@@ -111,9 +111,9 @@ int diagnose(DiagnoseCommand& command) {
   if (command.json != "-") {
     printDiagnosis(diagnosis, asIs);
     if (beyond || !command.own.empty()) {
-      printOwn(beyond, diagnosis, asIs, command.own);
+      printOwnEffectHint(beyond, diagnosis, asIs, command.own);
     }
-    printNext(next, asIs, command.poses);
+    printNextPoses(next, asIs, command.poses);
   }
   return diagnosis.verdict == Verdict::badCaptures ? 3 : 0;
 }
@@ -127,7 +127,7 @@ void addDiagnose(CLI::App& app, int& exitCode) {
   diagnoser->footer("Example: naocal diagnose captures/ --json diagnosis.json --next poses.json");
   diagnoser->add_option("SET", command->sets, "folders with captures.json")->required();
   diagnoser->add_option("--json", command->json, "the diagnosis as JSON to a file, or - for standard output")
-      ->check(replaces("naocal-diagnosis"));
+      ->check(replaceableFile("naocal-diagnosis"));
   diagnoser->add_flag("--full", command->full,
                       fmt::format("all points of every figure in the JSON, not only {} of them", drawable));
   diagnoser->add_option("--with", command->options.with, "effects that are in the model already: EFFECT@PLACE")
@@ -137,9 +137,9 @@ void addDiagnose(CLI::App& app, int& exitCode) {
   diagnoser
       ->add_option("--own,--save-model", command->own,
                    "a model file for what is beyond the catalogue, as an effect of your own to go on with")
-      ->check(replaces("naocal-model"));
+      ->check(replaceableFile("naocal-model"));
   diagnoser->add_option("--next", command->poses, "a file for the poses that would best tell what is left open")
-      ->check(replaces("naocal-poses"));
+      ->check(replaceableFile("naocal-poses"));
   diagnoser->add_option("--next-count", command->next.count, "how many of them")
       ->check(CLI::Range(0, 100))
       ->capture_default_str();

@@ -151,7 +151,7 @@ void addEffects(CLI::App& app) {
   CLI::App* lister = app.add_subcommand("effects", "lists the physical effects that a calibration can estimate");
   lister->footer("Example: naocal effects --model my-model.json");
   lister->add_option("--json", command->json, "write JSON to a file, or - for standard output")
-      ->check(replaces("naocal-effects"));
+      ->check(replaceableFile("naocal-effects"));
   lister->add_option("--model", command->model, "a model file: lists the effects that it defines too");
   lister->callback([command] { listEffects(*command); });
 }

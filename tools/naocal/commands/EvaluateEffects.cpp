@@ -47,9 +47,9 @@ public:
 
   /// How many sets the plan has.
   std::size_t size() const { return size_; }
-  bool answered(std::size_t number) const;
+  bool isAnswered(std::size_t number) const;
   /// Writes the set, answers it and writes the answer; nothing remains half done. False where a program was stopped.
-  bool ask(std::size_t number) const;
+  bool runSet(std::size_t number) const;
 
 private:
   std::vector<std::string> writerCommand() const;
@@ -86,14 +86,14 @@ public:
   /// What naocal says. Absent: it was stopped.
   std::optional<nlohmann::json> answer(bool pictures) const {
     if (pictures) {
-      const Finished found = run({naocal_, "detect", set_.string(), "--threads", "1"});
+      const ProcessResult found = runProcess({naocal_, "detect", set_.string(), "--threads", "1"});
       if (found.exitCode != 0) {
         return refused(found);
       }
     }
     const auto start = std::chrono::steady_clock::now();
-    const Finished said =
-        run({naocal_, "diagnose", set_.string(), "--json", between_ / "diagnosis.json", "--next-count", "0"});
+    const ProcessResult said =
+        runProcess({naocal_, "diagnose", set_.string(), "--json", between_ / "diagnosis.json", "--next-count", "0"});
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     if (said.exitCode != 0 && said.exitCode != 3) {
       return refused(said);
@@ -112,7 +112,7 @@ public:
   }
 
 private:
-  static std::optional<nlohmann::json> refused(const Finished& finished) {
+  static std::optional<nlohmann::json> refused(const ProcessResult& finished) {
     if (finished.stopped) {
       return std::nullopt;
     }
@@ -126,8 +126,8 @@ private:
   /// cannot be found.
   nlohmann::json locked() const {
     if (!files::exists(between_ / "before.json") || !files::exists(between_ / "after.json") ||
-        run({naocal_, "compare", between_ / "after.json", locked_, "--against", between_ / "before.json", "--json",
-             between_ / "compared.json"})
+        runProcess({naocal_, "compare", between_ / "after.json", locked_, "--against", between_ / "before.json",
+                    "--json", between_ / "compared.json"})
                 .exitCode != 0) {
       return nlohmann::json::object();
     }
@@ -153,7 +153,7 @@ private:
   nlohmann::json solved(const std::vector<std::string>& options, const char* file) const {
     std::vector<std::string> solve{naocal_, "solve", set_.string(), "-o", between_ / file};
     solve.insert(solve.end(), options.begin(), options.end());
-    const int exitCode = run(solve).exitCode;
+    const int exitCode = runProcess(solve).exitCode;
     if ((exitCode != 0 && exitCode != 3) || !files::exists(between_ / file)) {
       return nullptr;
     }
@@ -188,7 +188,7 @@ BlindRun::BlindRun(BlindPlan plan)
     : plan_{std::move(plan)}, naocal_{thisProgram()}, writer_{besideThisProgram("blind-writer")} {
   std::vector<std::string> command = writerCommand();
   command.emplace_back("--size");
-  const Finished counted = run(command);
+  const ProcessResult counted = runProcess(command);
   if (counted.exitCode != 0) {
     throw InputError{counted.said};
   }
@@ -212,15 +212,15 @@ files::path BlindRun::answerFile(std::size_t number) const {
   return plan_.out / "answers" / (setName(number) + ".json");
 }
 
-bool BlindRun::answered(std::size_t number) const {
+bool BlindRun::isAnswered(std::size_t number) const {
   return files::exists(answerFile(number));
 }
 
-bool BlindRun::ask(std::size_t number) const {
+bool BlindRun::runSet(std::size_t number) const {
   const std::string name = setName(number);
   std::vector<std::string> write = writerCommand();
   write.insert(write.end(), {"--first", fmt::format("{}", number), "--count", "1"});
-  const Finished written = run(write);
+  const ProcessResult written = runProcess(write);
   if (written.stopped) {
     return false;
   }
@@ -244,7 +244,7 @@ bool BlindRun::ask(std::size_t number) const {
 }
 
 /// Lets blind-judge open a folder's truths and prints what it says. `json`, `page`: files to write, or nothing.
-void judgeBlindly(const files::path& folder, const std::string& json, const std::string& page) {
+void runJudge(const files::path& folder, const std::string& json, const std::string& page) {
   std::vector<std::string> command{besideThisProgram("blind-judge"), folder};
   if (!json.empty()) {
     command.insert(command.end(), {"--json", json});
@@ -252,7 +252,7 @@ void judgeBlindly(const files::path& folder, const std::string& json, const std:
   if (!page.empty()) {
     command.insert(command.end(), {"--page", page});
   }
-  const Finished judged = run(command);
+  const ProcessResult judged = runProcess(command);
   if (judged.exitCode != 0) {
     throw InputError{judged.said};
   }
@@ -277,7 +277,7 @@ void askAll(const BlindRun& run, const std::vector<std::size_t>& numbers, unsign
   const auto work = [&] {
     for (std::size_t i = next++; i < numbers.size() && !stopped; i = next++) {
       try {
-        if (!run.answered(numbers[i]) && !run.ask(numbers[i])) {
+        if (!run.isAnswered(numbers[i]) && !run.runSet(numbers[i])) {
           stopped = true;
         }
       } catch (const std::exception& error) {
@@ -311,16 +311,16 @@ void evaluateEffects(EvaluateCommand command) {
   }
   command.plan.out = command.out;
   const BlindRun run{command.plan};
-  const auto [part, parts] = readShard(command.shard);
+  const auto [part, parts] = parseShard(command.shard);
   std::vector<std::size_t> numbers;
   for (std::size_t number = part; number < run.size(); number += parts) {
     numbers.push_back(number);
   }
   askAll(run, numbers, command.jobs);
-  if (Progress::interrupted()) {
+  if (Progress::wasInterrupted()) {
     fmt::print("stopped; the answers so far are kept, the same command goes on\n");
   }
-  judgeBlindly(command.out, command.json, command.page);
+  runJudge(command.out, command.json, command.page);
 }
 
 /// Brings seals, truths and answers of all shards into one folder and judges them; files are of the thesis's
@@ -345,7 +345,7 @@ void mergeShards(const EvaluateCommand& command) {
                   files::copy_options::recursive | files::copy_options::overwrite_existing);
     }
   }
-  judgeBlindly(command.out, command.json, command.page);
+  runJudge(command.out, command.json, command.page);
 }
 
 void addReports(CLI::App& app, EvaluateCommand& command) {

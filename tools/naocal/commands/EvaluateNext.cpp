@@ -155,7 +155,7 @@ void addEvaluateNext(CLI::App& evaluate) {
       ->capture_default_str();
   next->add_option("--jobs", command->jobs, "robots at a time")->check(CLI::PositiveNumber);
   next->add_option("--json", command->json, "the evaluation as JSON to a file, or - for standard output")
-      ->check(replaces("naocal-next-evaluation"));
+      ->check(replaceableFile("naocal-next-evaluation"));
   next->callback([command] { evaluateNext(*command); });
 }
 

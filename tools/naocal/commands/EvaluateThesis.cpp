@@ -170,7 +170,7 @@ void resume(ThesisEvaluation& evaluation, const std::string& json) {
 }
 
 void evaluateThesis(ThesisCommand command) {
-  const Shard shard = readShard(command.shard);
+  const Shard shard = parseShard(command.shard);
   command.evaluation.parts = shard.parts;
   command.evaluation.done = {shard.part};
   if (command.resume) {
@@ -181,7 +181,7 @@ void evaluateThesis(ThesisCommand command) {
       writeJson(evaluationJson(command.evaluation), command.json);
     }
   });
-  if (Progress::interrupted()) {
+  if (Progress::wasInterrupted()) {
     fmt::print(stderr, "stopped; what is done is kept{}\n",
                command.json.empty() ? "" : ", with --resume the same command goes on");
   }
@@ -234,7 +234,7 @@ void addEvaluateThesis(CLI::App& evaluate) {
   thesis
       ->add_option("--json", command->json,
                    "the evaluation as JSON to a file, kept up to date, or - for standard output")
-      ->check(replaces("naocal-evaluation"));
+      ->check(replaceableFile("naocal-evaluation"));
   thesis->add_flag("--resume", command->resume, "go on with what the file of --json holds");
   thesis->callback([command] { evaluateThesis(*command); });
 }

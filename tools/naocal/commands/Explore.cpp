@@ -24,11 +24,11 @@ namespace {
 
 /// The loop of a person with a set: add, drop, look, undo. Every model that was tried is kept, and written to the
 /// session's file, from which the same loop goes on another day.
-class Exploration {
+class ExploreLoop {
 public:
   /// `first`: the model to begin with; of a session that goes on, only its own effects are new. `file`: the session's;
   /// may be empty.
-  Exploration(const GivenSets& given, Rung first, std::string file);
+  ExploreLoop(const LoadedSets& given, Rung first, std::string file);
 
   void add(const std::string& label);
   void drop(const std::string& label);
@@ -45,7 +45,7 @@ private:
   void tryOut(Rung rung, const std::string& step);
   void save() const;
 
-  const GivenSets& given_;
+  const LoadedSets& given_;
   Measurements measurements_;
   std::string file_;
   Session session_;
@@ -71,7 +71,7 @@ std::string modelWords(const Rung& rung) {
   return rung.without.empty() ? words : fmt::format("{}, without {}", words, fmt::join(rung.without, ", "));
 }
 
-Exploration::Exploration(const GivenSets& given, Rung first, std::string file)
+ExploreLoop::ExploreLoop(const LoadedSets& given, Rung first, std::string file)
     : given_{given}, measurements_{measurementsOf(given.sets, given.robot)}, file_{std::move(file)} {
   if (!file_.empty() && std::filesystem::exists(file_)) {
     session_ = readSession(file_);
@@ -88,7 +88,7 @@ Exploration::Exploration(const GivenSets& given, Rung first, std::string file)
   save();
 }
 
-Rung Exploration::questioned(Rung rung) {
+Rung ExploreLoop::questioned(Rung rung) {
   DiagnosisOptions options{.with = rung.with, .without = rung.without};
   options.effects = effectsWith(Json::parse(rung.definitions), "the person's own effects", given_.robot);
   options.grow = false;
@@ -102,7 +102,7 @@ Rung Exploration::questioned(Rung rung) {
   return rung;
 }
 
-void Exploration::tryOut(Rung rung, const std::string& step) {
+void ExploreLoop::tryOut(Rung rung, const std::string& step) {
   rung.step = step;
   rung.from = session_.at;
   rung = questioned(std::move(rung));
@@ -111,7 +111,7 @@ void Exploration::tryOut(Rung rung, const std::string& step) {
   save();
 }
 
-void Exploration::add(const std::string& label) {
+void ExploreLoop::add(const std::string& label) {
   Rung rung = here();
   if (std::erase(rung.without, label) == 0) {
     rung.with.push_back(label);
@@ -119,7 +119,7 @@ void Exploration::add(const std::string& label) {
   tryOut(std::move(rung), "+ " + label);
 }
 
-void Exploration::drop(const std::string& label) {
+void ExploreLoop::drop(const std::string& label) {
   Rung rung = here();
   if (std::erase(rung.with, label) == 0) {
     throw InputError{
@@ -129,7 +129,7 @@ void Exploration::drop(const std::string& label) {
   tryOut(std::move(rung), "− " + label);
 }
 
-void Exploration::undo() {
+void ExploreLoop::undo() {
   const std::optional<std::size_t> before = here().from;
   if (!before) {
     throw InputError{"there is nothing to undo"};
@@ -139,7 +139,7 @@ void Exploration::undo() {
   save();
 }
 
-void Exploration::printLadder() const {
+void ExploreLoop::printLadder() const {
   fmt::print("  {:>3}  {:>9}  {:>9}  {:>9}  {:>7}  model (*: the one you are at)\n", "", "rms", "unseen", "noise",
              "alarm p");
   for (std::size_t i = 0; i < session_.ladder.size(); ++i) {
@@ -152,11 +152,11 @@ void Exploration::printLadder() const {
   }
 }
 
-void Exploration::printCandidates() const {
+void ExploreLoop::printCandidates() const {
   naocal::printCandidates(latest_);
 }
 
-void Exploration::save() const {
+void ExploreLoop::save() const {
   if (!file_.empty()) {
     writeJson(sessionJson(session_), file_);
   }
@@ -172,7 +172,7 @@ void printHelp() {
 }
 
 /// One line of what a person typed; false: leave.
-bool obey(Exploration& exploration, const std::string& line) {
+bool obey(ExploreLoop& exploration, const std::string& line) {
   std::istringstream words{line};
   std::string verb, label;
   words >> verb >> label;
@@ -205,13 +205,13 @@ struct ExploreCommand {
 };
 
 void explore(const ExploreCommand& command) {
-  const GivenSets given = readSets(command.sets, false);
+  const LoadedSets given = loadSets(command.sets, false);
   Rung first;
   if (!command.model.empty()) {
     ModelFile file = readModelFile(command.model, given.robot);
     first = {.with = std::move(file.with), .without = std::move(file.without), .definitions = file.definitions};
   }
-  Exploration exploration{given, std::move(first), command.session};
+  ExploreLoop exploration{given, std::move(first), command.session};
   exploration.printLadder();
   exploration.printCandidates();
   fmt::print("type 'help' for what you can do\n> ");

@@ -25,22 +25,22 @@ namespace naocal {
 namespace {
 
 /// What `naocal poses` plans for.
-struct PlannedScene {
+struct PlanInputs {
   std::vector<Board> boards; // placements seen from the sole
   std::map<std::string, CameraIntrinsics> cameras;
 };
 
 /// Four A2 boards around the robot.
-PlannedScene plannedScene() {
+PlanInputs defaultPlanInputs() {
   const SimulationPlan usual;
   return {usual.boards, usual.cameras};
 }
 
 /// Boards and cameras of a capture set; placements that are only guessed are where planning begins. Throws InputError
 /// where none lies on the floor.
-PlannedScene plannedScene(const std::string& captureSet) {
+PlanInputs readPlanInputs(const std::string& captureSet) {
   const CaptureSet set = readCaptureSet(captureSet, BadCaptures::skip).set;
-  PlannedScene result{{}, set.cameras};
+  PlanInputs result{{}, set.cameras};
   for (Board board : set.boards) {
     if (board.link == "floor") {
       board.placement = board.placement || !board.hasGuess ? board.placement : board.placementGuess;
@@ -122,7 +122,7 @@ struct PosesCommand {
     plan.poses.limitMargin = plan.poses.stability.jointError = radians(jointErrorDegrees);
     plan.sigma = radians(sigmaDegrees);
     plan.weights = readWeights(weights);
-    PlannedScene scene = boards.empty() ? plannedScene() : plannedScene(boards);
+    PlanInputs scene = boards.empty() ? defaultPlanInputs() : readPlanInputs(boards);
     if (!extend.empty()) {
       extendPlan(extend, drawn, scene.boards, plan);
     }
@@ -149,7 +149,7 @@ void addPoses(CLI::App& app) {
   CLI::App* const poses = app.add_subcommand("poses", "plans poses worth taking, and where to lay the boards");
   poses->add_option("-o,--output", command->output, "POSES.json, to be written")
       ->required()
-      ->check(replaces("naocal-poses"));
+      ->check(replaceableFile("naocal-poses"));
   poses->add_option("--pose-files", command->poseFiles, "a folder for HULKs' .pose files too");
   poses->add_option("--robot", command->robot, "its model")->capture_default_str();
   poses->add_option("--support", plan.poses.supportFoot, "the foot to stand on: left, right or both")

@@ -30,7 +30,7 @@ void addReport(CLI::App& app) {
       ->required();
   reporter->add_option("-o,--output", command->output, "the page to write")
       ->required()
-      ->check(replaces(std::string{pageFormat}));
+      ->check(replaceableFile(std::string{pageFormat}));
   reporter->callback([command] {
     const std::string page = reportPage(command->file);
     writePage(command->output, page);

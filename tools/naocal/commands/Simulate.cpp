@@ -145,14 +145,14 @@ void addOptions(CLI::App& simulator, SimulateOptions& options) {
       ->needs(other);
   simulator.add_flag("--force", options.force, "replace the captures that OUT holds, and their pictures");
   simulator.add_option("--json", options.json, "what was written, as JSON to a file or - for standard output")
-      ->check(replaces("naocal-simulation"));
+      ->check(replaceableFile("naocal-simulation"));
   addNoise(simulator, options);
   addPictures(simulator, options);
 }
 
 /// The plan that the options describe, with its poses. Throws InputError for what is no size, and no number of poses
 /// nor a pose file.
-SimulationPlan planOf(const SimulateOptions& options, const Robot& robot) {
+SimulationPlan makePlan(const SimulateOptions& options, const Robot& robot) {
   SimulationPlan plan = options.plan;
   if (options.samePlace) {
     plan.boardSeed = plan.robotSeed;
@@ -174,7 +174,7 @@ void refuseWhatIsThere(const std::filesystem::path& folder, bool force) {
   if (folder.empty()) {
     throw InputError{"OUT: expected the name of a folder, found nothing"};
   }
-  refuseAnotherKind(truthFile(folder), "naocal-truth");
+  requireSameKind(truthFile(folder), "naocal-truth");
   if (!std::filesystem::exists(folder)) {
     return;
   }
@@ -246,7 +246,7 @@ void simulateSet(const SimulateOptions& options) {
   refuseWhatIsThere(options.output, options.force);
   const auto before = picturesIn(options.output);
   const Robot robot = loadRobot(configurationDirectory(), options.robot);
-  const SimulationPlan plan = planOf(options, robot);
+  const SimulationPlan plan = makePlan(options, robot);
   Simulation simulation = simulate(robot, plan, options.seed);
   if (plan.images) {
     takePictures(options, simulation);
@@ -271,7 +271,7 @@ void simulateSet(const SimulateOptions& options) {
                plan.images ? "with pictures (naocal detect finds their corners)"
                            : fmt::format("{} corners", cornerCount(simulation.set)));
     fmt::print("set:   {}\ntruth: {}\n", options.output, truth.string());
-    if (Progress::interrupted()) {
+    if (Progress::wasInterrupted()) {
       fmt::print("stopped: the set holds the captures whose picture was taken\n");
     }
   }

@@ -37,7 +37,7 @@ Model askedModel(const SolveCommand& command, const Measurements& measurements) 
 int solve(SolveCommand& command) {
   command.options.estimateNoise = !command.fixedNoise;
   command.options.robust = !command.plain;
-  const GivenSets given = readSets(command.sets, command.skipBad);
+  const LoadedSets given = loadSets(command.sets, command.skipBad);
   const Measurements measurements = measurementsOf(given.sets, given.robot, command.samePlace);
   const Model model = askedModel(command, measurements);
   const CalibrationResult result = calibrate(measurements, model, command.options);
@@ -49,7 +49,7 @@ int solve(SolveCommand& command) {
     writeJson(json, command.json);
   }
   if (command.json != "-") {
-    printStory(given.sets, measurements, model, result);
+    printCalibration(given.sets, measurements, model, result);
     if (!command.output.empty()) {
       fmt::print("written to {}\n", command.output);
     }
@@ -64,9 +64,10 @@ void addSolve(CLI::App& app, int& exitCode) {
   CLI::App* solver = app.add_subcommand("solve", "calibrates joints and cameras from capture sets");
   solver->footer("Example: naocal solve captures/ -o result.json --with cameraTranslation@top");
   solver->add_option("SET", command->sets, "folders with captures.json")->required();
-  solver->add_option("-o,--output", command->output, "the result file to write")->check(replaces("naocal-result"));
+  solver->add_option("-o,--output", command->output, "the result file to write")
+      ->check(replaceableFile("naocal-result"));
   solver->add_option("--json", command->json, "the same as JSON to a file, or - for standard output")
-      ->check(replaces("naocal-result"));
+      ->check(replaceableFile("naocal-result"));
   solver->add_option("--with", command->with, "add effects: EFFECT@PLACE, * allowed")->delimiter(',');
   solver->add_option("--without", command->without, "leave effects out")->delimiter(',');
   solver->add_option("--model", command->model, "a model file: effects to add, to leave out, and effects of your own");

@@ -12,7 +12,7 @@
 
 namespace naocal {
 
-std::string AsAsked::words(const std::vector<std::string>& added) const {
+std::string GivenOptions::commandLine(const std::vector<std::string>& added) const {
   std::vector<std::string> all = with;
   all.insert(all.end(), added.begin(), added.end());
   std::string result = fmt::format("{}", fmt::join(sets, " "));
@@ -23,7 +23,7 @@ std::string AsAsked::words(const std::vector<std::string>& added) const {
   return result + (skipBad ? " --skip-bad" : "");
 }
 
-Shard readShard(const std::string& text) {
+Shard parseShard(const std::string& text) {
   Shard shard;
   if (std::sscanf(text.c_str(), "%zu/%zu", &shard.part, &shard.parts) != 2 || shard.part >= shard.parts) {
     throw InputError{fmt::format("--shard: expected i/n with i from 0 to n - 1, found \"{}\"", text)};
@@ -31,8 +31,8 @@ Shard readShard(const std::string& text) {
   return shard;
 }
 
-GivenSets readSets(const std::vector<std::string>& folders, bool skipBad) {
-  GivenSets given;
+LoadedSets loadSets(const std::vector<std::string>& folders, bool skipBad) {
+  LoadedSets given;
   for (const std::string& folder : folders) {
     ReadCaptureSet read = readCaptureSet(folder, skipBad ? BadCaptures::skip : BadCaptures::refuse);
     for (const std::string& sentence : read.skipped) {

@@ -30,7 +30,7 @@ std::string kindOf(const std::string& content) {
 
 } // namespace
 
-void refuseAnotherKind(const std::filesystem::path& file, std::string_view format) {
+void requireSameKind(const std::filesystem::path& file, std::string_view format) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) {
     return;
@@ -43,17 +43,17 @@ void refuseAnotherKind(const std::filesystem::path& file, std::string_view forma
   }
 }
 
-CLI::Validator replaces(std::string format) {
+CLI::Validator replaceableFile(std::string format) {
   return CLI::Validator{[format = std::move(format)](const std::string& file) {
                           if (file != "-") {
-                            refuseAnotherKind(file, format);
+                            requireSameKind(file, format);
                           }
                           return std::string{};
                         },
                         ""};
 }
 
-void refuseForeignSet(const std::filesystem::path& folder) {
+void requireReplaceableSet(const std::filesystem::path& folder) {
   if (std::filesystem::exists(folder / "captures.json") &&
       !readCaptureSet(folder, BadCaptures::skip).set.bodyId.starts_with(syntheticId)) {
     throw InputError{
@@ -67,13 +67,13 @@ void writeJson(const nlohmann::json& json, const std::string& file) {
   if (file == "-") {
     fmt::print("{}\n", json.dump(1));
   } else {
-    refuseAnotherKind(file, json.at("format").get_ref<const std::string&>());
+    requireSameKind(file, json.at("format").get_ref<const std::string&>());
     writeAtomically(file, json.dump(1) + "\n");
   }
 }
 
 void writePage(const std::filesystem::path& file, const std::string& page) {
-  refuseAnotherKind(file, pageFormat);
+  requireSameKind(file, pageFormat);
   writeAtomically(file, page);
 }
 

@@ -16,13 +16,13 @@ inline constexpr std::string_view pageFormat = "naocal's report page";
 
 /// Throws InputError for a file that holds something else than the given format, which a command would destroy by
 /// writing there. What does not exist, is empty, or has no content of its own (a pipe, a device) may be written to.
-void refuseAnotherKind(const std::filesystem::path& file, std::string_view format);
+void requireSameKind(const std::filesystem::path& file, std::string_view format);
 
 /// The same for an option that names a file to write (- is standard output): before a long computation, not after it.
-CLI::Validator replaces(std::string format);
+CLI::Validator replaceableFile(std::string format);
 
 /// Only a set that was simulated, or none, may be written over unasked; throws InputError.
-void refuseForeignSet(const std::filesystem::path& folder);
+void requireReplaceableSet(const std::filesystem::path& folder);
 
 /// Writes JSON to a file, or to standard output for "-". Throws InputError for a file that holds another format.
 void writeJson(const nlohmann::json& json, const std::string& file);

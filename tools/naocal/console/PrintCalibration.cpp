@@ -37,8 +37,8 @@ void printEstimates(const Model& model, const CalibrationResult& result) {
 
 } // namespace
 
-void printStory(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& model,
-                const CalibrationResult& result) {
+void printCalibration(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& model,
+                      const CalibrationResult& result) {
   fmt::print("{}: {} corners in {} pictures of {} poses, {} unknowns; {} after {} iterations in {:.1f} ms\n",
              measurements.robot.model, measurements.cornerCount, measurements.pictures.size(),
              measurements.poses.size(), model.unknownCount(), result.converged ? "converged" : "NOT converged",

@@ -96,7 +96,7 @@ void printCandidates(const Diagnosis& diagnosis) {
              diagnosis.ranking.size(), absorbed, noData, inconclusive);
 }
 
-void printDiagnosis(const Diagnosis& diagnosis, const AsAsked& asked) {
+void printDiagnosis(const Diagnosis& diagnosis, const GivenOptions& asked) {
   fmt::print("{}: {}\n", nameOf(diagnosis.verdict), diagnosis.sentence);
   if (!diagnosis.steps.empty()) { // else no fit was possible
     printLadder(diagnosis);
@@ -107,27 +107,27 @@ void printDiagnosis(const Diagnosis& diagnosis, const AsAsked& asked) {
     fmt::print("  suspicious: {}\n", suspicion.why);
   }
   if (!diagnosis.suggested.empty() && !diagnosis.own) {
-    fmt::print("\nadd it:  naocal solve {} -o result.json\n", asked.words(diagnosis.suggested));
+    fmt::print("\nadd it:  naocal solve {} -o result.json\n", asked.commandLine(diagnosis.suggested));
   }
   fmt::print("({:.2f} s)\n", diagnosis.seconds);
 }
 
-void printOwn(bool isThere, const Diagnosis& diagnosis, const AsAsked& asked, const std::string& file) {
+void printOwnEffectHint(bool isThere, const Diagnosis& diagnosis, const GivenOptions& asked, const std::string& file) {
   if (!isThere) {
     fmt::print("nothing beyond the catalogue was found that an expression follows, so {} was not written\n", file);
   } else if (file.empty()) {
     fmt::print("{}:  naocal diagnose {} --own own.json\n",
                diagnosis.own ? "add it as an effect of your own" : "try its expression as an effect of your own",
-               asked.words());
+               asked.commandLine());
   } else {
-    const AsAsked withIt{asked.sets, {}, {}, file, asked.samePlace, asked.skipBad};
+    const GivenOptions withIt{asked.sets, {}, {}, file, asked.samePlace, asked.skipBad};
     fmt::print("{0} has its expression as an effect of your own; see what it explains:  naocal diagnose {1}\n"
                "and calibrate with it:  naocal solve {1} -o result.json\n",
-               file, withIt.words());
+               file, withIt.commandLine());
   }
 }
 
-void printNext(const NextPoses& next, AsAsked asked, const std::string& file) {
+void printNextPoses(const NextPoses& next, GivenOptions asked, const std::string& file) {
   if (!next.whyNone.empty()) {
     if (!file.empty()) {
       fmt::print("no poses are proposed, and {} is not written: {}\n", file, next.whyNone);
@@ -135,7 +135,7 @@ void printNext(const NextPoses& next, AsAsked asked, const std::string& file) {
     return;
   }
   if (next.poses.empty() || file.empty()) {
-    fmt::print("measure next what {}:  naocal diagnose {} --next poses.json\n", next.why, asked.words());
+    fmt::print("measure next what {}:  naocal diagnose {} --next poses.json\n", next.why, asked.commandLine());
     return;
   }
   asked.sets.emplace_back("FURTHER-SET");
@@ -143,7 +143,7 @@ void printNext(const NextPoses& next, AsAsked asked, const std::string& file) {
   fmt::print(
       "\n{} holds {} poses; what {} grows {:.1f}-fold with them. Take them with the boards where they lie, number "
       "their stance {}, then:\n  naocal diagnose {}\n",
-      file, next.poses.size(), next.why, next.growth, next.firstStance, asked.words());
+      file, next.poses.size(), next.why, next.growth, next.firstStance, asked.commandLine());
 }
 
 } // namespace naocal

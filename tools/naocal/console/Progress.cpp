@@ -25,7 +25,7 @@ bool Progress::operator()(std::size_t done, std::size_t all) const {
   return stopped == 0;
 }
 
-bool Progress::interrupted() {
+bool Progress::wasInterrupted() {
   return stopped != 0;
 }
 

@@ -16,7 +16,7 @@ public:
 
   /// `done` of `all` are done; false: a person wants to stop.
   bool operator()(std::size_t done, std::size_t all) const;
-  static bool interrupted();
+  static bool wasInterrupted();
 
 private:
   std::string what_;

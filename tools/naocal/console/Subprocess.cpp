@@ -46,7 +46,7 @@ private:
 
 } // namespace
 
-Finished run(const std::vector<std::string>& command) {
+ProcessResult runProcess(const std::vector<std::string>& command) {
   std::vector<char*> words;
   for (const std::string& word : command) {
     words.push_back(const_cast<char*>(word.c_str())); // posix_spawn's type; it changes nothing
@@ -66,7 +66,7 @@ Finished run(const std::vector<std::string>& command) {
   int status = 0;
   while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }
-  Finished result;
+  ProcessResult result;
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   result.stopped = signal == SIGINT || signal == SIGTERM || signal == SIGKILL;
   result.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;

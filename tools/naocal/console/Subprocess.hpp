@@ -6,7 +6,7 @@
 namespace naocal {
 
 /// A program that has ended.
-struct Finished {
+struct ProcessResult {
   int exitCode = -1;
   bool stopped = false; // from outside, such as by Ctrl-C; a crash is an exit code of -1 and a sentence in `said`
   std::string printed;  // on standard output
@@ -14,6 +14,6 @@ struct Finished {
 };
 
 /// Runs a program to its end; the first word is its path. Throws InputError when it cannot be started.
-Finished run(const std::vector<std::string>& command);
+ProcessResult runProcess(const std::vector<std::string>& command);
 
 } // namespace naocal
