@@ -194,6 +194,24 @@ TEST_CASE("what cannot be done is refused with a sentence and changes nothing") 
   CHECK(bench.told["fit"]["without"].empty());
 }
 
+TEST_CASE("another model that is tried from an earlier one leaves those between in the history") {
+  // Proves what the panel shows of branches: nothing that was tried is lost, and each model names its origin.
+  Bench bench;
+  bench.laboratory.fit();
+  bench.laboratory.add("elasticity@LKneePitch");
+  bench.laboratory.goTo(0);
+  bench.laboratory.add("backlash@LKneePitch");
+  const Json& rungs = bench.told["ladder"]["rungs"];
+  REQUIRE(rungs.size() == 3);
+  CHECK(bench.told["ladder"]["at"] == 2);
+  CHECK(rungs[0]["from"] == nullptr);
+  CHECK(rungs[1]["with"] == Json::array({"elasticity@LKneePitch"}));
+  CHECK(rungs[2]["with"] == Json::array({"backlash@LKneePitch"}));
+  CHECK(rungs[2]["from"] == 0);
+  CHECK_THROWS_AS(bench.laboratory.add("backlash@LKneePitch"), InputError);
+  CHECK_THROWS_AS(bench.laboratory.add("jointOffset@HeadYaw"), InputError); // of the base model
+}
+
 TEST_CASE("a search that is cancelled says what it has found so far") {
   // Proves that a search that may not go on adds nothing, says that it was stopped, and leaves the model as it is; one
   // that may go on finds the flaw.

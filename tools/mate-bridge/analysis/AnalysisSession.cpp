@@ -27,26 +27,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-bool contains(const std::vector<std::string>& labels, const std::string& label) {
-  return std::find(labels.begin(), labels.end(), label) != labels.end();
-}
-
 std::vector<std::string> without(const std::vector<std::string>& labels, const std::vector<std::string>& others) {
   std::vector<std::string> rest;
-  std::copy_if(labels.begin(), labels.end(), std::back_inserter(rest),
-               [&](const std::string& label) { return !contains(others, label); });
+  std::copy_if(labels.begin(), labels.end(), std::back_inserter(rest), [&](const std::string& label) {
+    return std::find(others.begin(), others.end(), label) == others.end();
+  });
   return rest;
-}
-
-/// The labels of a model's effects that were asked for.
-std::vector<std::string> termLabels(const Model& model) {
-  std::vector<std::string> labels;
-  for (const Term& term : model.terms()) {
-    if (!term.isPlacement && term.asked) {
-      labels.push_back(term.label());
-    }
-  }
-  return labels;
 }
 
 /// Where to begin: the base model, or that of the result that was opened.
@@ -71,9 +57,9 @@ std::filesystem::path written(const TemporaryDirectory& folder, const Json& cont
 
 AnalysisSession::AnalysisSession(Dataset opened, MessageSink tell)
     : opened_{std::move(opened)}, measurements_{measurementsOf(opened_.sets, opened_.robot)}, tell_{std::move(tell)},
-      rungs_{opened_.ladder.empty() ? std::vector{initialRevision(opened_, measurements_)} : opened_.ladder},
-      at_{opened_.at} {
-  tellSet(rungs_[at_]);
+      session_{opened_.ladder.empty() ? std::vector{initialRevision(opened_, measurements_)} : opened_.ladder,
+               opened_.at, opened_.inputs} {
+  tellSet(session_.current());
 }
 
 std::vector<Effect> AnalysisSession::effects(const Rung& rung) const {
@@ -103,29 +89,26 @@ void AnalysisSession::tellSet(const Rung& rung) {
 
 void AnalysisSession::tellLadder() const {
   Json rungs = Json::array();
-  for (const Rung& rung : rungs_) {
+  for (const Rung& rung : session_.ladder) {
     rungs.push_back(revisionPanelJson(rung));
   }
-  tell_("ladder", {{"at", at_}, {"rungs", std::move(rungs)}});
-}
-
-Session AnalysisSession::session() const {
-  return {rungs_, at_, opened_.inputs};
+  tell_("ladder", {{"at", session_.at}, {"rungs", std::move(rungs)}});
 }
 
 void AnalysisSession::keepSession() const {
   if (!opened_.sessionFile.empty()) {
-    writeAtomically(opened_.sessionFile, sessionJson(session()).dump(2) + "\n");
+    writeAtomically(opened_.sessionFile, sessionJson(session_).dump(2) + "\n");
   }
 }
 
 void AnalysisSession::fit() {
-  stand(rungs_, at_);
+  enter(session_);
 }
 
-/// Stands on one of these rungs once its fit has come out well; whatever is thrown before leaves everything as it was.
-void AnalysisSession::stand(std::vector<Rung> rungs, std::size_t at) {
-  Rung& rung = rungs.at(at);
+/// Goes on with this session once the fit of its current model has come out well; whatever is thrown before leaves
+/// everything as it was.
+void AnalysisSession::enter(Session session) {
+  Rung& rung = session.current();
   const Model model = makeModel(measurements_, rung.with, rung.without, effects(rung));
   const CalibrationResult result = calibrate(measurements_, model);
   rung.rmsPx = result.rmsPx;
@@ -136,54 +119,36 @@ void AnalysisSession::stand(std::vector<Rung> rungs, std::size_t at) {
   told["labels"] = termLabels(model);
   told["candidates"] = testableTerms(measurements_, model, effects(rung)).size();
   result_ = document;
-  rungs_ = std::move(rungs);
-  at_ = at;
+  session_ = std::move(session);
   diagnosis_.reset();
   next_.reset();
-  tellSet(rungs_[at_]);
+  tellSet(session_.current());
   tellLadder();
   tell_("fit", told);
   keepSession();
 }
 
-/// What was undone is forgotten.
-void AnalysisSession::go(Rung rung) {
-  std::vector<Rung> rungs{rungs_.begin(), rungs_.begin() + static_cast<std::ptrdiff_t>(at_) + 1};
-  rung.questioned.reset();
-  rung.from = at_;
-  rungs.push_back(std::move(rung));
-  stand(std::move(rungs), at_ + 1);
+std::vector<std::string> AnalysisSession::terms() const {
+  const Rung& rung = session_.current();
+  return termLabels(makeModel(measurements_, rung.with, rung.without, effects(rung)));
 }
 
 void AnalysisSession::add(const std::string& label) {
-  Rung rung = rungs_[at_];
-  rung.step = "+ " + label;
-  if (contains(rung.with, label)) {
-    throw InputError{fmt::format("{} is in the model already", label)};
-  }
-  if (std::erase(rung.without, label) == 0) {
-    rung.with.push_back(label);
-  }
-  go(std::move(rung));
+  Session session = session_;
+  session.add(label, [this] { return terms(); });
+  enter(std::move(session));
 }
 
 void AnalysisSession::drop(const std::string& label) {
-  Rung rung = rungs_[at_];
-  rung.step = "− " + label;
-  if (std::erase(rung.with, label) == 0) {
-    if (!contains(termLabels(makeModel(measurements_, rung.with, rung.without, effects(rung))), label)) {
-      throw InputError{fmt::format("{} is not in the model", label)};
-    }
-    rung.without.push_back(label);
-  }
-  go(std::move(rung));
+  Session session = session_;
+  session.drop(label, [this] { return terms(); });
+  enter(std::move(session));
 }
 
-void AnalysisSession::goTo(std::size_t rung) {
-  if (rung >= rungs_.size()) {
-    throw InputError{"there is no such step in the history"};
-  }
-  stand(rungs_, rung);
+void AnalysisSession::goTo(std::size_t number) {
+  Session session = session_;
+  session.goTo(number);
+  enter(std::move(session));
 }
 
 DiagnosisOptions AnalysisSession::options(const Rung& rung) const {
@@ -196,7 +161,7 @@ DiagnosisOptions AnalysisSession::options(const Rung& rung) const {
 
 const Diagnosis& AnalysisSession::diagnosis() {
   if (!diagnosis_) {
-    DiagnosisOptions asked = options(rungs_[at_]);
+    DiagnosisOptions asked = options(session_.current());
     asked.grow = false;
     diagnosis_ = diagnose(opened_.sets, measurements_, asked);
   }
@@ -206,7 +171,7 @@ const Diagnosis& AnalysisSession::diagnosis() {
 void AnalysisSession::testCandidates() {
   const Diagnosis& here = diagnosis();
   if (!here.steps.empty()) {
-    rungs_[at_].questioned = here.steps.front();
+    session_.current().questioned = here.steps.front();
     tellLadder();
   }
   tell_("questions", diagnosisPanelJson(here));
@@ -214,17 +179,17 @@ void AnalysisSession::testCandidates() {
 }
 
 void AnalysisSession::searchMissing(const std::function<bool()>& goesOn) {
-  DiagnosisOptions asked = options(rungs_[at_]);
+  DiagnosisOptions asked = options(session_.current());
   asked.goesOn = goesOn;
   Json found = diagnosisPanelJson(diagnose(opened_.sets, measurements_, asked));
   found["stopped"] = !goesOn();
-  found["with"] = rungs_[at_].with; // of the model that it began with
+  found["with"] = session_.current().with; // of the model that it began with
   tell_("found", found);
 }
 
 void AnalysisSession::defineEffect(const Json& effect) {
   const Effect made = userEffect(JsonPlace{effect, definitionsName}, opened_.robot);
-  Rung rung = rungs_[at_];
+  Rung rung = session_.current();
   Json kept = Json::array();
   for (Json& other : Json::parse(rung.definitions)) {
     if (other["name"] != made.name) {
@@ -236,12 +201,16 @@ void AnalysisSession::defineEffect(const Json& effect) {
   const std::string at = effect["at"].get<std::string>(), label = made.name + "@" + at;
   const auto isIt = [&](const std::string& other) { return other.starts_with(made.name + "@"); };
   const bool isIn = std::any_of(rung.with.begin(), rung.with.end(), isIt);
-  rung.step = isIn ? "changed " + made.name : at == "*" ? made.name + " offered at every joint" : "+ " + label;
+  const std::string step = isIn        ? "changed " + made.name
+                           : at == "*" ? made.name + " offered at every joint"
+                                       : "+ " + label;
   if (at != "*") { // where it was before, it is no more
     std::erase_if(rung.with, isIt);
     rung.with.push_back(label);
   }
-  go(std::move(rung));
+  Session session = session_;
+  session.revise(std::move(rung), step);
+  enter(std::move(session));
 }
 
 Json AnalysisSession::checkEffect(const Json& effect) const {
@@ -262,7 +231,7 @@ Json AnalysisSession::checkEffect(const Json& effect) const {
 void AnalysisSession::proposePoses(std::size_t count) {
   NextOptions wanted;
   wanted.count = count;
-  next_ = nextPoses(opened_.sets, measurements_, diagnosis(), options(rungs_[at_]), wanted);
+  next_ = nextPoses(opened_.sets, measurements_, diagnosis(), options(session_.current()), wanted);
   Json told = nextJson(*next_, opened_.robot);
   told["whyNone"] = next_->whyNone;
   tell_("next", told);
@@ -282,13 +251,13 @@ std::string AnalysisSession::generateFile(const std::string& name) {
     return result_.dump(2) + "\n";
   }
   if (name == "session.json") {
-    return sessionJson(session()).dump(2) + "\n";
+    return sessionJson(session_).dump(2) + "\n";
   }
   if (name == "report.html") {
     return reportPage(written(passing, result_));
   }
   if (name == "model.json") {
-    const Rung& rung = rungs_[at_];
+    const Rung& rung = session_.current();
     return modelJson(rung.with, rung.without, Json::parse(rung.definitions)).dump(2) + "\n";
   }
   if (name == "poses.json") {

@@ -15,21 +15,22 @@ namespace naocal {
 /// changes is told to whoever asked for it, in units that people read.
 ///
 /// Told kinds: "set" (what was opened, the effects that there are; again when a person's own change), "ladder" (all
-/// rungs and where one stands), "fit" (estimates and residuals of the model), "questions" (its candidates, map,
-/// curves), "found" (what a search for all that is missing says), "next" (poses that would tell more), "compared"
-/// (other captures' errors).
+/// models that were tried, and the current one), "fit" (estimates and residuals of the model), "questions" (its
+/// candidates, map, curves), "found" (what a search for all that is missing says), "next" (poses that would tell more),
+/// "compared" (other captures' errors).
 class AnalysisSession {
 public:
   using MessageSink = std::function<void(const std::string& kind, const nlohmann::json& content)>;
   AnalysisSession(Dataset opened, MessageSink tell);
 
-  /// Fits the model that one stands on, or a changed one as a new rung. Throw InputError for what cannot be done.
+  /// Fits the current model, a changed one that comes last in the history (`Session`), or an earlier one. Throw
+  /// InputError for what cannot be done.
   void fit();
   void add(const std::string& label);
   void drop(const std::string& label);
-  void goTo(std::size_t rung);
+  void goTo(std::size_t number);
 
-  /// Questions the model that one stands on: seconds.
+  /// Tests all candidates of the current model: seconds.
   void testCandidates();
   /// Adds what is missing as long as the captures bear it and `goesOn` agrees, without changing the model: many
   /// seconds.
@@ -43,7 +44,7 @@ public:
   /// proposed.
   std::string generateFile(const std::string& name);
 
-  /// Takes a person's own effect in, in place of one of that name, as a new rung: in the model where it sits at a
+  /// Takes a person's own effect in, in place of one of that name, as a new revision: in the model where it sits at a
   /// joint, else as a candidate everywhere.
   void defineEffect(const nlohmann::json& effect);
 
@@ -58,19 +59,17 @@ private:
   void tellSet(const Rung& rung);
   void tellLadder() const;
   void keepSession() const;
-  Session session() const;
-  void go(Rung rung);
-  void stand(std::vector<Rung> rungs, std::size_t at);
+  std::vector<std::string> terms() const;
+  void enter(Session session);
   DiagnosisOptions options(const Rung& rung) const;
   const Diagnosis& diagnosis();
 
   const Dataset opened_;
   const Measurements measurements_;
   MessageSink tell_;
-  std::vector<Rung> rungs_;
-  std::size_t at_ = 0;                 // the rung that one stands on
+  Session session_;
   std::string toldDefinitions_;        // the person's own effects, as they were last told
-  nlohmann::json result_;              // of that rung, as a file has it
+  nlohmann::json result_;              // of its current model, as a file has it
   std::optional<Diagnosis> diagnosis_; // of it, once it was put to the question
   std::optional<NextPoses> next_;      // and proposed for
 };

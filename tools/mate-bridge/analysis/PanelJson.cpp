@@ -163,6 +163,7 @@ Json diagnosisPanelJson(const Diagnosis& diagnosis) {
 
 Json revisionPanelJson(const Rung& rung) {
   Json json{{"with", rung.with}, {"without", rung.without}, {"step", rung.step}, {"rms", rung.rmsPx}};
+  json["from"] = rung.from ? Json(*rung.from) : Json(nullptr);
   if (rung.questioned) {
     if (rung.questioned->heldOutPx) {
       json["heldOut"] = *rung.questioned->heldOutPx;

@@ -1,5 +1,6 @@
 #include "commands/Commands.hpp"
 #include "console/CommandLine.hpp"
+#include "console/OutputFiles.hpp"
 #include "console/PrintDiagnosis.hpp"
 #include "diagnose/Diagnosis.hpp"
 #include "diagnose/SessionFile.hpp"
@@ -39,10 +40,11 @@ public:
   void printCandidates() const;
 
 private:
-  Rung& here() { return session_.ladder[session_.at]; }
   /// Puts a model to the question. Throws InputError where no fit can start.
   Rung questioned(Rung rung);
-  void tryOut(Rung rung, const std::string& step);
+  std::vector<Effect> effects(const Rung& rung) const;
+  std::vector<std::string> terms() const;
+  void enter(Session session);
   void save() const;
 
   const LoadedSets& given_;
@@ -80,7 +82,7 @@ ExploreLoop::ExploreLoop(const LoadedSets& given, Rung first, std::string file)
       effectsWith(Json::parse(rung.definitions), file_, given_.robot); // refuses what is none
       rung.definitions = joined(rung.definitions, first.definitions);
     }
-    here() = questioned(here());
+    session_.current() = questioned(session_.current());
   } else {
     session_.inputs = given_.inputs;
     session_.ladder.push_back(questioned(std::move(first)));
@@ -88,9 +90,13 @@ ExploreLoop::ExploreLoop(const LoadedSets& given, Rung first, std::string file)
   save();
 }
 
+std::vector<Effect> ExploreLoop::effects(const Rung& rung) const {
+  return effectsWith(Json::parse(rung.definitions), "the person's own effects", given_.robot);
+}
+
 Rung ExploreLoop::questioned(Rung rung) {
   DiagnosisOptions options{.with = rung.with, .without = rung.without};
-  options.effects = effectsWith(Json::parse(rung.definitions), "the person's own effects", given_.robot);
+  options.effects = effects(rung);
   options.grow = false;
   Diagnosis diagnosis = diagnose(given_.sets, measurements_, options);
   if (diagnosis.steps.empty()) {
@@ -102,41 +108,35 @@ Rung ExploreLoop::questioned(Rung rung) {
   return rung;
 }
 
-void ExploreLoop::tryOut(Rung rung, const std::string& step) {
-  rung.step = step;
-  rung.from = session_.at;
-  rung = questioned(std::move(rung));
-  session_.at = session_.ladder.size();
-  session_.ladder.push_back(std::move(rung));
+/// The labels of the current model's terms.
+std::vector<std::string> ExploreLoop::terms() const {
+  const Rung& rung = session_.current();
+  return termLabels(makeModel(measurements_, rung.with, rung.without, effects(rung)));
+}
+
+/// Goes on with this session once its current model was fitted; whatever is thrown before leaves everything as it was.
+void ExploreLoop::enter(Session session) {
+  session.current() = questioned(session.current());
+  session_ = std::move(session);
   save();
 }
 
 void ExploreLoop::add(const std::string& label) {
-  Rung rung = here();
-  if (std::erase(rung.without, label) == 0) {
-    rung.with.push_back(label);
-  }
-  tryOut(std::move(rung), "+ " + label);
+  Session session = session_;
+  session.add(label, [this] { return terms(); });
+  enter(std::move(session));
 }
 
 void ExploreLoop::drop(const std::string& label) {
-  Rung rung = here();
-  if (std::erase(rung.with, label) == 0) {
-    throw InputError{
-        fmt::format("{} is not in the model; it has {}", label,
-                    rung.with.empty() ? "no more than the base" : fmt::format("{}", fmt::join(rung.with, ", ")))};
-  }
-  tryOut(std::move(rung), "− " + label);
+  Session session = session_;
+  session.drop(label, [this] { return terms(); });
+  enter(std::move(session));
 }
 
 void ExploreLoop::undo() {
-  const std::optional<std::size_t> before = here().from;
-  if (!before) {
-    throw InputError{"there is nothing to undo"};
-  }
-  session_.ladder[*before] = questioned(session_.ladder[*before]);
-  session_.at = *before;
-  save();
+  Session session = session_;
+  session.undo();
+  enter(std::move(session));
 }
 
 void ExploreLoop::printLadder() const {
