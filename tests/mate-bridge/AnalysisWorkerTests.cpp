@@ -86,7 +86,7 @@ TEST_CASE("who comes later is told what is true of the present fit, in the order
   CHECK(thread.desks.worker() == nullptr);
   REQUIRE(thread.until("questions"));
   CHECK(thread.kept() == std::vector<std::string>{"set", "fit", "ladder", "questions"});
-  thread.desks.worker()->handle({{"do", "drop"}, {"label", "jointOffset@HeadYaw"}});
+  thread.desks.worker()->drop("jointOffset@HeadYaw");
   REQUIRE(thread.until("fit"));
   CHECK(thread.kept() == std::vector<std::string>{"set", "ladder", "fit"});
   REQUIRE(thread.until("questions"));
@@ -114,7 +114,7 @@ TEST_CASE("why there is no fit at all is told to whoever comes later, until ther
   CHECK(thread.kept() == std::vector<std::string>{"set", "unfitted"});
   CHECK(Json::parse(*thread.desks.latest().back().second.bytes)["sentence"].get<std::string>().find(label) !=
         std::string::npos);
-  thread.desks.worker()->handle({{"do", "drop"}, {"label", label}});
+  thread.desks.worker()->drop(label);
   REQUIRE(thread.until("fit"));
   CHECK(thread.kept() == std::vector<std::string>{"set", "ladder", "fit"});
 }

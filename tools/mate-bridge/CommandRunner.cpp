@@ -198,24 +198,18 @@ CommandRunner::~CommandRunner() {
   running_->end(SIGTERM);
 }
 
-bool CommandRunner::handle(const Json& request) {
-  const std::string verb = request.at("do");
-  if (verb == "endRun") {
-    running_->end(running_->ending ? SIGTERM : SIGINT);
-    running_->ending = true;
-    running_->tellNow();
-    return true;
-  }
-  if (verb != "run") {
-    return false;
-  }
-  const std::vector<std::string> words = request.at("words");
+void CommandRunner::run(const std::vector<std::string>& words) {
   if (words.empty() || words.size() > mostWords || !commands.contains(words.front())) {
     throw InputError{fmt::format("expected one of naocal's commands ({}) and its options, found \"{}\"",
                                  fmt::join(commands, ", "), fmt::join(words, " "))};
   }
   running_->start(words);
-  return true;
+}
+
+void CommandRunner::end() {
+  running_->end(running_->ending ? SIGTERM : SIGINT);
+  running_->ending = true;
+  running_->tellNow();
 }
 
 std::string CommandRunner::latest() const {

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace naocal {
 
@@ -23,10 +23,10 @@ public:
   /// Ends the command.
   ~CommandRunner();
 
-  /// {"do": "run", "words": ["poses", "-o", "poses.json"]} starts a command, {"do": "endRun"} ends it as Ctrl-C
-  /// does: it may finish what it has begun; asked again, it ends at once.
-  /// False: that is nothing for it. Throws InputError for what cannot be run, or not now.
-  bool handle(const nlohmann::json& request);
+  /// Starts a command: its name and options. Throws InputError for what cannot be run, or not now.
+  void run(const std::vector<std::string>& words);
+  /// Ends the command as Ctrl-C does: it may finish what it has begun; asked again, it ends at once.
+  void end();
 
   /// What was told last, for a panel to come.
   std::string latest() const;

@@ -2,6 +2,7 @@
 
 #include "CommandRunner.hpp"
 #include "analysis/AnalysisWorker.hpp"
+#include "io/InputError.hpp"
 #include "robot/FloorScene.hpp"
 #include "robot/Robots.hpp"
 #include "server/HttpServer.hpp"
@@ -13,6 +14,8 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <fmt/format.h>
+#include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 
 namespace naocal {
@@ -112,26 +115,9 @@ struct Panel::Implementation {
     std::string problem;
     try {
       const Json request = wireJson(text);
-      AnalysisWorker* const worker = analysis.worker();
-      if (request.at("do") == "check" && worker) {
-        Json answer = worker->checkEffect(request.at("effect"));
-        answer["kind"] = "checked";
-        answer["number"] = request.at("number");
-        server.send(panel, makeMessage(wireText(answer)));
-        return;
-      }
-      if (request.at("do") == "open") {
-        analysis.open(request.at("paths"), [this, panel](const std::string& why) { refuse(panel, why); });
-        return;
-      }
-      if (request.at("do") == "stand") {
-        server.send(panel, makeMessage(stood(request).dump()));
-        return;
-      }
-      if (robots.handle(panel, request) || (worker && worker->handle(request)) || runner.handle(request)) {
-        return;
-      }
-      problem = fmt::format("the bridge does not know how to do \"{}\"", request.at("do").get<std::string>());
+      const auto found = handlers().find(request.at("do").get<std::string>());
+      found == handlers().end() ? refuseVerb(request) : found->second(*this, panel, request);
+      return;
     } catch (const Json::exception& error) {
       problem = fmt::format("the bridge did not understand the panel: {}", error.what());
     } catch (const std::exception& error) {
@@ -139,6 +125,98 @@ struct Panel::Implementation {
     }
     refuse(panel, problem);
   }
+
+  using Handler = std::function<void(Implementation& bridge, std::size_t panel, const Json& request)>;
+  using Handlers = std::map<std::string, Handler, std::less<>>;
+
+  /// Everything that a panel can ask for, by {"do": verb}. Handlers throw InputError for what cannot be done.
+  static const Handlers& handlers() {
+    static const Handlers all{
+        // the bridge itself
+        {"open",
+         [](Implementation& bridge, std::size_t panel, const Json& request) {
+           bridge.analysis.open(request.at("paths"),
+                                [&bridge, panel](const std::string& why) { bridge.refuse(panel, why); });
+         }},
+        {"stand", [](Implementation& bridge, std::size_t panel,
+                     const Json& request) { bridge.server.send(panel, makeMessage(bridge.stood(request).dump())); }},
+        {"run",
+         [](Implementation& bridge, std::size_t, const Json& request) { bridge.runner.run(request.at("words")); }},
+        {"endRun", [](Implementation& bridge, std::size_t, const Json&) { bridge.runner.end(); }},
+        // captures
+        {"check",
+         [](Implementation& bridge, std::size_t panel, const Json& request) {
+           Json answer = bridge.worker(request).checkEffect(request.at("effect"));
+           answer["kind"] = "checked";
+           answer["number"] = request.at("number");
+           bridge.server.send(panel, makeMessage(wireText(answer)));
+         }},
+        {"add", [](Implementation& bridge, std::size_t,
+                   const Json& request) { bridge.worker(request).add(request.at("label")); }},
+        {"drop", [](Implementation& bridge, std::size_t,
+                    const Json& request) { bridge.worker(request).drop(request.at("label")); }},
+        {"goTo", [](Implementation& bridge, std::size_t,
+                    const Json& request) { bridge.worker(request).goTo(request.at("rung")); }},
+        {"define", [](Implementation& bridge, std::size_t,
+                      const Json& request) { bridge.worker(request).defineEffect(request.at("effect")); }},
+        {"search",
+         [](Implementation& bridge, std::size_t, const Json& request) { bridge.worker(request).searchMissing(); }},
+        {"cancel",
+         [](Implementation& bridge, std::size_t, const Json& request) { bridge.worker(request).cancelSearch(); }},
+        {"propose", [](Implementation& bridge, std::size_t,
+                       const Json& request) { bridge.worker(request).proposePoses(request.at("count")); }},
+        {"compare", [](Implementation& bridge, std::size_t,
+                       const Json& request) { bridge.worker(request).compareWith(request.at("paths")); }},
+        {"make", [](Implementation& bridge, std::size_t,
+                    const Json& request) { bridge.worker(request).generateFile(request.at("file")); }},
+        // robots
+        {"connect",
+         [](Implementation& bridge, std::size_t, const Json& request) { bridge.robots.connect(request.at("robot")); }},
+        {"disconnect",
+         [](Implementation& bridge, std::size_t, const Json& request) {
+           bridge.robot(request);
+           bridge.robots.disconnect(request.at("robot"));
+         }},
+        {"watch",
+         [](Implementation& bridge, std::size_t panel, const Json& request) { bridge.robot(request).watch(panel); }},
+        {"unwatch",
+         [](Implementation& bridge, std::size_t panel, const Json& request) {
+           if (WatchedRobot* const robot = bridge.robots.find(request.at("robot"))) { // else it went with its robot
+             robot->unwatch(panel);
+           }
+         }},
+        {"subscribe", [](Implementation& bridge, std::size_t panel,
+                         const Json& request) { bridge.robot(request).subscribe(request.at("key"), panel); }},
+        {"unsubscribe",
+         [](Implementation& bridge, std::size_t panel, const Json& request) {
+           if (WatchedRobot* const robot = bridge.robots.find(request.at("robot"))) {
+             robot->unsubscribe(request.at("key"), panel);
+           }
+         }},
+        {"keys", [](Implementation& bridge, std::size_t,
+                    const Json& request) { bridge.robot(request).requestKeys(request.at("mount")); }},
+        {"set", [](Implementation& bridge, std::size_t,
+                   const Json& request) { bridge.robot(request).set(request.at("settings")); }},
+        {"save", [](Implementation& bridge, std::size_t, const Json& request) { bridge.robot(request).save(); }},
+    };
+    return all;
+  }
+
+  [[noreturn]] static void refuseVerb(const Json& request) {
+    throw InputError{fmt::format("the bridge does not know how to do \"{}\"", request.at("do").get<std::string>())};
+  }
+
+  /// Throws InputError where no captures are open.
+  AnalysisWorker& worker(const Json& request) const {
+    AnalysisWorker* const worker = analysis.worker();
+    if (!worker) {
+      refuseVerb(request);
+    }
+    return *worker;
+  }
+
+  /// Throws InputError where that robot is not connected to.
+  WatchedRobot& robot(const Json& request) const { return robots.at(request.at("robot"), request.at("do")); }
 
   /// How a robot would stand: {"angles": by joint or in HULKs' order [rad]} answered with "stand" and its number.
   Json stood(const Json& request) const {

@@ -55,11 +55,11 @@ AnalysisWorker::~AnalysisWorker() {
   cancelled_ = true; // its thread ends sooner
 }
 
-void AnalysisWorker::work(std::string_view what, std::function<void(AnalysisSession&)> change) {
-  jobs_.add([this, what, change = std::move(change)] {
+void AnalysisWorker::work(std::string_view what, std::function<void(AnalysisSession&)> task) {
+  jobs_.add([this, what, task = std::move(task)] {
     tell_("work", wireText({{"kind", "work"}, {"what", what}}));
     try {
-      change(*session_);
+      task(*session_);
     } catch (const std::exception& error) { // a full disk, too, must not end the bridge
       tell_("refused", wireText({{"kind", "refused"}, {"sentence", error.what()}}));
       if (!isFitted_ && what == fitting) {
@@ -79,52 +79,54 @@ void AnalysisWorker::testCandidates() {
   });
 }
 
-bool AnalysisWorker::handle(const Json& request) {
-  const std::string verb = request.at("do");
-  if (verb == "add" || verb == "drop") {
-    const std::string label = request.at("label");
-    work(fitting,
-         [verb, label](AnalysisSession& session) { verb == "add" ? session.add(label) : session.drop(label); });
-  } else if (verb == "goTo") {
-    const std::size_t rung = request.at("rung");
-    work(fitting, [rung](AnalysisSession& session) { session.goTo(rung); });
-  } else if (verb == "define") {
-    const Json effect = request.at("effect");
-    work(fitting, [effect](AnalysisSession& session) { session.defineEffect(effect); });
-  } else {
-    return handleWithoutChange(verb, request);
-  }
+void AnalysisWorker::change(std::function<void(AnalysisSession&)> change) {
+  work(fitting, std::move(change));
   testCandidates();
-  return true;
 }
 
-/// What leaves the model as it is.
-bool AnalysisWorker::handleWithoutChange(const std::string& verb, const Json& request) {
-  if (verb == "search") {
-    cancelled_ = false;
-    work("searching", [this](AnalysisSession& session) { session.searchMissing([this] { return !cancelled_; }); });
-  } else if (verb == "cancel") {
-    cancelled_ = true;
-  } else if (verb == "propose") {
-    const std::size_t count = std::clamp(request.at("count").get<int>(), 1, 20);
-    work("choosing poses", [count](AnalysisSession& session) { session.proposePoses(count); });
-  } else if (verb == "compare") {
-    const std::vector<std::string> paths = request.at("paths");
-    work("comparing", [paths](AnalysisSession& session) { session.compareWith(openDataset(paths)); });
-  } else if (verb == "make") {
-    const std::string name = request.at("file");
-    work("writing", [this, name](AnalysisSession& session) {
-      std::string content = session.generateFile(name);
-      {
-        const std::lock_guard lock{mutex_};
-        made_[name] = std::move(content);
-      }
-      tell_("made", wireText({{"kind", "made"}, {"file", name}}));
-    });
-  } else {
-    return false;
-  }
-  return true;
+void AnalysisWorker::add(const std::string& label) {
+  change([label](AnalysisSession& session) { session.add(label); });
+}
+
+void AnalysisWorker::drop(const std::string& label) {
+  change([label](AnalysisSession& session) { session.drop(label); });
+}
+
+void AnalysisWorker::goTo(std::size_t number) {
+  change([number](AnalysisSession& session) { session.goTo(number); });
+}
+
+void AnalysisWorker::defineEffect(const Json& effect) {
+  change([effect](AnalysisSession& session) { session.defineEffect(effect); });
+}
+
+void AnalysisWorker::searchMissing() {
+  cancelled_ = false;
+  work("searching", [this](AnalysisSession& session) { session.searchMissing([this] { return !cancelled_; }); });
+}
+
+void AnalysisWorker::cancelSearch() {
+  cancelled_ = true;
+}
+
+void AnalysisWorker::proposePoses(int count) {
+  const std::size_t bounded = std::clamp(count, 1, 20);
+  work("choosing poses", [bounded](AnalysisSession& session) { session.proposePoses(bounded); });
+}
+
+void AnalysisWorker::compareWith(const std::vector<std::string>& paths) {
+  work("comparing", [paths](AnalysisSession& session) { session.compareWith(openDataset(paths)); });
+}
+
+void AnalysisWorker::generateFile(const std::string& name) {
+  work("writing", [this, name](AnalysisSession& session) {
+    std::string content = session.generateFile(name);
+    {
+      const std::lock_guard lock{mutex_};
+      made_[name] = std::move(content);
+    }
+    tell_("made", wireText({{"kind", "made"}, {"file", name}}));
+  });
 }
 
 std::optional<std::string> AnalysisWorker::generatedFile(const std::string& name) const {

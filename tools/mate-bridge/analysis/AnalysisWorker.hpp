@@ -31,10 +31,17 @@ public:
   AnalysisWorker(Dataset opened, MessageSink tell);
   ~AnalysisWorker();
 
-  /// Does what a panel asks for: {"do": "add" | "drop", "label"}, {"do": "goTo", "rung"}, {"do": "search"}, {"do":
-  /// "cancel"} of that search, {"do": "define", "effect"}, {"do": "propose", "count"}, {"do": "compare", "paths"},
-  /// {"do": "make", "file"}. False: not a request for this worker.
-  bool handle(const nlohmann::json& request);
+  /// As AnalysisSession, later and on the worker's thread. These change the model:
+  void add(const std::string& label);
+  void drop(const std::string& label);
+  void goTo(std::size_t number);
+  void defineEffect(const nlohmann::json& effect);
+  /// These leave it as it is:
+  void searchMissing();
+  void cancelSearch();
+  void proposePoses(int count);
+  void compareWith(const std::vector<std::string>& paths);
+  void generateFile(const std::string& name);
 
   /// Whether a person's own effect can be used; at once, whatever the worker is busy with.
   nlohmann::json checkEffect(const nlohmann::json& effect) const;
@@ -46,9 +53,9 @@ public:
   std::optional<std::string> picture(std::string_view path) const;
 
 private:
-  void work(std::string_view what, std::function<void(AnalysisSession&)> change);
+  void work(std::string_view what, std::function<void(AnalysisSession&)> task);
+  void change(std::function<void(AnalysisSession&)> change);
   void testCandidates();
-  bool handleWithoutChange(const std::string& verb, const nlohmann::json& request);
 
   MessageSink tell_;
   std::atomic<bool> isFitted_ = false;

@@ -35,6 +35,13 @@ template <typename Action> void whereItFits(const Action& action) {
   }
 }
 
+/// Throws InputError for what was not sent.
+void requireDone(bool isSent) {
+  if (!isSent) {
+    throw InputError{"the robot is not connected: nothing was changed; try again when it is back"};
+  }
+}
+
 } // namespace
 
 void Subscriptions::add(const std::string& key, std::size_t viewer) {
@@ -169,36 +176,21 @@ void WatchedRobot::pictured(const std::string& body) {
   }
 }
 
-void WatchedRobot::handle(std::size_t panel, const std::string& verb, const Json& request) {
-  bool done = true;
-  if (verb == "subscribe") {
-    look(request.at("key"), panel);
-  } else if (verb == "unsubscribe") {
-    lookAway(request.at("key"), panel);
-  } else if (verb == "watch") {
-    watch(panel);
-  } else if (verb == "unwatch") {
-    unwatch(panel);
-  } else if (verb == "keys") {
-    mounts_.request(request.at("mount"));
-  } else if (verb == "set") {
-    const Json& settings = request.at("settings");
-    const bool isSecret = settings.is_array() && settings.size() == 1 && settings[0].value("mp", "") == "naocal.access";
-    done = isSecret ? link_->authenticate(wireText(settings)) : link_->set(wireText(settings));
-  } else {
-    done = link_->save();
-  }
-  if (!done) {
-    throw InputError{"the robot is not connected: nothing was changed; try again when it is back"};
-  }
+void WatchedRobot::set(const Json& settings) {
+  const bool isSecret = settings.is_array() && settings.size() == 1 && settings[0].value("mp", "") == "naocal.access";
+  requireDone(isSecret ? link_->authenticate(wireText(settings)) : link_->set(wireText(settings)));
 }
 
-void WatchedRobot::look(const std::string& key, std::size_t viewer) {
+void WatchedRobot::save() {
+  requireDone(link_->save());
+}
+
+void WatchedRobot::subscribe(const std::string& key, std::size_t viewer) {
   viewers_.add(key, viewer);
   link_->subscribe(key);
 }
 
-void WatchedRobot::lookAway(const std::string& key, std::size_t viewer) {
+void WatchedRobot::unsubscribe(const std::string& key, std::size_t viewer) {
   if (viewers_.remove(key, viewer)) {
     link_->unsubscribe(key);
   }
@@ -222,9 +214,9 @@ void WatchedRobot::watch(std::size_t panel) {
         });
   }
   for (const std::string_view key : LiveDetection::keys) {
-    look(std::string{key}, theWatch);
+    subscribe(std::string{key}, theWatch);
   }
-  look(std::string{capturesKey}, theWatch);
+  subscribe(std::string{capturesKey}, theWatch);
   calls_.one(panel, takenPictures());
   wantMounts();
 }
@@ -266,9 +258,9 @@ void WatchedRobot::unwatch(std::size_t panel) {
   watchers_.erase(panel);
   if (watch_ && watchers_.empty()) {
     for (const std::string_view key : LiveDetection::keys) {
-      lookAway(std::string{key}, theWatch);
+      unsubscribe(std::string{key}, theWatch);
     }
-    lookAway(std::string{capturesKey}, theWatch);
+    unsubscribe(std::string{capturesKey}, theWatch);
   }
 }
 
@@ -301,27 +293,17 @@ void Robots::disconnect(const std::string& address) {
   }
 }
 
-bool Robots::handle(std::size_t panel, const nlohmann::json& request) {
-  const std::string verb = request.at("do");
-  if (verb == "connect") {
-    connect(request.at("robot"));
-    return true;
-  }
-  static const std::set<std::string> verbs{"disconnect", "subscribe", "unsubscribe", "watch",
-                                           "unwatch",    "keys",      "set",         "save"};
-  if (!verbs.contains(verb)) {
-    return false;
-  }
-  const std::string address = request.at("robot");
+WatchedRobot* Robots::find(const std::string& address) const {
   const auto found = robots_.find(address);
-  if (found == robots_.end() && (verb == "unsubscribe" || verb == "unwatch")) {
-    return true; // it went with its robot
-  }
-  if (found == robots_.end()) {
+  return found == robots_.end() ? nullptr : found->second.get();
+}
+
+WatchedRobot& Robots::at(const std::string& address, const std::string& verb) const {
+  WatchedRobot* const robot = find(address);
+  if (!robot) {
     throw InputError{fmt::format("there is no robot {} to {}; connect to it first", address, verb)};
   }
-  verb == "disconnect" ? disconnect(address) : found->second->handle(panel, verb, request);
-  return true;
+  return *robot;
 }
 
 std::vector<std::string> Robots::addresses() const {

@@ -50,8 +50,17 @@ public:
   /// Throws InputError for an address that cannot be one.
   WatchedRobot(boost::asio::io_context& context, std::string address, const PanelCallbacks& calls);
 
-  /// Does what a panel asks for (Robots::asked, but for connecting). Throws InputError when the robot is away.
-  void handle(std::size_t panel, const std::string& verb, const nlohmann::json& request);
+  /// A viewer's interest in a key: a panel's, or the watch's.
+  void subscribe(const std::string& key, std::size_t viewer);
+  void unsubscribe(const std::string& key, std::size_t viewer);
+  /// Live detection for a panel.
+  void watch(std::size_t panel);
+  void unwatch(std::size_t panel);
+  void requestKeys(const std::string& mount) { mounts_.request(mount); }
+  /// `settings`: [{"mp", "key", "value"}]; those of naocal.access alone are its secret, and sent whenever it connects.
+  /// Throw InputError when the robot is away.
+  void set(const nlohmann::json& settings);
+  void save();
   /// What a panel that has just come must know.
   void addPanel(std::size_t panel) const;
   /// The picture of a capture ("SERIES/PLACE" of its list); absent where none was seen.
@@ -69,13 +78,9 @@ private:
   void listed(const std::string& kind, const std::string& body);
   void updated(const std::string& body);
   void pictured(const std::string& body);
-  void look(const std::string& key, std::size_t viewer);
-  void lookAway(const std::string& key, std::size_t viewer);
-  void watch(std::size_t panel);
   void wantMounts();
   std::string takenPictures() const;
   void tellTaken() const;
-  void unwatch(std::size_t panel);
 
   std::string address_;
   const PanelCallbacks& calls_;
@@ -99,10 +104,11 @@ public:
   /// Throws InputError for an address that cannot be one.
   void connect(const std::string& address);
 
-  /// Does what a panel asks for: {"do": "connect" | "disconnect" | "watch" | "unwatch", "robot"}, {"do": "subscribe" |
-  /// "unsubscribe", "robot", "key"}, {"do": "keys", "robot", "mount"}, {"do": "set", "robot", "settings"}, {"do":
-  /// "save", "robot"}. False: that is nothing for robots.
-  bool handle(std::size_t panel, const nlohmann::json& request);
+  void disconnect(const std::string& address);
+  /// nullptr: not connected to.
+  WatchedRobot* find(const std::string& address) const;
+  /// Throws InputError where it is not connected to; `verb`: what it is wanted for.
+  WatchedRobot& at(const std::string& address, const std::string& verb) const;
 
   std::vector<std::string> addresses() const;
   /// The picture of a capture, "ROBOT/SERIES/PLACE"; absent where none was seen.
@@ -114,8 +120,6 @@ public:
   void removePanel(std::size_t panel);
 
 private:
-  void disconnect(const std::string& address);
-
   boost::asio::io_context& context_;
   PanelCallbacks calls_;
   std::chrono::milliseconds patience_;
