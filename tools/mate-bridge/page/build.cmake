@@ -88,7 +88,7 @@ else()
   message("${missing}")
   file(WRITE ${OUTPUT}.missing "${missing}")
 endif()
-file(WRITE ${OUTPUT} "#include \"page/Page.hpp\"
+file(WRITE ${OUTPUT} "#include \"server/PageFiles.hpp\"
 
 namespace naocal {
 

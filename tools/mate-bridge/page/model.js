@@ -26,9 +26,10 @@ function ladderOf({at, rungs}) {
     const band = make("span", {class: "band"});
     bar.style.width = 100 * error(rung) / most + "%";
     band.style.width = 100 * (rung.floor === undefined ? floor : rung.floor) / most + "%";
-    const words = !isKnown ? "fitted poses: " + px3(rung.rms) + "; held-out error: not known yet"
+    const origin = rung.from === null || rung.from === i - 1 ? "" : "made from: " + (rungs[rung.from].step || "base model") + "\n";
+    const words = origin + (!isKnown ? "fitted poses: " + px3(rung.rms) + "; held-out error: not known yet"
       : "held-out error: " + px3(rung.heldOut) + "\nfitted poses: " + px3(rung.rms) + "\nnoise floor: " + px3(rung.floor) +
-        "\nchance that noise alone looks this convincing: " + chance(rung.alarm);
+        "\nchance that noise alone looks this convincing: " + chance(rung.alarm));
     list.append(make("li", {}, make("button", {
       type: "button", class: "rung", title: words, "aria-current": i === at ? "step" : null,
       onclick: () => { act({do: "goTo", rung: i}); },
@@ -45,10 +46,16 @@ function saveLadder({rungs}) {
   download("ladder.csv", csv([["model", "fitted poses [px]", "held-out error [px]", "noise floor [px]", "p that it is chance"], ...rows]), "text/csv");
 }
 
-function historyButtons({at, rungs}) {
+// Undo goes to the model that the current one was made from, redo to the newest that was made from it.
+export const canUndo = ({at, rungs}) => rungs[at].from !== null;
+export const canRedo = ({at, rungs}) => rungs.some(rung => rung.from === at);
+export const undo = ({at, rungs}) => act({do: "goTo", rung: rungs[at].from});
+export const redo = ({at, rungs}) => act({do: "goTo", rung: rungs.map(rung => rung.from).lastIndexOf(at)});
+
+function historyButtons(ladder) {
   return make("p", {class: "controls"},
-    button("Undo", () => act({do: "goTo", rung: at - 1}), {disabled: at === 0, id: "undo", title: "u"}),
-    button("Redo", () => act({do: "goTo", rung: at + 1}), {disabled: at + 1 >= rungs.length, title: "r"}));
+    button("Undo", () => undo(ladder), {disabled: !canUndo(ladder), id: "undo", title: "u"}),
+    button("Redo", () => redo(ladder), {disabled: !canRedo(ladder), title: "r"}));
 }
 
 // What is in the model; what was added stands first, the base below.

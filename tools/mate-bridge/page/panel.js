@@ -5,7 +5,7 @@ import "./theme.js";
 import {waitingWords} from "./words.js";
 import {showLink} from "./link.js";
 import {state, act, notice, onNotice} from "./state.js";
-import {showModel} from "./model.js";
+import {showModel, canUndo, canRedo, undo, redo} from "./model.js";
 import {showCompare} from "./compare.js";
 import {showLearn} from "./learn.js";
 import {showMap} from "./map.js";
@@ -177,8 +177,8 @@ document.addEventListener("keydown", event => {
   const place = keyed.indexOf(event.key) + 1;
   if (place >= 1) go(views[place - 1].id);
   else if (!current || at("model").hidden || !state.ladder) return;
-  else if (event.key === "u" && state.ladder.at > 0) act({do: "goTo", rung: state.ladder.at - 1});
-  else if (event.key === "r" && state.ladder.at + 1 < state.ladder.rungs.length) act({do: "goTo", rung: state.ladder.at + 1});
+  else if (event.key === "u" && canUndo(state.ladder)) undo(state.ladder);
+  else if (event.key === "r" && canRedo(state.ladder)) redo(state.ladder);
 });
 
 function showHelp() {
