@@ -41,10 +41,10 @@ void from_json(const nlohmann::json& json, RequestedPoses& poses) {
 
 void from_json(const nlohmann::json& json, CalibrationBoards& boards) {
   boards.boards.clear();
-  for (const JsonPlace& place : JsonPlace{json, "boards"}.elements()) {
+  for (const JsonCursor& place : JsonCursor{json, "boards"}.elements()) {
     boards.boards.push_back(readBoard(place));
   }
-  requireDistinctMarkers(boards.boards, JsonPlace{json, "boards"});
+  requireDistinctMarkers(boards.boards, JsonCursor{json, "boards"});
 }
 
 const std::vector<CalibrationKind>& calibrationKinds() {
@@ -86,7 +86,7 @@ ModelFile loadCalibrationModel(const std::filesystem::path& configuration, const
 ReducedModel reduceModel(const Measurements& measurements, const ModelFile& model) {
   ReducedModel fitting{{.effects = model.effects}, {}};
   const bool onOneFoot =
-      std::all_of(measurements.standings.begin(), measurements.standings.end(), [](const Standing& standing) {
+      std::all_of(measurements.standings.begin(), measurements.standings.end(), [](const StanceInstance& standing) {
         return standing.supportFoot == SupportFoot::left || standing.supportFoot == SupportFoot::right;
       });
   if (!onOneFoot) {

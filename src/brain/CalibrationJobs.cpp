@@ -20,8 +20,8 @@ constexpr double leastGain = 0.5;          // what a calibration leaves of the e
 constexpr double mostOffset = radians(20); // of any NAO: 11 degrees have been seen
 
 /// Throws InputError for offsets that no robot has: captures that do not belong together.
-void requirePlausible(const std::vector<ShownOffset>& offsets) {
-  for (const ShownOffset& offset : offsets) {
+void requirePlausible(const std::vector<EffectiveOffset>& offsets) {
+  for (const EffectiveOffset& offset : offsets) {
     if (!(std::abs(offset.value) <= mostOffset)) {
       throw InputError{fmt::format("{} would be off by {:.0f} degrees, which no robot's is. Nothing was changed. Look "
                                    "whether all boards are those of the configuration and lie still",
@@ -108,7 +108,7 @@ void CalibrationJobs::processCapture(std::size_t round, Capture capture, Publish
 void CalibrationJobs::solve(bool onlyHead) {
   give([this, session = sessions_[0], onlyHead, abandoned = abandoned_.load()](bool&) -> std::optional<JobResult> {
     const CalibrationRecorder::Solution solved = session->session.value().solve();
-    const std::vector<ShownOffset> offsets = onlyHead ? headOffsets(solved.offsets) : solved.offsets;
+    const std::vector<EffectiveOffset> offsets = onlyHead ? headOffsets(solved.offsets) : solved.offsets;
     PublishedOutcome outcome = summarizeOutcome(before_, offsets, processedSoFar_.captures);
     for (const Warning& warning : solved.warnings) { // only with the legs it is known where the floor is
       if (warning.about == Warning::About::fit || (warning.about == Warning::About::floor && !onlyHead)) {

@@ -49,7 +49,7 @@ CalibrationRecorder::Solution CalibrationRecorder::solve() const {
   const auto [asked, leftOut] = reduceModel(measurements, model_);
   const Model model = makeModel(measurements, asked.with, asked.without, asked.effects);
   const CalibrationResult result = calibrate(measurements, model);
-  const ResultInputs inputs{{folder_.string()}, {sha256(fileContent(folder_ / "captures.json"))}};
+  const ResultSources inputs{{folder_.string()}, {sha256(fileContent(folder_ / "captures.json"))}};
   writeAtomically(folder_ / "result.json", resultJson(sets, measurements, model, result, inputs).dump(2) + "\n");
   if (!result.converged) {
     throw InputError{
@@ -64,7 +64,7 @@ CalibrationRecorder::Solution CalibrationRecorder::solve() const {
                      fmt::join(leftOut, ", "))});
   }
   nlohmann::json offsets; // [rad]
-  for (const ShownOffset& offset : solved.offsets) {
+  for (const EffectiveOffset& offset : solved.offsets) {
     offsets[offset.joint] = {{"offset", offset.value}, {"sigma", offset.sigma}};
   }
   writeAtomically(folder_ / "offsets.json", offsets.dump(2) + "\n");

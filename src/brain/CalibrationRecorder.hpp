@@ -31,7 +31,7 @@ public:
   /// Joints' offsets and cameras' mounts, on one foot the model's effects too.
   struct Solution {
     StoredResult result; // as in its file
-    std::vector<ShownOffset> offsets;
+    std::vector<EffectiveOffset> offsets;
     std::vector<Warning> warnings;
   };
   /// Estimates them from the captures, and writes result.json and offsets.json beside them. Throws InputError when

@@ -83,8 +83,8 @@ LegRoundPlanner::LegRoundPlanner(const Robot& drawing, const PoseFile& file, Sup
   }
 }
 
-OneFootWays::Approach LegRoundPlanner::approach(const PlayablePose& pose, double distance,
-                                                std::mt19937_64& random) const {
+SingleSupportPlanner::Approach LegRoundPlanner::approach(const PlayablePose& pose, double distance,
+                                                         std::mt19937_64& random) const {
   auto found = ways_.approach(pose.angles, pose.approach, distance, random);
   if (!found) {
     throw InputError{fmt::format("pose {}: there is no safe way to it from standing upright on the {} foot; plan other "
@@ -124,7 +124,7 @@ CalibrationRound LegRoundPlanner::planRound(const RoundOptions& options, int sta
   CalibrationRound round = onto(stance > 0);
   std::vector<CompensatedAngles> back = {round.back().points.back()}; // upright again, from the pose before
   for (const PlayablePose& pose : poses) {
-    const OneFootWays::Approach first = approach(pose, options.approach, random);
+    const SingleSupportPlanner::Approach first = approach(pose, options.approach, random);
     for (int repeat = 0; repeat < options.pictures; ++repeat) {
       const Eigen::VectorXd side = repeat % 2 == 0 ? first.side : -first.side;
       CalibrationStep step{fmt::format("Pose {}", pose.id), "", false, {}, 1, {}};

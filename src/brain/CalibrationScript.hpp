@@ -40,7 +40,7 @@ CalibrationRound planHeadRound(const CompensatedAngles& stand, const std::vector
                                const std::vector<double>& pitches, double share, const RoundOptions& options);
 
 /// The poses of a pose file that a robot takes on one foot, each reached from standing upright on that foot, so that
-/// they can be taken in any order (OneFootWays), by robots with joints off by what the file says,
+/// they can be taken in any order (SingleSupportPlanner), by robots with joints off by what the file says,
 /// at most 6.5 degrees as in `naocal poses`: poses may be safe for more than ways are.
 class LegRoundPlanner {
 public:
@@ -57,12 +57,12 @@ public:
 private:
   /// Onto the foot, upright: held by a person, who then puts the robot down and lets it go.
   CalibrationRound onto(bool isHeld) const;
-  OneFootWays::Approach approach(const PlayablePose& pose, double distance, std::mt19937_64& random) const;
+  SingleSupportPlanner::Approach approach(const PlayablePose& pose, double distance, std::mt19937_64& random) const;
   CompensatedAngles robotAngles(const Eigen::VectorXd& angles) const;
 
   const Robot& drawing_;
   SupportFoot foot_;
-  OneFootWays ways_;
+  SingleSupportPlanner ways_;
   std::vector<PlayablePose> poses_;
 };
 

@@ -44,7 +44,7 @@ std::vector<std::string> posesWithoutBoard(const std::vector<PublishedCapture>& 
   return poses;
 }
 
-std::string hardlyObserved(const ShownOffset& offset, const std::vector<std::string>& unseen) {
+std::string hardlyObserved(const EffectiveOffset& offset, const std::vector<std::string>& unseen) {
   return fmt::format(
       "The {} was hardly observed (learned {:.0f} %) and stays as it was: {}.", inWords(offset.joint),
       100 * std::max(0.0, offset.learned),
@@ -82,16 +82,16 @@ PublishedPoses listPoses(int round, const CalibrationRound& steps, std::size_t s
   return shown;
 }
 
-std::vector<ShownOffset> learnedOffsets(std::vector<ShownOffset> offsets) {
-  std::erase_if(offsets, [](const ShownOffset& offset) { return !isLearned(offset); });
+std::vector<EffectiveOffset> learnedOffsets(std::vector<EffectiveOffset> offsets) {
+  std::erase_if(offsets, [](const EffectiveOffset& offset) { return !isLearned(offset); });
   return offsets;
 }
 
-PublishedOutcome summarizeOutcome(const StoredResult& before, const std::vector<ShownOffset>& offsets,
+PublishedOutcome summarizeOutcome(const StoredResult& before, const std::vector<EffectiveOffset>& offsets,
                                   const std::vector<PublishedCapture>& captures) {
   PublishedOutcome outcome;
   const std::vector<std::string> unseen = posesWithoutBoard(captures);
-  for (const ShownOffset& offset : offsets) {
+  for (const EffectiveOffset& offset : offsets) {
     if (!isLearned(offset)) {
       outcome.warnings.push_back(hardlyObserved(offset, unseen));
       continue;

@@ -70,11 +70,11 @@ struct PublishedOutcome {
 void to_json(nlohmann::json& out, const PublishedOutcome& outcome);
 
 /// Those offsets that the captures tell.
-std::vector<ShownOffset> learnedOffsets(std::vector<ShownOffset> offsets);
+std::vector<EffectiveOffset> learnedOffsets(std::vector<EffectiveOffset> offsets);
 
 /// The offsets that were learned beside those before; of each that was not a warning, with the poses in which no board
 /// was seen.
-PublishedOutcome summarizeOutcome(const StoredResult& before, const std::vector<ShownOffset>& offsets,
+PublishedOutcome summarizeOutcome(const StoredResult& before, const std::vector<EffectiveOffset>& offsets,
                                   const std::vector<PublishedCapture>& captures);
 
 } // namespace naocal

@@ -28,8 +28,8 @@ std::string mountKey(const std::string& camera) {
 
 } // namespace
 
-std::vector<ShownOffset> headOffsets(std::vector<ShownOffset> offsets) {
-  std::erase_if(offsets, [](const ShownOffset& offset) { return !offset.joint.starts_with("Head"); });
+std::vector<EffectiveOffset> headOffsets(std::vector<EffectiveOffset> offsets) {
+  std::erase_if(offsets, [](const EffectiveOffset& offset) { return !offset.joint.starts_with("Head"); });
   return offsets;
 }
 
@@ -74,11 +74,11 @@ void restoreCalibration(const std::string& calibrationKeys, Configuration& confi
   }
 }
 
-void applyCalibration(const std::vector<ShownOffset>& offsets, const StoredResult& mounts,
+void applyCalibration(const std::vector<EffectiveOffset>& offsets, const StoredResult& mounts,
                       Configuration& configuration) {
   const std::string before = snapshotCalibration(configuration);
   try {
-    for (const ShownOffset& offset : offsets) {
+    for (const EffectiveOffset& offset : offsets) {
       configuration.set(offsetsMount, offsetKey(offset.joint), degrees(offset.value));
       if (offset.joint == "LHipYawPitch") {
         configuration.set(offsetsMount, offsetKey("RHipYawPitch"), degrees(offset.value));

@@ -7,7 +7,7 @@
 namespace naocal {
 
 /// Those of the neck.
-std::vector<ShownOffset> headOffsets(std::vector<ShownOffset> offsets);
+std::vector<EffectiveOffset> headOffsets(std::vector<EffectiveOffset> offsets);
 
 /// The joints' offsets and the cameras' mounts as they are configured now.
 StoredResult readConfiguredCalibration(const Configuration& configuration);
@@ -18,7 +18,7 @@ std::string snapshotCalibration(const Configuration& configuration);
 /// Puts into effect the joints' offsets (Motion.JointCalibrationProvider, degrees) and the cameras' mounts of a result
 /// (Brain.Projection, radians); both hip yaw-pitches get their one motor's. Nothing is saved. Throws what the
 /// configuration throws; nothing has changed then.
-void applyCalibration(const std::vector<ShownOffset>& offsets, const StoredResult& mounts,
+void applyCalibration(const std::vector<EffectiveOffset>& offsets, const StoredResult& mounts,
                       Configuration& configuration);
 void restoreCalibration(const std::string& calibrationKeys, Configuration& configuration);
 

@@ -40,7 +40,8 @@ void calibration(benchmark::State& state) {
 void scorePass(benchmark::State& state) {
   const std::vector<Term> testable = sound().testable();
   for (auto _ : state) {
-    const Inquiry inquiry{sound().measurements, sound().model, sound().fit, testable, {.draws = 0, .map = false}};
+    const CandidateTests inquiry{
+        sound().measurements, sound().model, sound().fit, testable, {.draws = 0, .map = false}};
     benchmark::DoNotOptimize(inquiry.evidence().pValue);
   }
   state.counters["candidates"] = static_cast<double>(testable.size());
@@ -49,7 +50,7 @@ void scorePass(benchmark::State& state) {
 void scorePassWithMapAndAlarm(benchmark::State& state) {
   const std::vector<Term> testable = sound().testable();
   for (auto _ : state) {
-    const Inquiry inquiry{sound().measurements, sound().model, sound().fit, testable};
+    const CandidateTests inquiry{sound().measurements, sound().model, sound().fit, testable};
     benchmark::DoNotOptimize(inquiry.evidence().pValue);
   }
 }

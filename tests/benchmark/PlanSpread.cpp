@@ -18,7 +18,7 @@ int main(int count, char** arguments) {
                                                    : SupportFoot::left;
   options.poses.count = 8;
   options.poses.tries = 200'000;
-  options.poses.sampling = Sampling::even;
+  options.poses.sampling = SamplingMethod::even;
   const SimulationPlan scene;
   const PosePlan plan = posePlan(v6(), scene.boards, scene.cameras, options);
   fmt::print("{:<14} {:>12} {:>12} {:>8}\n", "offset", "predicted", "spread", "ratio");

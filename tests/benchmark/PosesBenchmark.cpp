@@ -15,14 +15,14 @@ namespace {
 PoseOptions options(std::int64_t candidates) {
   PoseOptions result;
   result.tries = static_cast<std::size_t>(candidates);
-  result.sampling = Sampling::even;
+  result.sampling = SamplingMethod::even;
   return result;
 }
 
-const Scene& scene() {
+const PlanningScene& scene() {
   static const PoseOptions wanted;
   static const SimulationPlan plan;
-  static const Scene scene{v6(), SupportFoot::left, plan.boards, plan.cameras, wanted.sight};
+  static const PlanningScene scene{v6(), SupportFoot::left, plan.boards, plan.cameras, wanted.sight};
   return scene;
 }
 
@@ -55,7 +55,7 @@ BENCHMARK(generateValidateScore)
 
 void selectEight(benchmark::State& state) {
   const PoseCandidates candidates = poseCandidates(v6(), scene(), options(state.range(0)));
-  const PoseJudge judge{v6(), scene(), scene().joints(), Criterion::worst};
+  const PoseCriterion judge{v6(), scene(), scene().joints(), Criterion::worst};
   for (auto _ : state) {
     std::vector<Eigen::MatrixXd> parts = informations(v6(), scene(), candidates.attitudes, Noise{});
     for (Eigen::MatrixXd& part : parts) {

@@ -94,7 +94,7 @@ Capture captured(const Robot& robot, const std::vector<Board>& boards, const Com
   return capture;
 }
 
-PlainProblem plainProblem(const Robot& robot, const CameraIntrinsics& camera, Randomness& chance) {
+PlainProblem plainProblem(const Robot& robot, const CameraIntrinsics& camera, RandomStream& chance) {
   const CameraMount& mount = robot.cameras[*robot.cameraIndex("top")];
   PlainProblem problem;
   problem.torsoToHead = stepsTo(robot, mount.link);
@@ -114,7 +114,7 @@ PlainProblem plainProblem(const Robot& robot, const CameraIntrinsics& camera, Ra
 } // namespace
 
 OffsetProblem offsetProblem(const Robot& robot, std::uint64_t seed) {
-  Randomness chance{seed, "offset problem"};
+  RandomStream chance{seed, "offset problem"};
   const CameraIntrinsics camera = drawnCameras(640, 480).at("top");
   OffsetProblem result{{}, plainProblem(robot, camera, chance)};
   CaptureSet& set = result.set;

@@ -18,11 +18,11 @@ TEST_CASE("the gear's play stands where load and friction leave it, on every mod
     const Effect& gear = model.effects.back();
     REQUIRE(gear.name == "playUnderLoad");
     const std::size_t knee = *robot.jointIndex("LKneePitch");
-    Instant instant;
+    RobotSample instant;
     const auto gap = [&](double torque, double approach, double logFriction) {
       instant.torque = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(robot.joints.size()), torque);
       instant.approach = Eigen::VectorXd::Constant(instant.torque.size(), approach);
-      Belief belief = drawnBelief(robot, {robot.joints.size(), robot.lengths.size(), 0});
+      ModelState belief = drawnBelief(robot, {robot.joints.size(), robot.lengths.size(), 0});
       gear.correct(belief, instant, knee, std::vector{0.01, logFriction});
       return belief.angle(knee);
     };

@@ -22,7 +22,7 @@ TEST_CASE("a joint that was hardly observed is told in words, with the poses in 
   // Proves the offsets in degrees beside those before, that only what was learned is told, and the sentence.
   StoredResult before;
   before.values["jointOffset@LHipPitch.o"] = 0.005;
-  const std::vector<ShownOffset> applied{{"LKneePitch", 0.02, 0.08, 0.12}, {"LHipPitch", 0.01, 0.001, 0.99}};
+  const std::vector<EffectiveOffset> applied{{"LKneePitch", 0.02, 0.08, 0.12}, {"LHipPitch", 0.01, 0.001, 0.99}};
   const std::vector<PublishedCapture> captures{{1, 0, "P4", "top", 0, {}},  {2, 0, "P4", "bottom", 3, {"A"}},
                                                {3, 0, "P5", "top", 0, {}},  {4, 0, "P5", "bottom", 24, {"A"}},
                                                {5, 0, "P7", "top", {}, {}}, {6, 1, "P8", "top", 0, {}}};

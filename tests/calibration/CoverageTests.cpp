@@ -40,7 +40,7 @@ struct Tally {
 };
 
 Noise trueNoise(const Kind& kind) {
-  const double dither = Mechanics{}.encoderDither;
+  const double dither = RobotMechanics{}.encoderDither;
   return {.pixel = 0.3,
           .encoder = std::sqrt(encoderStep * encoderStep / 12 + dither * dither),
           .pose = radians(kind.stictionDegrees)};
@@ -51,8 +51,8 @@ void countNamed(const Simulation& simulation, const Measurements& measurements, 
   using Corner = std::tuple<int, std::string, int>;
   std::set<Corner> named, gross;
   std::set<std::pair<int, std::string>> namedBoards, displaced;
-  for (const Doubt& doubt : result.doubts) {
-    const Picture& picture = measurements.pictures[doubt.picture];
+  for (const Outlier& doubt : result.doubts) {
+    const ImageObservation& picture = measurements.pictures[doubt.picture];
     const int capture = simulation.set.captures[picture.capture].id;
     const std::string board = measurements.targets[picture.sightings[doubt.sighting].view.board()].name;
     for (int corner : doubt.corners) {

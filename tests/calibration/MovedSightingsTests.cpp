@@ -30,7 +30,7 @@ CaptureSet simulated(std::uint64_t seed) {
 
 Noise simulatedNoise() {
   return {.pixel = CornerNoise{}.pixel,
-          .encoder = std::hypot(encoderStep / std::sqrt(12.0), Mechanics{}.encoderDither)};
+          .encoder = std::hypot(encoderStep / std::sqrt(12.0), RobotMechanics{}.encoderDither)};
 }
 
 } // namespace
@@ -42,7 +42,7 @@ TEST_CASE("where no board moved, the test for moves is chi2 with six degrees of 
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const Seen seen{simulated(seed)};
     const Fit fit = seen.fit(simulatedNoise());
-    for (const Move& move : moves(seen.measurements, seen.model, fit)) {
+    for (const BoardDisplacement& move : moves(seen.measurements, seen.model, fit)) {
       if (seen.measurements.pictures[move.picture].sightings[move.sighting].ids.size() >= 6) {
         sum += move.chi2;
         ++count;
@@ -72,7 +72,7 @@ TEST_CASE("a board that moved in one picture is found, and counts nothing once i
   Seen seen{set};
   const auto moved = mostMoved(seen.measurements, seen.model, seen.fit(simulatedNoise()));
   REQUIRE(moved);
-  const Picture& picture = seen.measurements.pictures[moved->picture];
+  const ImageObservation& picture = seen.measurements.pictures[moved->picture];
   CHECK(set.captures[picture.capture].id == capture.id);
   CHECK(seen.measurements.targets[picture.sightings[moved->sighting].view.board()].name == corners.board);
 

@@ -21,7 +21,8 @@ TEST_CASE("unknowns are named as a person would name them") {
   CHECK(spoken(cameraTranslation(), "bottom", 2) == "the bottom camera's place (up)");
   CHECK(spoken(focalLength(), "top") == "the top camera's focal length");
   CHECK(spoken(radialDistortion(), "top", 1) == "the top camera's radial distortion (k2)");
-  CHECK(spoken({.name = "boardBow", .place = Place::board, .unknowns = {{"h", "m", 0.002}}}, "A") == "board A's bow");
+  CHECK(spoken({.name = "boardBow", .place = EffectSite::board, .unknowns = {{"h", "m", 0.002}}}, "A") ==
+        "board A's bow");
   CHECK(spoken({.name = "encoderGain", .unknowns = {{"g", "1", 0.01}}}, "HeadPitch") ==
         "the head pitch's encoder gain");
 }

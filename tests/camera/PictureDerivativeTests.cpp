@@ -36,8 +36,8 @@ struct Scenery {
   /// Puts the board square before the camera, at a distance.
   void placeBefore(double distance) {
     belief.boardPlacement(1).setZero();
-    const Posture torsoFromLink = posture(robot, belief);
-    const Attitude attitude = view->attitude(robot, belief, torsoFromLink);
+    const LinkPoses torsoFromLink = posture(robot, belief);
+    const CameraFrames attitude = view->attitude(robot, belief, torsoFromLink);
     const RigidTransform opticalFromParent =
         attitude.opticalFromBoard; // the board's frame is its parent's at zero placement
     const RigidTransform wanted{rotationX(2.4) * rotationZ(0.5), {-0.2, 0.1, distance}};
@@ -48,9 +48,9 @@ struct Scenery {
   }
 
   /// All u and v of the seven corners.
-  Eigen::VectorXd predicted(const Belief& at) const {
+  Eigen::VectorXd predicted(const ModelState& at) const {
     ProjectedBlocks projected;
-    const Attitude attitude = view->attitude(robot, at, posture(robot, at));
+    const CameraFrames attitude = view->attitude(robot, at, posture(robot, at));
     REQUIRE(view->project(attitude, at, corners, projected));
     Eigen::VectorXd uv(14);
     for (Eigen::Index i = 0; i < 7; ++i) {
@@ -62,8 +62,8 @@ struct Scenery {
 
   /// The analytic derivative by one quantity.
   Eigen::VectorXd derivative(std::size_t quantity) const {
-    const Posture torsoFromLink = posture(robot, belief);
-    const Attitude attitude = view->attitude(robot, belief, torsoFromLink);
+    const LinkPoses torsoFromLink = posture(robot, belief);
+    const CameraFrames attitude = view->attitude(robot, belief, torsoFromLink);
     ProjectedBlocks projected;
     view->project(attitude, belief, corners, projected);
     std::vector<std::size_t> extras;
@@ -81,8 +81,9 @@ struct Scenery {
         dv += seen.rowsV[k][i % 4] * motion(k, 0);
       }
       if (!extras.empty()) {
-        Lane extraU, extraV;
-        View::extraRows(extras[0], attitude, belief, corners[static_cast<std::size_t>(i / 4)], seen, extraU, extraV);
+        Double4 extraU, extraV;
+        ObservationChain::extraRows(extras[0], attitude, belief, corners[static_cast<std::size_t>(i / 4)], seen, extraU,
+                                    extraV);
         du += extraU[i % 4] * motion(6, 0);
         dv += extraV[i % 4] * motion(6, 0);
       }
@@ -95,7 +96,7 @@ struct Scenery {
   /// Central differences, extrapolated to step zero (Richardson).
   Eigen::VectorXd differences(std::size_t quantity, double step) const {
     const auto central = [&](double h) {
-      Belief above = belief, below = belief;
+      ModelState above = belief, below = belief;
       above.values[static_cast<Eigen::Index>(quantity)] += h;
       below.values[static_cast<Eigen::Index>(quantity)] -= h;
       return Eigen::VectorXd{(predicted(above) - predicted(below)) / (2 * h)};
@@ -104,11 +105,11 @@ struct Scenery {
   }
 
   Robot robot;
-  Quantities quantities;
-  Belief belief;
+  StateLayout quantities;
+  ModelState belief;
   Board board;
   CornerBlocks corners;
-  std::optional<View> view;
+  std::optional<ObservationChain> view;
 };
 
 } // namespace
@@ -137,7 +138,7 @@ TEST_CASE("a corner behind the camera is nowhere in the picture") {
   Scenery scenery{"floor", 4};
   scenery.placeBefore(-0.5);
   ProjectedBlocks projected;
-  const Attitude attitude =
+  const CameraFrames attitude =
       scenery.view->attitude(scenery.robot, scenery.belief, posture(scenery.robot, scenery.belief));
   CHECK_FALSE(scenery.view->project(attitude, scenery.belief, scenery.corners, projected));
 }
@@ -154,24 +155,24 @@ TEST_CASE("a row that is exposed later sees the joints where they are by then") 
   for (CornerBlock& block : scenery.corners) {
     block.v += 40; // measured: off the predicted row, as always
   }
-  const Posture torsoFromLink = posture(scenery.robot, scenery.belief);
-  Attitude attitude = scenery.view->attitude(scenery.robot, scenery.belief, torsoFromLink);
+  const LinkPoses torsoFromLink = posture(scenery.robot, scenery.belief);
+  CameraFrames attitude = scenery.view->attitude(scenery.robot, scenery.belief, torsoFromLink);
   scenery.view->setDrift(scenery.robot, scenery.belief, torsoFromLink, velocity, attitude);
-  Belief rolling = scenery.belief;
+  ModelState rolling = scenery.belief;
   rolling.rowTime() = rowTime;
   ProjectedBlocks late, still;
   REQUIRE(scenery.view->project(attitude, rolling, scenery.corners, late));
   REQUIRE(scenery.view->project(attitude, scenery.belief, scenery.corners, still));
   for (Eigen::Index i = 0; i < 7; ++i) {
     const auto block = static_cast<std::size_t>(i / 4);
-    Belief moved = scenery.belief;
+    ModelState moved = scenery.belief;
     moved.values.head(velocity.size()) += velocity * rowTime * (scenery.corners[block].v[i % 4] - cy);
     const Eigen::VectorXd expected = scenery.predicted(moved);
     CHECK(late[block].u[i % 4] == Approx(expected[2 * i]).epsilon(0).margin(1e-5));
     CHECK(late[block].v[i % 4] == Approx(expected[2 * i + 1]).epsilon(0).margin(1e-5));
     CHECK(std::abs(late[block].u[i % 4] - still[block].u[i % 4]) > 1e-3);
-    Lane du, dv;
-    View::extraRows(rowTimeExtra, attitude, scenery.belief, scenery.corners[block], still[block], du, dv);
+    Double4 du, dv;
+    ObservationChain::extraRows(rowTimeExtra, attitude, scenery.belief, scenery.corners[block], still[block], du, dv);
     CHECK(still[block].u[i % 4] + rowTime * du[i % 4] == Approx(expected[2 * i]).epsilon(0).margin(1e-4));
   }
 }

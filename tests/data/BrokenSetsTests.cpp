@@ -50,10 +50,10 @@ TEST_CASE("a capture that cannot be used can be left out; a broken set cannot") 
     const std::string text = broken(how).dump();
     INFO(how.place << " = " << how.value);
     if (how.what == Breaks::file) {
-      CHECK_THROWS_AS(parseCaptureSet(text, "some/captures.json", BadCaptures::skip), InputError);
+      CHECK_THROWS_AS(parseCaptureSet(text, "some/captures.json", BadCapturePolicy::skip), InputError);
       continue;
     }
-    const auto read = parseCaptureSet(text, "some/captures.json", BadCaptures::skip);
+    const auto read = parseCaptureSet(text, "some/captures.json", BadCapturePolicy::skip);
     CHECK(read.skipped == std::vector{refusal(text)});
     CHECK(read.set.captures.size() == goodSet()["captures"].size() - 1);
   }

@@ -40,7 +40,7 @@ TEST_CASE("a number literal that JSON does not know spoils its capture only") {
   const std::string text = goodSet().dump();
   for (const char* literal : {"NaN", "Infinity", "-Infinity"}) {
     const std::string broken = replaced(text, "-0.21", literal);
-    const auto read = parseCaptureSet(broken, "captures.json", BadCaptures::skip);
+    const auto read = parseCaptureSet(broken, "captures.json", BadCapturePolicy::skip);
     CHECK(read.set.captures.size() == 3);
     REQUIRE(read.skipped.size() == 1);
     CHECK_THAT(read.skipped[0], Catch::Contains("captures[0].joints.commanded[1]") && Catch::Contains(literal));

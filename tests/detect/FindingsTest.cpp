@@ -68,9 +68,9 @@ TEST_CASE("a false corner is reported and not taken") {
   REQUIRE(detection.boards.size() == 1);
   CHECK(detection.boards[0].ids.size() == 23);
   CHECK(largest(errors(detection.boards[0], trueCorners(board, camera))) < 0.2);
-  const Finding* finding = findingAbout(detection, id);
+  const DetectionIssue* finding = findingAbout(detection, id);
   REQUIRE(finding != nullptr);
-  CHECK(finding->kind == FindingKind::falseCorner);
+  CHECK(finding->kind == IssueKind::falseCorner);
   const auto fakePlace = seenAt(board.cameraOpticalFromBoard * Eigen::Vector3d{x, y, 0}, camera);
   CHECK((*finding->place - *fakePlace).norm() < 0.3);
 }
@@ -134,7 +134,7 @@ TEST_CASE("a board in the other pattern is named and not measured") {
         const Detection wrong = detect(picture, {described("A", stated)}, camera);
         CHECK(wrong.boards.empty());
         REQUIRE(wrong.findings.size() == 1);
-        CHECK(wrong.findings[0].kind == FindingKind::wrongPattern);
+        CHECK(wrong.findings[0].kind == IssueKind::wrongPattern);
         CHECK_THAT(wrong.findings[0].sentence, Catch::Contains(legacy ? "legacy" : "current"));
         const Detection right = detect(picture, {described("A", printed)}, camera);
         REQUIRE(right.boards.size() == 1);
@@ -164,7 +164,7 @@ TEST_CASE("a board that is printed otherwise than described gives no corners and
   const RenderedBoard board = boardOnFloor({}, 0.7, 0);
   const Detection detection = detect(Renderer{camera}.picture({{board}, {}}, {}, 1), {described("A", stated)}, camera);
   CHECK(detection.boards.empty());
-  CHECK(contains(detection, FindingKind::otherBoard));
+  CHECK(contains(detection, IssueKind::otherBoard));
 }
 
 // Proves the plain cases around: nothing there, another board there, a picture of the wrong size.
@@ -180,7 +180,7 @@ TEST_CASE("an empty picture, a stranger's board and a wrong size are each said p
   const GreyPicture picture = renderer.picture({{boardOnFloor(stranger, 0.7, 0)}, {}}, {}, 1);
   const Detection unknown = detect(picture, {described("A", {})}, camera);
   CHECK(unknown.boards.empty());
-  CHECK(contains(unknown, FindingKind::unknownMarkers));
+  CHECK(contains(unknown, IssueKind::unknownMarkers));
 
   const Detection wrongSize = detect(picture, {described("A", stranger)}, plainCamera(1280));
   CHECK(wrongSize.boards.empty());

@@ -98,10 +98,10 @@ TEST_CASE("a rendered pixel is the mean over its area and the time of its exposu
   }
   constexpr double share = 0.3;
   const GreyPicture picture = Renderer{camera}.picture(scenes, share, plain, 1);
-  const std::vector<Flat> all = flats(scenes, camera);
+  const std::vector<FlatObject> all = flats(scenes, camera);
   const auto brightness = [&](double x, double y, double time) {
     const Eigen::Vector3f ray = renderedRay({x, y}, camera).cast<float>().homogeneous();
-    for (const Flat& flat : all) {
+    for (const FlatObject& flat : all) {
       const Eigen::Vector3f p = flat.at(float(time)) * ray;
       const float shown = flat.painting->brightness(flat.painting->cell(p.x() / p.z(), p.y() / p.z()), flat.fromBehind);
       if (p.z() > 0 && shown >= 0) {

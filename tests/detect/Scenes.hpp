@@ -65,14 +65,14 @@ inline double largest(const std::vector<Eigen::Vector2d>& errors) {
   return result;
 }
 
-inline bool contains(const Detection& detection, FindingKind kind) {
+inline bool contains(const Detection& detection, IssueKind kind) {
   return std::any_of(detection.findings.begin(), detection.findings.end(),
-                     [&](const Finding& finding) { return finding.kind == kind; });
+                     [&](const DetectionIssue& finding) { return finding.kind == kind; });
 }
 
-inline const Finding* findingAbout(const Detection& detection, int corner) {
+inline const DetectionIssue* findingAbout(const Detection& detection, int corner) {
   const auto found = std::find_if(detection.findings.begin(), detection.findings.end(),
-                                  [&](const Finding& finding) { return finding.corner == corner; });
+                                  [&](const DetectionIssue& finding) { return finding.corner == corner; });
   return found == detection.findings.end() ? nullptr : &*found;
 }
 

@@ -63,7 +63,7 @@ TEST_CASE("angles that were wrong for a moment are an accident and no physics") 
     const Diagnosis diagnosis = asked(set);
     CAPTURE(diagnosis.sentence);
     CHECK(diagnosis.verdict == Verdict::badCaptures);
-    for (const Suspicion& suspicion : diagnosis.suspicious) {
+    for (const DataAnomaly& suspicion : diagnosis.suspicious) {
       named.push_back(suspicion.capture.value_or(-1));
     }
     CHECK(named == ids);
@@ -79,7 +79,7 @@ TEST_CASE("two pictures that were swapped are named, and not the set-up") {
   CAPTURE(diagnosis.sentence);
   CHECK(diagnosis.verdict == Verdict::badCaptures);
   REQUIRE(!diagnosis.suspicious.empty());
-  for (const Suspicion& suspicion : diagnosis.suspicious) {
+  for (const DataAnomaly& suspicion : diagnosis.suspicious) {
     CHECK((suspicion.capture == one.id || suspicion.capture == other.id));
   }
 }
@@ -109,7 +109,7 @@ TEST_CASE("a robot that slipped before its last poses is named, although these b
   CAPTURE(diagnosis.sentence);
   CHECK(diagnosis.verdict == Verdict::badCaptures);
   REQUIRE(diagnosis.suspicious.size() == 1);
-  const Suspicion& told = diagnosis.suspicious.front();
+  const DataAnomaly& told = diagnosis.suspicious.front();
   CHECK(told.why.find("the robot in stance") != std::string::npos);
   REQUIRE(told.when);
   const double first = set.captures.front().time.count();
@@ -142,7 +142,7 @@ TEST_CASE("a robot that was put down anew half a metre away is named with the ti
   CAPTURE(diagnosis.sentence);
   CHECK(diagnosis.verdict == Verdict::badCaptures);
   REQUIRE(diagnosis.suspicious.size() == 1);
-  const Suspicion& told = diagnosis.suspicious.front();
+  const DataAnomaly& told = diagnosis.suspicious.front();
   CHECK(told.why.starts_with("the robot in stance 0 was put down anew"));
   REQUIRE(told.when);
   const double begin = set.captures.front().time.count();

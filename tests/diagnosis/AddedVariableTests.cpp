@@ -27,7 +27,7 @@ TEST_CASE("the slope over an added-variable plot's poses is the candidate's esti
       CHECK(plot->sigma == Approx(std::sqrt(evidence.covariance(0, 0))).epsilon(1e-3));
     }
     const auto left = std::count_if(plot->points.begin(), plot->points.end(),
-                                    [](const PoseTestimony& point) { return point.signature < 0; });
+                                    [](const AddedVariablePoint& point) { return point.signature < 0; });
     CHECK(left > 0);
     CHECK(static_cast<std::size_t>(left) < plot->points.size());
     ++compared;

@@ -14,14 +14,14 @@ TEST_CASE("a candidate that is like another keeps little once that one is in the
   Questioned asked{set, false};
   asked.fit.noise.pose = 4e-4;
   asked.fit.state = Residuals{asked.measurements, asked.model, asked.fit.noise}.start(asked.fit.unknowns);
-  const InquiryOptions options{.draws = 0, .map = false};
+  const CandidateTestOptions options{.draws = 0, .map = false};
   const std::vector<std::string> labels{"encoderGain@LKneePitch", "elasticity@LKneePitch", "encoderGain@LAnklePitch",
                                         "linkLength@thigh"};
   std::vector<Term> candidates;
   for (const std::string& label : labels) {
     candidates.push_back(asked.inquiry.candidates()[*asked.inquiry.find(label)]);
   }
-  const Inquiry without{asked.measurements, asked.model, asked.fit, candidates, options};
+  const CandidateTests without{asked.measurements, asked.model, asked.fit, candidates, options};
   const AliasMatrix aliases = aliasMatrix(without, labels, labels.size());
   REQUIRE(aliases.labels == labels);
   CHECK(aliases.correlations.isApprox(aliases.correlations.transpose()));
@@ -31,7 +31,7 @@ TEST_CASE("a candidate that is like another keeps little once that one is in the
     const Model larger = makeModel(asked.measurements, {labels[0]});
     CalibrationResult fit = asked.fit; // taken over: what is compared does not depend on where
     fit.state.unknowns = carried(asked.model, asked.fit.unknowns, larger);
-    const Inquiry with{asked.measurements, larger, fit, {candidates[i]}, options};
+    const CandidateTests with{asked.measurements, larger, fit, {candidates[i]}, options};
     const Eigen::Index place = without.problem().groups[i].first;
     const double kept = with.evidence().information(0, 0) / without.evidence().information(place, place);
     INFO(labels[i]);

@@ -51,7 +51,7 @@ TEST_CASE("play that load never holds cannot be told from hysteresis, and is tol
       std::find_if(diagnosis.ranking.begin(), diagnosis.ranking.end(),
                    [&](const CandidateFinding& finding) { return finding.term.label() == "hysteresis@" + joint; });
   REQUIRE(found != diagnosis.ranking.end());
-  CHECK(found->state == State::present);
+  CHECK(found->state == CandidateState::present);
   const std::string play = "gearPlay@" + joint;
   CHECK((std::find(found->equivalent.begin(), found->equivalent.end(), play) != found->equivalent.end()) == alike);
 }

@@ -96,7 +96,7 @@ TEST_CASE("the hidden effect of independent captures heads the ranking with its 
   REQUIRE(diagnosis.suggested == std::vector{effect + "@" + place});
   const CandidateFinding& first = diagnosis.ranking.front();
   CHECK(first.term.label() == effect + "@" + place);
-  CHECK(first.state == State::present);
+  CHECK(first.state == CandidateState::present);
   CHECK(std::abs(first.evidence.estimate[0] - size) < 3 * std::sqrt(first.evidence.covariance(0, 0)));
   CHECK(diagnosis.steps.back().heldOutPx < 1.1 * diagnosis.steps.back().noiseFloorPx);
 }
@@ -227,7 +227,7 @@ TEST_CASE("a joint that slips once is located, and when") {
   CAPTURE(diagnosis.sentence);
   CHECK(diagnosis.verdict == Verdict::badCaptures);
   REQUIRE(diagnosis.suspicious.size() == 1);
-  const Suspicion& told = diagnosis.suspicious.front();
+  const DataAnomaly& told = diagnosis.suspicious.front();
   const std::string begin = "LAnklePitch's zero changed by ";
   REQUIRE(told.why.starts_with(begin));
   CHECK(std::stod(told.why.substr(begin.size())) == Approx(0.4).margin(0.05));
@@ -237,7 +237,7 @@ TEST_CASE("a joint that slips once is located, and when") {
   CHECK(told.when->until - told.when->since < (last - first) / 6);
   CHECK(diagnosis.suggested.empty());
   REQUIRE(!diagnosis.drivers.empty());
-  const DriverFinding& found = diagnosis.drivers.front();
+  const DriverCurve& found = diagnosis.drivers.front();
   CHECK(found.place == "LAnklePitch");
   CHECK(found.driver == "t");
   CHECK(found.amplitude == Approx(radians(0.2)).epsilon(0.3)); // half of the step

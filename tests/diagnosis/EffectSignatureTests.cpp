@@ -13,13 +13,14 @@ TEST_CASE("an effect's imprint is what it leaves after a calibration without it"
   const std::string label = GENERATE("encoderGain@LKneePitch", "elasticity@LKneePitch", "radialDistortion@top");
   CAPTURE(label);
   const std::size_t candidate = *asked.inquiry.find(label);
-  const Imprint imprint = imprints(asked.measurements, asked.model, asked.fit, asked.inquiry, {candidate}).front();
+  const EffectSignature imprint =
+      imprints(asked.measurements, asked.model, asked.fit, asked.inquiry, {candidate}).front();
   const CaptureSet perfect = perfectButFor(asked.inquiry.candidates()[candidate], imprint.size, asked, set);
   const Measurements measurements = measurementsOf({perfect}, asked.measurements.robot);
 
   double squares = 0, corners = 0;
   const Residuals before{measurements, asked.model, asked.fit.noise};
-  for (const SightingResidual& sighting : before.sightings(before.start(asked.fit.unknowns))) {
+  for (const BoardResidual& sighting : before.sightings(before.start(asked.fit.unknowns))) {
     squares += sighting.residual.squaredNorm();
     corners += static_cast<double>(sighting.residual.cols());
   }
@@ -34,12 +35,13 @@ TEST_CASE("an imprint shows the pictures that shift most, largest first") {
   // Proves the order and number that the page relies on.
   const Questioned asked{simulatedSet(8, 3), false};
   const std::size_t candidate = *asked.inquiry.find("elasticity@LKneePitch");
-  const Imprint imprint = imprints(asked.measurements, asked.model, asked.fit, asked.inquiry, {candidate}).front();
+  const EffectSignature imprint =
+      imprints(asked.measurements, asked.model, asked.fit, asked.inquiry, {candidate}).front();
   CHECK(std::is_sorted(imprint.pictures.begin(), imprint.pictures.end(),
                        [](const auto& a, const auto& b) { return a.beforePx > b.beforePx; }));
   for (const std::size_t camera : {0, 1}) {
     Eigen::Index corners = 0;
-    for (const Imprint::Seen& seen : imprint.pictures) {
+    for (const EffectSignature::Seen& seen : imprint.pictures) {
       corners += asked.measurements.pictures[seen.picture].camera == camera ? seen.corners.cols() : 0;
     }
     CHECK(corners <= 180);

@@ -23,7 +23,7 @@ TEST_CASE("the shape of a board is seen, whatever it is and wherever the board l
   const Measurements measurements = measurementsOf({set}, loadRobot(configurationDirectory(), set.model));
   const Model model = makeModel(measurements);
   const CalibrationResult fit = calibrate(measurements, model);
-  const FreedErrors errors{measurements, model, fit};
+  const MotionFreeResiduals errors{measurements, model, fit};
   const BoardShape bent = boardShape(sheetField(errors, measurements, 0), measurements);
   CHECK(bent.pValue < 1e-6);
   const auto count = static_cast<Eigen::Index>(bent.corners.size());
@@ -57,7 +57,7 @@ TEST_CASE("noise alone is no field") {
     const Measurements measurements = measurementsOf({set}, loadRobot(configurationDirectory(), set.model));
     const Model model = makeModel(measurements);
     const CalibrationResult fit = calibrate(measurements, model);
-    const FreedErrors errors{measurements, model, fit};
+    const MotionFreeResiduals errors{measurements, model, fit};
     std::vector<ImageField> fields;
     for (std::size_t board = 0; board < measurements.targets.size(); ++board) {
       fields.push_back(cornerField(errors, measurements, board));

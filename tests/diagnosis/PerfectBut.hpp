@@ -13,10 +13,10 @@ inline CaptureSet perfectButFor(const Term& term, const Eigen::VectorXd& size, c
   model.add(term);
   Eigen::VectorXd unknowns(asked.fit.unknowns.size() + size.size());
   unknowns << asked.fit.unknowns, size;
-  for (const Picture& picture : asked.measurements.pictures) {
+  for (const ImageObservation& picture : asked.measurements.pictures) {
     const auto boards = scene(asked.measurements, picture, believed(asked.measurements, model, picture, unknowns));
     for (std::size_t i = 0; i < boards.size(); ++i) {
-      const Sighting& sighting = picture.sightings[i];
+      const BoardObservation& sighting = picture.sightings[i];
       const std::string& name = asked.measurements.targets[sighting.view.board()].name;
       for (BoardCorners& seen : *set.captures[picture.capture].corners) {
         for (std::size_t k = 0; seen.board == name && k < seen.ids.size(); ++k) {

@@ -21,7 +21,7 @@ struct Questioned {
   Measurements measurements;
   Model model;
   CalibrationResult fit;
-  Inquiry inquiry;
+  CandidateTests inquiry;
 };
 
 } // namespace naocal

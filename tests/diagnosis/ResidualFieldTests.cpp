@@ -9,9 +9,9 @@ namespace naocal {
 namespace {
 
 /// rms over boards in pictures [px].
-double rmsOf(const Leftover& leftover) {
+double rmsOf(const ResidualField& leftover) {
   double squares = 0;
-  for (const Leftover::Seen& seen : leftover.boards) {
+  for (const ResidualField::Seen& seen : leftover.boards) {
     squares += seen.rmsPx * seen.rmsPx;
   }
   return std::sqrt(squares / static_cast<double>(leftover.boards.size()));
@@ -48,15 +48,15 @@ TEST_CASE("noise alone leaves within the pictures what corners' noise is") {
   const Measurements measurements = measurementsOf({set}, loadRobot(configurationDirectory(), set.model));
   const Model model = makeModel(measurements);
   const CalibrationResult fit = calibrate(measurements, model);
-  const Leftover left = leftover({set}, measurements, model, fit);
+  const ResidualField left = leftover({set}, measurements, model, fit);
   CHECK(rmsOf(left) == Approx(fit.noise.pixel).epsilon(0.1));
   REQUIRE(left.cells.size() > 50);
-  const auto beyond = std::count_if(left.cells.begin(), left.cells.end(), [](const Leftover::Cell& cell) {
+  const auto beyond = std::count_if(left.cells.begin(), left.cells.end(), [](const ResidualField::Cell& cell) {
     return std::hypot(cell.du, cell.dv) > 3 * cell.sigma;
   });
   CHECK(static_cast<double>(beyond) < 0.1 * static_cast<double>(left.cells.size()));
   CHECK(std::all_of(left.boards.begin(), left.boards.end(),
-                    [](const Leftover::Seen& seen) { return seen.distance > 0.2 && seen.distance < 3; }));
+                    [](const ResidualField::Seen& seen) { return seen.distance > 0.2 && seen.distance < 3; }));
 }
 
 TEST_CASE("a joint that was off in one pose stands out in what it would have to do") {
@@ -74,13 +74,14 @@ TEST_CASE("a joint that was off in one pose stands out in what it would have to 
   const auto pointsOf = [&](const Questioned& from) {
     const std::size_t motor = from.measurements.robot.jointIndex("LKneePitch").value();
     const auto all = whatIfs(from.measurements, from.inquiry);
-    return std::find_if(all.begin(), all.end(), [&](const WhatIfs& one) { return one.motor == motor; })->points;
+    return std::find_if(all.begin(), all.end(), [&](const SingleJointCorrection& one) { return one.motor == motor; })
+        ->points;
   };
-  const std::vector<WhatIf> points = pointsOf(asked), plainPoints = pointsOf(before);
+  const std::vector<JointCorrection> points = pointsOf(asked), plainPoints = pointsOf(before);
   REQUIRE(points.size() == plainPoints.size());
   std::size_t inPose = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Picture& picture = asked.measurements.pictures[points[i].pictures.front()];
+    const ImageObservation& picture = asked.measurements.pictures[points[i].pictures.front()];
     const bool wrong = bent.captures[picture.capture].pose == pose;
     inPose += wrong;
     const double shift = points[i].deflection - plainPoints[i].deflection;

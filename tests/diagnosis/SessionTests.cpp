@@ -15,7 +15,7 @@ namespace {
 
 /// Two models: the first was put to the question, the second not yet.
 Session twoModels() {
-  Step step{.rmsPx = 0.52, .noiseFloorPx = 0.31};
+  SelectionStep step{.rmsPx = 0.52, .noiseFloorPx = 0.31};
   step.heldOutPx = 0.55;
   step.alarm = 0.005;
   Session session;
@@ -82,7 +82,7 @@ TEST_CASE("a session that cannot be gone on from is refused with its place") {
 TEST_CASE("a changed model comes last and names its origin, and every model that was tried stays") {
   // Proves add, drop, undo and goTo on the history alone: what is undone stays, and another change begins a branch.
   Session session;
-  session.ladder.push_back({.rmsPx = 0.5, .questioned = Step{}});
+  session.ladder.push_back({.rmsPx = 0.5, .questioned = SelectionStep{}});
   const auto base = [] { return std::vector<std::string>{"jointOffset@HeadYaw"}; };
   session.add("elasticity@LKneePitch", base);
   CHECK(session.current().with == std::vector<std::string>{"elasticity@LKneePitch"});

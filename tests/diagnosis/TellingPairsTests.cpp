@@ -25,7 +25,7 @@ struct Told {
   Measurements measurements;
   Model model;
   CalibrationResult fit;
-  std::vector<DriverValues> drivers;
+  std::vector<DriverSeries> drivers;
   TellingPairs telling;
 };
 
@@ -71,7 +71,7 @@ TEST_CASE("a soft joint shows over what bends it") {
   const Told told{flawed("elasticity@LAnklePitch", 0.01, 5)};
   INFO(told.sentence());
   REQUIRE_FALSE(told.telling.pairs.empty());
-  const DriverValues& driver = told.drivers[told.telling.pairs.front().driver];
+  const DriverSeries& driver = told.drivers[told.telling.pairs.front().driver];
   CHECK((driver.kind == Driver::angle || driver.kind == Driver::torque));
   CHECK(told.telling.pairs.front().share > 0.3);
 }

@@ -28,7 +28,7 @@ struct Instance {
     instant.leftLoad = 1;
   }
   Eigen::VectorXd corrected(const Effect& effect, const std::vector<double>& values) const {
-    Belief belief = drawn;
+    ModelState belief = drawn;
     effect.correct(belief, instant, 0, values);
     return belief.values;
   }
@@ -43,8 +43,8 @@ struct Instance {
     return with != corrected(effect, values);
   }
   Robot robot;
-  Belief drawn;
-  Instant instant;
+  ModelState drawn;
+  RobotSample instant;
 };
 
 } // namespace
@@ -87,11 +87,11 @@ TEST_CASE("every effect is smooth in what drives it, or says that it is not") {
   // two-hundredth of its range within a hundredth of a driver's range, zero included. Of drivers that take a few values
   // only (approach) that is said of the line between them.
   Instance instance{"V6"};
-  const auto drivers = std::to_array<std::function<double&(Instant&)>>(
-      {[](Instant& i) -> double& { return i.q[0]; }, [](Instant& i) -> double& { return i.torque[0]; },
-       [](Instant& i) -> double& { return i.approach[0]; }, [](Instant& i) -> double& { return i.velocity[0]; },
-       [](Instant& i) -> double& { return i.temperature[0]; }, [](Instant& i) -> double& { return i.com[0]; },
-       [](Instant& i) -> double& { return i.com[1]; }});
+  const auto drivers = std::to_array<std::function<double&(RobotSample&)>>(
+      {[](RobotSample& i) -> double& { return i.q[0]; }, [](RobotSample& i) -> double& { return i.torque[0]; },
+       [](RobotSample& i) -> double& { return i.approach[0]; }, [](RobotSample& i) -> double& { return i.velocity[0]; },
+       [](RobotSample& i) -> double& { return i.temperature[0]; }, [](RobotSample& i) -> double& { return i.com[0]; },
+       [](RobotSample& i) -> double& { return i.com[1]; }});
   std::set<std::string> bent;
   for (const Effect& effect : allEffects()) {
     std::vector<double> values;

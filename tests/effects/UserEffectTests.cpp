@@ -29,7 +29,7 @@ struct Bench {
   }
   Effect effect(const std::string& text) const {
     const nlohmann::json json = parseJson(text, "model.json");
-    return userEffect(JsonPlace{json, "model.json"}, robot);
+    return userEffect(JsonCursor{json, "model.json"}, robot);
   }
   /// The cable with one piece of its text replaced.
   std::string refusal(const std::string& from, const std::string& to) const {
@@ -43,12 +43,12 @@ struct Bench {
     return "accepted";
   }
   double correction(const Effect& effect, std::size_t joint, const std::vector<double>& values) const {
-    Belief belief = drawnBelief(robot, {robot.joints.size(), robot.lengths.size(), 0});
+    ModelState belief = drawnBelief(robot, {robot.joints.size(), robot.lengths.size(), 0});
     effect.correct(belief, instant, joint, values);
     return belief.angle(joint);
   }
   Robot robot = loadRobot(configurationDirectory(), "V6");
-  Instant instant;
+  RobotSample instant;
 };
 
 } // namespace
@@ -81,7 +81,7 @@ TEST_CASE("a person's own effect corrects as its expression says, in several thr
 TEST_CASE("an expression may use every name of the contract") {
   // Proves that each name stands for its own number, each alone.
   const Bench bench;
-  const Instant& at = bench.instant;
+  const RobotSample& at = bench.instant;
   const auto joint = [&](const char* name) { return static_cast<Eigen::Index>(*bench.robot.jointIndex(name)); };
   const std::vector<std::pair<std::string, double>> names{{"q", at.q[3]},
                                                           {"tau", at.torque[3]},
@@ -119,11 +119,11 @@ TEST_CASE("what is wrong with a person's effect is said with its place and what 
   CHECK_THAT(bench.refusal("a*sin", "0.1 + a*sin"), Contains("0 where its unknowns are 0"));
   CHECK_THAT(bench.refusal("\"a\":", "\"q\":"), Contains("already stands for something else"));
   const nlohmann::json twice = nlohmann::json::array({parseJson(cable, ""), parseJson(cable, "")});
-  CHECK_THROWS_WITH(userEffects(JsonPlace{twice, "model.json"}, bench.robot), Contains("no other effect"));
+  CHECK_THROWS_WITH(userEffects(JsonCursor{twice, "model.json"}, bench.robot), Contains("no other effect"));
   nlohmann::json builtIn = parseJson(cable, "");
   builtIn["name"] = "backlash";
   const nlohmann::json list = nlohmann::json::array({builtIn});
-  CHECK_THROWS_WITH(userEffects(JsonPlace{list, "model.json"}, bench.robot), Contains("no other effect"));
+  CHECK_THROWS_WITH(userEffects(JsonCursor{list, "model.json"}, bench.robot), Contains("no other effect"));
 }
 
 } // namespace naocal

@@ -41,10 +41,10 @@ TEST_CASE(
   const Model model = makeModel(measurements, {"*@*"});
   REQUIRE(model.terms().size() > 100);
   const Eigen::VectorXd here = generic(model), sigmas = model.sigmas();
-  const Picture& picture = measurements.pictures.front();
-  const Quantities& quantities = measurements.quantities;
+  const ImageObservation& picture = measurements.pictures.front();
+  const StateLayout& quantities = measurements.quantities;
   Eigen::MatrixXd bySlopes = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(quantities.size()), here.size());
-  for (const Slope& slope : slopes(measurements, model, picture, here)) {
+  for (const StateDerivative& slope : slopes(measurements, model, picture, here)) {
     bySlopes(static_cast<Eigen::Index>(slope.quantity), static_cast<Eigen::Index>(slope.unknown)) += slope.value;
   }
   const auto between = jointsBetween(measurements.robot, picture);
@@ -83,13 +83,13 @@ TEST_CASE("a person's effect counts wherever it acts, be it nothing in a dead ba
     "correction": "a*max(0, abs(tau) - 0.3)", "unknowns": {"a": {"unit": "rad/Nm", "sigma": 0.01}}})json",
                                               "model.json");
   std::vector<Effect> effects = allEffects();
-  effects.push_back(userEffect(JsonPlace{definition, "model.json"}, measurements.robot));
+  effects.push_back(userEffect(JsonCursor{definition, "model.json"}, measurements.robot));
   const Model model = makeModel(measurements, {"slack@LKneePitch"}, {}, effects);
   const std::size_t knee = *measurements.robot.jointIndex("LKneePitch");
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.unknownCount()));
   double most = 0;
-  for (const Picture& picture : measurements.pictures) {
-    for (const Slope& slope : slopes(measurements, model, picture, none)) {
+  for (const ImageObservation& picture : measurements.pictures) {
+    for (const StateDerivative& slope : slopes(measurements, model, picture, none)) {
       const bool ofSlack = model.names()[slope.unknown].find("slack") != std::string::npos;
       most = ofSlack && slope.quantity == measurements.quantities.angle(knee) ? std::max(most, slope.value) : most;
     }

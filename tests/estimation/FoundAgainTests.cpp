@@ -19,8 +19,8 @@ Measurements generic(SupportFoot foot, const std::string& robotModel) {
   plan.samples = 1;
   plan.surveyed = true;
   Measurements measurements = measurementsOf({simulate(robot, plan, 5).set}, robot);
-  Randomness chance{7, "drivers"};
-  for (Picture& picture : measurements.pictures) {
+  RandomStream chance{7, "drivers"};
+  for (ImageObservation& picture : measurements.pictures) {
     picture.instant.time = Seconds{300 + chance.within(300)};
     for (Eigen::Index joint = 0; joint < picture.instant.q.size(); ++joint) {
       picture.instant.velocity[joint] = chance.within(0.05);
@@ -35,7 +35,7 @@ Measurements generic(SupportFoot foot, const std::string& robotModel) {
 void seeAs(const Model& model, const Eigen::VectorXd& truth, Measurements& measurements) {
   for (int round = 0; round < 4; ++round) {
     const Residuals residuals{measurements, model, fine};
-    for (const SightingResidual& seen : residuals.sightings(residuals.start(truth))) {
+    for (const BoardResidual& seen : residuals.sightings(residuals.start(truth))) {
       CornerBlocks& corners = measurements.pictures[seen.picture].sightings[seen.sighting].corners;
       for (Eigen::Index i = 0; i < seen.predicted.cols(); ++i) {
         corners[static_cast<std::size_t>(i / 4)].u[i % 4] = seen.predicted(0, i);
@@ -84,7 +84,7 @@ TEST_CASE("every effect at every place moves pictures and is found again") {
     REQUIRE(found);
     CHECK(found->converged);
     double misfit = 0;
-    for (const SightingResidual& seen : residuals.sightings(found->state)) {
+    for (const BoardResidual& seen : residuals.sightings(found->state)) {
       misfit = std::max(misfit, seen.residual.cwiseAbs().maxCoeff());
     }
     CHECK(misfit < 2e-3);

@@ -35,10 +35,10 @@ struct Problem {
 Eigen::VectorXd stacked(const Residuals& residuals, const Residuals::State& state, std::size_t pose) {
   std::vector<double> all;
   std::set<std::size_t> pictures;
-  for (const Reading& reading : residuals.measurements().poses[pose].readings) {
+  for (const EncoderSample& reading : residuals.measurements().poses[pose].readings) {
     pictures.insert(reading.pictures.begin(), reading.pictures.end());
   }
-  for (const SightingResidual& seen : residuals.sightings(state)) {
+  for (const BoardResidual& seen : residuals.sightings(state)) {
     if (pictures.contains(seen.picture)) {
       for (Eigen::Index i = 0; i < seen.residual.size(); ++i) {
         all.push_back(-seen.residual(i % 2, i / 2)); // predicted - measured
@@ -61,7 +61,7 @@ TEST_CASE("integrating out deflections equals the full covariance of all corners
   REQUIRE(linear);
   for (std::size_t pose = 0; pose < linear->poses.size(); ++pose) {
     const PoseSystem& system = linear->poses[pose];
-    const DeflectionRoot root = deflectionRoot(system, noise);
+    const JointErrorRoot root = deflectionRoot(system, noise);
     const Eigen::VectorXd r = stacked(residuals, state, pose);
     Eigen::MatrixXd byUnknown(r.size(), static_cast<Eigen::Index>(system.unknowns.size()));
     Eigen::MatrixXd byDeflection(r.size(), root.cols());
@@ -84,7 +84,7 @@ TEST_CASE("integrating out deflections equals the full covariance of all corners
     const Eigen::LLT<Eigen::MatrixXd> factor{sigma};
     const Eigen::MatrixXd hessian = byUnknown.transpose() * factor.solve(byUnknown);
     const Eigen::VectorXd gradient = byUnknown.transpose() * factor.solve(r);
-    const Eliminated part = eliminated(system, noise, root);
+    const MarginalSystem part = eliminated(system, noise, root);
     CHECK((part.hessian - hessian).norm() < 1e-5 * hessian.norm());
     CHECK((part.unknownGradient - gradient).norm() < 1e-5 * gradient.norm());
     CHECK(part.cost == Approx(0.5 * r.dot(factor.solve(r))).epsilon(1e-6));
@@ -144,10 +144,10 @@ TEST_CASE("a resting joint keeps its rounding error, an approach gives it a new 
     int flips = 0;
     for (const PoseGroup& pose : problem.measurements.poses) {
       CHECK(pose.repeated == (kind == RepeatKind::reapproach));
-      for (const Reading& a : pose.readings) {
-        const Picture& pictureA = problem.measurements.pictures[a.pictures.front()];
-        for (const Reading& b : pose.readings) {
-          const Picture& pictureB = problem.measurements.pictures[b.pictures.front()];
+      for (const EncoderSample& a : pose.readings) {
+        const ImageObservation& pictureA = problem.measurements.pictures[a.pictures.front()];
+        for (const EncoderSample& b : pose.readings) {
+          const ImageObservation& pictureB = problem.measurements.pictures[b.pictures.front()];
           const bool rested = kind == RepeatKind::rest || problem.set.captures[pictureA.capture].repeat ==
                                                               problem.set.captures[pictureB.capture].repeat;
           CHECK((a.encoderError[0] == b.encoderError[0]) == rested);
@@ -170,9 +170,9 @@ TEST_CASE("a reading that no flip explains is one of its own") {
   const double read = set.captures[2].joints.measured[0];
   const Measurements measurements = measurementsOf({set}, problem.measurements.robot);
   for (const PoseGroup& pose : measurements.poses) {
-    for (const Reading& a : pose.readings) {
-      for (const Reading& b : pose.readings) {
-        const auto isOdd = [&](const Reading& reading) {
+    for (const EncoderSample& a : pose.readings) {
+      for (const EncoderSample& b : pose.readings) {
+        const auto isOdd = [&](const EncoderSample& reading) {
           return set.captures[measurements.pictures[reading.pictures.front()].capture].id == odd;
         };
         CHECK((a.encoderError[5] == b.encoderError[5]) == (isOdd(a) == isOdd(b)));

@@ -15,7 +15,7 @@ namespace {
 
 /// How the corners that a picture shows move with the stage's joints, by central differences through the synthetic
 /// robot's own kinematics and lens: u0, v0, u1, ... per joint [px/rad].
-Eigen::MatrixXd cornerSlopes(const ThesisTrial& trial, const ThesisStage& stage, const Picture& picture) {
+Eigen::MatrixXd cornerSlopes(const ThesisTrial& trial, const ThesisExperiment& stage, const ImageObservation& picture) {
   const Robot& robot = v6();
   static const SyntheticRobot drawn{
       robot,
@@ -30,7 +30,7 @@ Eigen::MatrixXd cornerSlopes(const ThesisTrial& trial, const ThesisStage& stage,
     std::vector<double> seen;
     const Eigen::Isometry3d cameraFromSole =
         (drawn.soleFromTorso(joints, SupportFoot::left) * drawn.torsoFromCamera(picture.camera, joints)).inverse();
-    for (const Sighting& sighting : picture.sightings) {
+    for (const BoardObservation& sighting : picture.sightings) {
       const Board& board = stage.everything().targets[sighting.view.board()].board;
       for (const int id : sighting.ids) {
         const Eigen::Vector3d point = board.points[static_cast<std::size_t>(id)];
@@ -53,12 +53,12 @@ Eigen::MatrixXd cornerSlopes(const ThesisTrial& trial, const ThesisStage& stage,
 }
 
 /// J^T Sigma^-1 J over all readings, dense, with the offsets' prior.
-Eigen::MatrixXd denseInformation(const ThesisTrial& trial, const ThesisStage& stage) {
+Eigen::MatrixXd denseInformation(const ThesisTrial& trial, const ThesisExperiment& stage) {
   const auto joints = at(stage.joints().size());
   constexpr double prior = 0.1; // as in naocal solve [rad]
   Eigen::MatrixXd information = Eigen::MatrixXd::Identity(joints, joints) / (prior * prior);
   for (const PoseGroup& pose : trial.taken().poses) {
-    for (const Reading& reading : pose.readings) {
+    for (const EncoderSample& reading : pose.readings) {
       Eigen::MatrixXd slopes(0, joints);
       for (const std::size_t picture : reading.pictures) {
         const Eigen::MatrixXd more = cornerSlopes(trial, stage, trial.taken().pictures[picture]);
@@ -79,7 +79,7 @@ TEST_CASE("the tables' limit is that of the whole measurement's covariance") {
   // Proves information and draws against dense matrices of slopes that are differences through the synthetic robot's
   // kinematics, which share no code with the solver's. Not proved: that errors are normal.
   const ThesisSetting setting{.poses = 3, .noise = ThesisNoise::both, .jointNoise = AngleNoise::encoder, .samples = 3};
-  const ThesisStage stage = thesisStageFor(setting);
+  const ThesisExperiment stage = thesisStageFor(setting);
   ThesisTrial trial{stage, setting, 0.3};
   trial.draw(1, 5);
   constexpr std::size_t draws = 20'000;
@@ -87,7 +87,7 @@ TEST_CASE("the tables' limit is that of the whole measurement's covariance") {
 
   const Eigen::MatrixXd covariance = denseInformation(trial, stage).inverse();
   const Eigen::MatrixXd root = covariance.llt().matrixL();
-  Randomness chance{1, "the tables' limit"};
+  RandomStream chance{1, "the tables' limit"};
   std::vector<double> expected;
   for (std::size_t i = 0; i < draws; ++i) {
     Eigen::VectorXd normal{root.cols()};

@@ -8,7 +8,7 @@
 namespace naocal {
 
 /// The stage of a setting; its poses are chosen once.
-inline ThesisStage thesisStageFor(const ThesisSetting& setting) {
+inline ThesisExperiment thesisStageFor(const ThesisSetting& setting) {
   static std::map<std::pair<ThesisFeature, PoseChoice>, std::vector<Eigen::VectorXd>> chosen;
   std::vector<Eigen::VectorXd>& all = chosen[{setting.feature, setting.choice}];
   if (all.empty()) {

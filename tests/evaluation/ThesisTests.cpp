@@ -14,7 +14,7 @@ namespace {
 /// Every parts-th set of the first `sets`.
 ThesisEvaluation evaluated(const ThesisSetting& setting, std::size_t sets, std::size_t part, std::size_t parts) {
   ThesisEvaluation result{.seed = 3, .sets = sets, .parts = parts, .done = {part}};
-  const ThesisStage stage = thesisStageFor(setting);
+  const ThesisExperiment stage = thesisStageFor(setting);
   ThesisTrial trial{stage, setting, result.pixel};
   result.joints = stage.jointNames();
   for (const ThesisSolver solver : {ThesisSolver::plain, ThesisSolver::ours}) {
@@ -36,7 +36,7 @@ TEST_CASE("without noise our solver finds all offsets of every error set, from t
   for (const auto& [setting, solvers] : thesisSettings()) {
     if (setting.noise == ThesisNoise::none) {
       INFO(setting.name());
-      const ThesisStage stage = thesisStageFor(setting);
+      const ThesisExperiment stage = thesisStageFor(setting);
       ThesisTrial trial{stage, setting, 0.3};
       for (std::size_t set = 0; set < 30; ++set) {
         trial.draw(1, set);
@@ -52,7 +52,7 @@ TEST_CASE("both legs, and mounts and places with the offsets, are found without 
   for (const bool legs : {true, false}) {
     const ThesisSetting setting{.poses = 5, .bothLegs = legs, .unknownPlaces = !legs};
     INFO(setting.name());
-    const ThesisStage stage = thesisStageFor(setting);
+    const ThesisExperiment stage = thesisStageFor(setting);
     CHECK(stage.joints().size() == (legs ? 13 : 8));
     CHECK(stage.model().unknownCount() == (legs ? 13 : 8 + 6 + 12));
     ThesisTrial trial{stage, setting, 0.3};
@@ -80,11 +80,11 @@ TEST_CASE("what the thesis left open succeeds as often as its limit says") {
 TEST_CASE("where only pixels are noisy our solver ends in plain Levenberg-Marquardt's minimum") {
   // Proves it for some sets from five poses on: weights are all alike then, and the prior does not count in the end.
   const ThesisSetting setting{.poses = 5, .noise = ThesisNoise::pixel};
-  const ThesisStage stage = thesisStageFor(setting);
+  const ThesisExperiment stage = thesisStageFor(setting);
   ThesisTrial trial{stage, setting, 0.3};
   for (std::size_t set = 0; set < 20; ++set) {
     trial.draw(1, set);
-    const ThesisAnswer ours = trial.answer(ThesisSolver::ours), plain = trial.answer(ThesisSolver::plain);
+    const ThesisSolution ours = trial.answer(ThesisSolver::ours), plain = trial.answer(ThesisSolver::plain);
     REQUIRE((ours.solved && plain.solved));
     CHECK((ours.errors - plain.errors).cwiseAbs().maxCoeff() < radians(1e-3));
   }
@@ -93,12 +93,12 @@ TEST_CASE("where only pixels are noisy our solver ends in plain Levenberg-Marqua
 TEST_CASE("numeric derivatives lead where ours do, and searches by costs alone come nearer than where they began") {
   // Proves it for one set without noise. Not proved: that dlib or a swarm find the minimum; they often do not.
   const ThesisSetting setting{.feature = ThesisFeature::boards, .poses = 3};
-  const ThesisStage stage = thesisStageFor(setting);
+  const ThesisExperiment stage = thesisStageFor(setting);
   ThesisTrial trial{stage, setting, 0.3};
   trial.draw(1, 0);
   CHECK(trial.answer(ThesisSolver::numeric).status(radians(0.001)) == ThesisStatus::success);
   for (const ThesisSolver solver : {ThesisSolver::dlib, ThesisSolver::swarm}) {
-    const ThesisAnswer answer = trial.answer(solver);
+    const ThesisSolution answer = trial.answer(solver);
     INFO(word(solver));
     CHECK(answer.rms < 20); // px; offsets of degrees move corners by far more
     CHECK(answer.errors.norm() < trial.offsets().norm());
@@ -107,7 +107,7 @@ TEST_CASE("numeric derivatives lead where ours do, and searches by costs alone c
 
 TEST_CASE("statuses are told apart in the thesis's order") {
   // Proves the order of the questions on made-up answers, not that searches end so.
-  ThesisAnswer answer{.solved = true, .rms = 0.5, .rmsTolerance = 1, .errors = Eigen::Vector2d{0, -radians(0.15)}};
+  ThesisSolution answer{.solved = true, .rms = 0.5, .rmsTolerance = 1, .errors = Eigen::Vector2d{0, -radians(0.15)}};
   CHECK(answer.status(radians(0.2)) == ThesisStatus::success);
   CHECK(answer.status(radians(0.1)) == ThesisStatus::localMinimum);
   answer.rms = 2;
@@ -134,7 +134,7 @@ TEST_CASE("readings are as noisy as our solver is told") {
   for (const AngleNoise noise : {AngleNoise::radians, AngleNoise::degrees, AngleNoise::encoder, AngleNoise::stiction}) {
     const ThesisSetting setting{.noise = ThesisNoise::joint, .jointNoise = noise};
     INFO(setting.name());
-    Randomness chance{1, "noisy readings"};
+    RandomStream chance{1, "noisy readings"};
     double squares = 0;
     constexpr int count = 20'000;
     for (int i = 0; i < count; ++i) {
@@ -150,7 +150,7 @@ TEST_CASE("readings are as noisy as our solver is told") {
 TEST_CASE("error sets repeat by their number and keep to the range of errors") {
   // Proves that draws do not depend on what was drawn before, and that large errors are large.
   const ThesisSetting setting{.noise = ThesisNoise::both, .largeErrors = true};
-  const ThesisStage stage = thesisStageFor(setting);
+  const ThesisExperiment stage = thesisStageFor(setting);
   ThesisTrial one{stage, setting, 0.3}, other{stage, setting, 0.3};
   for (std::size_t set = 0; set < 20; ++set) {
     one.draw(7, set);

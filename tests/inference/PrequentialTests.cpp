@@ -28,7 +28,7 @@ Prequential driftOf(const Questioned& asked) {
 double stepOf(const Questioned& asked) {
   double best = 0;
   for (std::size_t cell = 0; cell < asked.inquiry.map().cells.size(); ++cell) {
-    if (asked.inquiry.map().cells[cell].shape == DriverCell::Shape::step) {
+    if (asked.inquiry.map().cells[cell].shape == DriverBasis::Shape::step) {
       best = std::max(best, asked.inquiry.ofCurve(asked.inquiry.mounts().size() + cell).bayes);
     }
   }

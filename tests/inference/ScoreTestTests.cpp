@@ -20,13 +20,13 @@ double least(const Eigen::MatrixXd& hessian, const Eigen::VectorXd& gradient, co
 } // namespace
 
 TEST_CASE("a score test's fall of chi2 is what adding the candidate gains") {
-  // Proves projection, whitening and bookkeeping of ScoreTests against the dense normal equations of the model with
+  // Proves projection, whitening and bookkeeping of ScoreTest against the dense normal equations of the model with
   // that one candidate, for every candidate. The linearisation itself is the residuals' and tested there.
   const Questioned asked{simulatedSet(8, 3), false};
   const ScoreProblem& problem = asked.inquiry.problem();
   const Noise noise{asked.fit.noise.pixel, asked.fit.noise.encoder, 4e-4};
-  const ModelAlone alone{problem, noise};
-  const ScoreTests tests{alone};
+  const NullModel alone{problem, noise};
+  const ScoreTest tests{alone};
   const Eigen::VectorXd priorScore = problem.priorScore();
   const PoseResiduals measured = measuredResiduals(*problem.poses);
   const Eigen::VectorXd falls = tests.falls(measured, alone(measured, priorScore).own);
@@ -38,7 +38,7 @@ TEST_CASE("a score test's fall of chi2 is what adding the candidate gains") {
   gradient.head(problem.own()) = priorScore;
   for (const PoseRows& rows : *problem.poses) {
     const PoseSystem pose = systemOf(rows);
-    const Eliminated part = eliminated(pose, noise, deflectionRoot(pose, noise));
+    const MarginalSystem part = eliminated(pose, noise, deflectionRoot(pose, noise));
     const std::vector<Eigen::Index> columns(pose.unknowns.begin(), pose.unknowns.end());
     hessian(columns, columns) += part.hessian;
     gradient(columns) += part.unknownGradient;
@@ -70,8 +70,8 @@ TEST_CASE("pure noise lowers chi2 by as much as a candidate has unknowns") {
   const ScoreProblem& problem = asked.inquiry.problem();
   const Noise noise{asked.fit.noise.pixel, asked.fit.noise.encoder, 6e-4};
   constexpr Eigen::Index draws = 3000;
-  const ModelAlone alone{problem, noise};
-  const ScoreTests tests{alone};
+  const NullModel alone{problem, noise};
+  const ScoreTest tests{alone};
   const PoseResiduals drawn = drawnResiduals(*problem.poses, noise, draws, 1);
   const Eigen::MatrixXd falls = tests.falls(drawn, alone(drawn, Eigen::VectorXd::Zero(problem.own())).own);
   double worst = 0;
@@ -115,8 +115,8 @@ TEST_CASE("how far an effect moves corners is what predictions show when it is p
   // (by the dense normal equations). They are linear, and the weights of the robust loss near 1, within 4 %.
   const Questioned asked{simulatedSet(8, 3), false};
   const ScoreProblem& problem = asked.inquiry.problem();
-  const ModelAlone alone{problem, asked.fit.noise};
-  const ScoreTests tests{alone};
+  const NullModel alone{problem, asked.fit.noise};
+  const ScoreTest tests{alone};
   for (const char* label : {"elasticity@LKneePitch", "focalLength@top", "boardScale@A"}) {
     const std::size_t candidate = asked.inquiry.find(label).value();
     const ColumnGroup& group = problem.groups[candidate];
@@ -130,7 +130,7 @@ TEST_CASE("how far an effect moves corners is what predictions show when it is p
     Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(unknowns.size(), unknowns.size());
     const auto linear = residuals.linearised(residuals.start(unknowns));
     for (const PoseSystem& pose : linear->poses) {
-      const Eliminated part = eliminated(pose, asked.fit.noise, deflectionRoot(pose, asked.fit.noise));
+      const MarginalSystem part = eliminated(pose, asked.fit.noise, deflectionRoot(pose, asked.fit.noise));
       const std::vector<Eigen::Index> columns(pose.unknowns.begin(), pose.unknowns.end());
       hessian(columns, columns) += part.hessian;
     }

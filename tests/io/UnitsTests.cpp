@@ -11,9 +11,9 @@ TEST_CASE("units are read and written as products of powers") {
     REQUIRE(unit);
     CHECK(textOf(*unit) == text);
   }
-  CHECK(*unitOf("rad*rad/rad") == Unit{{"rad", 1}});
-  CHECK(*unitOf("rad/rad") == Unit{});
-  CHECK(*unitOf("1/s^2") == Unit{{"s", -2}});
+  CHECK(*unitOf("rad*rad/rad") == UnitPowers{{"rad", 1}});
+  CHECK(*unitOf("rad/rad") == UnitPowers{});
+  CHECK(*unitOf("1/s^2") == UnitPowers{{"s", -2}});
   for (const char* text :
        {"", "deg", "rad/", "/s", "rad s", "rad//s", "rads", "2*rad", "rad^", "rad^-1", "radrad", "mrad"}) {
     CAPTURE(text);
@@ -23,8 +23,8 @@ TEST_CASE("units are read and written as products of powers") {
 
 TEST_CASE("an angle over what it multiplies has the unit of their quotient") {
   // Proves the units of coefficients of expressions: of a root, of a speed, of an angle, of a temperature's torque.
-  const Unit angle{{"rad", 1}};
-  const auto over = [&](const Unit& other) { return textOf(product(angle, other, -1)); };
+  const UnitPowers angle{{"rad", 1}};
+  const auto over = [&](const UnitPowers& other) { return textOf(product(angle, other, -1)); };
   CHECK(over(product({}, *unitOf("Nm"), 0.5)) == "rad/Nm^0.5");
   CHECK(over(*unitOf("rad/s")) == "s");
   CHECK(over(product(angle, angle)) == "1/rad");

@@ -127,7 +127,7 @@ TEST_CASE("readings between two of an encoder's steps give a rest one place") {
   for (const PoseGroup& pose : measurements.poses) {
     CHECK(pose.readings.size() > 1);
     std::set<double> places;
-    for (const Reading& reading : pose.readings) {
+    for (const EncoderSample& reading : pose.readings) {
       places.insert(measurements.pictures[reading.pictures.front()].instant.q[0]);
     }
     CHECK(places.size() == 1);

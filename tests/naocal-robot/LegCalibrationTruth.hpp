@@ -20,7 +20,7 @@ namespace naocal {
 class LegCalibrationTruth {
 public:
   LegCalibrationTruth(const Robot& drawing, const SimulatedErrors& errors, const ServoMechanics& servos)
-      : drawing_{drawing}, errors_{errors}, servos_{servos}, robot_{drawing, errors.robot, Mechanics{}} {}
+      : drawing_{drawing}, errors_{errors}, servos_{servos}, robot_{drawing, errors.robot, RobotMechanics{}} {}
 
   /// What a joint's encoder shows too much when its gear stands where the load pushes it: o - D/2 sgn(tau). Where the
   /// load is less than the gear's friction the joint trails behind its motor; of several captures the mean.
@@ -62,7 +62,7 @@ public:
     for (int axis = 0; axis < 3; ++axis) {
       found.mounts[top].rotation[axis] = value(std::string{"cameraRotation@top.r"} + "xyz"[axis]);
     }
-    const SyntheticRobot perceived{drawing_, found, Mechanics{}};
+    const SyntheticRobot perceived{drawing_, found, RobotMechanics{}};
     const Eigen::Vector3d point{2, 0, 0};
     const Eigen::Vector3d seen =
         robot_.torsoFromCamera(top, really).inverse() * (robot_.soleFromTorso(really, foot).inverse() * point);

@@ -24,12 +24,12 @@ TEST_CASE("a chain takes the poses that tell apart what the others leave alike, 
   // Proves (4.5) on three pairs: the chain's choice, its cost and count, that weights matter, and its end.
   const std::vector<Eigen::ArrayXd> poses{Eigen::Array3d{0, 1, 1}, Eigen::Array3d{0.5, 0.5, 0.5},
                                           Eigen::Array3d{1, 0, 0}, Eigen::Array3d{0, 1, 0.9}};
-  const InteractionJudge equal{Eigen::Vector3d::Ones()};
+  const InteractionCriterion equal{Eigen::Vector3d::Ones()};
   CHECK(equal.chain(poses, 4) == std::vector<std::size_t>{2, 0});
   CHECK(equal(poses[1]).cost == Approx(0.5));
   CHECK(equal(poses[3]).count == 2);
   CHECK(equal(poses[0] * poses[2]).count == 0);
-  const InteractionJudge first{Eigen::Vector3d{1, 1, 0.1}}; // the pair (0, 1) matters most
+  const InteractionCriterion first{Eigen::Vector3d{1, 1, 0.1}}; // the pair (0, 1) matters most
   CHECK(first.chain(poses, 1) == std::vector<std::size_t>{3});
 }
 
@@ -60,8 +60,8 @@ TEST_CASE("the worst joint's sigma is at most half of what the thesis's selectio
   const SimulationPlan scene;
   PlanOptions options;
   options.poses.tries = 40'000;
-  options.poses.sampling = Sampling::even;
-  const PlanScore score{v6(), scene.boards, scene.cameras, options};
+  options.poses.sampling = SamplingMethod::even;
+  const PlanEvaluator score{v6(), scene.boards, scene.cameras, options};
   const PoseCandidates candidates = poseCandidates(v6(), score.scene(), options.poses);
   const auto results = compareCriteria(v6(), scene.boards, scene.cameras, options, candidates.attitudes);
   for (const CriterionResult& thesis : results) {

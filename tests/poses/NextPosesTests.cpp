@@ -39,11 +39,11 @@ CaptureSet captures(std::vector<CommandedPose> poses, int stance) {
   return simulate(v6(), plan, 1 + static_cast<std::uint64_t>(stance)).set;
 }
 
-OpenQuestion between(const std::string& one, double size, const std::string& other, double otherSize) {
+ModelAmbiguity between(const std::string& one, double size, const std::string& other, double otherSize) {
   const auto suspect = [](const std::string& label, double each) {
     const Eigen::Index count = label.starts_with("encoderEccentricity") ? 2 : 1;
     const Eigen::VectorXd sizes = Eigen::VectorXd::Constant(count, each);
-    return Suspect{label, sizes, sizes, 0.5};
+    return Hypothesis{label, sizes, sizes, 0.5};
   };
   return {{suspect(one, size), suspect(other, otherSize)}, true, {}, {}, allEffects(), "tells the two apart"};
 }
@@ -66,7 +66,7 @@ struct Fitted {
 };
 
 /// What these captures tell about the question, by the measurements alone; noise and fit as of `before`.
-Eigen::VectorXd misfits(const Fitted& fitted, const Noise& noise, const OpenQuestion& question) {
+Eigen::VectorXd misfits(const Fitted& fitted, const Noise& noise, const ModelAmbiguity& question) {
   const Model model = withSuspects(fitted.measurements, fitted.model, question);
   const Residuals residuals{fitted.measurements, model, noise};
   const auto linear = residuals.linearised(residuals.start(carried(fitted.model, fitted.unknowns, model)));
@@ -100,7 +100,7 @@ TEST_CASE("four proposed poses tell twins apart better than four random ones, by
       {"hysteresis@LKneePitch", 0.01, "hysteresis@LAnklePitch", 0.01},
   }));
   CAPTURE(one, other);
-  const OpenQuestion question = between(one, size, other, otherSize);
+  const ModelAmbiguity question = between(one, size, other, otherSize);
   const Discrimination discrimination{question, 0};
   const NextPoses next = nextPoses(before.sets, before.measurements, before.fit(), question);
   REQUIRE(next.poses.size() == 4);
@@ -133,14 +133,14 @@ TEST_CASE("poses are proposed for captures that tell little or much of the joint
     capture.fsr.reset();
     capture.imu.reset();
   }
-  const OpenQuestion question = between("elasticity@LKneePitch", 0.006, "elasticity@LAnklePitch", 0.006);
+  const ModelAmbiguity question = between("elasticity@LKneePitch", 0.006, "elasticity@LAnklePitch", 0.006);
   const Fitted fitted{{set}};
   const NextPoses next = nextPoses(fitted.sets, fitted.measurements, fitted.fit(), question);
   const NextPoses again = nextPoses(fitted.sets, fitted.measurements, fitted.fit(), question);
   REQUIRE(next.poses.size() == 4);
   CHECK(next.growth > 1);
   CHECK(next.whyNone.empty());
-  const OneFootWays ways{v6(), SupportFoot::left, bentKnees(v6()), next.jointError};
+  const SingleSupportPlanner ways{v6(), SupportFoot::left, bentKnees(v6()), next.jointError};
   const auto reached = [&](const Eigen::VectorXd& angles, const Eigen::VectorXd& approach) {
     std::mt19937_64 chance{1};
     return ways.approach(angles, approach, radians(1), chance).has_value();
@@ -150,7 +150,7 @@ TEST_CASE("poses are proposed for captures that tell little or much of the joint
     CHECK(reached(pose.angles, next.poses[i].approach));
     CHECK(pose.angles == again.poses[i].pose.angles);
     REQUIRE_FALSE(pose.sights.empty());
-    for (const Sight& sight : pose.sights) {
+    for (const VisibleBoard& sight : pose.sights) {
       CHECK(std::any_of(set.boards.begin(), set.boards.end(),
                         [&](const Board& board) { return board.id == sight.board; }));
     }
@@ -189,7 +189,7 @@ TEST_CASE("planned captures tell what the captures tell") {
 
 TEST_CASE("what a rival cannot imitate is told by hand") {
   // Proves the formula for one own unknown and two suspects: V by elimination, I_jk by the rival with its prior.
-  const OpenQuestion question = between("a", 2, "b", 0.5);
+  const ModelAmbiguity question = between("a", 2, "b", 0.5);
   Eigen::Matrix3d hessian;
   hessian << 4, 2, 0, 2, 10, 3, 0, 3, 5;
   const Eigen::VectorXd misfits = Discrimination{question, 1}.misfits(hessian);

@@ -6,7 +6,7 @@
 namespace naocal {
 namespace {
 
-CandidateFinding finding(const std::string& effect, const std::string& place, State state, double evidence) {
+CandidateFinding finding(const std::string& effect, const std::string& place, CandidateState state, double evidence) {
   CandidateFinding result;
   for (const Effect& each : allEffects()) {
     if (each.name == effect) {
@@ -22,9 +22,9 @@ CandidateFinding finding(const std::string& effect, const std::string& place, St
   return result;
 }
 
-std::vector<std::string> labels(const OpenQuestion& question) {
+std::vector<std::string> labels(const ModelAmbiguity& question) {
   std::vector<std::string> result;
-  for (const Suspect& suspect : question.suspects) {
+  for (const Hypothesis& suspect : question.suspects) {
     result.push_back(suspect.label);
   }
   return result;
@@ -48,15 +48,15 @@ TEST_CASE("twins are asked first, then a curve's rival, then what captures hardl
   // Proves which question each kind of diagnosis leaves open, on made-up diagnoses.
   Diagnosis diagnosis;
   diagnosis.verdict = Verdict::effectMissing;
-  diagnosis.ranking = {finding("elasticity", "LKneePitch", State::present, 30),
-                       finding("backlash", "LKneePitch", State::aliased, 28),
-                       finding("thermalDrift", "LHipRoll", State::inconclusive, 1),
-                       finding("encoderGain", "HeadYaw", State::absent, -3)};
+  diagnosis.ranking = {finding("elasticity", "LKneePitch", CandidateState::present, 30),
+                       finding("backlash", "LKneePitch", CandidateState::aliased, 28),
+                       finding("thermalDrift", "LHipRoll", CandidateState::inconclusive, 1),
+                       finding("encoderGain", "HeadYaw", CandidateState::absent, -3)};
   diagnosis.suggested = diagnosis.with = {"elasticity@LKneePitch"};
   diagnosis.ranking[0].equivalent = {"backlash@LKneePitch"};
   const auto ask = [&] { return openQuestion(diagnosis, v6(), {}); };
 
-  const OpenQuestion twins = ask();
+  const ModelAmbiguity twins = ask();
   CHECK(twins.rivals);
   CHECK(labels(twins) == std::vector<std::string>{"elasticity@LKneePitch", "backlash@LKneePitch"});
   CHECK(twins.with.empty()); // none of the suspects is in the model
@@ -64,7 +64,7 @@ TEST_CASE("twins are asked first, then a curve's rival, then what captures hardl
   CHECK(twins.why == "tells elasticity@LKneePitch from backlash@LKneePitch");
 
   diagnosis.ranking[0].equivalent.clear();
-  const OpenQuestion whether = ask();
+  const ModelAmbiguity whether = ask();
   CHECK_FALSE(whether.rivals);
   CHECK(labels(whether) == std::vector<std::string>{"thermalDrift@LHipRoll"});
   CHECK(whether.with == std::vector<std::string>{"elasticity@LKneePitch"});
@@ -72,13 +72,13 @@ TEST_CASE("twins are asked first, then a curve's rival, then what captures hardl
 
   diagnosis.verdict = Verdict::unknownEffect;
   diagnosis.suggested = diagnosis.with = {};
-  diagnosis.ranking[0].state = State::aliased;
+  diagnosis.ranking[0].state = CandidateState::aliased;
   diagnosis.drivers = {{.place = "LKneePitch",
                         .driver = "q",
                         .bayes = 60,
                         .expression = "a*sin(6*q) + b*cos(6*q)",
                         .coefficients = {{"a", 0.003}, {"b", 0.001}}}};
-  const OpenQuestion curve = ask();
+  const ModelAmbiguity curve = ask();
   CHECK(curve.rivals);
   CHECK(labels(curve) == std::vector<std::string>{"curve@LKneePitch", "elasticity@LKneePitch"});
   CHECK(curve.suspects[0].size == Eigen::Vector2d{0.003, 0.001});

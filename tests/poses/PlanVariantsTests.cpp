@@ -63,7 +63,7 @@ TEST_CASE("mirrored boards lie alike on both sides, and mirroring twice changes 
   Board image = board;
   image.placement = mirrored(board, -0.05);
   for (const Eigen::Vector2d& corner : sheet(board)) {
-    const Outline others = sheet(image);
+    const ConvexPolygon others = sheet(image);
     CHECK(std::any_of(others.begin(), others.end(), [&](const Eigen::Vector2d& other) {
       return (other - Eigen::Vector2d{corner.x(), -0.1 - corner.y()}).norm() < 1e-12;
     }));
@@ -77,8 +77,8 @@ TEST_CASE("a board may be off as far as a plan says") {
   // Proves the tolerances of a plan by laying each board off by them, along the axes and turned, and judging anew.
   const PosePlan good = quickPlan(quickOptions(6));
   const SimulationPlan scene;
-  std::vector<SievedPose> poses;
-  const PlanScore before{v6(), good.boards, scene.cameras, good.options};
+  std::vector<ValidPose> poses;
+  const PlanEvaluator before{v6(), good.boards, scene.cameras, good.options};
   for (const ProposedPose& pose : good.poses) {
     poses.push_back({before.scene().drawn(), {}, 1});
     poses.back().belief.values.head(pose.pose.angles.size()) = pose.pose.angles;
@@ -90,7 +90,7 @@ TEST_CASE("a board may be off as far as a plan says") {
       off[i].placement->x += x * good.tolerances[i].shift;
       off[i].placement->y += y * good.tolerances[i].shift;
       off[i].placement->yaw += yaw * good.tolerances[i].turn;
-      const PlanScore score{v6(), off, scene.cameras, good.options};
+      const PlanEvaluator score{v6(), off, scene.cameras, good.options};
       CHECK(score.worstSigma(score.sum(poses)) <= allowed * (1 + 1e-9));
     }
   }
@@ -101,7 +101,7 @@ TEST_CASE("a plan on both feet leaves the feet where they are and looks at both 
   // that most neighbours have a way, and that offsets of both legs are told better than they are known beforehand.
   const PosePlan plan = quickPlan(quickOptions(8, SupportFoot::both));
   REQUIRE(plan.poses.size() == 8);
-  const WayChecks checks{v6(), plan.options.poses, {.share = 0.95, .step = 0.02, .slip = 0.005}};
+  const TransitionCheck checks{v6(), plan.options.poses, {.share = 0.95, .step = 0.02, .slip = 0.005}};
   int ways = 0;
   for (std::size_t i = 1; i < plan.poses.size(); ++i) {
     if (!plan.ways[i]) {

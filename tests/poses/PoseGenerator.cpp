@@ -44,7 +44,8 @@ std::vector<PlannedPose> poses(SupportFoot foot, std::uint64_t seed = 1, std::si
 struct Seen {
   double u, v, distance, grazing;
 };
-Seen pinhole(const Robot& robot, const Posture& torsoFromLink, const Sole& support, const Sight& sight, int corner) {
+Seen pinhole(const Robot& robot, const LinkPoses& torsoFromLink, const Sole& support, const VisibleBoard& sight,
+             int corner) {
   const std::vector<Board> all = boards();
   const Board& board = *std::find_if(all.begin(), all.end(), [&](const Board& one) { return one.id == sight.board; });
   const Eigen::Vector3d pointInBoard = board.points[static_cast<std::size_t>(corner)];
@@ -88,7 +89,7 @@ TEST_CASE("planned poses keep within limits, stand on one foot and see a board")
       };
       CHECK(angleOf("LHipYawPitch") == angleOf("RHipYawPitch"));
 
-      const Posture torsoFromLink = posture(robot, pose.angles);
+      const LinkPoses torsoFromLink = posture(robot, pose.angles);
       const RigidTransform soleFromTorso = torsoFromLink[support.link].inverse();
       const Eigen::Vector3d centre = soleFromTorso * centreOfMass(robot, torsoFromLink).inTorso;
       CHECK(depthInside(support.outline, centre.head<2>()) >= 0.02);
@@ -100,7 +101,7 @@ TEST_CASE("planned poses keep within limits, stand on one foot and see a board")
       }
 
       REQUIRE_FALSE(pose.sights.empty());
-      for (const Sight& sight : pose.sights) {
+      for (const VisibleBoard& sight : pose.sights) {
         CHECK(sight.corners.size() >= defaults.sight.corners);
         for (const int corner : sight.corners) {
           const Seen seen = pinhole(robot, torsoFromLink, support, sight, corner);
@@ -122,7 +123,7 @@ TEST_CASE("robots with unknown offsets stand in the planned poses") {
   int standing = 0;
   const auto planned = poses(SupportFoot::left);
   for (const PlannedPose& pose : planned) {
-    Belief belief = drawnBelief(robot, Quantities{robot.joints.size(), robot.lengths.size(), 0});
+    ModelState belief = drawnBelief(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
     belief.values.head(pose.angles.size()) = pose.angles;
     int here = 0;
     for (int draw = 0; draw < 1000; ++draw) {
@@ -157,8 +158,8 @@ TEST_CASE("the information of a pose is that of its pictures") {
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
       angles[static_cast<Eigen::Index>(joint)] += x[static_cast<Eigen::Index>(robot.joints[joint].motor)];
     }
-    const Posture torsoFromLink = posture(robot, angles);
-    for (const Sight& sight : pose.sights) {
+    const LinkPoses torsoFromLink = posture(robot, angles);
+    for (const VisibleBoard& sight : pose.sights) {
       const auto camera = static_cast<Eigen::Index>(*robot.cameraIndex(sight.camera));
       const Eigen::Vector3d turn = x.segment<3>(24 + 3 * camera);
       const CameraMount& mount = robot.cameras[static_cast<std::size_t>(camera)];
@@ -184,8 +185,8 @@ TEST_CASE("the information of a pose is that of its pictures") {
     return Eigen::VectorXd{Eigen::Map<Eigen::VectorXd>(pixels.data(), static_cast<Eigen::Index>(pixels.size()))};
   };
 
-  const Scene scene{robot, SupportFoot::left, boards(), cameras(), {}};
-  Belief belief = scene.drawn();
+  const PlanningScene scene{robot, SupportFoot::left, boards(), cameras(), {}};
+  ModelState belief = scene.drawn();
   belief.values.head(pose.angles.size()) = pose.angles;
   const Eigen::MatrixXd information = scene.information(belief, posture(robot, belief));
   REQUIRE(information.rows() == 24 + 6 + 9);

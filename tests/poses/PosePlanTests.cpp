@@ -28,7 +28,7 @@ const PosePlan& example() {
 TEST_CASE("points of a sequence are the same wherever one begins to read it, and fill the cube") {
   // Proves that threads may share a sequence by its parts; that even points fill every quarter of every plane equally;
   // and that a grid visits each of its cells once.
-  for (const Sampling sampling : {Sampling::even, Sampling::grid}) {
+  for (const SamplingMethod sampling : {SamplingMethod::even, SamplingMethod::grid}) {
     std::vector<double> whole(5), part(5);
     const auto from0 = unitPoints(sampling, 3, 5, 1000, 0), from70 = unitPoints(sampling, 3, 5, 1000, 70);
     for (int i = 0; i < 71; ++i) {
@@ -37,7 +37,7 @@ TEST_CASE("points of a sequence are the same wherever one begins to read it, and
     from70->next(part);
     CHECK(whole == part);
   }
-  const auto even = unitPoints(Sampling::even, 1, 13, 4096, 0);
+  const auto even = unitPoints(SamplingMethod::even, 1, 13, 4096, 0);
   std::vector<double> point(13);
   std::vector<int> quarters(13 * 4, 0);
   for (int i = 0; i < 4096; ++i) {
@@ -49,7 +49,7 @@ TEST_CASE("points of a sequence are the same wherever one begins to read it, and
   for (const int count : quarters) {
     CHECK(count == Approx(1024).margin(80));
   }
-  const auto grid = unitPoints(Sampling::grid, 1, 3, 30, 0);
+  const auto grid = unitPoints(SamplingMethod::grid, 1, 3, 30, 0);
   std::set<std::vector<double>> cells;
   for (int i = 0; i < 27; ++i) {
     grid->next(std::span{point}.first(3));
@@ -63,7 +63,7 @@ TEST_CASE("candidates are the same on any number of cores, and each test only re
   // checks' own words: limits with margin, nothing touches, stable.
   const PoseOptions wanted = quickOptions(8).poses;
   const SimulationPlan plan;
-  const Scene scene{v6(), SupportFoot::left, plan.boards, plan.cameras, wanted.sight};
+  const PlanningScene scene{v6(), SupportFoot::left, plan.boards, plan.cameras, wanted.sight};
   const PoseCandidates once = poseCandidates(v6(), scene, wanted), again = poseCandidates(v6(), scene, wanted);
   REQUIRE(once.attitudes.size() == again.attitudes.size());
   REQUIRE(once.attitudes.size() == once.sieve.seeing);
@@ -73,12 +73,12 @@ TEST_CASE("candidates are the same on any number of cores, and each test only re
   CHECK(once.sieve.collisionFree > once.sieve.stable);
   CHECK(once.sieve.stable >= once.sieve.seeing);
   CHECK(once.sieve.seeing > 20);
-  const PoseChecks checks{v6(), wanted};
+  const PoseValidity checks{v6(), wanted};
   std::mt19937_64 random{5};
   for (std::size_t i = 0; i < once.attitudes.size(); ++i) {
-    const Belief& belief = once.attitudes[i].belief;
+    const ModelState& belief = once.attitudes[i].belief;
     CHECK(belief.values == again.attitudes[i].belief.values);
-    const Posture torsoFromLink = posture(v6(), belief);
+    const LinkPoses torsoFromLink = posture(v6(), belief);
     CHECK(stands(v6(), torsoFromLink, wanted.supportFoot, wanted.footing));
     CHECK_FALSE(checks.touchesItself(torsoFromLink));
     CHECK(once.attitudes[i].standing >= 0.99);
@@ -90,12 +90,12 @@ TEST_CASE("exchange finds the best set where all sets can be tried") {
   // proof of the optimum. No pose is picked twice.
   const PoseOptions wanted = quickOptions(8).poses;
   const SimulationPlan plan;
-  const Scene scene{v6(), SupportFoot::left, plan.boards, plan.cameras, wanted.sight};
-  std::vector<SievedPose> poses = poseCandidates(v6(), scene, wanted).attitudes;
+  const PlanningScene scene{v6(), SupportFoot::left, plan.boards, plan.cameras, wanted.sight};
+  std::vector<ValidPose> poses = poseCandidates(v6(), scene, wanted).attitudes;
   poses.erase(poses.begin() + 15, poses.end());
   for (const Criterion criterion :
        {Criterion::determinant, Criterion::trace, Criterion::eigenvalue, Criterion::worst}) {
-    const PoseJudge judge{v6(), scene, scene.joints(), criterion};
+    const PoseCriterion judge{v6(), scene, scene.joints(), criterion};
     std::vector<Eigen::MatrixXd> parts = informations(v6(), scene, poses, Noise{});
     for (Eigen::MatrixXd& part : parts) {
       part = judge.part(part);
@@ -141,7 +141,7 @@ TEST_CASE("a plan's poses are in order and reached safely, and its boards lie fr
   for (const PosePlan* plan : {&example(), &right}) {
     PoseOptions other = plan->options.poses;
     other.seed += 1;
-    const WayChecks checks{v6(), other, {.share = 0.95, .step = 0.02}};
+    const TransitionCheck checks{v6(), other, {.share = 0.95, .step = 0.02}};
     int without = 0;
     for (std::size_t i = 1; i < plan->poses.size(); ++i) {
       if (!plan->ways[i]) {

@@ -11,7 +11,7 @@ inline naocal::PlanOptions quickOptions(std::size_t poses, naocal::SupportFoot f
   options.poses.supportFoot = foot;
   options.poses.count = poses;
   options.poses.tries = 40'000;
-  options.poses.sampling = naocal::Sampling::even;
+  options.poses.sampling = naocal::SamplingMethod::even;
   options.weighed = 300;
   options.starts = 1;
   options.rounds = 1;

@@ -16,7 +16,7 @@ struct Turn {
 
 bool touches(const std::vector<Turn>& turns) {
   const Robot& robot = v6();
-  Belief belief = drawnBelief(robot, Quantities{robot.joints.size(), robot.lengths.size(), 0});
+  ModelState belief = drawnBelief(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
   takeToRest(robot, belief);
   for (const Turn& turn : turns) {
     belief.angle(*robot.jointIndex(turn.joint)) = radians(turn.degrees);

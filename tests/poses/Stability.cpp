@@ -12,8 +12,8 @@ using namespace naocal;
 namespace {
 
 /// On the left foot, the right one drawn up; `ankleRoll` [degrees] leans the whole robot.
-Belief onLeftFoot(const Robot& robot, double ankleRoll) {
-  Belief belief = drawnBelief(robot, Quantities{robot.joints.size(), robot.lengths.size(), 0});
+ModelState onLeftFoot(const Robot& robot, double ankleRoll) {
+  ModelState belief = drawnBelief(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
   const auto set = [&](const char* joint, double angle) { belief.angle(*robot.jointIndex(joint)) = radians(angle); };
   set("RHipPitch", -30);
   set("RKneePitch", 60);
@@ -26,7 +26,7 @@ Belief onLeftFoot(const Robot& robot, double ankleRoll) {
 
 TEST_CASE("depth inside an outline is the distance to its nearest side") {
   // Proves it on a rectangle, inside, outside and on the edge; other shapes follow from the sides being lines.
-  const Outline rectangle{{0, 0}, {4, 0}, {4, 2}, {0, 2}};
+  const ConvexPolygon rectangle{{0, 0}, {4, 0}, {4, 2}, {0, 2}};
   CHECK(depthInside(rectangle, {1, 1.5}) == Approx(0.5));
   CHECK(depthInside(rectangle, {2, 2}) == Approx(0).margin(1e-15));
   CHECK(depthInside(rectangle, {5, 1}) == Approx(-1));
@@ -34,9 +34,9 @@ TEST_CASE("depth inside an outline is the distance to its nearest side") {
 
 TEST_CASE("outlines are apart when a side parts them") {
   // Proves it for triangles side by side, nested, crossing, and parted by the second one's side only.
-  const Outline triangle{{0, 0}, {2, 0}, {0, 2}};
+  const ConvexPolygon triangle{{0, 0}, {2, 0}, {0, 2}};
   const auto moved = [&](double x, double y) {
-    Outline result = triangle;
+    ConvexPolygon result = triangle;
     for (Eigen::Vector2d& corner : result) {
       corner += Eigen::Vector2d{x, y};
     }
@@ -47,7 +47,7 @@ TEST_CASE("outlines are apart when a side parts them") {
   CHECK_FALSE(apart(triangle, triangle));
   CHECK_FALSE(apart(triangle, moved(0.9, 0.9)));
   CHECK_FALSE(apart(triangle, moved(-0.5, 0.5)));
-  const Outline flag{{3, -1}, {3, 5}, {2.1, 2}}; // its left corner points at the triangle
+  const ConvexPolygon flag{{3, -1}, {3, 5}, {2.1, 2}}; // its left corner points at the triangle
   CHECK(apart(triangle, flag));
   CHECK(apart(flag, triangle));
 }
@@ -63,7 +63,7 @@ TEST_CASE("a robot stands while its centre of mass is over the sole and the othe
   CHECK_FALSE(stands(robot, at(11), SupportFoot::left, {0.06, 0})); // the sole is less than 12 cm wide
   CHECK_FALSE(stands(robot, at(11), SupportFoot::left, {0, 0.2}));
 
-  Belief bothDown = onLeftFoot(robot, 11);
+  ModelState bothDown = onLeftFoot(robot, 11);
   bothDown.angle(*robot.jointIndex("RHipPitch")) = 0;
   bothDown.angle(*robot.jointIndex("RKneePitch")) = 0;
   bothDown.angle(*robot.jointIndex("RAnklePitch")) = radians(40); // toes down
@@ -101,11 +101,11 @@ TEST_CASE("a point is within the hull of points where it is inside their convex 
   std::uniform_real_distribution<double> unit{-1, 1};
   int within = 0;
   for (int draw = 0; draw < 2000; ++draw) {
-    Outline points(3 + draw % 9);
+    ConvexPolygon points(3 + draw % 9);
     for (Eigen::Vector2d& point : points) {
       point = {unit(random), unit(random)};
     }
-    const Outline outline = hull(points);
+    const ConvexPolygon outline = hull(points);
     for (const Eigen::Vector2d& point : points) {
       CHECK(depthInside(outline, point) > -1e-12);
     }
@@ -125,7 +125,7 @@ TEST_CASE("a robot on both feet stands where its centre of mass is between them,
   // they lie on the plane between them. The soles are 155 mm long, so that no one is 80 mm inside both ends.
   const Robot robot = v6();
   const auto leaning = [&](double ankleRoll) {
-    Belief belief = drawnBelief(robot, Quantities{robot.joints.size(), robot.lengths.size(), 0});
+    ModelState belief = drawnBelief(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
     for (const char* joint : {"LAnkleRoll", "RAnkleRoll"}) {
       belief.angle(*robot.jointIndex(joint)) = radians(ankleRoll);
     }

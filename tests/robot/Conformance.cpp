@@ -31,7 +31,7 @@ Robot withLumpedArms(Robot robot) {
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     resting[static_cast<Eigen::Index>(joint)] = robot.joints[joint].resting;
   }
-  const Posture torsoFromLink = posture(robot, resting);
+  const LinkPoses torsoFromLink = posture(robot, resting);
   for (const std::string side : {"L", "R"}) {
     double mass = 0;
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();
@@ -67,11 +67,11 @@ TEST_CASE("transforms, centres of mass and torques agree with an independent sim
   const auto& poses = conformance["poses"];
   REQUIRE(poses.size() == 12);
   for (const json& pose : poses) {
-    Belief belief = drawnBelief(robot, Quantities{robot.joints.size(), robot.lengths.size(), 0});
+    ModelState belief = drawnBelief(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
       belief.angle(joint) = pose["joints"].value(robot.joints[joint].name, robot.joints[joint].resting);
     }
-    const Posture torsoFromLink = posture(robot, belief);
+    const LinkPoses torsoFromLink = posture(robot, belief);
     const std::size_t sole = robot.sole(pose["supportFoot"].get<std::string>())->link;
     const RigidTransform soleFromTorso = torsoFromLink[sole].inverse();
     CHECK(distance(soleFromTorso, transform(pose["soleFromTorso"])) < 1e-9);

@@ -12,7 +12,7 @@ using namespace naocal;
 namespace {
 
 /// The robot's posture with all angles zero but the given ones [degrees].
-Posture postureAt(const Robot& robot, const std::vector<std::pair<std::string, double>>& angles) {
+LinkPoses postureAt(const Robot& robot, const std::vector<std::pair<std::string, double>>& angles) {
   Eigen::VectorXd all = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.joints.size()));
   for (const auto& [joint, angle] : angles) {
     all[static_cast<Eigen::Index>(*robot.jointIndex(joint))] = radians(angle);
@@ -31,7 +31,7 @@ TEST_CASE("the zero pose has the heights of the drawing's sums") {
   // Proves lengths and signs of the straight robot. Origin of the numbers: 85 + 100 + 102.9 + 45.19 = 333.09 mm from
   // torso to sole; + 126.5 + 63.64 = 523.23 mm to the top camera; arms level, forward.
   const Robot robot = v6();
-  const Posture torsoFromLink = postureAt(robot, {});
+  const LinkPoses torsoFromLink = postureAt(robot, {});
   for (const RigidTransform& link : torsoFromLink) {
     CHECK(link.rotation == Eigen::Matrix3d::Identity());
   }
@@ -70,7 +70,7 @@ TEST_CASE("a right angle at one joint puts the links beyond it where geometry sa
 TEST_CASE("both feet turn outwards for negative hip yaw-pitch") {
   // Proves the sign that the one motor shares; the source is HULKs' and the manufacturer's description.
   const Robot robot = v6();
-  const Posture torsoFromLink = postureAt(robot, {{"LHipYawPitch", -30}, {"RHipYawPitch", -30}});
+  const LinkPoses torsoFromLink = postureAt(robot, {{"LHipYawPitch", -30}, {"RHipYawPitch", -30}});
   CHECK(torsoFromLink[*robot.linkIndex("LSole")].rotation(1, 0) > 0.1);
   CHECK(torsoFromLink[*robot.linkIndex("RSole")].rotation(1, 0) < -0.1);
 }
@@ -89,10 +89,10 @@ TEST_CASE("a robot that is no NAO runs through the same code") {
     "joints": {"slew": {"axis": [0, 0, 0.5], "limitsDegrees": [-90, 90], "maxSpeedDegreesPerSecond": 10}},
     "cameras": {"tip": {"link": "Jib", "originMillimetres": [500, 0, 0], "pitchDegrees": 90}}})");
   const Robot crane = loadRobot(folder.path() / "crane.json");
-  Belief belief = drawnBelief(crane, Quantities{1, 1, 0});
+  ModelState belief = drawnBelief(crane, StateLayout{1, 1, 0});
   belief.angle(0) = radians(90);
   belief.length(0) = 2.5; // stretched
-  const Posture baseFromLink = posture(crane, belief);
+  const LinkPoses baseFromLink = posture(crane, belief);
   const RigidTransform baseFromOptical = baseFromLink[1] * linkFromOptical(crane.cameras[0], belief);
   checkPoint(baseFromOptical.translation, {0.1, 0.5, 2.5});
   checkPoint(baseFromOptical.rotation.col(2), {0, 0, -1}); // it looks down,

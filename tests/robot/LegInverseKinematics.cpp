@@ -11,7 +11,7 @@ using namespace naocal;
 
 namespace {
 
-RigidTransform torsoFromSole(const Robot& robot, const Leg& leg, const char* side, const LegAngles& angles) {
+RigidTransform torsoFromSole(const Robot& robot, const LegKinematics& leg, const char* side, const LegAngles& angles) {
   Eigen::VectorXd all = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.joints.size()));
   for (std::size_t i = 0; i < angles.size(); ++i) {
     all[static_cast<Eigen::Index>(leg.joints()[i])] = angles[i];
@@ -20,7 +20,7 @@ RigidTransform torsoFromSole(const Robot& robot, const Leg& leg, const char* sid
 }
 
 /// Angles within the joints' limits, the knee bent backwards.
-LegAngles randomAngles(const Robot& robot, const Leg& leg, std::mt19937& random) {
+LegAngles randomAngles(const Robot& robot, const LegKinematics& leg, std::mt19937& random) {
   LegAngles angles{};
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const AngleRange limits = robot.joints[leg.joints()[i]].limits;
@@ -39,7 +39,7 @@ TEST_CASE("six leg angles reach every pose that the leg can take, and are the on
   const Robot robot = v6();
   std::mt19937 random{11};
   for (const char* side : {"left", "right"}) {
-    const Leg leg{robot, side};
+    const LegKinematics leg{robot, side};
     for (int i = 0; i < 2000; ++i) {
       const LegAngles made = randomAngles(robot, leg, random);
       const RigidTransform wanted = torsoFromSole(robot, leg, side, made);
@@ -61,7 +61,7 @@ TEST_CASE("five leg angles reach the sole's place and its upright for any given 
   const Robot robot = v6();
   std::mt19937 random{12};
   for (const char* side : {"left", "right"}) {
-    const Leg leg{robot, side};
+    const LegKinematics leg{robot, side};
     int reached = 0;
     for (int i = 0; i < 2000; ++i) {
       const LegAngles made = randomAngles(robot, leg, random);
@@ -86,7 +86,7 @@ TEST_CASE("a sole out of the leg's reach has no angles") {
   // Proves both ends of the reach, just beyond and just within them: the straight leg, and the ankle drawn to the hip
   // as near as thigh and tibia (2.9 mm of difference) allow.
   const Robot robot = v6();
-  const Leg leg{robot, "left"};
+  const LegKinematics leg{robot, "left"};
   const auto at = [](double depth) {
     return RigidTransform{Eigen::Matrix3d::Identity(), {0, 0.05, -0.085 - 0.04519 - depth}};
   };
@@ -101,9 +101,9 @@ TEST_CASE("a sole out of the leg's reach has no angles") {
 TEST_CASE("a leg of another build is refused") {
   // Proves it for a missing side, a turned axis and a missing joint; not for every way a leg may differ.
   Robot robot = v6();
-  CHECK_THROWS_WITH((Leg{robot, "middle"}), Catch::Contains("middle leg: expected a sole of that name"));
+  CHECK_THROWS_WITH((LegKinematics{robot, "middle"}), Catch::Contains("middle leg: expected a sole of that name"));
   robot.joints[*robot.jointIndex("LKneePitch")].axis = Eigen::Vector3d::UnitX();
-  CHECK_THROWS_WITH((Leg{robot, "left"}), Catch::Contains("left leg: expected axes x, y, y, y, x"));
+  CHECK_THROWS_WITH((LegKinematics{robot, "left"}), Catch::Contains("left leg: expected axes x, y, y, y, x"));
   robot.links[*robot.linkIndex("RTibia")].joint.reset();
-  CHECK_THROWS_WITH((Leg{robot, "right"}), Catch::Contains("right leg: expected six joints"));
+  CHECK_THROWS_WITH((LegKinematics{robot, "right"}), Catch::Contains("right leg: expected six joints"));
 }

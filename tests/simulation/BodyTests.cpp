@@ -11,7 +11,7 @@ using namespace naocal;
 
 namespace {
 
-Eigen::VectorXd anyAngles(const Robot& robot, Randomness& chance) {
+Eigen::VectorXd anyAngles(const Robot& robot, RandomStream& chance) {
   Eigen::VectorXd angles{static_cast<Eigen::Index>(robot.joints.size())};
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     const AngleRange& limits = robot.joints[joint].limits;
@@ -79,17 +79,17 @@ TEST_CASE("the simulator's mechanics and the calibration's agree in any attitude
   // find the same links to 1e-12 m, centre of mass to 1e-12 m and torques to 1e-6 Nm. Both read the same drawing.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   const SyntheticBody body{robot};
-  Randomness chance{1, "any attitude"};
+  RandomStream chance{1, "any attitude"};
   for (int attitude = 0; attitude < 50; ++attitude) {
     const Eigen::VectorXd angles = anyAngles(robot, chance);
     const auto ours = body.posture(angles);
-    const Posture theirs = posture(robot, angles);
+    const LinkPoses theirs = posture(robot, angles);
     for (std::size_t link = 0; link < robot.links.size(); ++link) {
       REQUIRE((ours[link].linear() - theirs[link].rotation).norm() < 1e-12);
       REQUIRE((ours[link].translation() - theirs[link].translation).norm() < 1e-12);
     }
     REQUIRE((body.centreOfMass(ours) - centreOfMass(robot, theirs).inTorso).norm() < 1e-12);
-    Belief belief = drawnBelief(robot, Quantities{robot.joints.size(), robot.lengths.size(), 0});
+    ModelState belief = drawnBelief(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
     belief.values.head(angles.size()) = angles;
     const std::size_t sole = robot.sole(attitude % 2 == 0 ? "left" : "right")->link;
     const Eigen::Vector3d up = theirs[sole].rotation.col(2);

@@ -87,7 +87,7 @@ TEST_CASE("load holds a gear's play where it overcomes the gap's friction, the l
   const Simulation sound = simulate(v6(), plan, 1);
   plan.flaw = "gearPlay@LHipPitch";
   const Simulation loose = simulate(v6(), plan, 1);
-  Randomness nothing{1, "nothing"};
+  RandomStream nothing{1, "nothing"};
   const SyntheticRobot drawn{v6(), drawnErrors(v6(), 0, 0, 0, nothing), {}};
   int byLoad = 0, byMotion = 0;
   for (std::size_t i = 0; i < loose.set.captures.size(); ++i) {

@@ -13,7 +13,7 @@ namespace naocal {
 /// radian, the head looking around, the free leg anywhere, the arms hanging.
 inline std::vector<CommandedPose> handMadePoses(const Robot& robot, SupportFoot foot, int count,
                                                 std::uint64_t seed = 1) {
-  Randomness chance{seed, "hand-made poses"};
+  RandomStream chance{seed, "hand-made poses"};
   std::vector<CommandedPose> poses;
   for (int i = 0; i < count; ++i) {
     CommandedPose pose{fmt::format("P{:02}", i), foot,

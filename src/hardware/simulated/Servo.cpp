@@ -14,7 +14,7 @@ void Servo::command(double motorTarget, double stiffness) {
   stiffness_ = std::clamp(stiffness, 0.0, 1.0);
 }
 
-void Servo::advance(Seconds step, double torque, Randomness& chance) {
+void Servo::advance(Seconds step, double torque, RandomStream& chance) {
   if (stiffness_ == 0) {
     speed_ = 0;
     moving_ = false;

@@ -30,7 +30,7 @@ public:
   void command(double motorTarget, double stiffness);
 
   /// `torque`: what pushes the joint [Nm].
-  void advance(Seconds step, double torque, Randomness& chance);
+  void advance(Seconds step, double torque, RandomStream& chance);
 
   double motor() const { return motor_; } // what the encoder sees but for its offset [rad]
   double gap() const { return gap_; }     // [rad]

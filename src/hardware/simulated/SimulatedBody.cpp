@@ -192,8 +192,8 @@ void SimulatedBody::fall(Seconds step) {
   fall_->angle = next;
 }
 
-TakenPose SimulatedBody::taken() const {
-  TakenPose pose;
+SettledPose SimulatedBody::taken() const {
+  SettledPose pose;
   pose.motors = pose.deflection = Eigen::VectorXd::Zero(at(servos_.size()));
   pose.velocity = Eigen::VectorXd::Zero(at(servos_.size()));
   for (std::size_t joint = 0; joint < servos_.size(); ++joint) {
@@ -207,7 +207,7 @@ TakenPose SimulatedBody::taken() const {
 }
 
 void SimulatedBody::measure(RobotState& state) {
-  const TakenPose pose = taken();
+  const SettledPose pose = taken();
   const Eigen::VectorXd shown = robot_.encoderReadings(pose, Seconds{0}, sensors_);
   const Eigen::VectorXd currents = robot_.currentReadings(pose, sensors_);
   for (std::size_t hand : {*jointIndex("LHand"), *jointIndex("RHand")}) {

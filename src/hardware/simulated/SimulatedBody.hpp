@@ -46,14 +46,14 @@ private:
   void fall(Seconds step);
   void anchor(SupportFoot foot, const Eigen::Isometry3d& torsoFromSole);
   std::size_t soleLink(SupportFoot foot) const;
-  TakenPose taken() const;
+  SettledPose taken() const;
 
   Robot drawing_;
   SimulatedPlan plan_;
   SyntheticRobot robot_;
   SyntheticBody body_;
   Eigen::VectorXd offsets_;
-  Randomness motion_, sensors_;
+  RandomStream motion_, sensors_;
   std::vector<std::size_t> jointOfHardware_; // per joint of the drawing: its place in `jointNames`
   std::vector<Servo> servos_;                // per joint of the drawing; of a driven one its motor's counts
   PerJoint<double> stiffness_{}, hands_{};

@@ -62,7 +62,7 @@ private:
   CameraName name_;
   SimulatedCameraPlan plan_;
   std::uint64_t seed_;
-  Randomness chance_;
+  RandomStream chance_;
   TimePoint first_, begins_; // of the next picture
   std::uint64_t sequence_ = 0;
   std::shared_ptr<const SimulatedOptics> lens_;

@@ -14,21 +14,21 @@ namespace {
 constexpr Range fewDegrees{0, 20, "degrees"}, fractions{0, 1, "s"}, shares{0, 1, ""}, greyLevels{0, 50, "grey levels"};
 
 /// A number that is absent or in its range, in the plan's own unit.
-void take(const JsonPlace& top, const char* key, const Range& range, double unit, double& value) {
+void take(const JsonCursor& top, const char* key, const Range& range, double unit, double& value) {
   if (const auto given = top.find(key)) {
     value = unit * given->number(range);
   }
 }
 
-void take(const JsonPlace& top, const char* key, Seconds& value) {
+void take(const JsonCursor& top, const char* key, Seconds& value) {
   double number = value.count();
   take(top, key, fractions, 1, number);
   value = Seconds{number};
 }
 
-std::vector<Board> placedBoards(const JsonPlace& place) {
+std::vector<Board> placedBoards(const JsonCursor& place) {
   std::vector<Board> boards;
-  for (const JsonPlace& one : place.elements()) {
+  for (const JsonCursor& one : place.elements()) {
     boards.push_back(readBoard(one));
     if (!boards.back().placement || !boards.back().pattern) {
       one.refuse("a ChArUco board with its placement on the floor, to be simulated");
@@ -55,7 +55,7 @@ RawAngles SimulatedPlan::standingAngles() {
 }
 
 SimulatedErrors drawErrors(const Robot& drawing, const SimulatedPlan& plan) {
-  Randomness errorChance{plan.seed, "errors"}, playChance{plan.seed, "play"};
+  RandomStream errorChance{plan.seed, "errors"}, playChance{plan.seed, "play"};
   SimulatedErrors errors{drawnErrors(drawing, plan.offsetRange, plan.mountRange, plan.mountShiftRange, errorChance),
                          std::vector<double>(drawing.joints.size())};
   for (double& play : errors.play) {
@@ -69,7 +69,7 @@ SimulatedErrors drawErrors(const Robot& drawing, const SimulatedPlan& plan) {
 
 SimulatedPlan readSimulatedPlan(const std::filesystem::path& file, SimulatedPlan plan) {
   const nlohmann::json document = parseJson(fileContent(file), file.string());
-  const JsonPlace top{document, file.string()};
+  const JsonCursor top{document, file.string()};
   constexpr std::array known{"model",
                              "seed",
                              "pace",

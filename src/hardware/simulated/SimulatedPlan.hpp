@@ -37,7 +37,7 @@ struct SimulatedPlan {
   double mountRange = radians(2);  // per camera and axis [rad]
   double mountShiftRange = 0;      // per camera and axis [m]
   double playRange = 0;            // of each gear [rad]
-  Mechanics mechanics;             // sensors, heat
+  RobotMechanics mechanics;        // sensors, heat
   ServoMechanics servos;
   Seconds commandDelay{0.02}; // from a command to the motors
   SimulatedCameraPlan cameras;

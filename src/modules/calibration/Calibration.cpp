@@ -27,7 +27,7 @@ struct Answer {
 bool tellPixels(const Measurements& measurements, const Model& model, const Fit& fit, const CalibrationOptions& options,
                 Noise& noise) {
   const Residuals residuals{measurements, model, fit.noise, fit.loss};
-  const std::vector<SightingResidual> sightings = residuals.sightings(fit.minimum.state);
+  const std::vector<BoardResidual> sightings = residuals.sightings(fit.minimum.state);
   if (const auto repeats = pixelNoiseFromRepeats(measurements, sightings)) {
     noise.pixel = repeats->anew;
     noise.pixelAlike = repeats->alike;
@@ -39,7 +39,7 @@ bool tellPixels(const Measurements& measurements, const Model& model, const Fit&
   return false;
 }
 
-Repeated repeated(const Measurements& measurements) {
+RepeatInfo repeated(const Measurements& measurements) {
   const auto some = [&](bool PoseGroup::*kind) {
     return std::any_of(measurements.poses.begin(), measurements.poses.end(), std::mem_fn(kind));
   };
@@ -61,7 +61,7 @@ Answer answered(const Measurements& measurements, const Model& model, const Cali
       answer.fit = onward(measurements, model, options, answer.levels.noise, std::move(answer.fit));
     }
   }
-  const std::optional<Repeated> repeats = answer.fromRepeats ? std::optional{repeated(measurements)} : std::nullopt;
+  const std::optional<RepeatInfo> repeats = answer.fromRepeats ? std::optional{repeated(measurements)} : std::nullopt;
   if (options.question) {
     answer.explained = explain(measurements, model, answer.fit, answer.levels.noise, repeats, options);
     answer.levels = answer.explained->levels;

@@ -73,7 +73,7 @@ struct WeakDirection {
 };
 
 /// A corner or a whole sighting that does not fit the rest. It is kept and listed, never dropped in silence.
-struct Doubt {
+struct Outlier {
   std::size_t picture = 0, sighting = 0;
   std::vector<int> corners; // ids; all of the sighting's when `whole`
   bool whole = false;       // most of the sighting does not fit: the board or the robot was moved
@@ -104,10 +104,10 @@ struct CalibrationResult {
   std::vector<Estimate> estimates; // per unknown
   Eigen::MatrixXd covariance;      // of the unknowns
   Residuals::State state;
-  std::vector<SightingResidual> sightings;  // at the estimate, the joints' deflections included
-  std::vector<SightingResidual> asReported; // the same sightings with the joints' readings as they are
-  Noise noise;                              // before any scaling by `sigmaScale`
-  std::string noiseSource;                  // "repeats" or "configured"
+  std::vector<BoardResidual> sightings;  // at the estimate, the joints' deflections included
+  std::vector<BoardResidual> asReported; // the same sightings with the joints' readings as they are
+  Noise noise;                           // before any scaling by `sigmaScale`
+  std::string noiseSource;               // "repeats" or "configured"
   Loss loss;
   double rmsPx = 0, medianPx = 0; // of all corners' distances without their poses' deflections [px]
   double noiseFloorPx = 0;        // rms distance that noise alone would leave [px]
@@ -120,7 +120,7 @@ struct CalibrationResult {
   double scatter = 0;                    // fall of -2 ln likelihood from no pose noise to the level found
   std::vector<Explanation> explanations; // likeliest first; those that weigh more than a hundredth
   std::vector<WeakDirection> weak;
-  std::vector<Doubt> doubts;
+  std::vector<Outlier> doubts;
   double floorErrorAt2m = 0; // predicted error of a floor point 2 m ahead, 1 sigma, scaled [m]; 0 without floor boards
   int iterations = 0;
   int restartsTried = 0;

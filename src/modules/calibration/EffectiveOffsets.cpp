@@ -21,27 +21,27 @@ struct Sum {
 
 } // namespace
 
-std::vector<ShownOffset> shownOffsets(const Measurements& measurements, const Model& model,
-                                      const CalibrationResult& result) {
+std::vector<EffectiveOffset> shownOffsets(const Measurements& measurements, const Model& model,
+                                          const CalibrationResult& result) {
   const Robot& robot = measurements.robot;
   std::map<std::size_t, Sum> sums; // by motor
-  for (const Picture& picture : measurements.pictures) {
+  for (const ImageObservation& picture : measurements.pictures) {
     if (picture.sightings.empty()) {
       continue;
     }
-    const Belief belief = believed(measurements, model, picture, result.unknowns);
-    const std::vector<Slope> all = slopes(measurements, model, picture, result.unknowns);
+    const ModelState belief = believed(measurements, model, picture, result.unknowns);
+    const std::vector<StateDerivative> all = slopes(measurements, model, picture, result.unknowns);
     for (const std::size_t joint : jointsBetween(robot, picture)) {
       Sum& sum = sums.try_emplace(robot.joints[joint].motor, Sum{0, Eigen::VectorXd::Zero(result.unknowns.size()), 0})
                      .first->second;
       sum.value += picture.drawn.angle(joint) - belief.angle(joint);
       ++sum.count;
-      for (const Slope& slope : all) {
+      for (const StateDerivative& slope : all) {
         sum.gradient[at(slope.unknown)] -= slope.quantity == measurements.quantities.angle(joint) ? slope.value : 0;
       }
     }
   }
-  std::vector<ShownOffset> offsets;
+  std::vector<EffectiveOffset> offsets;
   for (const Term& term : model.terms()) {
     if (const auto found = sums.find(term.at); term.effect.name == "jointOffset" && found != sums.end()) {
       const Sum& sum = found->second;
@@ -53,7 +53,7 @@ std::vector<ShownOffset> shownOffsets(const Measurements& measurements, const Mo
   return offsets;
 }
 
-bool isLearned(const ShownOffset& offset) {
+bool isLearned(const EffectiveOffset& offset) {
   constexpr double hardly = 0.5;
   return offset.learned >= hardly;
 }

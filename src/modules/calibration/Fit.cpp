@@ -17,7 +17,7 @@ namespace {
 /// Joints and cameras in turns, placements along with both, until a whole round changes nothing (the thesis's way).
 std::optional<FitMinimum> alternated(Residuals& residuals, Residuals::State state) {
   const auto ofJoint = [](const Term& term) {
-    return term.effect.place == Place::motor || term.effect.place == Place::joint;
+    return term.effect.place == EffectSite::motor || term.effect.place == EffectSite::joint;
   };
   std::vector<bool> joints(residuals.model().unknownCount(), true), others = joints;
   for (const Term& term : residuals.model().terms()) {
@@ -70,9 +70,9 @@ struct Quantile {
 constexpr Quantile medianCorner{0.5, 1.17741}, farCorner{0.9, 2.14597};
 
 /// Noise per axis of which this part of all corners would lie as near as it does [px].
-double spreadOf(const std::vector<SightingResidual>& sightings, const Quantile& quantile) {
+double spreadOf(const std::vector<BoardResidual>& sightings, const Quantile& quantile) {
   std::vector<double> distances;
-  for (const SightingResidual& sighting : sightings) {
+  for (const BoardResidual& sighting : sightings) {
     for (Eigen::Index i = 0; i < sighting.weight.size(); ++i) {
       const double distance = sighting.residual.col(i).norm();
       distances.push_back(std::isfinite(distance) ? distance : std::numeric_limits<double>::infinity());
@@ -84,7 +84,7 @@ double spreadOf(const std::vector<SightingResidual>& sightings, const Quantile& 
   return *there / quantile.distance;
 }
 
-double lossScale(const std::vector<SightingResidual>& sightings, double pixelNoise) {
+double lossScale(const std::vector<BoardResidual>& sightings, double pixelNoise) {
   constexpr double harmless = 0.3; // [px]: what corners of printed boards scatter by; however small the noise is here
   return std::max({1.0, spreadOf(sightings, medianCorner) / pixelNoise, harmless / pixelNoise});
 }
@@ -93,7 +93,7 @@ double lossScale(const std::vector<SightingResidual>& sightings, double pixelNoi
 double rmsAsReported(const Measurements& measurements, const Model& model, const Fit& fit) {
   const Residuals residuals{measurements, model, fit.noise, fit.loss};
   double squares = 0, count = 0;
-  for (const SightingResidual& sighting : residuals.sightings(residuals.start(fit.minimum.state.unknowns))) {
+  for (const BoardResidual& sighting : residuals.sightings(residuals.start(fit.minimum.state.unknowns))) {
     squares += sighting.residual.squaredNorm();
     count += static_cast<double>(sighting.residual.cols());
   }
@@ -220,13 +220,13 @@ Fit robustFit(const Measurements& measurements, const Model& model, const Noise&
   return from;
 }
 
-bool hasLostWeight(const SightingResidual& sighting) {
+bool hasLostWeight(const BoardResidual& sighting) {
   return sighting.weight.size() > 1 && 2 * (sighting.weight.array() < trusted).count() > sighting.weight.size();
 }
 
 Fit inFull(const Measurements& measurements, const Model& model, Fit from) {
   const Residuals residuals{measurements, model, from.noise, from.loss};
-  const std::vector<SightingResidual> sightings = residuals.sightings(from.minimum.state);
+  const std::vector<BoardResidual> sightings = residuals.sightings(from.minimum.state);
   if (std::none_of(sightings.begin(), sightings.end(), hasLostWeight)) {
     return from;
   }

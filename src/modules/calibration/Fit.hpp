@@ -46,7 +46,7 @@ Fit robustFit(const Measurements& measurements, const Model& model, const Noise&
 /// A corner of less weight is beyond 5 sigma: one of 200 000 good ones.
 constexpr double trusted = 0.7;
 /// Most corners of a board in a picture are such.
-bool hasLostWeight(const SightingResidual& sighting);
+bool hasLostWeight(const BoardResidual& sighting);
 
 /// On from a fit of a model that lacks an effect: where whole boards lost their weight, which a wrong model predicts
 /// worst and which are not false, corners lose it only beyond what the model leaves of nearly all of them.

@@ -51,15 +51,16 @@ public:
 
 private:
   struct Seen {
-    const Picture* picture;
-    const Sighting* sighting;
-    std::vector<Slope> slopes;
+    const ImageObservation* picture;
+    const BoardObservation* sighting;
+    std::vector<StateDerivative> slopes;
     RigidTransform opticalFromBoard;
     Eigen::Vector3d middle;             // of the corners, in the board's frame [m]
     Eigen::Matrix<double, 6, 6> weight; // of the residual: an inverse covariance
   };
-  void addReading(const Reading& reading);
-  void addSeen(const Picture& picture, const Sighting& sighting, const std::vector<Slope>& slopes);
+  void addReading(const EncoderSample& reading);
+  void addSeen(const ImageObservation& picture, const BoardObservation& sighting,
+               const std::vector<StateDerivative>& slopes);
   void add(const Seen& seen, const Eigen::VectorXd& unknowns, Linear& sums) const;
 
   const Measurements& measurements_;
@@ -96,15 +97,15 @@ struct SeenPose {
   RigidTransform opticalFromBoard;
   Eigen::Matrix<double, 6, 6> information;
 };
-std::optional<SeenPose> seenPose(const Sighting& sighting, const Belief& belief) {
+std::optional<SeenPose> seenPose(const BoardObservation& sighting, const ModelState& belief) {
   const auto start = boardPose(sighting.corners, belief.lens());
   if (!start) {
     return std::nullopt;
   }
-  Attitude attitude;
+  CameraFrames attitude;
   attitude.opticalFromBoard = *start;
   ProjectedBlocks projected;
-  PictureGram sums;
+  ImageNormalEquations sums;
   for (int i = 0; i < 10; ++i) {
     if (!sighting.view.project(attitude, belief, sighting.corners, projected)) {
       return std::nullopt;
@@ -126,7 +127,7 @@ BoardAlignment::BoardAlignment(const Measurements& measurements, const Model& mo
     : measurements_{measurements}, model_{model}, sigmas_{model.sigmas()} {
   for (const PoseGroup& pose : measurements.poses) {
     std::set<std::size_t> stances;
-    for (const Reading& reading : pose.readings) {
+    for (const EncoderSample& reading : pose.readings) {
       if (stances.insert(measurements.pictures[reading.pictures.front()].stance).second) {
         addReading(reading);
       }
@@ -134,17 +135,19 @@ BoardAlignment::BoardAlignment(const Measurements& measurements, const Model& mo
   }
 }
 
-void BoardAlignment::addReading(const Reading& reading) {
+void BoardAlignment::addReading(const EncoderSample& reading) {
   for (std::size_t index : reading.pictures) {
-    const Picture& picture = measurements_.pictures[index];
-    const std::vector<Slope> all = slopes(measurements_, model_, picture, Eigen::VectorXd::Zero(sigmas_.size()));
-    for (const Sighting& sighting : picture.sightings) {
+    const ImageObservation& picture = measurements_.pictures[index];
+    const std::vector<StateDerivative> all =
+        slopes(measurements_, model_, picture, Eigen::VectorXd::Zero(sigmas_.size()));
+    for (const BoardObservation& sighting : picture.sightings) {
       addSeen(picture, sighting, all);
     }
   }
 }
 
-void BoardAlignment::addSeen(const Picture& picture, const Sighting& sighting, const std::vector<Slope>& slopes) {
+void BoardAlignment::addSeen(const ImageObservation& picture, const BoardObservation& sighting,
+                             const std::vector<StateDerivative>& slopes) {
   const auto pose = seenPose(sighting, picture.drawn);
   if (!pose) {
     return;
@@ -166,18 +169,18 @@ bool BoardAlignment::knows(std::size_t target) const {
 }
 
 void BoardAlignment::add(const Seen& seen, const Eigen::VectorXd& unknowns, Linear& sums) const {
-  const View& view = seen.sighting->view;
-  const Belief belief = believed(measurements_, model_, *seen.picture, unknowns);
-  Posture torsoFromLink;
+  const ObservationChain& view = seen.sighting->view;
+  const ModelState belief = believed(measurements_, model_, *seen.picture, unknowns);
+  LinkPoses torsoFromLink;
   posture(measurements_.robot, belief, view.links(), torsoFromLink);
-  const Attitude attitude = view.attitude(measurements_.robot, belief, torsoFromLink);
+  const CameraFrames attitude = view.attitude(measurements_.robot, belief, torsoFromLink);
   const RigidTransform& chain = attitude.opticalFromBoard;
   const Eigen::Vector3d middle = chain * seen.middle, middleSeen = seen.opticalFromBoard * seen.middle;
   Eigen::Matrix<double, 6, 1> residual;
   residual << rotationVector(chain.rotation * seen.opticalFromBoard.rotation.transpose()), middle - middleSeen;
 
   std::vector<std::size_t> quantities;
-  for (const Slope& slope : seen.slopes) {
+  for (const StateDerivative& slope : seen.slopes) {
     quantities.push_back(slope.quantity);
   }
   std::vector<std::size_t> extras;
@@ -248,10 +251,10 @@ OnFloor medoid(const std::vector<OnFloor>& all) {
 
 /// Where a sighting puts its board in the support sole's frame: by the board's pose in the camera, or, with too few
 /// corners for one, where the ray through the first corner meets the floor (unturned, at most 2 m away).
-OnFloor soleFromBoard(const Measurements& measurements, const Belief& belief, const Sighting& sighting) {
-  Posture torsoFromLink;
+OnFloor soleFromBoard(const Measurements& measurements, const ModelState& belief, const BoardObservation& sighting) {
+  LinkPoses torsoFromLink;
   posture(measurements.robot, belief, sighting.view.links(), torsoFromLink);
-  const Attitude attitude = sighting.view.attitude(measurements.robot, belief, torsoFromLink);
+  const CameraFrames attitude = sighting.view.attitude(measurements.robot, belief, torsoFromLink);
   const RigidTransform soleFromOptical = attitude.opticalFromTarget.inverse();
   if (const auto opticalFromBoard = boardPose(sighting.corners, belief.lens())) {
     const RigidTransform pose = soleFromOptical * *opticalFromBoard;
@@ -302,15 +305,15 @@ Eigen::VectorXd startingUnknowns(const Measurements& measurements, const Model& 
                                  const Eigen::VectorXd& unknowns) {
   std::map<std::pair<std::size_t, std::size_t>, std::vector<OnFloor>> sightings, glimpses; // by (stance, board)
   Placements boards(measurements.targets.size()), stances(measurements.standings.size());
-  std::optional<Belief> any;
-  for (const Picture& picture : measurements.pictures) {
-    const Belief belief = believed(measurements, model, picture, unknowns);
+  std::optional<ModelState> any;
+  for (const ImageObservation& picture : measurements.pictures) {
+    const ModelState belief = believed(measurements, model, picture, unknowns);
     any = picture.drawn;
     if (!measurements.standings[picture.stance].unknown) {
       const auto ground = picture.drawn.ground();
       stances[picture.stance] = OnFloor{ground[0], ground[1], ground[5]};
     }
-    for (const Sighting& sighting : picture.sightings) {
+    for (const BoardObservation& sighting : picture.sightings) {
       if (measurements.targets[sighting.view.board()].onFloor) {
         (boardPose(sighting.corners, belief.lens()) ? sightings : glimpses)[{picture.stance, sighting.view.board()}]
             .push_back(soleFromBoard(measurements, belief, sighting));
@@ -335,7 +338,7 @@ Eigen::VectorXd startingUnknowns(const Measurements& measurements, const Model& 
     if (!term.isPlacement) {
       continue;
     }
-    const bool isBoard = term.effect.place == Place::board;
+    const bool isBoard = term.effect.place == EffectSite::board;
     if (isBoard && (!measurements.targets[term.at].onFloor || measurements.targets[term.at].board.hasGuess)) {
       continue; // starts at its guess
     }
@@ -358,7 +361,7 @@ Eigen::VectorXd alignedUnknowns(const Measurements& measurements, const Model& m
       levenbergMarquardt(alignment, start, {.maxIterations = 30, .smallestFall = 1e-3}).value().state;
   const Eigen::VectorXd placedAnew = startingUnknowns(measurements, model, aligned);
   for (const Term& term : model.terms()) {
-    if (term.isPlacement && term.effect.place == Place::board && !alignment.knows(term.at)) {
+    if (term.isPlacement && term.effect.place == EffectSite::board && !alignment.knows(term.at)) {
       const auto first = static_cast<Eigen::Index>(term.first),
                  count = static_cast<Eigen::Index>(term.effect.unknowns.size());
       aligned.segment(first, count) = placedAnew.segment(first, count);

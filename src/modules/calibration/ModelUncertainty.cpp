@@ -70,7 +70,7 @@ std::vector<Term> namedEffects(const WideModel& wide, const WindowModel& explana
 
 /// It deflects a joint, as noise does.
 bool isOfJoint(const Term& term) {
-  return term.effect.place == Place::motor || term.effect.place == Place::joint;
+  return term.effect.place == EffectSite::motor || term.effect.place == EffectSite::joint;
 }
 
 bool areSame(const std::vector<Term>& a, const std::vector<Term>& b) {
@@ -150,14 +150,14 @@ std::string nameOf(const WideModel& wide, std::size_t group) {
   if (curve < wide.mounts().size()) {
     return wide.mounts()[curve].term.place;
   }
-  const DriverCell& cell = wide.map().cells[curve - wide.mounts().size()];
+  const DriverBasis& cell = wide.map().cells[curve - wide.mounts().size()];
   return wide.jointName(cell.motor) + " over " + nameAt(wide.map().drivers[cell.driver], cell.motor);
 }
 
 /// The search of the likeliest explanation.
 class Search {
 public:
-  Search(const Measurements& measurements, const Model& model, const std::optional<Repeated>& repeats,
+  Search(const Measurements& measurements, const Model& model, const std::optional<RepeatInfo>& repeats,
          const CalibrationOptions& options)
       : measurements_{measurements}, added_{addedTo(model)}, base_{without(model, added_)}, repeats_{repeats},
         options_{options}, candidates_{testableTerms(measurements, model, options.effects)} {}
@@ -239,7 +239,7 @@ private:
   const Measurements& measurements_;
   std::vector<Term> added_;
   Model base_; // without them
-  const std::optional<Repeated>& repeats_;
+  const std::optional<RepeatInfo>& repeats_;
   const CalibrationOptions& options_;
   std::vector<Term> candidates_;
 };
@@ -247,7 +247,7 @@ private:
 } // namespace
 
 Explained explain(const Measurements& measurements, const Model& model, const Fit& fit, const Noise& noise,
-                  const std::optional<Repeated>& repeats, const CalibrationOptions& options) {
+                  const std::optional<RepeatInfo>& repeats, const CalibrationOptions& options) {
   const Search search{measurements, model, repeats, options};
   Explained result{search.levelsAt(model, {}, fit, noise), fit, {}, model, fit, model, {}, {}};
   result.fit = result.largerFit = search.fitted(model, result.levels.noise, fit);

@@ -39,7 +39,7 @@ struct Explained {
 /// base are members like any other: a twin may be there in their place.
 /// `repeats`: how poses were repeated; absent: the joints' levels stay as in `noise`.
 Explained explain(const Measurements& measurements, const Model& model, const Fit& fit, const Noise& noise,
-                  const std::optional<Repeated>& repeats, const CalibrationOptions& options);
+                  const std::optional<RepeatInfo>& repeats, const CalibrationOptions& options);
 
 /// Fills a result's averages, explanations, misfit left, scatter and p-value.
 void describe(const Explained& explained, const Model& model, CalibrationResult& result);

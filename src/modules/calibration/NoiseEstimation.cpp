@@ -27,7 +27,7 @@ struct Scatter {
 };
 
 /// Pictures of one pose, camera, board and, at rest, of one encoder error: corners lie alike in all of them.
-using Cell = std::vector<const SightingResidual*>;
+using Cell = std::vector<const BoardResidual*>;
 
 /// What a homography and a lens do to corners at `places`, per axis: columns of a picture's residual (u0, v0, u1, ...).
 Eigen::MatrixXd smoothFields(const Eigen::Matrix2Xd& places, const Eigen::Vector2d& middle) {
@@ -50,7 +50,7 @@ struct Components {
     std::vector<std::vector<Eigen::Index>> places; // per common corner: its column in each repeat
     for (const int id : ids) {
       std::vector<Eigen::Index> columns;
-      for (const SightingResidual* one : cell) {
+      for (const BoardResidual* one : cell) {
         const auto& own = measurements.pictures[one->picture].sightings[one->sighting].ids;
         const auto found = std::find(own.begin(), own.end(), id);
         const Eigen::Index column = found - own.begin();
@@ -71,13 +71,13 @@ struct Components {
     Eigen::Matrix2Xd seen(2, corners);
     for (Eigen::Index i = 0; i < corners; ++i) {
       for (Eigen::Index r = 0; r < count; ++r) {
-        const SightingResidual& one = *cell[static_cast<std::size_t>(r)];
+        const BoardResidual& one = *cell[static_cast<std::size_t>(r)];
         const Eigen::Index column = places[static_cast<std::size_t>(i)][static_cast<std::size_t>(r)];
         residuals.block<2, 1>(2 * i, r) = one.residual.col(column);
         seen.col(i) = one.predicted.col(column);
       }
     }
-    const Picture& picture = measurements.pictures[cell.front()->picture];
+    const ImageObservation& picture = measurements.pictures[cell.front()->picture];
     const auto fields = smoothFields(seen, picture.drawn.lens().segment<2>(2)).colPivHouseholderQr();
     Eigen::MatrixXd left = fields.householderQ().adjoint() * residuals;
     left = left.bottomRows(left.rows() - fields.rank()).eval();
@@ -95,12 +95,12 @@ struct Components {
 } // namespace
 
 std::optional<PixelNoise> pixelNoiseFromRepeats(const Measurements& measurements,
-                                                const std::vector<SightingResidual>& sightings) {
+                                                const std::vector<BoardResidual>& sightings) {
   using Key = std::tuple<std::size_t, std::size_t, std::size_t>; // pose, camera, board
   const std::vector<std::size_t> poseOf = posesOfPictures(measurements);
   std::map<Key, Cell> cells;
-  for (const SightingResidual& sighting : sightings) {
-    const Picture& picture = measurements.pictures[sighting.picture];
+  for (const BoardResidual& sighting : sightings) {
+    const ImageObservation& picture = measurements.pictures[sighting.picture];
     cells[{poseOf[sighting.picture], picture.camera, picture.sightings[sighting.sighting].view.board()}].push_back(
         &sighting);
   }
@@ -122,9 +122,9 @@ std::optional<PixelNoise> pixelNoiseFromRepeats(const Measurements& measurements
                     std::clamp(std::sqrt(std::max(0.0, alike2)), 0.0, PixelNoise::mostAlike)};
 }
 
-std::optional<double> pixelNoiseWithinPictures(const std::vector<SightingResidual>& sightings) {
+std::optional<double> pixelNoiseWithinPictures(const std::vector<BoardResidual>& sightings) {
   Scatter scatter;
-  for (const SightingResidual& sighting : sightings) {
+  for (const BoardResidual& sighting : sightings) {
     std::vector<Eigen::Index> good;
     for (Eigen::Index i = 0; i < sighting.weight.size(); ++i) {
       if (sighting.weight[i] > 0.5) {

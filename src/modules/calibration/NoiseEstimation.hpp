@@ -24,10 +24,10 @@ struct PixelNoise {
 };
 /// Absent without repeats.
 std::optional<PixelNoise> pixelNoiseFromRepeats(const Measurements& measurements,
-                                                const std::vector<SightingResidual>& sightings);
+                                                const std::vector<BoardResidual>& sightings);
 
 /// The pixel noise [px] within single pictures: residuals after the picture's rigid motion is taken out. A lens or a
 /// board that is not as drawn counts as noise here. Absent where no picture shows enough corners (eight) of a board.
-std::optional<double> pixelNoiseWithinPictures(const std::vector<SightingResidual>& sightings);
+std::optional<double> pixelNoiseWithinPictures(const std::vector<BoardResidual>& sightings);
 
 } // namespace naocal

@@ -10,11 +10,11 @@
 
 namespace naocal {
 
-std::vector<Doubt> doubts(const Measurements& measurements, const CalibrationResult& result) {
-  std::vector<Doubt> all;
-  for (const SightingResidual& seen : result.sightings) {
-    const Sighting& sighting = measurements.pictures[seen.picture].sightings[seen.sighting];
-    Doubt doubt{seen.picture, seen.sighting, {}, false, 0};
+std::vector<Outlier> doubts(const Measurements& measurements, const CalibrationResult& result) {
+  std::vector<Outlier> all;
+  for (const BoardResidual& seen : result.sightings) {
+    const BoardObservation& sighting = measurements.pictures[seen.picture].sightings[seen.sighting];
+    Outlier doubt{seen.picture, seen.sighting, {}, false, 0};
     double squares = 0;
     for (Eigen::Index i = 0; i < seen.weight.size(); ++i) {
       if (seen.weight[i] < trusted) {
@@ -31,11 +31,11 @@ std::vector<Doubt> doubts(const Measurements& measurements, const CalibrationRes
   return all;
 }
 
-Accidents::Accidents(const Measurements& measurements, const std::vector<Doubt>& doubts) {
-  for (const Picture& picture : measurements.pictures) {
+Accidents::Accidents(const Measurements& measurements, const std::vector<Outlier>& doubts) {
+  for (const ImageObservation& picture : measurements.pictures) {
     all += picture.sightings.size();
   }
-  for (const Doubt& doubt : doubts) {
+  for (const Outlier& doubt : doubts) {
     moved += doubt.whole ? 1 : 0;
   }
 }
@@ -51,8 +51,8 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 /// Fills the statistic and the distance of one sighting. `deflections`: its pose's, of whose state the sums are [rad].
-void test(Move& move, const SightingMotion& motion, const PoseSystem& pose, const Eliminated& part,
-          const DeflectionRoot& root, const Eigen::VectorXd& deflections, double pixelNoise,
+void test(BoardDisplacement& move, const BoardMotionSums& motion, const PoseSystem& pose, const MarginalSystem& part,
+          const JointErrorRoot& root, const Eigen::VectorXd& deflections, double pixelNoise,
           const Eigen::LLT<Eigen::MatrixXd>& hessian) {
   const auto unknowns = static_cast<Eigen::Index>(pose.unknowns.size()), joints = deflections.size();
   const double information = 1 / (pixelNoise * pixelNoise);
@@ -83,29 +83,31 @@ void test(Move& move, const SightingMotion& motion, const PoseSystem& pose, cons
 
 } // namespace
 
-std::vector<Move> moves(const Measurements& measurements, const Model& model, const Fit& fit) {
+std::vector<BoardDisplacement> moves(const Measurements& measurements, const Model& model, const Fit& fit) {
   const Residuals residuals{measurements, model, fit.noise, fit.loss};
   const Residuals::Linear& linear = fit.minimum.linear;
   const Eigen::LLT<Eigen::MatrixXd> hessian{linear.hessian};
-  std::vector<Move> result;
+  std::vector<BoardDisplacement> result;
   const auto motions = residuals.sightingMotions(fit.minimum.state);
-  for (const SightingMotion& motion : motions.value()) {
+  for (const BoardMotionSums& motion : motions.value()) {
     const PoseSystem& pose = linear.poses[motion.pose];
-    const DeflectionRoot root = deflectionRoot(pose, fit.noise);
-    test(result.emplace_back(Move{motion.picture, motion.sighting}), motion, pose, linear.eliminated[motion.pose], root,
-         root * fit.minimum.state.deflections[motion.pose], fit.noise.pixel, hessian);
+    const JointErrorRoot root = deflectionRoot(pose, fit.noise);
+    test(result.emplace_back(BoardDisplacement{motion.picture, motion.sighting}), motion, pose,
+         linear.eliminated[motion.pose], root, root * fit.minimum.state.deflections[motion.pose], fit.noise.pixel,
+         hessian);
     result.back().distance /=
         std::sqrt(static_cast<double>(measurements.pictures[motion.picture].sightings[motion.sighting].ids.size()));
   }
   return result;
 }
 
-std::optional<Move> mostMoved(const Measurements& measurements, const Model& model, const Fit& fit, double misfit) {
-  std::vector<Move> all = moves(measurements, model, fit);
+std::optional<BoardDisplacement> mostMoved(const Measurements& measurements, const Model& model, const Fit& fit,
+                                           double misfit) {
+  std::vector<BoardDisplacement> all = moves(measurements, model, fit);
   const auto count = static_cast<double>(all.size());
-  std::erase_if(all, [](const Move& move) { return move.distance < threshold::negligiblePx; });
-  const auto most =
-      std::max_element(all.begin(), all.end(), [](const Move& a, const Move& b) { return a.chi2 < b.chi2; });
+  std::erase_if(all, [](const BoardDisplacement& move) { return move.distance < threshold::negligiblePx; });
+  const auto most = std::max_element(
+      all.begin(), all.end(), [](const BoardDisplacement& a, const BoardDisplacement& b) { return a.chi2 < b.chi2; });
   if (most == all.end()) {
     return std::nullopt;
   }
@@ -113,9 +115,9 @@ std::optional<Move> mostMoved(const Measurements& measurements, const Model& mod
   return p * count < threshold::movedBoardAlarm ? std::optional{*most} : std::nullopt;
 }
 
-void setAside(Measurements& measurements, const Move& move) {
+void setAside(Measurements& measurements, const BoardDisplacement& move) {
   for (CornerBlock& block : measurements.pictures[move.picture].sightings[move.sighting].corners) {
-    block.present = Lane{};
+    block.present = Double4{};
   }
 }
 

@@ -14,13 +14,13 @@ namespace naocal {
 namespace {
 
 /// As they are seen: nothing of them is put down to the joints.
-std::vector<SightingResidual> plainResiduals(const Measurements& measurements, const Prediction& prediction) {
+std::vector<BoardResidual> plainResiduals(const Measurements& measurements, const Prediction& prediction) {
   Residuals residuals{measurements, prediction.model, Noise{.pixel = 0.3, .encoder = 0, .pose = 0}};
   return residuals.sightings(predicted(residuals, prediction).state);
 }
 
-Distances distances(std::vector<double> all) {
-  Distances result{0, 0, all.size()};
+ResidualSummary distances(std::vector<double> all) {
+  ResidualSummary result{0, 0, all.size()};
   if (all.empty()) {
     return result;
   }
@@ -33,8 +33,8 @@ Distances distances(std::vector<double> all) {
   return result;
 }
 
-std::map<std::string, Distances> distances(const std::map<std::string, std::vector<double>>& groups) {
-  std::map<std::string, Distances> result;
+std::map<std::string, ResidualSummary> distances(const std::map<std::string, std::vector<double>>& groups) {
+  std::map<std::string, ResidualSummary> result;
   for (const auto& [name, all] : groups) {
     result[name] = distances(all);
   }
@@ -54,8 +54,8 @@ Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& se
   comparison.ignored = prediction.ignored;
   std::vector<double> all, nominal;
   std::map<std::string, std::vector<double>> byBoard, byCamera, byPose;
-  for (const SightingResidual& seen : plainResiduals(measurements, prediction)) {
-    const Picture& picture = measurements.pictures[seen.picture];
+  for (const BoardResidual& seen : plainResiduals(measurements, prediction)) {
+    const ImageObservation& picture = measurements.pictures[seen.picture];
     for (Eigen::Index i = 0; i < seen.residual.cols(); ++i) {
       const double distance = seen.residual.col(i).norm();
       all.push_back(distance);
@@ -65,7 +65,7 @@ Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& se
     }
   }
   const Prediction drawn = predictionOf(prediction.model, StoredResult{}, measurements, samePlace);
-  for (const SightingResidual& seen : plainResiduals(measurements, drawn)) {
+  for (const BoardResidual& seen : plainResiduals(measurements, drawn)) {
     for (Eigen::Index i = 0; i < seen.residual.cols(); ++i) {
       nominal.push_back(seen.residual.col(i).norm());
     }
@@ -86,17 +86,17 @@ double weightedError(const StoredResult& result, const std::vector<CaptureSet>& 
   // where the joints rest is found first: before that, all corners of a pose look false
   const FitMinimum minimum = predicted(robust, from, predicted(quadratic, from).state);
   double chi2 = 0; // without what the result's own numbers cost
-  for (const Eliminated& pose : minimum.linear.eliminated) {
+  for (const MarginalSystem& pose : minimum.linear.eliminated) {
     chi2 += 2 * pose.cost;
   }
   return noise.pixel * std::sqrt(chi2 / static_cast<double>(measurements.cornerCount));
 }
 
 nlohmann::json comparisonJson(const Comparison& comparison) {
-  const auto one = [](const Distances& distances) {
+  const auto one = [](const ResidualSummary& distances) {
     return nlohmann::json{{"rmsPx", distances.rmsPx}, {"medianPx", distances.medianPx}, {"corners", distances.corners}};
   };
-  const auto many = [&](const std::map<std::string, Distances>& groups) {
+  const auto many = [&](const std::map<std::string, ResidualSummary>& groups) {
     nlohmann::json result = nlohmann::json::object();
     for (const auto& [name, distances] : groups) {
       result[name] = one(distances);
@@ -171,12 +171,12 @@ Prediction predictionOf(const Model& model, const StoredResult& result, const Me
     if (!term.isPlacement) {
       continue;
     }
-    const bool isBoard = term.effect.place == Place::board;
+    const bool isBoard = term.effect.place == EffectSite::board;
     const bool onFloor = !isBoard || measurements.targets[term.at].onFloor;
     const auto& known = isBoard ? result.boards : result.stances;
     const auto placement = known.find(term.place);
     if (placement != known.end() && (samePlace || !onFloor)) {
-      const Belief& drawn = measurements.pictures.front().drawn;
+      const ModelState& drawn = measurements.pictures.front().drawn;
       const Eigen::Matrix<double, 6, 1> start =
           isBoard ? Eigen::Matrix<double, 6, 1>{drawn.boardPlacement(term.at)} : Eigen::Matrix<double, 6, 1>::Zero();
       placeAt(term, start, placement->second, all.unknowns);

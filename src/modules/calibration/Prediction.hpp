@@ -11,15 +11,15 @@
 namespace naocal {
 
 /// Distances of corners from their predictions: rms = sqrt(mean(du^2 + dv^2)).
-struct Distances {
+struct ResidualSummary {
   double rmsPx = 0, medianPx = 0;
   std::size_t corners = 0;
 };
 
 /// How well a result predicts captures it has not seen.
 struct Comparison {
-  Distances all, nominal; // nominal: the same captures with the drawing as it is
-  std::map<std::string, Distances> byBoard, byCamera, byPose;
+  ResidualSummary all, nominal; // nominal: the same captures with the drawing as it is
+  std::map<std::string, ResidualSummary> byBoard, byCamera, byPose;
   std::vector<std::string> ignored; // terms of the result that these captures do not touch
 };
 

@@ -44,8 +44,8 @@ json pointsJson(const Eigen::Matrix2Xd& points) {
 json doubtfulJson(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                   const CalibrationResult& result) {
   json list = json::array();
-  for (const Doubt& doubt : result.doubts) {
-    const Picture& picture = measurements.pictures[doubt.picture];
+  for (const Outlier& doubt : result.doubts) {
+    const ImageObservation& picture = measurements.pictures[doubt.picture];
     const CaptureSet& set = sets[picture.set];
     list.push_back({{"set", set.name},
                     {"capture", set.captures[picture.capture].id},
@@ -61,9 +61,9 @@ json sightingsJson(const std::vector<CaptureSet>& sets, const Measurements& meas
                    const CalibrationResult& result) {
   json list = json::array();
   for (std::size_t i = 0; i < result.sightings.size(); ++i) {
-    const SightingResidual& seen = result.sightings[i];
-    const Picture& picture = measurements.pictures[seen.picture];
-    const Sighting& sighting = picture.sightings[seen.sighting];
+    const BoardResidual& seen = result.sightings[i];
+    const ImageObservation& picture = measurements.pictures[seen.picture];
+    const BoardObservation& sighting = picture.sightings[seen.sighting];
     const Capture& capture = sets[picture.set].captures[picture.capture];
     list.push_back({{"set", sets[picture.set].name},
                     {"capture", capture.id},
@@ -198,9 +198,9 @@ json placementJson(const Eigen::Matrix<double, 6, 1>& p, bool onFloor) {
 
 json placementsJson(const Measurements& measurements, const Model& model, const CalibrationResult& result) {
   json boards = json::object(), stances = json::object();
-  for (const Picture& picture : measurements.pictures) {
-    const Belief belief = believed(measurements, model, picture, result.unknowns);
-    for (const Sighting& sighting : picture.sightings) {
+  for (const ImageObservation& picture : measurements.pictures) {
+    const ModelState belief = believed(measurements, model, picture, result.unknowns);
+    for (const BoardObservation& sighting : picture.sightings) {
       const Target& target = measurements.targets[sighting.view.board()];
       boards[target.name] = placementJson(belief.boardPlacement(sighting.view.board()), target.onFloor);
       if (target.onFloor) {
@@ -275,7 +275,7 @@ json definitions(const Model& model) {
 } // namespace
 
 json resultJson(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& model,
-                const CalibrationResult& result, const ResultInputs& inputs) {
+                const CalibrationResult& result, const ResultSources& inputs) {
   std::vector<std::string> terms;
   for (const Term& term : model.terms()) {
     if (!term.isPlacement) {

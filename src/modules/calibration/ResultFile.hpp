@@ -11,14 +11,14 @@
 namespace naocal {
 
 /// Where a result came from.
-struct ResultInputs {
+struct ResultSources {
   std::vector<std::string> sets;   // folders, as given
   std::vector<std::string> sha256; // of their captures.json
 };
 
 /// RESULT.json: estimates with their uncertainty, what was assumed, and every corner's prediction for reports.
 nlohmann::json resultJson(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& model,
-                          const CalibrationResult& result, const ResultInputs& inputs);
+                          const CalibrationResult& result, const ResultSources& inputs);
 
 /// What a result file says about robot and scene, without its uncertainty.
 struct StoredResult {

@@ -20,14 +20,15 @@ namespace naocal {
 namespace {
 
 /// The error with the legs as in one picture; absent where it sees no floor board or the point lies behind.
-std::optional<double> errorIn(const Picture& picture, const Measurements& measurements, const Model& model,
+std::optional<double> errorIn(const ImageObservation& picture, const Measurements& measurements, const Model& model,
                               const CalibrationResult& result) {
-  const auto sighting = std::find_if(picture.sightings.begin(), picture.sightings.end(),
-                                     [&](const Sighting& s) { return measurements.targets[s.view.board()].onFloor; });
+  const auto sighting =
+      std::find_if(picture.sightings.begin(), picture.sightings.end(),
+                   [&](const BoardObservation& s) { return measurements.targets[s.view.board()].onFloor; });
   if (sighting == picture.sightings.end()) {
     return std::nullopt;
   }
-  Belief belief = believed(measurements, model, picture, result.unknowns);
+  ModelState belief = believed(measurements, model, picture, result.unknowns);
   const std::size_t board = sighting->view.board();
   belief.ground().setZero();
   belief.boardPlacement(board) << 2, 0, 0, 0, 0, 0;
@@ -39,17 +40,17 @@ std::optional<double> errorIn(const Picture& picture, const Measurements& measur
       belief.angle(joint) = 0;
     }
   }
-  Posture torsoFromLink;
+  LinkPoses torsoFromLink;
   posture(measurements.robot, belief, sighting->view.links(), torsoFromLink);
-  const Attitude attitude = sighting->view.attitude(measurements.robot, belief, torsoFromLink);
+  const CameraFrames attitude = sighting->view.attitude(measurements.robot, belief, torsoFromLink);
   const Eigen::Vector3d point = attitude.opticalFromBoard.translation;
   if (point.z() < 0.1) {
     return std::nullopt;
   }
-  const std::vector<Slope> all = slopes(measurements, model, picture, result.unknowns);
+  const std::vector<StateDerivative> all = slopes(measurements, model, picture, result.unknowns);
   std::vector<std::size_t> quantities;
-  std::vector<Slope> physical;
-  for (const Slope& slope : all) {
+  std::vector<StateDerivative> physical;
+  for (const StateDerivative& slope : all) {
     if (slope.quantity < measurements.quantities.lens()) {
       physical.push_back(slope);
       quantities.push_back(slope.quantity);
@@ -74,7 +75,7 @@ std::optional<double> errorIn(const Picture& picture, const Measurements& measur
 
 double floorErrorAt2m(const Measurements& measurements, const Model& model, const CalibrationResult& result) {
   std::vector<double> errors;
-  for (const Picture& picture : measurements.pictures) {
+  for (const ImageObservation& picture : measurements.pictures) {
     if (const auto error = errorIn(picture, measurements, model, result)) {
       errors.push_back(*error);
     }
@@ -136,7 +137,7 @@ void measureDistances(const Residuals& residuals, const Fit& fit, CalibrationRes
   std::vector<double> distances;
   double squares = 0;
   result.asReported = residuals.sightings(residuals.start(result.unknowns));
-  for (const SightingResidual& sighting : result.asReported) {
+  for (const BoardResidual& sighting : result.asReported) {
     for (Eigen::Index i = 0; i < sighting.residual.cols(); ++i) {
       distances.push_back(sighting.residual.col(i).norm());
       squares += sighting.residual.col(i).squaredNorm();
@@ -207,7 +208,7 @@ LinearMinimum linearMinimum(const Residuals::Linear& linear, const Eigen::Vector
   const Eigen::VectorXd information = sigmas.cwiseAbs2().cwiseInverse();
   Eigen::MatrixXd hessian = information.asDiagonal();
   Eigen::VectorXd gradient = information.cwiseProduct(unknowns);
-  std::vector<Eliminated> parts(linear.poses.size());
+  std::vector<MarginalSystem> parts(linear.poses.size());
   inParallel(parts.size(), [&](std::size_t i) {
     eliminate(linear.poses[i], noise, deflectionRoot(linear.poses[i], noise), parts[i]);
   });

@@ -40,8 +40,8 @@ std::string words(const Accidents& accidents) {
 /// Of all corners but those of boards that moved [px].
 double rmsWithoutMoved(const CalibrationResult& result) {
   double squares = 0, corners = 0;
-  for (const SightingResidual& sighting : result.asReported) {
-    const bool moved = std::any_of(result.doubts.begin(), result.doubts.end(), [&](const Doubt& doubt) {
+  for (const BoardResidual& sighting : result.asReported) {
+    const bool moved = std::any_of(result.doubts.begin(), result.doubts.end(), [&](const Outlier& doubt) {
       return doubt.whole && doubt.picture == sighting.picture && doubt.sighting == sighting.sighting;
     });
     if (!moved) {
@@ -123,7 +123,7 @@ void judge(const Measurements& measurements, const Model& model, CalibrationResu
   result.usable = result.verdict != ResultVerdict::doNotUse;
   result.sentence = sentenceOf(result, accidents, cause, firm);
   std::size_t corners = 0;
-  for (const Doubt& doubt : result.doubts) {
+  for (const Outlier& doubt : result.doubts) {
     corners += doubt.corners.size();
   }
   if (corners > 0) {

@@ -58,10 +58,10 @@ std::string inWords(const Term& term, std::size_t unknown) {
     return fmt::format("the {} camera's place ({})", term.place, direction(name));
   }
   const std::string which = term.effect.unknowns.size() > 1 ? " (" + name + ")" : "";
-  if (term.effect.place == Place::camera) {
+  if (term.effect.place == EffectSite::camera) {
     return fmt::format("the {} camera's {}{}", term.place, apart(term.effect.name), which);
   }
-  if (term.effect.place == Place::board) { // boardBow, boardScale, ...
+  if (term.effect.place == EffectSite::board) { // boardBow, boardScale, ...
     const bool says = term.effect.name.starts_with("board");
     return fmt::format("board {}'s {}{}", term.place, apart(term.effect.name.substr(says ? 5 : 0)), which);
   }

@@ -9,10 +9,10 @@ namespace naocal {
 
 /// Corners of one board, four to a block, padded by copies of the first one that count nothing (`present` = 0).
 struct CornerBlock {
-  Lane x, y, z; // pointInBoard as designed [m]
-  Lane bulge;   // 1 - (r / r_max)^2: how much of the board's bow is there [1]
-  Lane u, v;    // measured [px]
-  Lane present; // 1, or 0 for padding
+  Double4 x, y, z; // pointInBoard as designed [m]
+  Double4 bulge;   // 1 - (r / r_max)^2: how much of the board's bow is there [1]
+  Double4 u, v;    // measured [px]
+  Double4 present; // 1, or 0 for padding
 };
 using CornerBlocks = std::vector<CornerBlock>;
 

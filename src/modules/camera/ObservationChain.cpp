@@ -7,16 +7,17 @@
 
 namespace naocal {
 
-View::View(const Robot& robot, const Quantities& quantities, std::size_t camera, std::size_t targetLink, bool onFloor,
-           std::size_t board)
-    : View{robot, quantities, camera, robot.cameras[camera].link, targetLink, onFloor, board} {}
+ObservationChain::ObservationChain(const Robot& robot, const StateLayout& quantities, std::size_t camera,
+                                   std::size_t targetLink, bool onFloor, std::size_t board)
+    : ObservationChain{robot, quantities, camera, robot.cameras[camera].link, targetLink, onFloor, board} {}
 
-View View::betweenLinks(const Robot& robot, const Quantities& quantities, std::size_t eyeLink, std::size_t sole) {
+ObservationChain ObservationChain::betweenLinks(const Robot& robot, const StateLayout& quantities, std::size_t eyeLink,
+                                                std::size_t sole) {
   return {robot, quantities, std::nullopt, eyeLink, sole, true, 0};
 }
 
-View::View(const Robot& robot, const Quantities& quantities, std::optional<std::size_t> camera, std::size_t eyeLink,
-           std::size_t targetLink, bool onFloor, std::size_t board)
+ObservationChain::ObservationChain(const Robot& robot, const StateLayout& quantities, std::optional<std::size_t> camera,
+                                   std::size_t eyeLink, std::size_t targetLink, bool onFloor, std::size_t board)
     : quantities_{quantities}, camera_{camera}, eye_{eyeLink}, target_{targetLink}, board_{board}, onFloor_{onFloor},
       side_(robot.links.size(), 0) {
   links_ = linksTowards(robot, {eyeLink, targetLink});
@@ -33,27 +34,29 @@ View::View(const Robot& robot, const Quantities& quantities, std::optional<std::
   }
 }
 
-Attitude View::pathAttitude(const Robot& robot, const Belief& belief, const Posture& torsoFromLink) const {
+CameraFrames ObservationChain::pathAttitude(const Robot& robot, const ModelState& belief,
+                                            const LinkPoses& torsoFromLink) const {
   const RigidTransform linkFromEye = camera_ ? linkFromOptical(robot.cameras[*camera_], belief) : RigidTransform{};
-  Attitude result;
+  CameraFrames result;
   result.opticalFromTorso = (torsoFromLink[eye_] * linkFromEye).inverse();
   result.opticalFromTarget = result.opticalFromTorso * torsoFromLink[target_];
   result.opticalFromWorld = result.opticalFromTarget * placed(belief.ground()).inverse();
   return result;
 }
 
-void View::placeBoard(const RigidTransform& linkFromBoard, Attitude& attitude) const {
+void ObservationChain::placeBoard(const RigidTransform& linkFromBoard, CameraFrames& attitude) const {
   attitude.opticalFromBoard = (onFloor_ ? attitude.opticalFromWorld : attitude.opticalFromTarget) * linkFromBoard;
 }
 
-Attitude View::attitude(const Robot& robot, const Belief& belief, const Posture& torsoFromLink) const {
-  Attitude result = pathAttitude(robot, belief, torsoFromLink);
+CameraFrames ObservationChain::attitude(const Robot& robot, const ModelState& belief,
+                                        const LinkPoses& torsoFromLink) const {
+  CameraFrames result = pathAttitude(robot, belief, torsoFromLink);
   placeBoard(placed(belief.boardPlacement(board_)), result);
   return result;
 }
 
-bool View::project(const Attitude& attitude, const Belief& belief, const CornerBlocks& corners,
-                   ProjectedBlocks& projected) const {
+bool ObservationChain::project(const CameraFrames& attitude, const ModelState& belief, const CornerBlocks& corners,
+                               ProjectedBlocks& projected) const {
   constexpr double nearest = 1e-3; // [m]: closer than that, or behind, nothing is seen
   const Eigen::Matrix3d r = attitude.opticalFromBoard.rotation;
   const Eigen::Vector3d t = attitude.opticalFromBoard.translation;
@@ -64,38 +67,38 @@ bool View::project(const Attitude& attitude, const Belief& belief, const CornerB
   const double rowTime = belief.rowTime();
   const Eigen::Matrix<double, 6, 1> drift = attitude.drift;
   projected.resize(corners.size());
-  Lane least = Lane{} + 1;
+  Double4 least = Double4{} + 1;
   withWidestVectors([ =, &corners, &projected, &least ]() __attribute__((always_inline)) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const CornerBlock& corner = corners[i];
       ProjectedBlock& out = projected[i];
-      const Lane px = scale * corner.x, py = scale * corner.y, pz = scale * corner.z + bow * corner.bulge;
-      Lane depth = r(2, 0) * px + r(2, 1) * py + r(2, 2) * pz + t[2];
-      Lane across = r(0, 0) * px + r(0, 1) * py + r(0, 2) * pz + t[0];
-      Lane down = r(1, 0) * px + r(1, 1) * py + r(1, 2) * pz + t[1];
+      const Double4 px = scale * corner.x, py = scale * corner.y, pz = scale * corner.z + bow * corner.bulge;
+      Double4 depth = r(2, 0) * px + r(2, 1) * py + r(2, 2) * pz + t[2];
+      Double4 across = r(0, 0) * px + r(0, 1) * py + r(0, 2) * pz + t[0];
+      Double4 down = r(1, 0) * px + r(1, 1) * py + r(1, 2) * pz + t[1];
       if (rowTime != 0) {
-        const Lane time = rowTime * (corner.v - cy), a = across, b = down, c = depth;
+        const Double4 time = rowTime * (corner.v - cy), a = across, b = down, c = depth;
         across += time * (drift[1] * c - drift[2] * b + drift[3]);
         down += time * (drift[2] * a - drift[0] * c + drift[4]);
         depth += time * (drift[0] * b - drift[1] * a + drift[5]);
       }
       least = depth < least ? depth : least;
-      const Lane inverseDepth = 1 / depth;
-      const Lane x = across * inverseDepth, y = down * inverseDepth;
-      const Lane rr = x * x + y * y;
-      const Lane radial = 1 + rr * (k1 + rr * (k2 + rr * k3));
-      const Lane radialSlope = 2 * (k1 + rr * (2 * k2 + rr * (3 * k3)));
+      const Double4 inverseDepth = 1 / depth;
+      const Double4 x = across * inverseDepth, y = down * inverseDepth;
+      const Double4 rr = x * x + y * y;
+      const Double4 radial = 1 + rr * (k1 + rr * (k2 + rr * k3));
+      const Double4 radialSlope = 2 * (k1 + rr * (2 * k2 + rr * (3 * k3)));
       out.x = x;
       out.y = y;
       out.u = fx * (x * radial + 2 * p1 * x * y + p2 * (rr + 2 * x * x)) + cx;
       out.v = fy * (y * radial + p1 * (rr + 2 * y * y) + 2 * p2 * x * y) + cy;
-      const Lane mixed = x * y * radialSlope + 2 * p1 * x + 2 * p2 * y;
-      const Lane slopes[2][2] = {{fx * (radial + x * x * radialSlope + 2 * p1 * y + 6 * p2 * x), fx * mixed},
-                                 {fy * mixed, fy * (radial + y * y * radialSlope + 6 * p1 * y + 2 * p2 * x)}};
-      Lane* rows[2] = {out.rowsU, out.rowsV};
+      const Double4 mixed = x * y * radialSlope + 2 * p1 * x + 2 * p2 * y;
+      const Double4 slopes[2][2] = {{fx * (radial + x * x * radialSlope + 2 * p1 * y + 6 * p2 * x), fx * mixed},
+                                    {fy * mixed, fy * (radial + y * y * radialSlope + 6 * p1 * y + 2 * p2 * x)}};
+      Double4* rows[2] = {out.rowsU, out.rowsV};
       for (int axis = 0; axis < 2; ++axis) {
-        const Lane a = slopes[axis][0], b = slopes[axis][1], c = -(a * x + b * y);
-        Lane* row = rows[axis]; // the gradient in X, Y, Z is (a, b, c) / Z; the first three are p x gradient
+        const Double4 a = slopes[axis][0], b = slopes[axis][1], c = -(a * x + b * y);
+        Double4* row = rows[axis]; // the gradient in X, Y, Z is (a, b, c) / Z; the first three are p x gradient
         row[0] = y * c - b;
         row[1] = a - x * c;
         row[2] = x * b - y * a;
@@ -108,13 +111,14 @@ bool View::project(const Attitude& attitude, const Belief& belief, const CornerB
   return std::min({least[0], least[1], least[2], least[3]}) >= nearest;
 }
 
-void View::extraRows(std::size_t extra, const Attitude& attitude, const Belief& belief, const CornerBlock& corners,
-                     const ProjectedBlock& projected, Lane& du, Lane& dv) {
+void ObservationChain::extraRows(std::size_t extra, const CameraFrames& attitude, const ModelState& belief,
+                                 const CornerBlock& corners, const ProjectedBlock& projected, Double4& du,
+                                 Double4& dv) {
   const auto lens = belief.lens();
   const double fx = lens[0], fy = lens[1];
-  const Lane &x = projected.x, &y = projected.y;
-  const Lane rr = x * x + y * y;
-  du = dv = Lane{};
+  const Double4 &x = projected.x, &y = projected.y;
+  const Double4 rr = x * x + y * y;
+  du = dv = Double4{};
   switch (extra) {
   case 0:
     du = (projected.u - lens[2]) / fx;
@@ -123,10 +127,10 @@ void View::extraRows(std::size_t extra, const Attitude& attitude, const Belief& 
     dv = (projected.v - lens[3]) / fy;
     return;
   case 2:
-    du = Lane{} + 1;
+    du = Double4{} + 1;
     return;
   case 3:
-    dv = Lane{} + 1;
+    dv = Double4{} + 1;
     return;
   case 4:
     du = fx * x * rr;
@@ -160,19 +164,19 @@ void View::extraRows(std::size_t extra, const Attitude& attitude, const Belief& 
     break;
   }
   const Eigen::Matrix3d& r = attitude.opticalFromBoard.rotation;
-  Lane mx = corners.x, my = corners.y, mz = corners.z; // the point's motion in the board's frame
+  Double4 mx = corners.x, my = corners.y, mz = corners.z; // the point's motion in the board's frame
   if (extra == boardBowExtra) {
-    mx = my = Lane{};
+    mx = my = Double4{};
     mz = corners.bulge;
   }
-  const Lane dx = r(0, 0) * mx + r(0, 1) * my + r(0, 2) * mz;
-  const Lane dy = r(1, 0) * mx + r(1, 1) * my + r(1, 2) * mz;
-  const Lane dz = r(2, 0) * mx + r(2, 1) * my + r(2, 2) * mz;
+  const Double4 dx = r(0, 0) * mx + r(0, 1) * my + r(0, 2) * mz;
+  const Double4 dy = r(1, 0) * mx + r(1, 1) * my + r(1, 2) * mz;
+  const Double4 dz = r(2, 0) * mx + r(2, 1) * my + r(2, 2) * mz;
   du = projected.rowsU[3] * dx + projected.rowsU[4] * dy + projected.rowsU[5] * dz;
   dv = projected.rowsV[3] * dx + projected.rowsV[4] * dy + projected.rowsV[5] * dz;
 }
 
-std::optional<std::size_t> View::extra(std::size_t quantity) const {
+std::optional<std::size_t> ObservationChain::extra(std::size_t quantity) const {
   if (quantity >= quantities_.lens() && quantity < quantities_.lens() + lensCount) {
     return quantity - quantities_.lens();
   }
@@ -214,8 +218,9 @@ Twist placementMotion(const RigidTransform& opticalFromParent, const Twist& plac
 } // namespace
 
 /// Angles, axes and lengths: what lies beyond the link moves; a link that carries the camera moves the scene backwards.
-View::Twist View::linkMotion(const Robot& robot, const Attitude& attitude, const Belief& belief,
-                             const Posture& torsoFromLink, std::size_t quantity) const {
+ObservationChain::Twist ObservationChain::linkMotion(const Robot& robot, const CameraFrames& attitude,
+                                                     const ModelState& belief, const LinkPoses& torsoFromLink,
+                                                     std::size_t quantity) const {
   if (quantity >= quantities_.length(0)) {
     Twist sum = Twist::Zero();
     const std::size_t length = quantity - quantities_.length(0);
@@ -250,7 +255,8 @@ View::Twist View::linkMotion(const Robot& robot, const Attitude& attitude, const
 }
 
 /// The camera itself moves in its link: the scene moves the other way.
-View::Twist View::mountMotion(const Robot& robot, const Belief& belief, std::size_t number) const {
+ObservationChain::Twist ObservationChain::mountMotion(const Robot& robot, const ModelState& belief,
+                                                      std::size_t number) const {
   const CameraMount& mount = robot.cameras[*camera_];
   const Eigen::Matrix3d opticalFromLink = linkFromOptical(mount, belief).rotation.transpose();
   Twist twist = Twist::Zero();
@@ -271,8 +277,8 @@ View::Twist View::mountMotion(const Robot& robot, const Belief& belief, std::siz
   return twist;
 }
 
-void View::setDrift(const Robot& robot, const Belief& belief, const Posture& torsoFromLink,
-                    const Eigen::VectorXd& velocity, Attitude& attitude) const {
+void ObservationChain::setDrift(const Robot& robot, const ModelState& belief, const LinkPoses& torsoFromLink,
+                                const Eigen::VectorXd& velocity, CameraFrames& attitude) const {
   attitude.drift.setZero();
   for (const std::size_t joint : joints_) {
     attitude.drift += velocity[static_cast<Eigen::Index>(joint)] *
@@ -280,9 +286,9 @@ void View::setDrift(const Robot& robot, const Belief& belief, const Posture& tor
   }
 }
 
-void View::motion(const Robot& robot, const Attitude& attitude, const Belief& belief, const Posture& torsoFromLink,
-                  const std::vector<std::size_t>& wanted, const std::vector<std::size_t>& extras,
-                  Eigen::Ref<Eigen::MatrixXd> columns) const {
+void ObservationChain::motion(const Robot& robot, const CameraFrames& attitude, const ModelState& belief,
+                              const LinkPoses& torsoFromLink, const std::vector<std::size_t>& wanted,
+                              const std::vector<std::size_t>& extras, Eigen::Ref<Eigen::MatrixXd> columns) const {
   columns.setZero();
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const std::size_t quantity = wanted[i];

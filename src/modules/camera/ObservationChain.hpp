@@ -20,14 +20,14 @@ constexpr std::size_t boardScaleExtra = 9, boardBowExtra = 10, rowTimeExtra = 11
 /// Where four corners are seen, and how that changes when the board moves in the camera's (optical) frame:
 /// d(u) = rowsU . (omega, v), d(v) = rowsV . (omega, v) for pointInOptical moving by omega x p + v.
 struct ProjectedBlock {
-  Lane u, v;               // predicted [px]
-  Lane rowsU[6], rowsV[6]; // [px/rad] x 3, [px/m] x 3
-  Lane x, y;               // X/Z, Y/Z [1]
+  Double4 u, v;               // predicted [px]
+  Double4 rowsU[6], rowsV[6]; // [px/rad] x 3, [px/m] x 3
+  Double4 x, y;               // X/Z, Y/Z [1]
 };
 using ProjectedBlocks = std::vector<ProjectedBlock>;
 
 /// Where camera, torso, target, world and board are at one instant.
-struct Attitude {
+struct CameraFrames {
   RigidTransform opticalFromTorso, opticalFromTarget, opticalFromWorld, opticalFromBoard;
   Eigen::Matrix<double, 6, 1> drift = Eigen::Matrix<double, 6, 1>::Zero(); // of the scene, (omega, v) [rad/s, m/s]
 };
@@ -39,13 +39,14 @@ struct Attitude {
 /// A link may take the camera's place (`betweenLinks`): then "optical" is that link's frame.
 /// For a floor board the target link is the support foot's sole and linkFromBoard = inverse(worldFromSole) *
 /// worldFromBoard.
-class View {
+class ObservationChain {
 public:
-  View(const Robot& robot, const Quantities& quantities, std::size_t camera, std::size_t targetLink, bool onFloor,
-       std::size_t board);
+  ObservationChain(const Robot& robot, const StateLayout& quantities, std::size_t camera, std::size_t targetLink,
+                   bool onFloor, std::size_t board);
 
   /// How a link sees the floor on which a sole stands.
-  static View betweenLinks(const Robot& robot, const Quantities& quantities, std::size_t eyeLink, std::size_t sole);
+  static ObservationChain betweenLinks(const Robot& robot, const StateLayout& quantities, std::size_t eyeLink,
+                                       std::size_t sole);
 
   /// Links whose posture `attitude` needs, parents first.
   const std::vector<std::size_t>& links() const { return links_; }
@@ -54,19 +55,19 @@ public:
   std::size_t board() const { return board_; }
   /// From the same camera to the same link: what moves the one picture moves the other in the same way, but for what
   /// moves the boards themselves.
-  bool sharesPath(const View& other) const {
+  bool sharesPath(const ObservationChain& other) const {
     return camera_ == other.camera_ && target_ == other.target_ && onFloor_ == other.onFloor_;
   }
 
   /// `torsoFromLink` must hold `links()`.
-  Attitude attitude(const Robot& robot, const Belief& belief, const Posture& torsoFromLink) const;
+  CameraFrames attitude(const Robot& robot, const ModelState& belief, const LinkPoses& torsoFromLink) const;
   /// The same in two steps, for several boards along one path: all but opticalFromBoard, and only that.
-  Attitude pathAttitude(const Robot& robot, const Belief& belief, const Posture& torsoFromLink) const;
-  void placeBoard(const RigidTransform& linkFromBoard, Attitude& attitude) const;
+  CameraFrames pathAttitude(const Robot& robot, const ModelState& belief, const LinkPoses& torsoFromLink) const;
+  void placeBoard(const RigidTransform& linkFromBoard, CameraFrames& attitude) const;
 
   /// How the scene drifts in the optical frame while the joints move at `velocity` (one per joint) [rad/s].
-  void setDrift(const Robot& robot, const Belief& belief, const Posture& torsoFromLink, const Eigen::VectorXd& velocity,
-                Attitude& attitude) const;
+  void setDrift(const Robot& robot, const ModelState& belief, const LinkPoses& torsoFromLink,
+                const Eigen::VectorXd& velocity, CameraFrames& attitude) const;
 
   /// Projects corners through the lens, each where it is when its row is exposed:
   ///
@@ -75,32 +76,32 @@ public:
   /// (The rows of the derivative are taken there and the change of the drift itself is left out: a share of at most
   /// velocity times 15 ms.) False when one of them lies behind the camera (then it is nowhere in the
   /// picture).
-  bool project(const Attitude& attitude, const Belief& belief, const CornerBlocks& corners,
+  bool project(const CameraFrames& attitude, const ModelState& belief, const CornerBlocks& corners,
                ProjectedBlocks& projected) const;
 
   /// Fills `columns` (6 + number of extras rows, one column per wanted quantity) with the motion (omega, v) of the
   /// scene in the optical frame per unit of each quantity in `wanted`, and 1 in the row of its extra where it is one.
   /// `extras`: extras' numbers (0..11) in the order of the rows beyond the six.
-  void motion(const Robot& robot, const Attitude& attitude, const Belief& belief, const Posture& torsoFromLink,
-              const std::vector<std::size_t>& wanted, const std::vector<std::size_t>& extras,
-              Eigen::Ref<Eigen::MatrixXd> columns) const;
+  void motion(const Robot& robot, const CameraFrames& attitude, const ModelState& belief,
+              const LinkPoses& torsoFromLink, const std::vector<std::size_t>& wanted,
+              const std::vector<std::size_t>& extras, Eigen::Ref<Eigen::MatrixXd> columns) const;
 
   /// d(u), d(v) of four corners per unit of an extra.
-  static void extraRows(std::size_t extra, const Attitude& attitude, const Belief& belief, const CornerBlock& corners,
-                        const ProjectedBlock& projected, Lane& du, Lane& dv);
+  static void extraRows(std::size_t extra, const CameraFrames& attitude, const ModelState& belief,
+                        const CornerBlock& corners, const ProjectedBlock& projected, Double4& du, Double4& dv);
 
   /// The extra's number (0..11) of a quantity, if it is one.
   std::optional<std::size_t> extra(std::size_t quantity) const;
 
 private:
-  View(const Robot& robot, const Quantities& quantities, std::optional<std::size_t> camera, std::size_t eyeLink,
-       std::size_t targetLink, bool onFloor, std::size_t board);
+  ObservationChain(const Robot& robot, const StateLayout& quantities, std::optional<std::size_t> camera,
+                   std::size_t eyeLink, std::size_t targetLink, bool onFloor, std::size_t board);
   using Twist = Eigen::Matrix<double, 6, 1>; // omega [rad], v [m], in the optical frame
-  Twist linkMotion(const Robot& robot, const Attitude& attitude, const Belief& belief, const Posture& torsoFromLink,
-                   std::size_t quantity) const;
-  Twist mountMotion(const Robot& robot, const Belief& belief, std::size_t number) const;
+  Twist linkMotion(const Robot& robot, const CameraFrames& attitude, const ModelState& belief,
+                   const LinkPoses& torsoFromLink, std::size_t quantity) const;
+  Twist mountMotion(const Robot& robot, const ModelState& belief, std::size_t number) const;
 
-  Quantities quantities_;
+  StateLayout quantities_;
   std::optional<std::size_t> camera_; // absent: a link is the eye
   std::size_t eye_, target_, board_;  // links, and the target's number
   bool onFloor_;

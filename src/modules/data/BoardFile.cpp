@@ -17,7 +17,7 @@ constexpr Range positiveAngleRange{1e-9, 2 * std::numbers::pi, "radians"};
 /// Which keys a placement must have; a single mark has no direction.
 enum class Required { all, position, none };
 
-Placement readPlacement(const JsonPlace& place, bool onFloor, Required required, Range lengths, Range angles) {
+Placement readPlacement(const JsonCursor& place, bool onFloor, Required required, Range lengths, Range angles) {
   Placement placement;
   for (const PlacementKey& key : placementKeys) {
     const auto number = place.find(key.key);
@@ -34,7 +34,7 @@ Placement readPlacement(const JsonPlace& place, bool onFloor, Required required,
   return placement;
 }
 
-std::vector<Eigen::Vector3d> readPoints(const JsonPlace& place, const JsonPlace& board) {
+std::vector<Eigen::Vector3d> readPoints(const JsonCursor& place, const JsonCursor& board) {
   for (const char* key :
        {"dictionary", "squaresX", "squaresY", "squareLength", "markerLength", "firstMarkerId", "legacyPattern"}) {
     if (board.find(key)) {
@@ -42,7 +42,7 @@ std::vector<Eigen::Vector3d> readPoints(const JsonPlace& place, const JsonPlace&
     }
   }
   std::vector<Eigen::Vector3d> points;
-  for (const JsonPlace& point : place.elements()) {
+  for (const JsonCursor& point : place.elements()) {
     const auto xyz = point.numbers(3, lengthRange, "x, y, z");
     points.emplace_back(xyz[0], xyz[1], xyz[2]);
   }
@@ -52,7 +52,7 @@ std::vector<Eigen::Vector3d> readPoints(const JsonPlace& place, const JsonPlace&
   return points;
 }
 
-Placement readSigma(const JsonPlace& place, bool onFloor) {
+Placement readSigma(const JsonCursor& place, bool onFloor) {
   if (!place.value().is_number()) {
     return readPlacement(place, onFloor, Required::none, positiveLengthRange, positiveAngleRange);
   }
@@ -60,7 +60,7 @@ Placement readSigma(const JsonPlace& place, bool onFloor) {
   return {.x = sigma, .y = sigma, .z = onFloor ? 0 : sigma};
 }
 
-std::string readLink(const JsonPlace& place) {
+std::string readLink(const JsonCursor& place) {
   std::string link = place.text();
   const bool isName =
       std::all_of(link.begin(), link.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
@@ -72,11 +72,11 @@ std::string readLink(const JsonPlace& place) {
 
 } // namespace
 
-Placement readFloorPlacement(const JsonPlace& place) {
+Placement readFloorPlacement(const JsonCursor& place) {
   return readPlacement(place, true, Required::all, lengthRange, angleRange);
 }
 
-Board readBoard(const JsonPlace& place) {
+Board readBoard(const JsonCursor& place) {
   Board board;
   board.id = place.at("id").text();
   if (const auto link = place.find("link")) {
@@ -110,7 +110,7 @@ int markers(const CharucoPattern& pattern) {
   return pattern.squaresX * pattern.squaresY / 2;
 }
 
-void requirePrintable(const CharucoPattern& pattern, const JsonPlace& place) {
+void requirePrintable(const CharucoPattern& pattern, const JsonCursor& place) {
   const auto available = markerCount(pattern.dictionary);
   if (!available) {
     place.at("dictionary").refuse("the name of one of OpenCV's predefined dictionaries, such as DICT_4X4_100");
@@ -127,27 +127,27 @@ void requirePrintable(const CharucoPattern& pattern, const JsonPlace& place) {
 
 } // namespace
 
-CharucoPattern readPattern(const JsonPlace& place) {
+CharucoPattern readPattern(const JsonCursor& place) {
   CharucoPattern pattern;
   const auto read = [&](const char* key, auto& value, auto reading) {
     if (const auto given = place.find(key)) {
       value = reading(*given);
     }
   };
-  const auto squares = [](const JsonPlace& given) { return given.integer(2, 100); };
-  const auto length = [](const JsonPlace& given) { return given.number(positiveLengthRange); };
-  read("dictionary", pattern.dictionary, [](const JsonPlace& given) { return given.text(); });
+  const auto squares = [](const JsonCursor& given) { return given.integer(2, 100); };
+  const auto length = [](const JsonCursor& given) { return given.number(positiveLengthRange); };
+  read("dictionary", pattern.dictionary, [](const JsonCursor& given) { return given.text(); });
   read("squaresX", pattern.squaresX, squares);
   read("squaresY", pattern.squaresY, squares);
   read("squareLength", pattern.squareLength, length);
   read("markerLength", pattern.markerLength, length);
-  read("firstMarkerId", pattern.firstMarkerId, [](const JsonPlace& given) { return given.integer(0, 100000); });
-  read("legacyPattern", pattern.legacyPattern, [](const JsonPlace& given) { return given.boolean(); });
+  read("firstMarkerId", pattern.firstMarkerId, [](const JsonCursor& given) { return given.integer(0, 100000); });
+  read("legacyPattern", pattern.legacyPattern, [](const JsonCursor& given) { return given.boolean(); });
   requirePrintable(pattern, place);
   return pattern;
 }
 
-void requireDistinctMarkers(const std::vector<Board>& boards, const JsonPlace& place) {
+void requireDistinctMarkers(const std::vector<Board>& boards, const JsonCursor& place) {
   for (std::size_t i = 0; i < boards.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       const auto &one = boards[k].pattern, &other = boards[i].pattern;

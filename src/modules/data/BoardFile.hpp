@@ -29,15 +29,15 @@ inline constexpr std::array<PlacementKey, 6> placementKeys{{
 }};
 
 /// Where a frame lies on the floor: x, y and yaw, all given.
-Placement readFloorPlacement(const JsonPlace& place);
+Placement readFloorPlacement(const JsonCursor& place);
 
 /// An entry of a capture set's `boards`.
-Board readBoard(const JsonPlace& place);
+Board readBoard(const JsonCursor& place);
 
 /// The ChArUco keys of a board; those not given keep the defaults of CharucoPattern. Refuses what cannot be printed.
-CharucoPattern readPattern(const JsonPlace& board);
+CharucoPattern readPattern(const JsonCursor& board);
 
 /// Refuses markers that two boards share: they could not be told apart in a picture.
-void requireDistinctMarkers(const std::vector<Board>& boards, const JsonPlace& place);
+void requireDistinctMarkers(const std::vector<Board>& boards, const JsonCursor& place);
 
 } // namespace naocal

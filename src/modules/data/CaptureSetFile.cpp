@@ -34,7 +34,7 @@ constexpr std::array<JointList, 6> jointLists{{
 }};
 
 /// An entry of `captures`, against the joints, cameras, boards and stances of its set.
-Capture readCapture(const JsonPlace& place, const CaptureSet& set);
+Capture readCapture(const JsonCursor& place, const CaptureSet& set);
 
 /// A capture as an entry of `captures`; `read` is the entry it came from, null when there was none.
 nlohmann::ordered_json captureJson(const Capture& capture, const nlohmann::json& read);
@@ -47,7 +47,7 @@ constexpr double hipYawPitchTolerance = 2e-3; // [rad]
 /// A corner is measured inside the image; noise and gross errors may carry it this far out, another resolution further.
 constexpr double imageMargin = 20; // [px]
 
-void requireOneHipYawPitch(const std::vector<double>& measured, const CaptureSet& set, const JsonPlace& place) {
+void requireOneHipYawPitch(const std::vector<double>& measured, const CaptureSet& set, const JsonCursor& place) {
   const auto angle = [&](std::string_view joint) {
     const auto name = std::find(set.jointNames.begin(), set.jointNames.end(), joint);
     return name == set.jointNames.end() ? std::numeric_limits<double>::quiet_NaN()
@@ -60,7 +60,7 @@ void requireOneHipYawPitch(const std::vector<double>& measured, const CaptureSet
   }
 }
 
-JointReadings readJoints(const JsonPlace& place, const CaptureSet& set) {
+JointReadings readJoints(const JsonCursor& place, const CaptureSet& set) {
   JointReadings joints;
   place.at("measured");
   for (const JointList& list : jointLists) {
@@ -85,7 +85,7 @@ JointReadings readJoints(const JsonPlace& place, const CaptureSet& set) {
   return joints;
 }
 
-BoardCorners readBoardCorners(const JsonPlace& place, const CaptureSet& set, const CameraIntrinsics& camera) {
+BoardCorners readBoardCorners(const JsonCursor& place, const CaptureSet& set, const CameraIntrinsics& camera) {
   BoardCorners corners;
   corners.board = place.at("board").text();
   const auto board = std::find_if(set.boards.begin(), set.boards.end(),
@@ -94,18 +94,18 @@ BoardCorners readBoardCorners(const JsonPlace& place, const CaptureSet& set, con
     place.at("board").refuse("the id of one of the set's `boards`");
   }
   std::set<int> seen;
-  for (const JsonPlace& id : place.at("ids").elements()) {
+  for (const JsonCursor& id : place.at("ids").elements()) {
     corners.ids.push_back(id.integer(0, static_cast<int>(board->points.size()) - 1));
     if (!seen.insert(corners.ids.back()).second) {
       id.refuse("every corner of a board once per picture");
     }
   }
-  const JsonPlace uv = place.at("uv");
+  const JsonCursor uv = place.at("uv");
   const auto pairs = uv.elements();
   if (pairs.size() != corners.ids.size()) {
     uv.refuse(fmt::format("a list of {} pairs (one per entry of `ids`)", corners.ids.size()));
   }
-  for (const JsonPlace& pair : pairs) {
+  for (const JsonCursor& pair : pairs) {
     pair.numbers(2, {-1e9, 1e9, "px"}, "u, v");
     const auto uAndV = pair.elements();
     corners.uv.emplace_back(uAndV[0].number({-imageMargin, camera.width + imageMargin, "px"}),
@@ -114,10 +114,10 @@ BoardCorners readBoardCorners(const JsonPlace& place, const CaptureSet& set, con
   return corners;
 }
 
-std::vector<BoardCorners> readCorners(const JsonPlace& place, const CaptureSet& set, const CameraIntrinsics& camera) {
+std::vector<BoardCorners> readCorners(const JsonCursor& place, const CaptureSet& set, const CameraIntrinsics& camera) {
   std::vector<BoardCorners> corners;
   std::set<std::string> boards;
-  for (const JsonPlace& entry : place.elements()) {
+  for (const JsonCursor& entry : place.elements()) {
     corners.push_back(readBoardCorners(entry, set, camera));
     if (!boards.insert(corners.back().board).second) {
       entry.at("board").refuse("every board once per capture");
@@ -126,7 +126,7 @@ std::vector<BoardCorners> readCorners(const JsonPlace& place, const CaptureSet& 
   return corners;
 }
 
-std::string readImage(const JsonPlace& place) {
+std::string readImage(const JsonCursor& place) {
   const std::filesystem::path image = place.text();
   if (image.is_absolute() || std::find(image.begin(), image.end(), "..") != image.end()) {
     place.refuse("a path inside the set's folder, such as images/0000.png");
@@ -136,7 +136,7 @@ std::string readImage(const JsonPlace& place) {
 
 } // namespace
 
-Capture readCapture(const JsonPlace& place, const CaptureSet& set) {
+Capture readCapture(const JsonCursor& place, const CaptureSet& set) {
   Capture capture;
   capture.id = place.at("id").integer(std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
   capture.pose = place.at("pose").text();
@@ -184,8 +184,8 @@ constexpr std::array<std::string_view, 26> naoJoints{
     "RHipYawPitch",  "RHipRoll",     "RHipPitch",      "RKneePitch",    "RAnklePitch", "RAnkleRoll",  "RShoulderPitch",
     "RShoulderRoll", "RElbowYaw",    "RElbowRoll",     "RWristYaw",     "RHand"};
 
-void requireFormat(const JsonPlace& top) {
-  const JsonPlace format = top.at("format"), version = top.at("version");
+void requireFormat(const JsonCursor& top) {
+  const JsonCursor format = top.at("format"), version = top.at("version");
   if (format.value() != "naocal-captures") {
     format.refuse("\"naocal-captures\", the format of a capture set");
   }
@@ -194,7 +194,7 @@ void requireFormat(const JsonPlace& top) {
   }
 }
 
-void readRobot(const JsonPlace& place, CaptureSet& set) {
+void readRobot(const JsonCursor& place, CaptureSet& set) {
   set.model = place.at("model").text();
   const auto id = [&](const char* key) {
     const auto given = place.find(key);
@@ -204,9 +204,9 @@ void readRobot(const JsonPlace& place, CaptureSet& set) {
   set.headId = id("headId");
 }
 
-std::vector<std::string> readJointNames(const JsonPlace& place) {
+std::vector<std::string> readJointNames(const JsonCursor& place) {
   std::vector<std::string> names;
-  for (const JsonPlace& entry : place.elements()) {
+  for (const JsonCursor& entry : place.elements()) {
     const std::string name = entry.text();
     if (std::find(naoJoints.begin(), naoJoints.end(), name) == naoJoints.end()) {
       entry.refuse("one of the 26 joint names of a NAO, such as LKneePitch");
@@ -222,7 +222,7 @@ std::vector<std::string> readJointNames(const JsonPlace& place) {
   return names;
 }
 
-CameraIntrinsics readCamera(const JsonPlace& place) {
+CameraIntrinsics readCamera(const JsonCursor& place) {
   CameraIntrinsics camera;
   camera.width = place.at("width").integer(1, 100000);
   camera.height = place.at("height").integer(1, 100000);
@@ -235,7 +235,7 @@ CameraIntrinsics readCamera(const JsonPlace& place) {
   return camera;
 }
 
-Stance readStance(const JsonPlace& place) {
+Stance readStance(const JsonCursor& place) {
   Stance stance;
   stance.id = place.at("id").integer(std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
   stance.supportFoot = static_cast<SupportFoot>(place.at("supportFoot").oneOf(supportFootWords));
@@ -246,9 +246,9 @@ Stance readStance(const JsonPlace& place) {
 }
 
 /// The entries of a list, whose ids must differ.
-template <typename Entry> std::vector<Entry> readList(const JsonPlace& place, Entry (*read)(const JsonPlace&)) {
+template <typename Entry> std::vector<Entry> readList(const JsonCursor& place, Entry (*read)(const JsonCursor&)) {
   std::vector<Entry> entries;
-  for (const JsonPlace& element : place.elements()) {
+  for (const JsonCursor& element : place.elements()) {
     Entry entry = read(element);
     if (std::any_of(entries.begin(), entries.end(), [&](const Entry& other) { return other.id == entry.id; })) {
       element.at("id").refuse("an id that no other entry of the list has");
@@ -259,7 +259,7 @@ template <typename Entry> std::vector<Entry> readList(const JsonPlace& place, En
 }
 
 /// A capture's place with the name it is refused by.
-JsonPlace named(const JsonPlace& place) {
+JsonCursor named(const JsonCursor& place) {
   const auto id = place.find("id"), pose = place.find("pose");
   std::string name = id && id->value().is_number() ? "capture " + id->value().dump() : "capture without id";
   if (pose && pose->value().is_string()) {
@@ -268,7 +268,7 @@ JsonPlace named(const JsonPlace& place) {
   return place.about(name, "correct it or leave it out with --skip-bad");
 }
 
-void requireSupportFootOfStance(const Capture& capture, const CaptureSet& set, const JsonPlace& place) {
+void requireSupportFootOfStance(const Capture& capture, const CaptureSet& set, const JsonCursor& place) {
   const auto stance = std::find_if(set.stances.begin(), set.stances.end(),
                                    [&](const Stance& candidate) { return candidate.id == capture.stance; });
   if (stance->supportFoot != capture.supportFoot) {
@@ -278,14 +278,14 @@ void requireSupportFootOfStance(const Capture& capture, const CaptureSet& set, c
   }
 }
 
-void readCaptures(const JsonPlace& place, BadCaptures bad, ReadCaptureSet& read) {
+void readCaptures(const JsonCursor& place, BadCapturePolicy bad, LoadedCaptureSet& read) {
   std::set<int> ids;
-  for (const JsonPlace& entry : place.elements()) {
+  for (const JsonCursor& entry : place.elements()) {
     Capture capture;
     try {
       capture = readCapture(named(entry), read.set);
     } catch (const InputError& error) {
-      if (bad == BadCaptures::refuse || !entry.value().is_object()) {
+      if (bad == BadCapturePolicy::refuse || !entry.value().is_object()) {
         throw;
       }
       read.skipped.emplace_back(error.what());
@@ -302,12 +302,12 @@ void readCaptures(const JsonPlace& place, BadCaptures bad, ReadCaptureSet& read)
 
 } // namespace
 
-ReadCaptureSet parseCaptureSet(const std::string& text, const std::string& name, BadCaptures bad) {
-  ReadCaptureSet read;
+LoadedCaptureSet parseCaptureSet(const std::string& text, const std::string& name, BadCapturePolicy bad) {
+  LoadedCaptureSet read;
   CaptureSet& set = read.set;
   set.name = name;
   set.source = std::make_shared<const json>(parseJson(text, name));
-  const JsonPlace top{*set.source, name};
+  const JsonCursor top{*set.source, name};
   requireFormat(top);
   readRobot(top.at("robot"), set);
   set.jointNames = readJointNames(top.at("jointNames"));
@@ -321,9 +321,9 @@ ReadCaptureSet parseCaptureSet(const std::string& text, const std::string& name,
   return read;
 }
 
-ReadCaptureSet readCaptureSet(const std::filesystem::path& folder, BadCaptures bad) {
+LoadedCaptureSet readCaptureSet(const std::filesystem::path& folder, BadCapturePolicy bad) {
   const auto file = folder / "captures.json";
-  ReadCaptureSet read = parseCaptureSet(fileContent(file), file.string(), bad);
+  LoadedCaptureSet read = parseCaptureSet(fileContent(file), file.string(), bad);
   read.set.name = std::filesystem::canonical(folder).filename().string();
   return read;
 }

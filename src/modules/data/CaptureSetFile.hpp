@@ -11,19 +11,20 @@ namespace naocal {
 
 /// How captures that cannot be used are treated: refused by name, or left out and listed (a set that lacks them must
 /// not be written over the one it was read from).
-enum class BadCaptures { refuse, skip };
+enum class BadCapturePolicy { refuse, skip };
 
 /// A capture set as read, with what was left out.
-struct ReadCaptureSet {
+struct LoadedCaptureSet {
   CaptureSet set;
-  std::vector<std::string> skipped; // one sentence per capture that was left out (BadCaptures::skip)
+  std::vector<std::string> skipped; // one sentence per capture that was left out (BadCapturePolicy::skip)
 };
 
 /// Reads `<folder>/captures.json`. Throws InputError: file, JSON path, what was expected, what was found.
-ReadCaptureSet readCaptureSet(const std::filesystem::path& folder, BadCaptures bad = BadCaptures::refuse);
+LoadedCaptureSet readCaptureSet(const std::filesystem::path& folder, BadCapturePolicy bad = BadCapturePolicy::refuse);
 
 /// The same from text; `name` stands for the file in messages and names the set.
-ReadCaptureSet parseCaptureSet(const std::string& text, const std::string& name, BadCaptures bad = BadCaptures::refuse);
+LoadedCaptureSet parseCaptureSet(const std::string& text, const std::string& name,
+                                 BadCapturePolicy bad = BadCapturePolicy::refuse);
 
 /// The set as JSON text; keys that were read but are unknown here are kept.
 std::string captureSetText(const CaptureSet& set);

@@ -27,8 +27,8 @@ namespace naocal {
 /// Adds one board's corners and findings to `detection`. The corners are believed when at least six were found, half of
 /// the markers that were read agree with them, and the markers beside them are printed as the pattern says.
 /// `markers`: those that were read of this board; `board` has a pattern.
-void detectBoard(const Board& board, const std::vector<Marker>& markers, const SmoothPicture& picture, const Lens& lens,
-                 Detection& detection);
+void detectBoard(const Board& board, const std::vector<Marker>& markers, const SmoothImage& picture,
+                 const LensDistortion& lens, Detection& detection);
 
 namespace {
 
@@ -43,7 +43,7 @@ bool contradicted(std::size_t agreeing, std::size_t read) {
 
 class BoardDetection {
 public:
-  BoardDetection(const Board& board, const SmoothPicture& picture, const Lens& lens, Detection& detection)
+  BoardDetection(const Board& board, const SmoothImage& picture, const LensDistortion& lens, Detection& detection)
       : board_{board}, pattern_{*board.pattern}, picture_{picture}, lens_{lens}, detection_{detection} {}
 
   /// `markers`: the board's own.
@@ -56,7 +56,7 @@ public:
     const auto asStated = search(markers, pattern_);
     const auto asOther = pattern_.squaresY % 2 == 0 ? search(markers, other) : std::nullopt;
     if (asOther && (!asStated || asOther->likeness > asStated->likeness)) {
-      add(FindingKind::wrongPattern,
+      add(IssueKind::wrongPattern,
           fmt::format("board {} is printed in the {} pattern for even row counts: set its \"legacyPattern\" to {}",
                       board_.id, other.legacyPattern ? "legacy (OpenCV before 4.6)" : "current (OpenCV 4.6 and later)",
                       other.legacyPattern));
@@ -101,12 +101,12 @@ private:
   void reportNothing(const std::vector<Marker>& markers) {
     const std::size_t agreeing = markerAgreement(markers, pattern_, lens_).agreeing.size();
     if (contradicted(agreeing, markers.size())) {
-      add(FindingKind::otherBoard,
+      add(IssueKind::otherBoard,
           fmt::format("board {}: its markers do not lie as on a board of {} x {} squares of {} m with markers of {} m; "
                       "check what is printed",
                       board_.id, pattern_.squaresX, pattern_.squaresY, pattern_.squareLength, pattern_.markerLength));
     } else {
-      add(FindingKind::tooFewCorners,
+      add(IssueKind::tooFewCorners,
           fmt::format("board {}: {} of its markers were read, but fewer than {} corners could be confirmed", board_.id,
                       markers.size(), enough()));
     }
@@ -119,29 +119,27 @@ private:
       corners.uv.push_back(place);
     }
     detection_.boards.push_back(corners);
-    for (const RefusedCorner& refused : result.refused) {
-      detection_.findings.push_back({refused.seen ? FindingKind::falseCorner : FindingKind::hiddenCorner,
+    for (const RejectedCorner& refused : result.refused) {
+      detection_.findings.push_back({refused.seen ? IssueKind::falseCorner : IssueKind::hiddenCorner,
                                      fmt::format("board {}, corner {} at ({:.1f}, {:.1f}): {}", board_.id, refused.id,
                                                  refused.place.x(), refused.place.y(), refused.reason),
                                      board_.id, refused.id, refused.place});
     }
   }
 
-  void add(FindingKind kind, const std::string& sentence) {
-    detection_.findings.push_back({kind, sentence, board_.id});
-  }
+  void add(IssueKind kind, const std::string& sentence) { detection_.findings.push_back({kind, sentence, board_.id}); }
 
   const Board& board_;
   const CharucoPattern& pattern_;
-  const SmoothPicture& picture_;
-  const Lens& lens_;
+  const SmoothImage& picture_;
+  const LensDistortion& lens_;
   Detection& detection_;
 };
 
 } // namespace
 
-void detectBoard(const Board& board, const std::vector<Marker>& markers, const SmoothPicture& picture, const Lens& lens,
-                 Detection& detection) {
+void detectBoard(const Board& board, const std::vector<Marker>& markers, const SmoothImage& picture,
+                 const LensDistortion& lens, Detection& detection) {
   BoardDetection{board, picture, lens, detection}.run(markers);
 }
 
@@ -166,7 +164,7 @@ void reportUnknown(const std::string& dictionary, const std::vector<Marker>& mar
   }
   if (!unknown.empty()) {
     detection.findings.push_back(
-        {FindingKind::unknownMarkers,
+        {IssueKind::unknownMarkers,
          fmt::format("{} markers that belong to none of the boards: {}", dictionary, fmt::join(unknown, ", "))});
   }
 }
@@ -177,13 +175,13 @@ Detection detect(const GreyPicture& picture, const std::vector<Board>& boards, c
   Detection detection;
   if (picture.width != intrinsics.width || picture.height != intrinsics.height) {
     detection.findings.push_back(
-        {FindingKind::wrongImageSize,
+        {IssueKind::wrongImageSize,
          fmt::format("the picture has {} x {} pixels, but its camera is described with {} x {}", picture.width,
                      picture.height, intrinsics.width, intrinsics.height)});
     return detection;
   }
-  const SmoothPicture smooth{picture, smoothing};
-  const Lens lens{intrinsics};
+  const SmoothImage smooth{picture, smoothing};
+  const LensDistortion lens{intrinsics};
   std::map<std::string, std::vector<Marker>> markers; // by dictionary
   for (const Board& board : boards) {
     if (board.pattern && !markers.count(board.pattern->dictionary)) {
@@ -204,21 +202,21 @@ Detection detect(const GreyPicture& picture, const std::vector<Board>& boards, c
   return detection;
 }
 
-std::string name(FindingKind kind) {
+std::string name(IssueKind kind) {
   switch (kind) {
-  case FindingKind::wrongImageSize:
+  case IssueKind::wrongImageSize:
     return "wrong-image-size";
-  case FindingKind::wrongPattern:
+  case IssueKind::wrongPattern:
     return "wrong-pattern";
-  case FindingKind::otherBoard:
+  case IssueKind::otherBoard:
     return "other-board";
-  case FindingKind::tooFewCorners:
+  case IssueKind::tooFewCorners:
     return "too-few-corners";
-  case FindingKind::falseCorner:
+  case IssueKind::falseCorner:
     return "false-corner";
-  case FindingKind::hiddenCorner:
+  case IssueKind::hiddenCorner:
     return "hidden-corner";
-  case FindingKind::unknownMarkers:
+  case IssueKind::unknownMarkers:
     return "unknown-markers";
   }
   assert(false);
@@ -236,8 +234,8 @@ struct Outcome {
 Outcome outcome(const Capture& capture, const CaptureSet& set, const std::filesystem::path& folder) {
   try {
     const Detection detection = detect(readPicture(folder / capture.image), set.boards, set.cameras.at(capture.camera));
-    for (const Finding& finding : detection.findings) {
-      if (finding.kind == FindingKind::wrongImageSize) {
+    for (const DetectionIssue& finding : detection.findings) {
+      if (finding.kind == IssueKind::wrongImageSize) {
         return {std::nullopt, fmt::format("capture {}: {}: {}", capture.id, capture.image, finding.sentence)};
       }
     }
@@ -300,7 +298,7 @@ SetDetection detectInSet(CaptureSet& set, const std::filesystem::path& folder, u
       auto corners = kept(capture, set);
       corners.insert(corners.end(), detection->boards.begin(), detection->boards.end());
       capture.corners = corners;
-      for (const Finding& finding : detection->findings) {
+      for (const DetectionIssue& finding : detection->findings) {
         result.findings.push_back({capture.id, finding});
       }
     }

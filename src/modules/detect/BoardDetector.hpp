@@ -14,7 +14,7 @@
 namespace naocal {
 
 /// What a person should know about a picture, beyond the corners.
-enum class FindingKind {
+enum class IssueKind {
   wrongImageSize, // the picture is not of the size that its camera is said to have; nothing was looked for
   wrongPattern,   // the board is printed in the other pattern for even row counts; its corners are not reported
   otherBoard,     // its markers lie otherwise than on the board that is described
@@ -24,8 +24,8 @@ enum class FindingKind {
   unknownMarkers, // markers that belong to none of the boards
 };
 
-struct Finding {
-  FindingKind kind;
+struct DetectionIssue {
+  IssueKind kind;
   std::string sentence;
   std::string board = {};                    // empty where it is about no board
   std::optional<int> corner = {};            // falseCorner, hiddenCorner
@@ -34,7 +34,7 @@ struct Finding {
 
 struct Detection {
   std::vector<BoardCorners> boards; // those that were found, in the order given
-  std::vector<Finding> findings;
+  std::vector<DetectionIssue> findings;
 };
 
 /// The inner corners of ChArUco boards in one picture; boards without a pattern are passed over.
@@ -45,18 +45,18 @@ struct Detection {
 Detection detect(const GreyPicture& picture, const std::vector<Board>& boards, const CameraIntrinsics& intrinsics);
 
 /// A finding's kind as it stands in files: "wrong-pattern".
-std::string name(FindingKind kind);
+std::string name(IssueKind kind);
 
 /// What a person should know about one capture's picture.
-struct CaptureFinding {
+struct CaptureIssue {
   int capture = 0; // Capture::id
-  Finding finding;
+  DetectionIssue finding;
 };
 
 /// What came of looking through a set's pictures. All lists are in the order of the captures.
 struct SetDetection {
   std::size_t pictures = 0; // that were looked at
-  std::vector<CaptureFinding> findings;
+  std::vector<CaptureIssue> findings;
   std::vector<std::string> unreadable; // one sentence per picture that is missing, broken or of the wrong size
 };
 

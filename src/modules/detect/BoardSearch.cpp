@@ -26,8 +26,8 @@ constexpr double mostAsymmetry = 0.03; // 0.001 to 0.01 where nothing lies in th
 
 class Walk {
 public:
-  Walk(const SmoothPicture& picture, const Lens& lens, const CharucoPattern& pattern,
-       const std::vector<SeenPoint>& markerCorners)
+  Walk(const SmoothImage& picture, const LensDistortion& lens, const CharucoPattern& pattern,
+       const std::vector<PointMatch>& markerCorners)
       : picture_{picture}, lens_{lens}, pattern_{pattern}, markerCorners_{markerCorners},
         reach_{symmetricReach(pattern, int(markerCells(pattern.dictionary, pattern.firstMarkerId).rows()))} {}
 
@@ -49,14 +49,14 @@ public:
 private:
   struct Found {
     Eigen::Vector2d pixel;
-    SeenPoint sighting;
+    PointMatch sighting;
   };
 
   Eigen::Vector2d onBoard(int id) const { return cornerOnBoard(pattern_, id); }
 
   /// What is known but for corner `id`.
-  std::vector<SeenPoint> others(int id) const {
-    std::vector<SeenPoint> sightings = markerCorners_;
+  std::vector<PointMatch> others(int id) const {
+    std::vector<PointMatch> sightings = markerCorners_;
     for (const auto& [foundId, corner] : found_) {
       if (foundId != id) {
         sightings.push_back(corner.sighting);
@@ -93,7 +93,7 @@ private:
   bool isNear(int id) const {
     const auto sightings = others(id);
     return std::any_of(sightings.begin(), sightings.end(),
-                       [&](const SeenPoint& one) { return (one.onBoard - onBoard(id)).norm() <= walkingDistance; });
+                       [&](const PointMatch& one) { return (one.onBoard - onBoard(id)).norm() <= walkingDistance; });
   }
 
   void spread() {
@@ -137,7 +137,7 @@ private:
   /// two predictions, one with and one without itself. In least squares it scatters equally for all corners, those in
   /// the middle and those that the others hardly determine.
   double misplacement(int id) const {
-    const auto distance = [&](const std::vector<SeenPoint>& sightings) {
+    const auto distance = [&](const std::vector<PointMatch>& sightings) {
       return (found_.at(id).pixel - pixel(*localHomography(sightings, onBoard(id)), onBoard(id))).norm();
     };
     auto sightings = others(id);
@@ -184,20 +184,20 @@ private:
     }
   }
 
-  const SmoothPicture& picture_;
-  const Lens& lens_;
+  const SmoothImage& picture_;
+  const LensDistortion& lens_;
   const CharucoPattern& pattern_;
-  const std::vector<SeenPoint>& markerCorners_;
+  const std::vector<PointMatch>& markerCorners_;
   double reach_;               // [squares]
   double tolerance_ = loosest; // [px]
   std::map<int, Found> found_;
-  std::map<int, RefusedCorner> refused_;
+  std::map<int, RejectedCorner> refused_;
 };
 
 } // namespace
 
-BoardSearchResult boardSearch(const SmoothPicture& picture, const Lens& lens, const CharucoPattern& pattern,
-                              const std::vector<SeenPoint>& markerCorners) {
+BoardSearchResult boardSearch(const SmoothImage& picture, const LensDistortion& lens, const CharucoPattern& pattern,
+                              const std::vector<PointMatch>& markerCorners) {
   return Walk{picture, lens, pattern, markerCorners}.result();
 }
 
@@ -207,9 +207,9 @@ constexpr double leastTolerance = 3; // [px]
 constexpr double toleranceInSides = 0.1;
 constexpr double markerWeight = 0.04; // a marker's corner is about five times as far off as a fitted board's corner
 
-std::vector<SeenPoint> sightings(const Marker& marker, const CharucoPattern& pattern, const Lens& lens) {
+std::vector<PointMatch> sightings(const Marker& marker, const CharucoPattern& pattern, const LensDistortion& lens) {
   const auto onBoard = *markerOnBoard(pattern, marker.id);
-  std::vector<SeenPoint> result;
+  std::vector<PointMatch> result;
   for (std::size_t i = 0; i < 4; ++i) {
     result.push_back({onBoard[i], lens.withoutDistortion(marker.corners[i]), markerWeight});
   }
@@ -218,10 +218,11 @@ std::vector<SeenPoint> sightings(const Marker& marker, const CharucoPattern& pat
 
 } // namespace
 
-MarkerAgreement markerAgreement(const std::vector<Marker>& markers, const CharucoPattern& pattern, const Lens& lens) {
+MarkerAgreement markerAgreement(const std::vector<Marker>& markers, const CharucoPattern& pattern,
+                                const LensDistortion& lens) {
   std::vector<cv::Point2d> onBoard, seenAt;
   for (const Marker& marker : markers) {
-    for (const SeenPoint& corner : sightings(marker, pattern, lens)) {
+    for (const PointMatch& corner : sightings(marker, pattern, lens)) {
       onBoard.emplace_back(corner.onBoard.x(), corner.onBoard.y());
       seenAt.emplace_back(corner.seenAt.x(), corner.seenAt.y());
     }
@@ -238,7 +239,7 @@ MarkerAgreement markerAgreement(const std::vector<Marker>& markers, const Charuc
     const auto corners = sightings(marker, pattern, lens);
     const double side = (marker.corners[0] - marker.corners[2]).norm() / std::sqrt(2);
     const double tolerance = std::max(leastTolerance, toleranceInSides * side);
-    const bool agrees = std::all_of(corners.begin(), corners.end(), [&](const SeenPoint& corner) {
+    const bool agrees = std::all_of(corners.begin(), corners.end(), [&](const PointMatch& corner) {
       return ((homography * corner.onBoard.homogeneous()).hnormalized() - corner.seenAt).norm() <= tolerance;
     });
     (agrees ? result.agreeing : result.others).push_back(marker);

@@ -12,7 +12,7 @@
 namespace naocal {
 
 /// A corner that should be in the picture and was not taken.
-struct RefusedCorner {
+struct RejectedCorner {
   int id = 0;
   Eigen::Vector2d place; // [px] where it was seen, or else should have been
   bool seen = false;     // whether something like a corner is there, but in the wrong place
@@ -22,7 +22,7 @@ struct RefusedCorner {
 /// The corners of one board, found by walking over it from the markers that could be read.
 struct BoardSearchResult {
   std::map<int, Eigen::Vector2d> corners; // by id [px]
-  std::vector<RefusedCorner> refused;
+  std::vector<RejectedCorner> refused;
 };
 
 /// Walks from the markers' corners outwards: a corner is predicted from what was found around it, fitted, and must be a
@@ -31,17 +31,18 @@ struct BoardSearchResult {
 /// markers can be read, are found whole.
 ///
 /// `markerCorners`: corners of markers that were read and agree with each other.
-BoardSearchResult boardSearch(const SmoothPicture& picture, const Lens& lens, const CharucoPattern& pattern,
-                              const std::vector<SeenPoint>& markerCorners);
+BoardSearchResult boardSearch(const SmoothImage& picture, const LensDistortion& lens, const CharucoPattern& pattern,
+                              const std::vector<PointMatch>& markerCorners);
 
 /// Markers that lie in the picture as one flat board's do, and those of the same board that do not.
 struct MarkerAgreement {
   std::vector<Marker> agreeing, others;
-  std::vector<SeenPoint> corners; // of the agreeing ones
+  std::vector<PointMatch> corners; // of the agreeing ones
 };
 
 /// The largest group of a board's markers that one homography maps onto the pattern, each corner within 3 px (or a
 /// tenth of its marker's side). All `markers` must be on the board.
-MarkerAgreement markerAgreement(const std::vector<Marker>& markers, const CharucoPattern& pattern, const Lens& lens);
+MarkerAgreement markerAgreement(const std::vector<Marker>& markers, const CharucoPattern& pattern,
+                                const LensDistortion& lens);
 
 } // namespace naocal

@@ -16,11 +16,11 @@ constexpr int iterations = 20;
 constexpr double longestStep = 0.7, negligibleStep = 1e-3; // [px]
 
 /// One Gauss-Newton step from `place`; absent at the picture's edge or without texture.
-std::optional<Eigen::Vector2d> step(const SmoothPicture& picture, const std::vector<MirroredPair>& pairs,
+std::optional<Eigen::Vector2d> step(const SmoothImage& picture, const std::vector<SymmetricPair>& pairs,
                                     const Eigen::Vector2d& place) {
   Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
   Eigen::Vector2d right = Eigen::Vector2d::Zero();
-  for (const MirroredPair& pair : pairs) {
+  for (const SymmetricPair& pair : pairs) {
     if (!picture.holds(place + pair.one) || !picture.holds(place + pair.other)) {
       return std::nullopt;
     }
@@ -36,9 +36,9 @@ std::optional<Eigen::Vector2d> step(const SmoothPicture& picture, const std::vec
   return full * std::min(1., longestStep / full.norm());
 }
 
-CornerFit judged(const SmoothPicture& picture, const std::vector<MirroredPair>& pairs, const Eigen::Vector2d& place) {
+CornerFit judged(const SmoothImage& picture, const std::vector<SymmetricPair>& pairs, const Eigen::Vector2d& place) {
   double weight[2] = {}, sum[2] = {}, squares = 0, differences = 0;
-  for (const MirroredPair& pair : pairs) {
+  for (const SymmetricPair& pair : pairs) {
     const double one = picture.at(place + pair.one).grey, other = picture.at(place + pair.other).grey;
     weight[pair.white] += 2 * pair.weight;
     sum[pair.white] += pair.weight * (one + other);
@@ -52,7 +52,7 @@ CornerFit judged(const SmoothPicture& picture, const std::vector<MirroredPair>& 
 
 } // namespace
 
-std::optional<CornerFit> cornerFit(const SmoothPicture& picture, const std::vector<MirroredPair>& pairs,
+std::optional<CornerFit> cornerFit(const SmoothImage& picture, const std::vector<SymmetricPair>& pairs,
                                    const Eigen::Vector2d& start, double maximalMove) {
   Eigen::Vector2d place = start;
   for (int i = 0; i < iterations; ++i) {
@@ -65,7 +65,7 @@ std::optional<CornerFit> cornerFit(const SmoothPicture& picture, const std::vect
       break;
     }
   }
-  const bool inside = std::all_of(pairs.begin(), pairs.end(), [&](const MirroredPair& pair) {
+  const bool inside = std::all_of(pairs.begin(), pairs.end(), [&](const SymmetricPair& pair) {
     return picture.holds(place + pair.one) && picture.holds(place + pair.other);
   });
   return inside ? std::optional{judged(picture, pairs, place)} : std::nullopt;
@@ -77,16 +77,16 @@ constexpr double scope = 2;         // [squares]
 constexpr double perspective = 0.1; // how much nearer the next square typically is: tames four noisy corners
 
 /// Moves the sightings' weighted mean to zero and their spread to about one.
-Eigen::Matrix3d normalisation(const std::vector<SeenPoint>& sightings) {
+Eigen::Matrix3d normalisation(const std::vector<PointMatch>& sightings) {
   double sum = 0;
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  for (const SeenPoint& one : sightings) {
+  for (const PointMatch& one : sightings) {
     sum += one.weight;
     mean += one.weight * one.seenAt;
   }
   mean /= sum;
   double spread = 0;
-  for (const SeenPoint& one : sightings) {
+  for (const PointMatch& one : sightings) {
     spread += one.weight * (one.seenAt - mean).squaredNorm();
   }
   const double scale = std::sqrt(2 * sum / spread);
@@ -98,13 +98,14 @@ Eigen::Matrix3d normalisation(const std::vector<SeenPoint>& sightings) {
 
 } // namespace
 
-std::optional<Eigen::Matrix3d> localHomography(const std::vector<SeenPoint>& sightings, const Eigen::Vector2d& around) {
+std::optional<Eigen::Matrix3d> localHomography(const std::vector<PointMatch>& sightings,
+                                               const Eigen::Vector2d& around) {
   if (sightings.size() < 4) {
     return std::nullopt;
   }
   const Eigen::Matrix3d normalised = normalisation(sightings);
   Eigen::Matrix<double, 9, 9> normal = Eigen::Matrix<double, 9, 9>::Zero();
-  for (const SeenPoint& one : sightings) {
+  for (const PointMatch& one : sightings) {
     const Eigen::Vector3d x = (one.onBoard - around).homogeneous();
     const Eigen::Vector2d u = (normalised * one.seenAt.homogeneous()).head<2>();
     const double nearness = 1 / (1 + (one.onBoard - around).squaredNorm() / (scope * scope));
@@ -142,15 +143,15 @@ Half half(double pixelsPerSquare, double reach) {
 
 } // namespace
 
-std::vector<MirroredPair> mirroredPairs(const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& pixelFromBoard,
-                                        const Eigen::Vector2d& corner, double reach, bool risingIsWhite) {
+std::vector<SymmetricPair> mirroredPairs(const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& pixelFromBoard,
+                                         const Eigen::Vector2d& corner, double reach, bool risingIsWhite) {
   const Eigen::Vector2d centre = pixelFromBoard(corner);
   const auto pixelsPerSquare = [&](const Eigen::Vector2d& direction) {
     return (pixelFromBoard(corner + 0.1 * direction) - pixelFromBoard(corner - 0.1 * direction)).norm() / 0.2;
   };
   const Half x = half(pixelsPerSquare(Eigen::Vector2d::UnitX()), reach);
   const Half y = half(pixelsPerSquare(Eigen::Vector2d::UnitY()), reach);
-  std::vector<MirroredPair> pairs;
+  std::vector<SymmetricPair> pairs;
   for (int row = 0; row < y.places; ++row) {
     for (int column = -x.places; column < x.places; ++column) {
       const double shareX = (column + 0.5) / x.places, shareY = (row + 0.5) / y.places;
@@ -176,7 +177,7 @@ struct CubicWeights {
 
 } // namespace
 
-SmoothPicture::SmoothPicture(const GreyPicture& picture, double blur)
+SmoothImage::SmoothImage(const GreyPicture& picture, double blur)
     : width_{picture.width}, height_{picture.height}, pixels_(picture.pixels.size()) {
   // OpenCV wants a mutable pointer but only reads.
   const cv::Mat sharp(height_, width_, CV_8U, const_cast<std::uint8_t*>(picture.pixels.data()));
@@ -185,7 +186,7 @@ SmoothPicture::SmoothPicture(const GreyPicture& picture, double blur)
   cv::GaussianBlur(smooth, smooth, {}, blur);
 }
 
-SmoothPicture::Sample SmoothPicture::at(const Eigen::Vector2d& place) const {
+SmoothImage::Sample SmoothImage::at(const Eigen::Vector2d& place) const {
   assert(holds(place));
   const int left = int(place.x()), top = int(place.y());
   const CubicWeights x{place.x() - left}, y{place.y() - top};

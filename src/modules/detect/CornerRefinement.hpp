@@ -10,10 +10,10 @@
 namespace naocal {
 
 /// A picture, slightly blurred, as a smooth function of the place: bicubic (Catmull-Rom) between its pixels.
-class SmoothPicture {
+class SmoothImage {
 public:
   /// `blur`: sigma of the Gaussian [px].
-  SmoothPicture(const GreyPicture& picture, double blur);
+  SmoothImage(const GreyPicture& picture, double blur);
 
   struct Sample {
     double grey = 0;                                    // [grey level]
@@ -33,7 +33,7 @@ private:
 };
 
 /// Two places of the picture that the board's print makes equally bright: they mirror each other in the corner.
-struct MirroredPair {
+struct SymmetricPair {
   Eigen::Vector2d one, other; // relative to the corner [px]
   double weight = 1;
   bool white = false; // whether they lie in the white squares beside the corner (else in the black ones)
@@ -53,11 +53,11 @@ struct CornerFit {
 /// The pairs follow the board's perspective, so neither foreshortening nor blur nor spread ink shifts the result, and
 /// long edges help although no marker's cells are used. Absent when the pairs leave the picture, nothing is there to
 /// hold on to, or the place moves further than `maximalMove` [px].
-std::optional<CornerFit> cornerFit(const SmoothPicture& picture, const std::vector<MirroredPair>& pairs,
+std::optional<CornerFit> cornerFit(const SmoothImage& picture, const std::vector<SymmetricPair>& pairs,
                                    const Eigen::Vector2d& start, double maximalMove);
 
 /// A place on a board that has been seen.
-struct SeenPoint {
+struct PointMatch {
   Eigen::Vector2d onBoard; // in squares
   Eigen::Vector2d seenAt;  // [px] with the lens's distortion removed
   double weight = 1;       // (unitSigma / sigma)^2
@@ -69,14 +69,14 @@ constexpr double unitSigma = 0.1; // [px] of a sighting with weight 1
 /// Weighted direct linear transform: each sighting counts by its weight times 1 / (1 + (d / reach)^2)^2, d its distance
 /// from `around`, so that what the lens model leaves and a board that is not quite flat matter little. Absent with
 /// fewer than four sightings.
-std::optional<Eigen::Matrix3d> localHomography(const std::vector<SeenPoint>& sightings, const Eigen::Vector2d& around);
+std::optional<Eigen::Matrix3d> localHomography(const std::vector<PointMatch>& sightings, const Eigen::Vector2d& around);
 
 /// The window in which a corner is fitted: pairs of places opposite to each other on the board.
 ///
 /// In each direction of the board it reaches `reach` squares, but at least 2 px (less tells nothing) and at most 7 px
 /// (more costs time); so it is as flat in the picture as the board. The weight falls towards its rim.
 /// `pixelFromBoard` maps squares to pixels; `risingIsWhite`: the squares at the upper right and lower left are white.
-std::vector<MirroredPair> mirroredPairs(const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& pixelFromBoard,
-                                        const Eigen::Vector2d& corner, double reach, bool risingIsWhite);
+std::vector<SymmetricPair> mirroredPairs(const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& pixelFromBoard,
+                                         const Eigen::Vector2d& corner, double reach, bool risingIsWhite);
 
 } // namespace naocal

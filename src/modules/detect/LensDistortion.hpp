@@ -7,9 +7,9 @@
 namespace naocal {
 
 /// Pixels as a lens without distortion would show them, and back: straight lines are straight in between.
-class Lens {
+class LensDistortion {
 public:
-  explicit Lens(const CameraIntrinsics& intrinsics) : intrinsics_{intrinsics} {}
+  explicit LensDistortion(const CameraIntrinsics& intrinsics) : intrinsics_{intrinsics} {}
 
   Eigen::Vector2d withoutDistortion(const Eigen::Vector2d& pixel) const;
   Eigen::Vector2d withDistortion(const Eigen::Vector2d& pixel) const;

@@ -14,7 +14,7 @@ namespace {
 constexpr double beside = 0.8; // [squares] from a found corner to a marker's centre: half a square's diagonal and a bit
 
 /// The grey at the centres of a marker's inner cells, in the order of the rows; empty where it leaves the picture.
-Eigen::ArrayXd seenCells(const SmoothPicture& picture, const Lens& lens, const Eigen::Matrix3d& homography,
+Eigen::ArrayXd seenCells(const SmoothImage& picture, const LensDistortion& lens, const Eigen::Matrix3d& homography,
                          const std::array<Eigen::Vector2d, 4>& marker, Eigen::Index cells) {
   Eigen::ArrayXd seen((cells - 2) * (cells - 2));
   for (Eigen::Index row = 1; row + 1 < cells; ++row) {
@@ -33,9 +33,9 @@ Eigen::ArrayXd seenCells(const SmoothPicture& picture, const Lens& lens, const E
 
 } // namespace
 
-double printLikeness(const SmoothPicture& picture, const Lens& lens, const CharucoPattern& pattern,
+double printLikeness(const SmoothImage& picture, const LensDistortion& lens, const CharucoPattern& pattern,
                      const std::map<int, Eigen::Vector2d>& corners) {
-  std::vector<SeenPoint> sightings;
+  std::vector<PointMatch> sightings;
   for (const auto& [id, place] : corners) {
     sightings.push_back({cornerOnBoard(pattern, id), lens.withoutDistortion(place), 1});
   }
@@ -44,7 +44,7 @@ double printLikeness(const SmoothPicture& picture, const Lens& lens, const Charu
     const auto marker = *markerOnBoard(pattern, id);
     const Eigen::Vector2d centre = (marker[0] + marker[2]) / 2;
     const bool near = std::any_of(sightings.begin(), sightings.end(),
-                                  [&](const SeenPoint& corner) { return (corner.onBoard - centre).norm() <= beside; });
+                                  [&](const PointMatch& corner) { return (corner.onBoard - centre).norm() <= beside; });
     if (!near) {
       continue;
     }

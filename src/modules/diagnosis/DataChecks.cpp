@@ -31,7 +31,7 @@ std::optional<double> fitted(const Term& term, const Measurements& measurements)
 }
 
 /// rms distance of corners with the likeliest effect in the model [px]. A gain is left out: a sign is one of -2.
-double explainedBy(const Inquiry& inquiry, const Measurements& measurements, const Model& model) {
+double explainedBy(const CandidateTests& inquiry, const Measurements& measurements, const Model& model) {
   for (const std::size_t candidate : inquiry.candidatesByEvidence()) {
     const Term& term = inquiry.candidates()[candidate];
     if (term.effect.name == "encoderGain" || inquiry.ofCandidate(candidate).bayes <= 0) {
@@ -49,7 +49,7 @@ double explainedBy(const Inquiry& inquiry, const Measurements& measurements, con
 }
 
 /// An effect of a size that no robot has but a wrong set-up does.
-std::optional<Suspicion> setUpFrom(const Inquiry& inquiry, const Measurements& measurements) {
+std::optional<DataAnomaly> setUpFrom(const CandidateTests& inquiry, const Measurements& measurements) {
   constexpr double boardScale = 0.03, mirrored = -1.5;
   std::size_t best = 0;
   for (std::size_t i = 1; i < inquiry.candidates().size(); ++i) {
@@ -68,20 +68,20 @@ std::optional<Suspicion> setUpFrom(const Inquiry& inquiry, const Measurements& m
   }
   if (term.effect.name == "boardScale" && std::abs(evidence.estimate[0]) > boardScale) {
     const double size = fitted(term, measurements).value_or(evidence.estimate[0]);
-    return Suspicion{{},
-                     fmt::format("the squares of {} are {:.1f} % {} than the file says: measure the print and "
-                                 "correct squareLength",
-                                 term.at == everywhere ? "all boards" : "board " + term.place, 100 * std::abs(size),
-                                 size > 0 ? "larger" : "smaller")};
+    return DataAnomaly{{},
+                       fmt::format("the squares of {} are {:.1f} % {} than the file says: measure the print and "
+                                   "correct squareLength",
+                                   term.at == everywhere ? "all boards" : "board " + term.place, 100 * std::abs(size),
+                                   size > 0 ? "larger" : "smaller")};
   }
   if (term.effect.name == "encoderGain" && evidence.estimate[0] < mirrored) {
-    return Suspicion{{}, fmt::format("{} seems to turn the other way: its angles have the wrong sign", term.place)};
+    return DataAnomaly{{}, fmt::format("{} seems to turn the other way: its angles have the wrong sign", term.place)};
   }
   return std::nullopt;
 }
 
 /// Mirrored, a joint's gain is off by -2, of which the linearised estimate shows a good part.
-bool mayBeMirrored(const Inquiry& inquiry, std::size_t motor) {
+bool mayBeMirrored(const CandidateTests& inquiry, std::size_t motor) {
   constexpr double notable = -0.3;
   for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
     const Term& term = inquiry.candidates()[i];
@@ -95,8 +95,8 @@ bool mayBeMirrored(const Inquiry& inquiry, std::size_t motor) {
 
 } // namespace
 
-std::vector<Suspicion> suspicions(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                  const Model& model, const CalibrationResult& fit, const Inquiry& inquiry) {
+std::vector<DataAnomaly> suspicions(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                    const Model& model, const CalibrationResult& fit, const CandidateTests& inquiry) {
   const auto mirrored = [&](std::size_t motor) { return mayBeMirrored(inquiry, motor); };
   GrossMisfit misfit = GrossMisfit::of(fit, model);
   if (misfit.rmsPx > threshold::grossPx) {
@@ -105,7 +105,7 @@ std::vector<Suspicion> suspicions(const std::vector<CaptureSet>& sets, const Mea
   if (const auto setUp = wrongSetUp(sets, measurements, misfit, mirrored)) {
     return {*setUp};
   }
-  std::vector<Suspicion> result = accidents(sets, measurements, model, fit, inquiry);
+  std::vector<DataAnomaly> result = accidents(sets, measurements, model, fit, inquiry);
   if (result.empty()) { // an accident is far likelier than any effect, if it is named
     if (const auto setUp = setUpFrom(inquiry, measurements)) {
       result.push_back(*setUp);
@@ -114,8 +114,8 @@ std::vector<Suspicion> suspicions(const std::vector<CaptureSet>& sets, const Mea
   return result;
 }
 
-std::vector<Suspicion> accidents(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                 const Model& model, const CalibrationResult& fit, const Inquiry& inquiry) {
+std::vector<DataAnomaly> accidents(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                   const Model& model, const CalibrationResult& fit, const CandidateTests& inquiry) {
   const auto likeliest = likeliestEvent(sets, measurements, model, fit, inquiry);
   if (!likeliest) {
     return {};
@@ -124,7 +124,7 @@ std::vector<Suspicion> accidents(const std::vector<CaptureSet>& sets, const Meas
   if (event.captures.empty()) {
     return {{.capture = {}, .why = why, .odds = odds, .when = event.from.value()}};
   }
-  std::vector<Suspicion> result;
+  std::vector<DataAnomaly> result;
   for (const int id : event.captures) {
     const std::string said = result.empty() ? why : fmt::format("capture {} was taken with it", id);
     result.push_back({.capture = id, .why = said, .set = event.set, .odds = odds});
@@ -132,12 +132,12 @@ std::vector<Suspicion> accidents(const std::vector<CaptureSet>& sets, const Meas
   return result;
 }
 
-std::vector<Suspicion> movedBoards(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                   const CalibrationResult& fit) {
-  std::vector<Suspicion> result;
-  for (const Doubt& doubt : fit.doubts) {
+std::vector<DataAnomaly> movedBoards(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                     const CalibrationResult& fit) {
+  std::vector<DataAnomaly> result;
+  for (const Outlier& doubt : fit.doubts) {
     if (doubt.whole) {
-      const Picture& picture = measurements.pictures[doubt.picture];
+      const ImageObservation& picture = measurements.pictures[doubt.picture];
       const int id = sets[picture.set].captures[picture.capture].id;
       const std::string& board = measurements.targets[picture.sightings[doubt.sighting].view.board()].name;
       result.push_back(
@@ -182,7 +182,7 @@ Effect displaced(std::size_t set, std::set<double> times) {
   Effect effect{.name = "wrongAngles",
                 .what = {},
                 .formula = {},
-                .place = Place::all,
+                .place = EffectSite::all,
                 .unknowns = {{"x", "m", distance},
                              {"y", "m", distance},
                              {"z", "m", distance},
@@ -190,7 +190,7 @@ Effect displaced(std::size_t set, std::set<double> times) {
                              {"pitch", "rad", angle},
                              {"yaw", "rad", angle}},
                 .correct = {}};
-  effect.correct = [set, times = std::move(times)](Belief& belief, const Instant& instant, std::size_t,
+  effect.correct = [set, times = std::move(times)](ModelState& belief, const RobotSample& instant, std::size_t,
                                                    std::span<const double> values) {
     if (instant.set == set && times.contains(instant.time.count())) {
       belief.ground() += Eigen::Map<const Eigen::Matrix<double, 6, 1>>{values.data()};
@@ -199,9 +199,9 @@ Effect displaced(std::size_t set, std::set<double> times) {
   return effect;
 }
 
-Together alone(const Picture& picture, const Capture& capture, const std::vector<const SightingResidual*>& seen) {
+Together alone(const ImageObservation& picture, const Capture& capture, const std::vector<const BoardResidual*>& seen) {
   Together together{picture.set, capture.pose, {picture.instant.time.count()}, {capture.id}};
-  for (const SightingResidual* sighting : seen) {
+  for (const BoardResidual* sighting : seen) {
     const auto count = static_cast<double>(sighting->residual.cols());
     together.squares += count * sighting->residual.rowwise().mean().squaredNorm();
     together.corners += count;
@@ -218,11 +218,11 @@ std::vector<Together> worst(std::vector<Together> all, std::size_t most) {
 
 } // namespace
 
-std::vector<Event> wrongAngles(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                               const CalibrationResult& fit) {
-  std::map<std::size_t, std::vector<const SightingResidual*>> byPicture;
-  for (const SightingResidual& sighting : fit.asReported) {
-    const View& view = measurements.pictures[sighting.picture].sightings[sighting.sighting].view;
+std::vector<TransientEvent> wrongAngles(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                        const CalibrationResult& fit) {
+  std::map<std::size_t, std::vector<const BoardResidual*>> byPicture;
+  for (const BoardResidual& sighting : fit.asReported) {
+    const ObservationChain& view = measurements.pictures[sighting.picture].sightings[sighting.sighting].view;
     if (measurements.targets[view.board()].onFloor) {
       byPicture[sighting.picture].push_back(&sighting);
     }
@@ -230,9 +230,9 @@ std::vector<Event> wrongAngles(const std::vector<CaptureSet>& sets, const Measur
   std::vector<Together> poses, approaches;
   for (const PoseGroup& pose : measurements.poses) {
     std::map<std::vector<std::size_t>, Together> rests; // readings with the same errors are of one approach
-    for (const Reading& reading : pose.readings) {
+    for (const EncoderSample& reading : pose.readings) {
       for (const std::size_t index : reading.pictures) {
-        const Picture& picture = measurements.pictures[index];
+        const ImageObservation& picture = measurements.pictures[index];
         rests[reading.encoderError] += alone(picture, sets[picture.set].captures[picture.capture], byPicture[index]);
       }
     }
@@ -242,7 +242,7 @@ std::vector<Event> wrongAngles(const std::vector<CaptureSet>& sets, const Measur
       poses.back() += rest;
     }
   }
-  std::vector<Event> result;
+  std::vector<TransientEvent> result;
   const auto offer = [&](const std::vector<Together>& several, const char* what) {
     for (const Together& one : several) {
       const std::string ids = fmt::format("{}", fmt::join(one.captures, ", "));

@@ -20,23 +20,23 @@
 namespace naocal {
 
 /// A model that was questioned, its fit, and what was found.
-struct AskedModel {
+struct DiagnosedModel {
   const Model& model;
   const CalibrationResult& fit;
-  const Inquiry& inquiry;
+  const CandidateTests& inquiry;
 };
 
 /// Adds to a finished diagnosis what its figures show: which captures belong to each pose, how much alike the first
 /// candidates are, what they would look like, and what the models leave over. `given`: the model as given.
-void addFigures(const std::vector<CaptureSet>& sets, const Measurements& measurements, const AskedModel& given,
-                const AskedModel& last, Diagnosis& diagnosis);
+void addFigures(const std::vector<CaptureSet>& sets, const Measurements& measurements, const DiagnosedModel& given,
+                const DiagnosedModel& last, Diagnosis& diagnosis);
 
 namespace {
 
 /// A curve of the map explains the misfit better than `candidate` and than any other effect that has a name, those
 /// aside that pass with time: what does not foretell is not called the cause. The larger the evidence, the further a
 /// curve must be ahead: being free it follows several effects at once, each of which is then named in turn.
-bool isUnknown(const Inquiry& inquiry, std::optional<std::size_t> candidate) {
+bool isUnknown(const CandidateTests& inquiry, std::optional<std::size_t> candidate) {
   const GroupEvidence& best = inquiry.ofCurve(inquiry.curvesByEvidence().front());
   const double curve = best.matters() ? best.bayes : 0;
   double named = candidate ? inquiry.ofCandidate(*candidate).bayes : -threshold::unnamed;
@@ -48,12 +48,12 @@ bool isUnknown(const Inquiry& inquiry, std::optional<std::size_t> candidate) {
 
 /// The captures show so much more of a named effect that what they show within pictures may be its consequence, or
 /// stand beside it and be looked at once it is added.
-bool explains(const Inquiry& inquiry, std::optional<std::size_t> candidate, const ImageField& field) {
+bool explains(const CandidateTests& inquiry, std::optional<std::size_t> candidate, const ImageField& field) {
   if (!candidate) {
     return false;
   }
   const Term& term = inquiry.candidates()[*candidate];
-  const Place of = field.of == ImageField::Of::camera ? Place::camera : Place::board;
+  const EffectSite of = field.of == ImageField::Of::camera ? EffectSite::camera : EffectSite::board;
   const bool samePlace = term.effect.place == of && term.at == field.at;
   return !samePlace && inquiry.ofCandidate(*candidate).bayes > 2 * field.fit.bayes;
 }
@@ -84,11 +84,11 @@ Verdict verdictOf(const Diagnosis& diagnosis, double misfitLeft, bool missing, b
 }
 
 /// Of captures that nothing was said of yet.
-void addNew(const std::vector<Suspicion>& further, std::vector<Suspicion>& suspicious) {
-  const std::vector<Suspicion> before = suspicious;
-  std::copy_if(further.begin(), further.end(), std::back_inserter(suspicious), [&](const Suspicion& one) {
+void addNew(const std::vector<DataAnomaly>& further, std::vector<DataAnomaly>& suspicious) {
+  const std::vector<DataAnomaly> before = suspicious;
+  std::copy_if(further.begin(), further.end(), std::back_inserter(suspicious), [&](const DataAnomaly& one) {
     return std::none_of(before.begin(), before.end(),
-                        [&](const Suspicion& other) { return other.capture == one.capture; });
+                        [&](const DataAnomaly& other) { return other.capture == one.capture; });
   });
 }
 
@@ -97,7 +97,7 @@ Diagnosis withoutFit(const std::vector<CaptureSet>& sets, const Measurements& me
   Diagnosis result;
   result.verdict = Verdict::badCaptures;
   const auto setUp = wrongSetUp(sets, measurements, {}, [](std::size_t) { return true; });
-  result.suspicious.push_back(setUp.value_or(Suspicion{{}, error.what()}));
+  result.suspicious.push_back(setUp.value_or(DataAnomaly{{}, error.what()}));
   result.sentence = sentence(result);
   return result;
 }
@@ -106,17 +106,17 @@ Diagnosis withoutFit(const std::vector<CaptureSet>& sets, const Measurements& me
 Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& asked,
                      const DiagnosisOptions& options) {
   Diagnosis result;
-  Ladder ladder{measurements, asked, options};
+  StepwiseSelection ladder{measurements, asked, options};
   result.fit = ladder.fit();
   result.rmsPx = result.fit.rmsPx;
   bool unknown = false;
-  double most = 0;              // that was striking within pictures
-  std::list<Inquiry> inquiries; // the first of the model as given, and the latest
+  double most = 0;                     // that was striking within pictures
+  std::list<CandidateTests> inquiries; // the first of the model as given, and the latest
   while (true) {
     if (inquiries.size() > 1) {
       inquiries.pop_back();
     }
-    const Inquiry& inquiry =
+    const CandidateTests& inquiry =
         inquiries.emplace_back(measurements, ladder.model(), ladder.fit(), ladder.testable(), options.inquiry);
     ladder.look(inquiry, result);
     if (result.steps.size() == 1) {
@@ -129,7 +129,7 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
     const double level = result.suggested.empty() ? options.alarm : threshold::laterAlarm * options.alarm;
     const bool striking = inquiry.evidence().pValue <= level && inquiry.evidence().matters;
     const bool alarm = (striking || field) && result.suspicious.empty();
-    const std::optional<Ladder::Choice> next = alarm ? ladder.best(inquiry) : std::nullopt;
+    const std::optional<StepwiseSelection::Choice> next = alarm ? ladder.best(inquiry) : std::nullopt;
     const std::optional<std::size_t> candidate = next ? std::optional{next->candidate} : std::nullopt;
     if (alarm && inquiry.curveCount() > 0) {
       unknown = isUnknown(inquiry, candidate);
@@ -180,17 +180,17 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
 }
 
 /// Whether an accident is said to have spoiled these captures, and no more than those.
-bool isSpoiled(const Suspicion& suspicion) {
+bool isSpoiled(const DataAnomaly& suspicion) {
   return suspicion.capture && suspicion.odds;
 }
 
 /// Without what these captures show.
-Measurements without(const std::vector<Suspicion>& suspicious, const std::vector<CaptureSet>& sets,
+Measurements without(const std::vector<DataAnomaly>& suspicious, const std::vector<CaptureSet>& sets,
                      Measurements measurements) {
   for (std::size_t index = 0; index < measurements.pictures.size(); ++index) {
-    const Picture& picture = measurements.pictures[index];
+    const ImageObservation& picture = measurements.pictures[index];
     const int id = sets[picture.set].captures[picture.capture].id;
-    const bool spoiled = std::any_of(suspicious.begin(), suspicious.end(), [&](const Suspicion& suspicion) {
+    const bool spoiled = std::any_of(suspicious.begin(), suspicious.end(), [&](const DataAnomaly& suspicion) {
       return isSpoiled(suspicion) && suspicion.capture == id && suspicion.set == picture.set;
     });
     for (std::size_t sighting = 0; spoiled && sighting < picture.sightings.size(); ++sighting) {
@@ -208,7 +208,7 @@ void takeAlone(const std::vector<CandidateFinding>& all, std::vector<CandidateFi
     });
     if (same != all.end()) {
       finding.alone = same->alone;
-      finding.evidence = finding.step == 0 && finding.state != State::noData ? same->alone : finding.evidence;
+      finding.evidence = finding.step == 0 && finding.state != CandidateState::noData ? same->alone : finding.evidence;
     }
   }
 }
@@ -257,15 +257,15 @@ Diagnosis diagnose(const std::vector<CaptureSet>& sets, const Measurements& meas
 
 namespace {
 
-Figures::Left left(const std::vector<CaptureSet>& sets, const Measurements& measurements, const AskedModel& asked) {
+Figures::Left left(const std::vector<CaptureSet>& sets, const Measurements& measurements, const DiagnosedModel& asked) {
   return {whatIfs(measurements, asked.inquiry), leftover(sets, measurements, asked.model, asked.fit),
           boardShapes(measurements, asked.model, asked.fit)};
 }
 
 } // namespace
 
-void addFigures(const std::vector<CaptureSet>& sets, const Measurements& measurements, const AskedModel& given,
-                const AskedModel& last, Diagnosis& diagnosis) {
+void addFigures(const std::vector<CaptureSet>& sets, const Measurements& measurements, const DiagnosedModel& given,
+                const DiagnosedModel& last, Diagnosis& diagnosis) {
   constexpr std::size_t compared = 12, shown = 10;
   diagnosis.figures.taken = takenIn(sets, measurements);
   std::vector<std::string> labels;
@@ -279,7 +279,7 @@ void addFigures(const std::vector<CaptureSet>& sets, const Measurements& measure
     }
   }
   diagnosis.figures.aliases = aliasMatrix(given.inquiry, labels, compared);
-  std::vector<Imprint> looks = imprints(measurements, given.model, given.fit, given.inquiry, candidates);
+  std::vector<EffectSignature> looks = imprints(measurements, given.model, given.fit, given.inquiry, candidates);
   for (std::size_t i = 0; i < looks.size(); ++i) {
     findings[i]->imprint = std::move(looks[i]);
   }

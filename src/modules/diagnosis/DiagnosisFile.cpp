@@ -87,7 +87,7 @@ Json rankingEntry(const CandidateFinding& finding, std::size_t mostPoints) {
   return entry;
 }
 
-Json driver(const DriverFinding& finding) {
+Json driver(const DriverCurve& finding) {
   Json coefficients = Json::object();
   for (const Coefficient& coefficient : finding.coefficients) {
     coefficients[coefficient.name] = coefficient.value;
@@ -129,7 +129,7 @@ Json diagnosisJson(const Diagnosis& diagnosis, std::size_t mostPoints) {
   for (const CandidateFinding& finding : diagnosis.ranking) {
     result["ranking"].push_back(rankingEntry(finding, mostPoints));
   }
-  for (const Step& step : diagnosis.steps) {
+  for (const SelectionStep& step : diagnosis.steps) {
     result["steps"].push_back({{"added", step.added.empty() ? Json(nullptr) : Json(step.added)},
                                {"dropped", step.dropped},
                                {"rmsPx", step.rmsPx},
@@ -138,14 +138,14 @@ Json diagnosisJson(const Diagnosis& diagnosis, std::size_t mostPoints) {
                                {"noiseFloorPx", step.noiseFloorPx},
                                {"alarm", step.alarm}});
   }
-  for (const DriverFinding& finding : diagnosis.drivers) {
+  for (const DriverCurve& finding : diagnosis.drivers) {
     result["drivers"].push_back(driver(finding));
   }
-  for (const MapCell& cell : diagnosis.map) {
+  for (const DriverScore& cell : diagnosis.map) {
     result["map"].push_back(
         {{"at", cell.place}, {"driver", cell.driver}, {"evidence", cell.bayes}, {"pValue", cell.pValue}});
   }
-  for (const Suspicion& suspicion : diagnosis.suspicious) {
+  for (const DataAnomaly& suspicion : diagnosis.suspicious) {
     Json entry{{"why", suspicion.why}};
     if (suspicion.capture) {
       entry["capture"] = *suspicion.capture;
@@ -167,17 +167,17 @@ using Json = nlohmann::json;
 
 namespace {
 
-Json posesJson(const Taken& taken) {
+Json posesJson(const CaptureIndex& taken) {
   Json result = Json::array();
-  for (const Taken::Pose& pose : taken.poses) {
+  for (const CaptureIndex::Pose& pose : taken.poses) {
     result.push_back({{"set", pose.set}, {"name", pose.name}, {"pictures", pose.pictures}});
   }
   return result;
 }
 
-Json picturesJson(const Taken& taken) {
+Json picturesJson(const CaptureIndex& taken) {
   Json result = Json::array();
-  for (const Taken::Picture& picture : taken.pictures) {
+  for (const CaptureIndex::Picture& picture : taken.pictures) {
     result.push_back({{"capture", picture.capture}, {"camera", picture.camera}});
   }
   return result;
@@ -194,7 +194,7 @@ Json aliasesJson(const Diagnosis& diagnosis) {
   }
   for (const CandidateFinding& taken : diagnosis.ranking) {
     const auto one = std::find(labels.begin(), labels.end(), taken.term.label());
-    if (one == labels.end() || taken.state != State::present) {
+    if (one == labels.end() || taken.state != CandidateState::present) {
       continue;
     }
     for (const std::string& equivalent : taken.equivalent) {
@@ -212,12 +212,12 @@ Json aliasesJson(const Diagnosis& diagnosis) {
   return {{"candidates", labels}, {"correlations", std::move(rows)}, {"confusable", std::move(pairs)}};
 }
 
-Json imprintJson(const Imprint& view, const Effect& effect) {
+Json imprintJson(const EffectSignature& view, const Effect& effect) {
   Json size = Json::object(), pictures = Json::array();
   for (std::size_t i = 0; i < effect.unknowns.size(); ++i) {
     size[effect.unknowns[i].name] = {{"value", shortened(view.size[at(i)])}, {"unit", effect.unknowns[i].unit}};
   }
-  for (const Imprint::Seen& seen : view.pictures) {
+  for (const EffectSignature::Seen& seen : view.pictures) {
     Json corners = Json::array();
     for (const auto& corner : seen.corners.colwise()) {
       corners.push_back(Json::array());
@@ -249,7 +249,7 @@ Json addedVariableJson(const AddedVariable& view, const Effect& effect, std::siz
   if (view.points.size() > mostPoints) {
     result["of"] = view.points.size();
   }
-  for (const PoseTestimony& point : thinned(view.points, mostPoints)) {
+  for (const AddedVariablePoint& point : thinned(view.points, mostPoints)) {
     result["points"].push_back({{"pose", point.pose ? Json(*point.pose) : Json(nullptr)},
                                 {"signature", shortened(point.signature)},
                                 {"residual", shortened(point.residual)}});
@@ -286,7 +286,7 @@ namespace {
 /// What was recorded at every picture and varied; four digits of what it varied by.
 Json recordedJson(const Figures& figures) {
   Json result = Json::array();
-  for (const DriverValues& driver : figures.recorded) {
+  for (const DriverSeries& driver : figures.recorded) {
     Json values = Json::array();
     const auto [least, most] = std::minmax_element(driver.atPicture.begin(), driver.atPicture.end());
     const double scale = std::pow(10.0, 4 - std::floor(std::log10(*most - *least)));
@@ -303,9 +303,9 @@ Json recordedJson(const Figures& figures) {
 
 Json whatIfsJson(const Figures& figures, const Figures::Left& left, std::size_t mostPoints) {
   Json result = Json::array();
-  for (const WhatIfs& joint : left.whatIfs) {
+  for (const SingleJointCorrection& joint : left.whatIfs) {
     Json points = Json::array();
-    for (const WhatIf& point : thinned(joint.points, mostPoints)) {
+    for (const JointCorrection& point : thinned(joint.points, mostPoints)) {
       points.push_back({{"pictures", point.pictures},
                         {"deflection", shortened(point.deflection, 4)},
                         {"sigma", shortened(point.sigma, 3)}});
@@ -346,7 +346,7 @@ Json shapesJson(const Figures& figures, const Figures::Left& left) {
 
 Json leftJson(const Figures& figures, const Figures::Left& left, std::size_t mostPoints) {
   Json cells = Json::array(), boards = Json::array();
-  for (const Leftover::Cell& cell : left.leftover.cells) {
+  for (const ResidualField::Cell& cell : left.leftover.cells) {
     cells.push_back({{"camera", figures.taken.pictures[cell.worstPicture].camera},
                      {"u", shortened(cell.u, 4)},
                      {"v", shortened(cell.v, 4)},
@@ -356,7 +356,7 @@ Json leftJson(const Figures& figures, const Figures::Left& left, std::size_t mos
                      {"corners", cell.corners},
                      {"worstPicture", cell.worstPicture}});
   }
-  for (const Leftover::Seen& seen : thinned(left.leftover.boards, mostPoints)) {
+  for (const ResidualField::Seen& seen : thinned(left.leftover.boards, mostPoints)) {
     boards.push_back({{"picture", seen.picture},
                       {"board", figures.taken.boards[seen.board]},
                       {"distance", shortened(seen.distance, 4)},

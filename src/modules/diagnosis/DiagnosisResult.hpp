@@ -22,7 +22,7 @@ namespace naocal {
 enum class Verdict { adequate, effectMissing, unknownEffect, scatter, inconclusive, badCaptures };
 
 /// What these captures say about one candidate.
-enum class State {
+enum class CandidateState {
   present,      // the misfit needs it
   aliased,      // it would explain the misfit as well, but one that explains it as well was taken
   trivial,      // there, but smaller than matters
@@ -35,7 +35,7 @@ enum class State {
 /// An effect at a place, and what the captures say about it.
 struct CandidateFinding {
   Term term;
-  State state = State::inconclusive;
+  CandidateState state = CandidateState::inconclusive;
   std::string why;                       // of noData: "no temperatures were recorded"
   GroupEvidence evidence;                // where it was strongest: alone, or after others were added
   GroupEvidence alone;                   // beside the model as given
@@ -47,11 +47,11 @@ struct CandidateFinding {
   bool plausible = true;                             // within three of its sigmas
   std::vector<std::string> equivalent;               // labels of effects that these captures cannot tell from it
   std::optional<AddedVariable> addedVariable;        // of the first few
-  std::optional<Imprint> imprint;                    // of the first few, in the model as given
+  std::optional<EffectSignature> imprint;            // of the first few, in the model as given
 };
 
 /// A capture, board or setting that looks wrong.
-struct Suspicion {
+struct DataAnomaly {
   std::optional<int> capture; // its id
   std::string why;
   std::size_t set = 0;             // the capture's
@@ -60,7 +60,7 @@ struct Suspicion {
 };
 
 /// One rung of the ladder: the model with one more effect.
-struct Step {
+struct SelectionStep {
   std::string added;                // its label; empty for the model as it was given
   std::vector<std::string> dropped; // labels of earlier additions that it made superfluous
   double rmsPx = 0, noiseFloorPx = 0;
@@ -74,7 +74,7 @@ struct Step {
 struct OwnEffect {
   std::string label;      // "found_LKneePitch_over_q@LKneePitch"
   std::string definition; // JSON, as in a model file's `define`
-  Step step;              // the rung with it; its expression was chosen on all poses, its sizes in each fold
+  SelectionStep step;     // the rung with it; its expression was chosen on all poses, its sizes in each fold
 };
 
 struct Diagnosis {
@@ -88,10 +88,10 @@ struct Diagnosis {
   std::vector<CandidateFinding> ranking; // best first
   std::vector<std::string> suggested;    // labels, in the order they were added; that of `own` last
   std::optional<OwnEffect> own;          // beyond the catalogue, on top of the last model
-  std::vector<Step> steps;               // the ladder
-  std::vector<DriverFinding> drivers;    // on the last model, best first
-  std::vector<MapCell> map;              // on the last model
-  std::vector<Suspicion> suspicious;
+  std::vector<SelectionStep> steps;      // the ladder
+  std::vector<DriverCurve> drivers;      // on the last model, best first
+  std::vector<DriverScore> map;          // on the last model
+  std::vector<DataAnomaly> suspicious;
   Figures figures;
   CalibrationResult fit;         // of the model as given
   CalibrationResult lastFit;     // with everything suggested that the catalogue has
@@ -101,7 +101,7 @@ struct Diagnosis {
 
 struct DiagnosisOptions {
   CalibrationOptions calibration;
-  InquiryOptions inquiry;
+  CandidateTestOptions inquiry;
   std::vector<std::string> with, without; // the model to question: the base with and without these
   std::vector<Effect> effects = allEffects();
   double alarm = threshold::alarm; // family-wise rate of false alarms

@@ -33,7 +33,7 @@ std::string missing(const Diagnosis& diagnosis) {
   if (diagnosis.suggested.size() > 1) {
     text += fmt::format(" Further: {}.", fmt::join(diagnosis.suggested.begin() + 1, diagnosis.suggested.end(), ", "));
   }
-  const Step &before = diagnosis.steps.front(), &after = diagnosis.steps.back();
+  const SelectionStep &before = diagnosis.steps.front(), &after = diagnosis.steps.back();
   const std::optional<double>& heldOut = diagnosis.suggested.empty() ? before.nextPx : after.heldOutPx;
   if (before.heldOutPx && heldOut) {
     text += fmt::format(" The held-out error {} from {:.2f} to {:.2f} px (noise floor: {:.2f} px).",
@@ -53,7 +53,7 @@ std::string hardlyLikely(const Diagnosis& diagnosis) {
 }
 
 /// "LKneePitch", and how far: "±0.30°".
-std::pair<std::string, std::string> whereAndHowFar(const DriverFinding& curve) {
+std::pair<std::string, std::string> whereAndHowFar(const DriverCurve& curve) {
   if (curve.unit == "m") {
     return {
         fmt::format("board {}, whose corners do not lie where its file has them (bent, badly printed or not on flat "
@@ -71,7 +71,7 @@ std::pair<std::string, std::string> whereAndHowFar(const DriverFinding& curve) {
 }
 
 std::string unknown(const Diagnosis& diagnosis) {
-  const DriverFinding& curve = diagnosis.drivers.front();
+  const DriverCurve& curve = diagnosis.drivers.front();
   const auto [where, howFar] = whereAndHowFar(curve);
   std::vector<std::string> named = diagnosis.suggested; // in the catalogue
   std::string own;
@@ -109,47 +109,47 @@ std::string nameOf(Verdict verdict) {
   return {};
 }
 
-std::string nameOf(State state) {
+std::string nameOf(CandidateState state) {
   switch (state) {
-  case State::present:
+  case CandidateState::present:
     return "present";
-  case State::aliased:
+  case CandidateState::aliased:
     return "aliased";
-  case State::trivial:
+  case CandidateState::trivial:
     return "trivial";
-  case State::absent:
+  case CandidateState::absent:
     return "absent";
-  case State::inconclusive:
+  case CandidateState::inconclusive:
     return "inconclusive";
-  case State::absorbed:
+  case CandidateState::absorbed:
     return "absorbed";
-  case State::noData:
+  case CandidateState::noData:
     return "no-data";
   }
   return {};
 }
 
-std::string inWords(State state) {
+std::string inWords(CandidateState state) {
   switch (state) {
-  case State::present:
+  case CandidateState::present:
     return "needed";
-  case State::aliased:
+  case CandidateState::aliased:
     return "could explain";
-  case State::trivial:
+  case CandidateState::trivial:
     return "too small to matter";
-  case State::absent:
+  case CandidateState::absent:
     return "ruled out";
-  case State::inconclusive:
+  case CandidateState::inconclusive:
     return "undecided";
-  case State::absorbed:
+  case CandidateState::absorbed:
     return "not testable here";
-  case State::noData:
+  case CandidateState::noData:
     return "no data";
   }
   return {};
 }
 
-std::string howFar(const DriverFinding& curve) {
+std::string howFar(const DriverCurve& curve) {
   const auto [unit, scale] = shownUnit(curve.unit);
   return withUnit(fmt::format("±{:.2f}", scale * curve.amplitude), unit);
 }

@@ -9,15 +9,15 @@ namespace naocal {
 /// "effect-missing", ... as in diagnosis files.
 std::string nameOf(Verdict verdict);
 /// "present", ..., "no-data".
-std::string nameOf(State state);
+std::string nameOf(CandidateState state);
 /// The state as people read it: "needed", "could explain", "ruled out", ...
-std::string inWords(State state);
+std::string inWords(CandidateState state);
 
 /// The diagnosis in a sentence or two for people.
 std::string sentence(const Diagnosis& diagnosis);
 
 /// How far a curve deflects: "±0.30°".
-std::string howFar(const DriverFinding& curve);
+std::string howFar(const DriverCurve& curve);
 
 /// Whether captures tell an unknown of a finding at all: to ten of its plausible sizes.
 bool isTold(const CandidateFinding& finding, std::size_t unknown);

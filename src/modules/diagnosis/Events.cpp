@@ -30,7 +30,7 @@ FitMinimum fittedFrom(const Eigen::VectorXd& start, const Measurements& measurem
 
 } // namespace
 
-std::vector<std::optional<EventFit>> fitted(const std::vector<Event>& events, const Measurements& measurements,
+std::vector<std::optional<EventFit>> fitted(const std::vector<TransientEvent>& events, const Measurements& measurements,
                                             const Model& model, const CalibrationResult& fit) {
   const double without = fittedFrom(fit.unknowns, measurements, model, fit).linear.cost;
   std::vector<std::optional<EventFit>> result(events.size());
@@ -53,22 +53,22 @@ namespace {
 constexpr double millimetres = 1000; // in a metre
 
 /// Sets follow each other in the order in which they were given.
-bool isAfter(const Instant& instant, const Moment& moment) {
+bool isAfter(const RobotSample& instant, const Moment& moment) {
   return instant.set > moment.set || (instant.set == moment.set && instant.time.count() > moment.time);
 }
 
 /// From a moment on a floor placement (x, y, yaw) is another one.
-Effect moved(Place place, const Moment& moment) {
-  Effect effect{.name = place == Place::board ? "boardMoved" : "robotMoved",
+Effect moved(EffectSite place, const Moment& moment) {
+  Effect effect{.name = place == EffectSite::board ? "boardMoved" : "robotMoved",
                 .what = {},
                 .formula = {},
                 .place = place,
                 .unknowns = {{"x", "m", 0.02}, {"y", "m", 0.02}, {"yaw", "rad", 0.05}},
                 .correct = {}};
-  effect.correct = [place, moment](Belief& belief, const Instant& instant, std::size_t at,
+  effect.correct = [place, moment](ModelState& belief, const RobotSample& instant, std::size_t at,
                                    std::span<const double> values) {
     if (isAfter(instant, moment)) {
-      auto placement = place == Place::board ? belief.boardPlacement(at) : belief.ground();
+      auto placement = place == EffectSite::board ? belief.boardPlacement(at) : belief.ground();
       placement[0] += values[0];
       placement[1] += values[1];
       placement[5] += values[2];
@@ -78,13 +78,13 @@ Effect moved(Place place, const Moment& moment) {
 }
 
 /// At these instants a camera looks elsewhere than it should.
-Effect turned(std::string name, std::function<bool(const Instant&)> when) {
+Effect turned(std::string name, std::function<bool(const RobotSample&)> when) {
   return {.name = std::move(name),
           .what = {},
           .formula = {},
-          .place = Place::camera,
+          .place = EffectSite::camera,
           .unknowns = {{"rx", "rad", 0.02}, {"ry", "rad", 0.02}, {"rz", "rad", 0.02}},
-          .correct = [when = std::move(when)](Belief& belief, const Instant& instant, std::size_t,
+          .correct = [when = std::move(when)](ModelState& belief, const RobotSample& instant, std::size_t,
                                               std::span<const double> values) {
             if (when(instant)) {
               belief.mountRotation() += Eigen::Vector3d{values[0], values[1], values[2]};
@@ -93,28 +93,28 @@ Effect turned(std::string name, std::function<bool(const Instant&)> when) {
 }
 
 Effect bad(const Moment& moment) {
-  return turned("badCapture", [moment](const Instant& instant) {
+  return turned("badCapture", [moment](const RobotSample& instant) {
     return instant.set == moment.set && instant.time.count() == moment.time;
   });
 }
 
 Effect knocked(const Moment& moment) {
-  return turned("cameraKnocked", [moment](const Instant& instant) { return isAfter(instant, moment); });
+  return turned("cameraKnocked", [moment](const RobotSample& instant) { return isAfter(instant, moment); });
 }
 
 /// From a moment on a joint reads more than before: a gear slipped, or its encoder.
 Effect stepped(const Moment& moment) {
-  return {
-      .name = "jointStepped",
-      .what = {},
-      .formula = {},
-      .place = Place::motor,
-      .unknowns = {{"step", "rad", 0.01}},
-      .correct = [moment](Belief& belief, const Instant& instant, std::size_t joint, std::span<const double> values) {
-        if (isAfter(instant, moment)) {
-          belief.angle(joint) -= values[0];
-        }
-      }};
+  return {.name = "jointStepped",
+          .what = {},
+          .formula = {},
+          .place = EffectSite::motor,
+          .unknowns = {{"step", "rad", 0.01}},
+          .correct = [moment](ModelState& belief, const RobotSample& instant, std::size_t joint,
+                              std::span<const double> values) {
+            if (isAfter(instant, moment)) {
+              belief.angle(joint) -= values[0];
+            }
+          }};
 }
 
 /// When boards, stances or cameras were seen, by set and number.
@@ -143,12 +143,13 @@ bool severalIn(std::size_t set, const Times& times) {
 }
 
 /// Boards, stances, cameras and joints' zeros, each moved at this many moments at most.
-std::vector<Event> movesAt(std::size_t most, const std::vector<CaptureSet>& sets, const Measurements& measurements) {
-  std::vector<Event> result;
+std::vector<TransientEvent> movesAt(std::size_t most, const std::vector<CaptureSet>& sets,
+                                    const Measurements& measurements) {
+  std::vector<TransientEvent> result;
   Times boards, stances, cameras, joints;
-  for (const Picture& picture : measurements.pictures) {
+  for (const ImageObservation& picture : measurements.pictures) {
     const double time = picture.instant.time.count();
-    for (const Sighting& sighting : picture.sightings) {
+    for (const BoardObservation& sighting : picture.sightings) {
       if (measurements.targets[sighting.view.board()].onFloor) {
         boards[{picture.set, sighting.view.board()}].insert(time);
         stances[{picture.set, picture.stance}].insert(time);
@@ -181,10 +182,10 @@ std::vector<Event> movesAt(std::size_t most, const std::vector<CaptureSet>& sets
   std::erase_if(movable, [&](const auto& entry) { return !severalIn(entry.first.first, boards); });
   std::erase_if(knockable, [&](const auto& entry) { return !severalIn(entry.first.first, cameras); });
   addMoves(
-      movable, [](const Moment& moment) { return moved(Place::board, moment); },
+      movable, [](const Moment& moment) { return moved(EffectSite::board, moment); },
       [&](std::size_t at) { return "board " + measurements.targets[at].name; });
   addMoves(
-      stances, [](const Moment& moment) { return moved(Place::stance, moment); },
+      stances, [](const Moment& moment) { return moved(EffectSite::stance, moment); },
       [&](std::size_t at) { return "the robot in stance " + measurements.standings[at].name; });
   addMoves(knockable, knocked, [&](std::size_t at) { return "camera " + measurements.robot.cameras[at].name; });
   addMoves(joints, stepped, [&](std::size_t at) { return measurements.robot.joints[at].name; });
@@ -195,7 +196,7 @@ std::vector<Event> movesAt(std::size_t most, const std::vector<CaptureSet>& sets
 std::vector<std::size_t> worstPictures(std::size_t most, const Measurements& measurements,
                                        const CalibrationResult& fit) {
   std::vector<double> squares(measurements.pictures.size(), 0), corners = squares;
-  for (const SightingResidual& sighting : fit.asReported) {
+  for (const BoardResidual& sighting : fit.asReported) {
     squares[sighting.picture] += sighting.residual.squaredNorm();
     corners[sighting.picture] += static_cast<double>(sighting.residual.cols());
   }
@@ -216,7 +217,7 @@ std::vector<std::size_t> worstPictures(std::size_t most, const Measurements& mea
 
 } // namespace
 
-bool sameThing(const Event& one, const Event& other) {
+bool sameThing(const TransientEvent& one, const TransientEvent& other) {
   if (!one.from || !other.from) {
     return !one.from && !other.from && one.who == other.who && one.where == other.where;
   }
@@ -224,28 +225,28 @@ bool sameThing(const Event& one, const Event& other) {
          one.term.effect.name == other.term.effect.name;
 }
 
-std::string happened(const Event& event, const Eigen::VectorXd& values) {
+std::string happened(const TransientEvent& event, const Eigen::VectorXd& values) {
   if (!event.from) {
     return fmt::format("{}{} {}", event.who, event.where, event.what);
   }
-  const Place place = event.term.effect.place;
+  const EffectSite place = event.term.effect.place;
   const std::string how =
-      place == Place::motor    ? fmt::format("{}'s zero changed by {:+.2f}°", event.who, degrees(values[0]))
-      : place == Place::camera ? fmt::format("{} turned by {:.2f}°", event.who, degrees(values.norm()))
-                               : fmt::format("{} moved by {:.0f} mm and {:.1f}°", event.who,
-                                             millimetres * values.head<2>().norm(), degrees(std::abs(values[2])));
+      place == EffectSite::motor    ? fmt::format("{}'s zero changed by {:+.2f}°", event.who, degrees(values[0]))
+      : place == EffectSite::camera ? fmt::format("{} turned by {:.2f}°", event.who, degrees(values.norm()))
+                                    : fmt::format("{} moved by {:.0f} mm and {:.1f}°", event.who,
+                                                  millimetres * values.head<2>().norm(), degrees(std::abs(values[2])));
   const auto& [set, time, since, until] = *event.from;
   return fmt::format("{}, {:.1f} s after the first capture{} (between {:.1f} and {:.1f} s)", how, time, event.where,
                      since, until);
 }
 
-std::vector<Event> possibleEvents(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                  const CalibrationResult& fit) {
+std::vector<TransientEvent> possibleEvents(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                           const CalibrationResult& fit) {
   constexpr std::size_t most = 16; // per board, stance or camera
   constexpr std::size_t mostPictures = 128;
-  std::vector<Event> result = movesAt(most, sets, measurements);
+  std::vector<TransientEvent> result = movesAt(most, sets, measurements);
   for (const std::size_t index : worstPictures(mostPictures, measurements, fit)) {
-    const Picture& picture = measurements.pictures[index];
+    const ImageObservation& picture = measurements.pictures[index];
     const int id = sets[picture.set].captures[picture.capture].id;
     const std::string name = fmt::format("capture {}", id), where = inSet(picture.set, sets);
     result.push_back(
@@ -258,12 +259,13 @@ std::vector<Event> possibleEvents(const std::vector<CaptureSet>& sets, const Mea
   return result;
 }
 
-std::vector<Event> atAnyTime(const std::vector<Event>& things, const std::vector<CaptureSet>& sets,
-                             const Measurements& measurements) {
+std::vector<TransientEvent> atAnyTime(const std::vector<TransientEvent>& things, const std::vector<CaptureSet>& sets,
+                                      const Measurements& measurements) {
   constexpr std::size_t most = 128;
-  std::vector<Event> result = movesAt(most, sets, measurements);
-  std::erase_if(result, [&](const Event& event) {
-    return std::none_of(things.begin(), things.end(), [&](const Event& thing) { return sameThing(event, thing); });
+  std::vector<TransientEvent> result = movesAt(most, sets, measurements);
+  std::erase_if(result, [&](const TransientEvent& event) {
+    return std::none_of(things.begin(), things.end(),
+                        [&](const TransientEvent& thing) { return sameThing(event, thing); });
   });
   return result;
 }

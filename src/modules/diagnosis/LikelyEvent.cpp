@@ -36,11 +36,11 @@ std::vector<Noise> levelsBelow(const Noise& noise, std::size_t poses) {
 
 /// Per group, its Bayes factor where the level of noise suits it best, against the model at the first level, of which
 /// the evidence is known.
-std::vector<double> bestAtAny(const Inquiry& inquiry, const std::vector<Noise>& levels) {
+std::vector<double> bestAtAny(const CandidateTests& inquiry, const std::vector<Noise>& levels) {
   const ScoreProblem& problem = inquiry.problem();
   const PoseResiduals measured = measuredResiduals(*problem.poses);
   const auto devianceAt = [&](const Noise& level) {
-    return ModelAlone{problem, level}(measured, problem.priorScore()).deviance[0] + scatterPenalty(level.pose) +
+    return NullModel{problem, level}(measured, problem.priorScore()).deviance[0] + scatterPenalty(level.pose) +
            scatterPenalty(level.reapproach);
   };
   std::vector<double> result;
@@ -66,7 +66,7 @@ struct Rivals {
   double best() const { return std::max(lasting, passing); }
 };
 
-Rivals rivalsIn(const Inquiry& inquiry, const std::vector<Noise>& levels) {
+Rivals rivalsIn(const CandidateTests& inquiry, const std::vector<Noise>& levels) {
   const std::vector<double> all = bestAtAny(inquiry, levels);
   const std::size_t named = inquiry.candidates().size();
   Rivals result;
@@ -75,7 +75,7 @@ Rivals rivalsIn(const Inquiry& inquiry, const std::vector<Noise>& levels) {
     best = std::max(best, all[i]);
   }
   for (std::size_t i = named; i < all.size(); ++i) {
-    if (inquiry.cellOf(i - named).shape != DriverCell::Shape::step) {
+    if (inquiry.cellOf(i - named).shape != DriverBasis::Shape::step) {
       result.passing = std::max(result.passing, all[i]);
     }
   }
@@ -84,21 +84,21 @@ Rivals rivalsIn(const Inquiry& inquiry, const std::vector<Noise>& levels) {
 
 /// Events, and what the captures say of each.
 struct Asked {
-  std::vector<Event> events;
+  std::vector<TransientEvent> events;
   std::vector<double> bayes;           // at any level, their priors included
   std::vector<GroupEvidence> evidence; // at the fit's
   std::vector<std::size_t> order = {}; // the likeliest first
 
-  const Event& event(std::size_t place) const { return events[order[place]]; }
+  const TransientEvent& event(std::size_t place) const { return events[order[place]]; }
 };
 
-Asked asked(std::vector<Event> events, const Measurements& measurements, const Model& model,
+Asked asked(std::vector<TransientEvent> events, const Measurements& measurements, const Model& model,
             const CalibrationResult& fit, const std::vector<Noise>& levels) {
   std::vector<Term> terms;
-  for (const Event& event : events) {
+  for (const TransientEvent& event : events) {
     terms.push_back(event.term);
   }
-  const Inquiry inquiry{measurements, model, fit, terms, {.draws = 0, .map = false}};
+  const CandidateTests inquiry{measurements, model, fit, terms, {.draws = 0, .map = false}};
   Asked result{std::move(events), bestAtAny(inquiry, levels), inquiry.evidence().groups};
   for (std::size_t i = 0; i < result.events.size(); ++i) {
     result.bayes[i] += result.events[i].prior;
@@ -125,24 +125,25 @@ bool convinces(const Asked& events, const Rivals& rivals) {
 }
 
 /// The likeliest few, those that moved at all moments.
-std::vector<Event> atAllMoments(const Asked& coarse, const std::vector<CaptureSet>& sets,
-                                const Measurements& measurements) {
+std::vector<TransientEvent> atAllMoments(const Asked& coarse, const std::vector<CaptureSet>& sets,
+                                         const Measurements& measurements) {
   constexpr std::size_t most = 8;
-  std::vector<Event> things;
+  std::vector<TransientEvent> things;
   for (std::size_t place = 0; place < coarse.order.size() && things.size() < most; ++place) {
-    const Event& event = coarse.event(place);
-    if (std::none_of(things.begin(), things.end(), [&](const Event& one) { return sameThing(one, event); })) {
+    const TransientEvent& event = coarse.event(place);
+    if (std::none_of(things.begin(), things.end(), [&](const TransientEvent& one) { return sameThing(one, event); })) {
       things.push_back(event);
     }
   }
-  std::vector<Event> result = atAnyTime(things, sets, measurements);
-  std::copy_if(things.begin(), things.end(), std::back_inserter(result), [](const Event& one) { return !one.from; });
+  std::vector<TransientEvent> result = atAnyTime(things, sets, measurements);
+  std::copy_if(things.begin(), things.end(), std::back_inserter(result),
+               [](const TransientEvent& one) { return !one.from; });
   return result;
 }
 
 /// An event that was fitted.
 struct Tried {
-  Event event;
+  TransientEvent event;
   double bayes = 0; // its evidence, with the fall of chi2 that the fit found
   Eigen::VectorXd values;
 };
@@ -152,11 +153,11 @@ std::vector<Tried> triedOf(const Asked& events, const Measurements& measurements
                            const CalibrationResult& fit) {
   constexpr std::size_t most = 12, moments = 3;
   std::vector<std::size_t> chosen;
-  std::vector<Event> some;
+  std::vector<TransientEvent> some;
   for (const std::size_t i : events.order) {
-    const Event& event = events.events[i];
+    const TransientEvent& event = events.events[i];
     const auto before = static_cast<std::size_t>(
-        std::count_if(some.begin(), some.end(), [&](const Event& other) { return sameThing(event, other); }));
+        std::count_if(some.begin(), some.end(), [&](const TransientEvent& other) { return sameThing(event, other); }));
     if (some.size() < most && before < moments) {
       chosen.push_back(i);
       some.push_back(event);
@@ -175,7 +176,7 @@ std::vector<Tried> triedOf(const Asked& events, const Measurements& measurements
 }
 
 /// An event with all the moments at which it would be hardly less likely.
-Event widened(Event event, const Asked& fine) {
+TransientEvent widened(TransientEvent event, const Asked& fine) {
   double best = -std::numeric_limits<double>::infinity();
   const auto ofThis = [&](const auto& look) {
     for (std::size_t i = 0; i < fine.events.size(); ++i) {
@@ -197,11 +198,11 @@ Event widened(Event event, const Asked& fine) {
 /// ", unless it was board B (1 to 3)": each other thing that is hardly less likely.
 std::string whatElse(const std::vector<Tried>& tried) {
   std::string text;
-  std::vector<const Event*> told{&tried.front().event};
+  std::vector<const TransientEvent*> told{&tried.front().event};
   for (const Tried& other : tried) {
     const double behind = tried.front().bayes - other.bayes;
     const bool is =
-        std::any_of(told.begin(), told.end(), [&](const Event* one) { return sameThing(other.event, *one); });
+        std::any_of(told.begin(), told.end(), [&](const TransientEvent* one) { return sameThing(other.event, *one); });
     if (behind < threshold::equallyLikely && !is) {
       const double odds = std::exp(behind / 2);
       text += fmt::format("{}{} ({})", text.empty() ? ", unless it was " : " or ", other.event.who,
@@ -227,9 +228,10 @@ std::optional<CalibrationResult> withAllCorners(const Measurements& measurements
 }
 
 std::optional<LikelyEvent> likeliestAt(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                       const Model& model, const CalibrationResult& fit, const Inquiry& inquiry) {
-  std::vector<Event> events = possibleEvents(sets, measurements, fit);
-  const std::vector<Event> angles = wrongAngles(sets, measurements, fit);
+                                       const Model& model, const CalibrationResult& fit,
+                                       const CandidateTests& inquiry) {
+  std::vector<TransientEvent> events = possibleEvents(sets, measurements, fit);
+  const std::vector<TransientEvent> angles = wrongAngles(sets, measurements, fit);
   events.insert(events.end(), angles.begin(), angles.end());
   if (events.empty()) {
     return std::nullopt;
@@ -250,7 +252,7 @@ std::optional<LikelyEvent> likeliestAt(const std::vector<CaptureSet>& sets, cons
     return std::nullopt;
   }
   const Tried& best = tried.front();
-  const Event event = best.event.from ? widened(best.event, fine) : best.event;
+  const TransientEvent event = best.event.from ? widened(best.event, fine) : best.event;
   constexpr double mostOdds = 1e12;
   return LikelyEvent{event, std::min(mostOdds, std::exp((best.bayes - rivals.best()) / 2)),
                      happened(event, best.values) + whatElse(tried)};
@@ -259,15 +261,16 @@ std::optional<LikelyEvent> likeliestAt(const std::vector<CaptureSet>& sets, cons
 } // namespace
 
 std::optional<LikelyEvent> likeliestEvent(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                          const Model& model, const CalibrationResult& fit, const Inquiry& inquiry) {
-  if (std::none_of(fit.doubts.begin(), fit.doubts.end(), std::mem_fn(&Doubt::whole))) {
+                                          const Model& model, const CalibrationResult& fit,
+                                          const CandidateTests& inquiry) {
+  if (std::none_of(fit.doubts.begin(), fit.doubts.end(), std::mem_fn(&Outlier::whole))) {
     return likeliestAt(sets, measurements, model, fit, inquiry);
   }
   const std::optional<CalibrationResult> all = withAllCorners(measurements, model, fit);
   if (!all) {
     return likeliestAt(sets, measurements, model, fit, inquiry);
   }
-  const Inquiry again{measurements, model, *all, inquiry.candidates(), {.draws = 0}};
+  const CandidateTests again{measurements, model, *all, inquiry.candidates(), {.draws = 0}};
   return likeliestAt(sets, measurements, model, *all, again);
 }
 

@@ -11,7 +11,7 @@
 
 namespace naocal {
 
-nlohmann::json curveEffect(const DriverFinding& curve) {
+nlohmann::json curveEffect(const DriverCurve& curve) {
   nlohmann::json unknowns = nlohmann::json::object();
   for (const Coefficient& coefficient : curve.coefficients) {
     const double size = std::max(1e-6, 2 * std::abs(coefficient.value));
@@ -23,20 +23,21 @@ nlohmann::json curveEffect(const DriverFinding& curve) {
           {"unknowns", unknowns}};
 }
 
-std::optional<OwnEffect> ownEffect(const DriverFinding& curve, const Measurements& measurements, const Ladder& ladder,
-                                   const Diagnosis& diagnosis, const InquiryOptions& options) {
+std::optional<OwnEffect> ownEffect(const DriverCurve& curve, const Measurements& measurements,
+                                   const StepwiseSelection& ladder, const Diagnosis& diagnosis,
+                                   const CandidateTestOptions& options) {
   const bool passes = curve.driver == "t" || curve.driver == "T"; // explains, but does not predict
   if (curve.coefficients.empty() || passes) {
     return std::nullopt;
   }
   const nlohmann::json definition = curveEffect(curve);
-  const Effect effect = userEffect(JsonPlace{definition, "the curve"}, measurements.robot);
+  const Effect effect = userEffect(JsonCursor{definition, "the curve"}, measurements.robot);
   const std::vector<Term> terms = candidateTerms(measurements, {effect});
   if (terms.empty()) {
     return std::nullopt;
   }
-  const Inquiry asked{measurements, ladder.model(), ladder.fit(), terms, {.draws = 0, .map = false}};
-  const std::optional<HeldOut> held = heldOut(asked, ladder.model(), diagnosis.suggested, {{0}});
+  const CandidateTests asked{measurements, ladder.model(), ladder.fit(), terms, {.draws = 0, .map = false}};
+  const std::optional<CrossValidation> held = heldOut(asked, ladder.model(), diagnosis.suggested, {{0}});
   if (!held || held->afterPx.front() >= held->beforePx) {
     return std::nullopt;
   }
@@ -44,7 +45,7 @@ std::optional<OwnEffect> ownEffect(const DriverFinding& curve, const Measurement
   larger.add(terms.front());
   const CalibrationResult fit = ladder.fitOf(larger);
   std::vector<Term> left = ladder.testable();
-  const Inquiry after{measurements, larger, fit, left, options};
+  const CandidateTests after{measurements, larger, fit, left, options};
   OwnEffect own{.label = terms.front().label(), .definition = definition.dump()};
   own.step.added = own.label;
   own.step.rmsPx = fit.rmsPx;

@@ -21,7 +21,7 @@ Json orNull(const auto& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
-Json rungJson(const Rung& rung) {
+Json rungJson(const ModelRevision& rung) {
   Json json{{"with", rung.with}, {"without", rung.without},   {"define", Json::parse(rung.definitions)},
             {"step", rung.step}, {"from", orNull(rung.from)}, {"rmsPx", rung.rmsPx}};
   if (rung.questioned) {
@@ -32,23 +32,23 @@ Json rungJson(const Rung& rung) {
   return json;
 }
 
-std::vector<std::string> texts(const std::optional<JsonPlace>& list) {
+std::vector<std::string> texts(const std::optional<JsonCursor>& list) {
   std::vector<std::string> result;
   if (list) {
-    for (const JsonPlace& one : list->elements()) {
+    for (const JsonCursor& one : list->elements()) {
       result.push_back(one.text());
     }
   }
   return result;
 }
 
-bool isKnown(const std::optional<JsonPlace>& place) {
+bool isKnown(const std::optional<JsonCursor>& place) {
   return place && !place->value().is_null();
 }
 
 /// `before`: how many rungs stand before it.
-Rung rungOf(const JsonPlace& place, int before) {
-  Rung rung{.with = texts(place.at("with")), .without = texts(place.find("without"))};
+ModelRevision rungOf(const JsonCursor& place, int before) {
+  ModelRevision rung{.with = texts(place.at("with")), .without = texts(place.find("without"))};
   if (const auto define = place.find("define")) {
     define->elements(); // a list; what stands in it is checked with the robot's drawing
     rung.definitions = define->value().dump();
@@ -61,7 +61,7 @@ Rung rungOf(const JsonPlace& place, int before) {
   }
   rung.rmsPx = place.at("rmsPx").number(pixels);
   if (const auto floor = place.find("noiseFloorPx"); isKnown(floor)) {
-    Step step{.rmsPx = rung.rmsPx, .noiseFloorPx = floor->number(pixels)};
+    SelectionStep step{.rmsPx = rung.rmsPx, .noiseFloorPx = floor->number(pixels)};
     step.alarm = place.at("alarm").number(chance);
     if (const auto heldOut = place.find("heldOutPx"); isKnown(heldOut)) {
       step.heldOutPx = heldOut->number(pixels);
@@ -88,7 +88,7 @@ std::vector<std::string> termLabels(const Model& model) {
 }
 
 void Session::add(const std::string& label, const Terms& terms) {
-  Rung changed = current();
+  ModelRevision changed = current();
   if (std::erase(changed.without, label) == 0) {
     if (contains(changed.with, label) || contains(terms(), label)) {
       throw InputError{fmt::format("{} is in the model already", label)};
@@ -99,7 +99,7 @@ void Session::add(const std::string& label, const Terms& terms) {
 }
 
 void Session::drop(const std::string& label, const Terms& terms) {
-  Rung changed = current();
+  ModelRevision changed = current();
   if (std::erase(changed.with, label) == 0) {
     if (!contains(terms(), label)) {
       throw InputError{fmt::format("{} is not in the model; it has {}", label,
@@ -111,7 +111,7 @@ void Session::drop(const std::string& label, const Terms& terms) {
   revise(std::move(changed), "− " + label);
 }
 
-void Session::revise(Rung changed, const std::string& step) {
+void Session::revise(ModelRevision changed, const std::string& step) {
   changed.step = step;
   changed.from = at;
   changed.questioned.reset();
@@ -136,7 +136,7 @@ void Session::goTo(std::size_t number) {
 
 nlohmann::json sessionJson(const Session& session) {
   Json ladder = Json::array();
-  for (const Rung& rung : session.ladder) {
+  for (const ModelRevision& rung : session.ladder) {
     ladder.push_back(rungJson(rung));
   }
   return {{"format", "naocal-session"},  {"version", 1},
@@ -146,11 +146,11 @@ nlohmann::json sessionJson(const Session& session) {
 
 Session readSession(const std::filesystem::path& file) {
   const Json document = parseJson(fileContent(file), file.string());
-  const JsonPlace all{document, file.string()};
+  const JsonCursor all{document, file.string()};
   all.at("format").oneOf({"naocal-session"});
   all.at("version").integer(1, 1);
   Session session{.inputs = {texts(all.at("sets")), texts(all.at("sha256"))}};
-  for (const JsonPlace& rung : all.at("ladder").elements()) {
+  for (const JsonCursor& rung : all.at("ladder").elements()) {
     session.ladder.push_back(rungOf(rung, static_cast<int>(session.ladder.size())));
   }
   if (session.ladder.empty()) {
@@ -160,7 +160,7 @@ Session readSession(const std::filesystem::path& file) {
   return session;
 }
 
-void requireSameCaptures(const Session& session, const ResultInputs& inputs, const std::filesystem::path& file) {
+void requireSameCaptures(const Session& session, const ResultSources& inputs, const std::filesystem::path& file) {
   if (session.inputs.sha256 != inputs.sha256) {
     throw InputError{fmt::format("{}: expected a session of these captures ({}), found one of others ({}, or they were "
                                  "changed since); name another file, or open the captures without it",

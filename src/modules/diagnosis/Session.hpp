@@ -13,24 +13,24 @@
 namespace naocal {
 
 /// A model that a person tried: the base with and without some effects, and how well it did.
-struct Rung {
-  std::vector<std::string> with, without; // "E@P"
-  std::string definitions = "[]";         // the person's own effects: a list of JSON
-  std::string step;                       // what was done: "+ elasticity@LKneePitch"; empty for the first
-  std::optional<std::size_t> from;        // which rung before it was changed
-  double rmsPx = 0;                       // of the fit
-  std::optional<Step> questioned;         // once it was put to the question
+struct ModelRevision {
+  std::vector<std::string> with, without;  // "E@P"
+  std::string definitions = "[]";          // the person's own effects: a list of JSON
+  std::string step;                        // what was done: "+ elasticity@LKneePitch"; empty for the first
+  std::optional<std::size_t> from;         // which rung before it was changed
+  double rmsPx = 0;                        // of the fit
+  std::optional<SelectionStep> questioned; // once it was put to the question
 };
 
 /// A person's work with captures, from which it goes on another day, in the terminal or in the panel. Every model that
 /// was tried stays: a changed one comes last, whichever model it was made from.
 struct Session {
-  std::vector<Rung> ladder;
-  std::size_t at = 0;  // the rung that one stands on
-  ResultInputs inputs; // the captures
+  std::vector<ModelRevision> ladder;
+  std::size_t at = 0;   // the rung that one stands on
+  ResultSources inputs; // the captures
 
-  Rung& current() { return ladder.at(at); }
-  const Rung& current() const { return ladder.at(at); }
+  ModelRevision& current() { return ladder.at(at); }
+  const ModelRevision& current() const { return ladder.at(at); }
 
   /// Labels of the current model's terms (`termLabels`); called where they matter, as a model may name what there is
   /// not.
@@ -42,7 +42,7 @@ struct Session {
   /// The current model without one of its effects, of the base model's too. Throws InputError where it has no such one.
   void drop(const std::string& label, const Terms& terms);
   /// The current model as changed otherwise; `step` says how.
-  void revise(Rung changed, const std::string& step);
+  void revise(ModelRevision changed, const std::string& step);
   /// Back to the model that the current one was made from. Throws InputError where there is none.
   void undo();
   /// To any model that was tried. Throws InputError where there is none of that number.
@@ -62,6 +62,6 @@ nlohmann::json sessionJson(const Session& session);
 Session readSession(const std::filesystem::path& file);
 
 /// Throws InputError where the session is of other captures than these.
-void requireSameCaptures(const Session& session, const ResultInputs& inputs, const std::filesystem::path& file);
+void requireSameCaptures(const Session& session, const ResultSources& inputs, const std::filesystem::path& file);
 
 } // namespace naocal

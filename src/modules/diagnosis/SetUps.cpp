@@ -167,7 +167,8 @@ BestMoment bestMoment(const MovedThing& thing, const std::vector<CaptureSet>& se
 }
 
 /// What was moved so far that no linearised event shows it.
-std::optional<Suspicion> movedFar(const std::vector<CaptureSet>& sets, const Measurements& measurements, double least) {
+std::optional<DataAnomaly> movedFar(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                    double least) {
   constexpr double asGood = 1.05; // of the least misfit: the captures cannot tell which of them it was
   std::vector<std::pair<MovedThing, BestMoment>> mending;
   for (const MovedThing& thing : movedThings(sets)) {
@@ -187,18 +188,18 @@ std::optional<Suspicion> movedFar(const std::vector<CaptureSet>& sets, const Mea
     others += fmt::format("{}{}", others.empty() ? ", unless it was " : " or ", mending[i].first.who);
   }
   const std::string of = sets.size() > 1 ? " of " + sets[thing.set].name : std::string{};
-  return Suspicion{.why = fmt::format("{} {}, {:.1f} s after the first capture{} (between {:.1f} and {:.1f} s){} (so "
-                                      "corrected the error is {:.1f} px)",
-                                      thing.who, thing.how, best.moment.time, of, best.moment.since, best.moment.until,
-                                      others, best.left),
-                   .when = best.moment};
+  return DataAnomaly{.why = fmt::format("{} {}, {:.1f} s after the first capture{} (between {:.1f} and {:.1f} s){} (so "
+                                        "corrected the error is {:.1f} px)",
+                                        thing.who, thing.how, best.moment.time, of, best.moment.since,
+                                        best.moment.until, others, best.left),
+                     .when = best.moment};
 }
 
 } // namespace
 
 GrossMisfit GrossMisfit::of(const CalibrationResult& fit, const Model& model) {
   double all = 0, far = 0;
-  for (const SightingResidual& sighting : fit.asReported) {
+  for (const BoardResidual& sighting : fit.asReported) {
     all += static_cast<double>(sighting.residual.cols());
     far += static_cast<double>((sighting.residual.colwise().norm().array() > threshold::impossiblePx).count());
   }
@@ -211,18 +212,19 @@ GrossMisfit GrossMisfit::of(const CalibrationResult& fit, const Model& model) {
           .absurd = absurd || fit.rmsPx > threshold::impossiblePx};
 }
 
-std::optional<Suspicion> wrongSetUp(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                    const GrossMisfit& misfit, const std::function<bool(std::size_t)>& mayBeMirrored) {
+std::optional<DataAnomaly> wrongSetUp(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                      const GrossMisfit& misfit,
+                                      const std::function<bool(std::size_t)>& mayBeMirrored) {
   if (misfit.rmsPx < threshold::grossPx) {
     return std::nullopt;
   }
-  std::optional<Suspicion> best;
+  std::optional<DataAnomaly> best;
   double least = std::min(
       {threshold::mends * std::min(misfit.rmsPx, threshold::impossiblePx), threshold::soundPx, misfit.explainedPx});
   const auto consider = [&](const std::vector<CaptureSet>& corrected, const std::string& why) {
     if (const auto left = misfitOf(corrected, measurements); left && *left < least) {
       least = *left;
-      best = Suspicion{{}, fmt::format("{} (so corrected the error is {:.1f} px)", why, *left)};
+      best = DataAnomaly{{}, fmt::format("{} (so corrected the error is {:.1f} px)", why, *left)};
     }
   };
   for (std::size_t joint : measurements.joints) {
@@ -238,10 +240,10 @@ std::optional<Suspicion> wrongSetUp(const std::vector<CaptureSet>& sets, const M
     best = movedFar(sets, measurements, least);
   }
   if (!best && misfit.rmsPx > threshold::nonsensePx && misfit.farShare > some && std::isfinite(misfit.rmsPx)) {
-    best = Suspicion{{},
-                     fmt::format("predictions are {:.0f} px off and no robot is so wrong: a board of another pattern "
-                                 "(legacyPattern), other boards or another robot than the file says",
-                                 misfit.rmsPx)};
+    best = DataAnomaly{{},
+                       fmt::format("predictions are {:.0f} px off and no robot is so wrong: a board of another pattern "
+                                   "(legacyPattern), other boards or another robot than the file says",
+                                   misfit.rmsPx)};
   }
   return best;
 }

@@ -52,15 +52,16 @@ bool isBlind(const CandidateFinding& finding) {
 /// A candidate that the model does not have.
 void judgeLeftOut(const GroupEvidence& evidence, double criticalP, CandidateFinding& finding) {
   senseFrom(evidence, criticalP, finding);
-  if (finding.state == State::inconclusive) {
+  if (finding.state == CandidateState::inconclusive) {
     const bool untestable = evidence.freedom < 1 || isBlind(finding);
     const bool taken = finding.evidence.bayes > evidence.bayes + 2; // by what was added since
     const bool striking = evidence.pValue < criticalP;              // but it may be less likely there than not
-    finding.state = untestable && taken              ? State::aliased
-                    : untestable                     ? State::absorbed
-                    : striking && evidence.bayes > 0 ? (evidence.matters() ? State::present : State::trivial)
-                    : !striking && finding.power >= threshold::power ? State::absent
-                                                                     : State::inconclusive;
+    finding.state = untestable && taken ? CandidateState::aliased
+                    : untestable        ? CandidateState::absorbed
+                    : striking && evidence.bayes > 0
+                        ? (evidence.matters() ? CandidateState::present : CandidateState::trivial)
+                    : !striking && finding.power >= threshold::power ? CandidateState::absent
+                                                                     : CandidateState::inconclusive;
   }
 }
 
@@ -77,7 +78,7 @@ void judgeAdded(const Term& term, const CalibrationResult& fit, double criticalP
 }
 
 /// The first few of those left out that explain something: what they cannot be told from.
-void nameEquivalents(const Inquiry& last, std::vector<CandidateFinding>& findings) {
+void nameEquivalents(const CandidateTests& last, std::vector<CandidateFinding>& findings) {
   constexpr std::size_t few = 10;
   const std::vector<std::size_t> order = last.candidatesByStanding();
   for (std::size_t i = 0; i < std::min(few, order.size()) && last.standing(last.ofCandidate(order[i])) > 0; ++i) {
@@ -92,8 +93,9 @@ void nameEquivalents(const Inquiry& last, std::vector<CandidateFinding>& finding
 
 } // namespace
 
-std::vector<CandidateFinding> judged(std::vector<CandidateFinding> findings, const Inquiry& last, const Model& model,
-                                     const CalibrationResult& fit, const std::vector<std::string>& suggested) {
+std::vector<CandidateFinding> judged(std::vector<CandidateFinding> findings, const CandidateTests& last,
+                                     const Model& model, const CalibrationResult& fit,
+                                     const std::vector<std::string>& suggested) {
   const double criticalP = last.evidence().criticalP;
   for (std::size_t i = 0; i < last.candidates().size(); ++i) {
     judgeLeftOut(last.ofCandidate(i), criticalP, findingOf(findings, last.candidates()[i]));
@@ -109,8 +111,8 @@ std::vector<CandidateFinding> judged(std::vector<CandidateFinding> findings, con
   nameEquivalents(last, findings);
   const auto tier = [&](const CandidateFinding& finding) { // the first addition leads; what cannot be tested comes last
     const bool leads = !suggested.empty() && finding.term.label() == suggested.front();
-    const bool shown =
-        finding.state != State::noData && (finding.state != State::absorbed || finding.evidence.bayes > 2);
+    const bool shown = finding.state != CandidateState::noData &&
+                       (finding.state != CandidateState::absorbed || finding.evidence.bayes > 2);
     return leads ? 0 : shown ? 1 : 2;
   };
   std::stable_sort(findings.begin(), findings.end(), [&](const CandidateFinding& a, const CandidateFinding& b) {
@@ -135,7 +137,8 @@ CalibrationResult calibratedOrHeld(const Measurements& measurements, const Model
 
 } // namespace
 
-Ladder::Ladder(const Measurements& measurements, const Model& model, const DiagnosisOptions& options)
+StepwiseSelection::StepwiseSelection(const Measurements& measurements, const Model& model,
+                                     const DiagnosisOptions& options)
     : measurements_{measurements}, options_{options}, candidates_{candidateTerms(measurements, options.effects)},
       added_{options.with}, model_{model}, fit_{calibrated(model_, options.calibration.start)} {
   levels_ = fit_.noise;
@@ -144,7 +147,7 @@ Ladder::Ladder(const Measurements& measurements, const Model& model, const Diagn
     CandidateFinding& finding = findings_.emplace_back(CandidateFinding{.term = term});
     finding.evidence.bayes = -std::numeric_limits<double>::infinity();
     if (const auto why = whyUntestable(term.effect, term.at, measurements)) {
-      finding.state = State::noData;
+      finding.state = CandidateState::noData;
       finding.why = *why;
     }
   }
@@ -152,20 +155,20 @@ Ladder::Ladder(const Measurements& measurements, const Model& model, const Diagn
 
 /// No sighting is set aside: what a missing effect does to a board must not be taken for an accident. Noise levels are
 /// those of the first rung, found under the widest model: all rungs are compared at the same.
-CalibrationResult Ladder::calibrated(const Model& model, std::optional<Eigen::VectorXd> start) const {
+CalibrationResult StepwiseSelection::calibrated(const Model& model, std::optional<Eigen::VectorXd> start) const {
   CalibrationOptions options = options_.calibration;
   options.start = std::move(start);
   options.setAside = false;
   if (levels_) {
     options.noise = *levels_;
     options.estimateNoise = options.question = false;
-    if (std::none_of(fit_.doubts.begin(), fit_.doubts.end(), std::mem_fn(&Doubt::whole))) {
+    if (std::none_of(fit_.doubts.begin(), fit_.doubts.end(), std::mem_fn(&Outlier::whole))) {
       options.loss = fit_.loss; // else boards that had no weight get it back first
     }
   }
   CalibrationResult result = calibratedOrHeld(measurements_, model, options);
   std::size_t doubted = 0, elsewhere = 0;
-  for (const Doubt& doubt : result.doubts) {
+  for (const Outlier& doubt : result.doubts) {
     (doubt.whole && doubt.distance > threshold::impossiblePx ? elsewhere : doubted) += doubt.corners.size();
   }
   const auto many = [&](std::size_t corners) {
@@ -178,29 +181,29 @@ CalibrationResult Ladder::calibrated(const Model& model, std::optional<Eigen::Ve
   return result;
 }
 
-CalibrationResult Ladder::withoutMovedBoards() const {
+CalibrationResult StepwiseSelection::withoutMovedBoards() const {
   CalibrationOptions options = options_.calibration;
   options.start = fit_.unknowns;
   return calibrate(measurements_, model_, options);
 }
 
-std::vector<Term> Ladder::testable() const {
+std::vector<Term> StepwiseSelection::testable() const {
   std::vector<Term> result;
   for (const CandidateFinding& finding : findings_) {
-    if (finding.state != State::noData && !model_.find(finding.term.label())) {
+    if (finding.state != CandidateState::noData && !model_.find(finding.term.label())) {
       result.push_back(finding.term);
     }
   }
   return result;
 }
 
-CandidateFinding& Ladder::findingOf(const std::string& label) {
+CandidateFinding& StepwiseSelection::findingOf(const std::string& label) {
   const auto found = std::find_if(findings_.begin(), findings_.end(),
                                   [&](const CandidateFinding& finding) { return finding.term.label() == label; });
   return *found;
 }
 
-void Ladder::look(const Inquiry& inquiry, Diagnosis& diagnosis) {
+void StepwiseSelection::look(const CandidateTests& inquiry, Diagnosis& diagnosis) {
   for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
     CandidateFinding& finding = findingOf(inquiry.candidates()[i]);
     finding.alone = diagnosis.steps.empty() ? inquiry.ofCandidate(i) : finding.alone;
@@ -221,7 +224,7 @@ void Ladder::look(const Inquiry& inquiry, Diagnosis& diagnosis) {
       asked.push_back({order[i], order[j]});
     }
   }
-  const std::optional<HeldOut> held = heldOut(inquiry, model_, diagnosis.suggested, asked);
+  const std::optional<CrossValidation> held = heldOut(inquiry, model_, diagnosis.suggested, asked);
   misleading_ = takenBack_;
   byTwo_.clear();
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -243,7 +246,7 @@ void Ladder::look(const Inquiry& inquiry, Diagnosis& diagnosis) {
     }
   }
   const LackOfFit misfit = lackOfFit(inquiry);
-  Step step{.dropped = dropped_, .rmsPx = fit_.rmsPx, .noiseFloorPx = misfit.noiseFloorPx};
+  SelectionStep step{.dropped = dropped_, .rmsPx = fit_.rmsPx, .noiseFloorPx = misfit.noiseFloorPx};
   step.chi2 = fit_.chi2;
   step.dof = fit_.dof;
   step.alarm = inquiry.evidence().pValue;
@@ -289,13 +292,13 @@ bool passes(const Effect& effect) {
                      [](Driver driver) { return driver == Driver::time || driver == Driver::temperature; });
 }
 
-Model Ladder::with(const Term& term) const {
+Model StepwiseSelection::with(const Term& term) const {
   std::vector<std::string> labels = added_;
   labels.push_back(term.label());
   return makeModel(measurements_, labels, options_.without, options_.effects);
 }
 
-Model Ladder::withSized(const Inquiry& inquiry, std::size_t candidate) const {
+Model StepwiseSelection::withSized(const CandidateTests& inquiry, std::size_t candidate) const {
   const Model model = with(inquiry.candidates()[candidate]);
   const Term* const term = model.find(inquiry.candidates()[candidate].label());
   if (!term) { // a person left it out
@@ -311,7 +314,7 @@ Model Ladder::withSized(const Inquiry& inquiry, std::size_t candidate) const {
   return withPriorsFor(model, expected, variances).value_or(model);
 }
 
-bool Ladder::foretells(const Inquiry& inquiry, std::size_t candidate) const {
+bool StepwiseSelection::foretells(const CandidateTests& inquiry, std::size_t candidate) const {
   if (std::find(misleading_.begin(), misleading_.end(), inquiry.candidates()[candidate].label()) != misleading_.end()) {
     return false;
   }
@@ -319,7 +322,7 @@ bool Ladder::foretells(const Inquiry& inquiry, std::size_t candidate) const {
     return true;
   }
   for (std::size_t cell = 0; cell < inquiry.map().cells.size(); ++cell) {
-    if (inquiry.map().cells[cell].shape == DriverCell::Shape::step &&
+    if (inquiry.map().cells[cell].shape == DriverBasis::Shape::step &&
         inquiry.ofCurve(inquiry.mounts().size() + cell).bayes >= inquiry.ofCandidate(candidate).bayes) {
       return false;
     }
@@ -327,12 +330,12 @@ bool Ladder::foretells(const Inquiry& inquiry, std::size_t candidate) const {
   return prequential(inquiry.problem(), inquiry.noise(), posesInTime(measurements_), candidate).predicts();
 }
 
-Ladder::Nearly Ladder::nearlyFitted(const Model& model, const Eigen::VectorXd& start) const {
+StepwiseSelection::Nearly StepwiseSelection::nearlyFitted(const Model& model, const Eigen::VectorXd& start) const {
   const FitMinimum minimum = naocal::nearlyFitted(measurements_, model, fit_.noise, fit_.loss, start).minimum;
   return {minimum.linear.cost, minimum.state.unknowns};
 }
 
-std::optional<Ladder::Choice> Ladder::best(const Inquiry& inquiry) {
+std::optional<StepwiseSelection::Choice> StepwiseSelection::best(const CandidateTests& inquiry) {
   constexpr std::size_t most = 4;
   std::vector<std::size_t> order, likely = inquiry.candidatesByEvidence();
   std::erase_if(likely, [&](std::size_t candidate) { return inquiry.ofCandidate(candidate).bayes <= 0; });
@@ -382,16 +385,16 @@ std::optional<Ladder::Choice> Ladder::best(const Inquiry& inquiry) {
   return best;
 }
 
-void Ladder::equivalent(const Term& chosen, const Term& other) {
+void StepwiseSelection::equivalent(const Term& chosen, const Term& other) {
   findingOf(chosen).equivalent.push_back(other.label());
   CandidateFinding& twin = findingOf(other);
-  if (twin.state != State::present) {
-    twin.state = State::aliased;
+  if (twin.state != CandidateState::present) {
+    twin.state = CandidateState::aliased;
     twin.equivalent.push_back(chosen.label());
   }
 }
 
-void Ladder::compareLimits(const Term& chosen) {
+void StepwiseSelection::compareLimits(const Term& chosen) {
   for (const Term& other : candidates_) {
     const std::vector<std::string>& known = findingOf(chosen).equivalent;
     if (other.at != chosen.at || other.effect.place != chosen.effect.place ||
@@ -415,7 +418,7 @@ void Ladder::compareLimits(const Term& chosen) {
   }
 }
 
-Eigen::VectorXd Ladder::startInstead(const Term& chosen, const Term& other, const Model& instead) const {
+Eigen::VectorXd StepwiseSelection::startInstead(const Term& chosen, const Term& other, const Model& instead) const {
   Eigen::VectorXd start = carried(model_, fit_.unknowns, instead);
   const Term& from = *model_.find(chosen.label());
   const Term& to = *instead.find(other.label());
@@ -431,24 +434,24 @@ Eigen::VectorXd Ladder::startInstead(const Term& chosen, const Term& other, cons
   return start;
 }
 
-void Ladder::notEquivalent(const std::string& one, const std::string& other) {
+void StepwiseSelection::notEquivalent(const std::string& one, const std::string& other) {
   std::erase(findingOf(one).equivalent, other);
   std::erase(findingOf(other).equivalent, one);
 }
 
-bool Ladder::add(const Inquiry& inquiry, const Choice& choice, Diagnosis& diagnosis) {
+bool StepwiseSelection::add(const CandidateTests& inquiry, const Choice& choice, Diagnosis& diagnosis) {
   const std::size_t most = std::max<std::size_t>(1, measurements_.poses.size() / 4);
   if (diagnosis.steps.size() > most) {
     return false;
   }
   const Term& term = inquiry.candidates()[choice.candidate];
   if (!before_ && std::find(byTwo_.begin(), byTwo_.end(), term.label()) != byTwo_.end()) {
-    const std::vector<Step>& steps = diagnosis.steps;
+    const std::vector<SelectionStep>& steps = diagnosis.steps;
     before_.emplace(Before{added_, model_, fit_, findings_, diagnosis.suggested, steps.size(),
                            steps.back().heldOutPx.value_or(0), term.label()});
   }
   CandidateFinding& finding = findingOf(term);
-  finding.state = State::present;
+  finding.state = CandidateState::present;
   finding.evidence.bayes = std::max(finding.evidence.bayes, inquiry.ofCandidate(choice.candidate).bayes);
   for (std::size_t other : equivalents(inquiry, choice.candidate)) {
     equivalent(term, inquiry.candidates()[other]);
@@ -467,7 +470,7 @@ bool Ladder::add(const Inquiry& inquiry, const Choice& choice, Diagnosis& diagno
   return true;
 }
 
-bool Ladder::takeBack(Diagnosis& diagnosis) {
+bool StepwiseSelection::takeBack(Diagnosis& diagnosis) {
   if (!before_) {
     return false;
   }
@@ -483,7 +486,7 @@ bool Ladder::takeBack(Diagnosis& diagnosis) {
   return true;
 }
 
-bool Ladder::stays(const ImageField& field, const Inquiry& inquiry) const {
+bool StepwiseSelection::stays(const ImageField& field, const CandidateTests& inquiry) const {
   constexpr std::size_t most = 6;
   const std::vector<std::size_t> order = inquiry.candidatesByEvidence();
   for (std::size_t i = 0; i < std::min(most, order.size()) && inquiry.ofCandidate(order[i]).bayes > 0; ++i) {
@@ -496,31 +499,31 @@ bool Ladder::stays(const ImageField& field, const Inquiry& inquiry) const {
   return true;
 }
 
-CalibrationResult Ladder::fitOf(const Model& larger) const {
+CalibrationResult StepwiseSelection::fitOf(const Model& larger) const {
   return calibrated(larger, carried(model_, fit_.unknowns, larger));
 }
 
-void Ladder::refit(const std::optional<Eigen::VectorXd>& start) {
+void StepwiseSelection::refit(const std::optional<Eigen::VectorXd>& start) {
   const Model changed = makeModel(measurements_, added_, options_.without, options_.effects);
   fit_ = start ? calibrated(changed, start) : fitOf(changed);
   model_ = changed;
 }
 
-void Ladder::dropSuperfluous(std::vector<std::string>& suggested) {
+void StepwiseSelection::dropSuperfluous(std::vector<std::string>& suggested) {
   dropped_.clear();
   for (const Term& term : model_.terms()) {
     const bool earlier = std::find(suggested.begin(), suggested.end(), term.label()) < suggested.end() - 1;
     if (earlier && !isNeeded(term, fit_)) {
       dropped_.push_back(term.label());
-      findingOf(term).state = State::inconclusive;
+      findingOf(term).state = CandidateState::inconclusive;
     }
   }
   for (CandidateFinding& finding : findings_) {
-    if (finding.state == State::aliased) { // by what is no longer there
+    if (finding.state == CandidateState::aliased) { // by what is no longer there
       for (const std::string& label : dropped_) {
         std::erase(finding.equivalent, label);
       }
-      finding.state = finding.equivalent.empty() ? State::inconclusive : State::aliased;
+      finding.state = finding.equivalent.empty() ? CandidateState::inconclusive : CandidateState::aliased;
     }
   }
   for (const std::string& label : dropped_) {

@@ -13,16 +13,17 @@ namespace naocal {
 /// The last word on each candidate when the ladder ends, best first: its state, what the captures could have noticed of
 /// it, and which others they cannot tell from it. `last`: the question to the last `model` and its `fit`; `suggested`:
 /// labels in the order in which they were added.
-std::vector<CandidateFinding> judged(std::vector<CandidateFinding> findings, const Inquiry& last, const Model& model,
-                                     const CalibrationResult& fit, const std::vector<std::string>& suggested);
+std::vector<CandidateFinding> judged(std::vector<CandidateFinding> findings, const CandidateTests& last,
+                                     const Model& model, const CalibrationResult& fit,
+                                     const std::vector<std::string>& suggested);
 
 /// Whether an effect comes and goes: it varies with time or temperature.
 bool passes(const Effect& effect);
 
 /// The model that grows by one effect after the other, and what was found about each candidate on the way.
-class Ladder {
+class StepwiseSelection {
 public:
-  Ladder(const Measurements& measurements, const Model& model, const DiagnosisOptions& options);
+  StepwiseSelection(const Measurements& measurements, const Model& model, const DiagnosisOptions& options);
 
   const Model& model() const { return model_; }
   const CalibrationResult& fit() const { return fit_; }
@@ -30,7 +31,7 @@ public:
   std::vector<Term> testable() const;
 
   /// Writes down the model's rung and what each candidate would explain.
-  void look(const Inquiry& inquiry, Diagnosis& diagnosis);
+  void look(const CandidateTests& inquiry, Diagnosis& diagnosis);
   /// A candidate to add, and nearly the least of the model with it.
   struct Choice {
     std::size_t candidate = 0;
@@ -38,14 +39,14 @@ public:
   };
   /// What to add next: the likeliest, by a fit of each of the first few, of those that lower the held-out error and,
   /// where they drift, predict the last poses and beat every step; absent when none beats the model.
-  std::optional<Choice> best(const Inquiry& inquiry);
+  std::optional<Choice> best(const CandidateTests& inquiry);
   /// Adds it, fits, and drops what it has made superfluous. False: the ladder is as long as these captures bear.
-  bool add(const Inquiry& inquiry, const Choice& choice, Diagnosis& diagnosis);
+  bool add(const CandidateTests& inquiry, const Choice& choice, Diagnosis& diagnosis);
   /// Where the ladder ends: effects that were added since one that only helps beside another, and that all together do
   /// not lower the held-out error, are taken back. False: there are none, or they do.
   bool takeBack(Diagnosis& diagnosis);
   /// Whether a field within pictures is still there, at least half of it, whichever of the likeliest is added.
-  bool stays(const ImageField& field, const Inquiry& inquiry) const;
+  bool stays(const ImageField& field, const CandidateTests& inquiry) const;
   /// The model's fit once more, now with boards set aside that moved for a moment: its doubts name them.
   CalibrationResult withoutMovedBoards() const;
   /// A fit of a model that has this one's unknowns, and starts from them.
@@ -71,11 +72,11 @@ private:
   /// The model with one more effect.
   Model with(const Term& term) const;
   /// The same with a candidate, its priors as wide as the evidence of its size asks for.
-  Model withSized(const Inquiry& inquiry, std::size_t candidate) const;
+  Model withSized(const CandidateTests& inquiry, std::size_t candidate) const;
   /// Earlier additions that the last one has made superfluous.
   void dropSuperfluous(std::vector<std::string>& suggested);
   /// Whether it foretells poses that it was not fitted to: of the first few only.
-  bool foretells(const Inquiry& inquiry, std::size_t candidate) const;
+  bool foretells(const CandidateTests& inquiry, std::size_t candidate) const;
   /// A model's least cost at the rung's levels of noise, to a hundredth, and where it lies.
   struct Nearly {
     double cost = 0;

@@ -24,13 +24,13 @@ struct Unknown {
 
 /// What an effect can sit at. A motor drives one joint, or both hip yaw-pitch joints. (Stances are places of unknown
 /// placements only.)
-enum class Place { motor, joint, camera, board, sole, length, all, stance };
+enum class EffectSite { motor, joint, camera, board, sole, length, all, stance };
 
 /// As the place of a board's effect: one set of unknowns for all boards.
 constexpr std::size_t everywhere = std::numeric_limits<std::size_t>::max();
 
 /// A driver at a joint other than the effect's own.
-struct Elsewhere {
+struct RemoteDriver {
   Driver driver;
   std::size_t joint;
 };
@@ -51,18 +51,18 @@ struct Effect {
   std::string alias = ""; // another name that is accepted for it
   std::string what;       // one plain sentence for people
   std::string formula;    // for people: "q_true = q_measured - o"
-  Place place = Place::motor;
+  EffectSite place = EffectSite::motor;
   std::vector<Unknown> unknowns;
-  std::vector<Driver> needs = {};        // at the joint that is corrected
-  std::vector<Elsewhere> elsewhere = {}; // and at others
-  std::vector<Limit> limits = {};        // at the ends of its unknowns' plausible range, if it has other names there
-  bool linear = true;                    // the correction is linear in the unknowns
-  bool kink = false;                     // not smooth in what drives it
-  bool base = false;                     // in every model that is not asked to leave it out
-  bool shared = false;                   // a board's effect that may be one for all boards
+  std::vector<Driver> needs = {};           // at the joint that is corrected
+  std::vector<RemoteDriver> elsewhere = {}; // and at others
+  std::vector<Limit> limits = {};           // at the ends of its unknowns' plausible range, if it has other names there
+  bool linear = true;                       // the correction is linear in the unknowns
+  bool kink = false;                        // not smooth in what drives it
+  bool base = false;                        // in every model that is not asked to leave it out
+  bool shared = false;                      // a board's effect that may be one for all boards
   std::optional<std::size_t> only = std::nullopt; // a user's effect at one joint: its motor
   std::string definition = "";                    // a user's effect: its JSON
-  std::function<void(Belief&, const Instant&, std::size_t at, std::span<const double> values)> correct;
+  std::function<void(ModelState&, const RobotSample&, std::size_t at, std::span<const double> values)> correct;
 };
 
 } // namespace naocal

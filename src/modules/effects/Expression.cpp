@@ -9,20 +9,20 @@ namespace naocal {
 
 namespace {
 
-double valueOf(const ExpressionName& name, const Instant& instant, std::size_t joint,
+double valueOf(const ExpressionSymbol& name, const RobotSample& instant, std::size_t joint,
                std::span<const double> unknowns) {
-  const auto at = static_cast<Eigen::Index>(name.kind == ExpressionName::Kind::own ? joint : name.index);
+  const auto at = static_cast<Eigen::Index>(name.kind == ExpressionSymbol::Kind::own ? joint : name.index);
   switch (name.kind) {
-  case ExpressionName::Kind::time:
+  case ExpressionSymbol::Kind::time:
     return instant.time.count();
-  case ExpressionName::Kind::com:
+  case ExpressionSymbol::Kind::com:
     return instant.com[at];
-  case ExpressionName::Kind::imu:
+  case ExpressionSymbol::Kind::imu:
     return instant.imu[at];
-  case ExpressionName::Kind::unknown:
+  case ExpressionSymbol::Kind::unknown:
     return unknowns[name.index];
-  case ExpressionName::Kind::own:
-  case ExpressionName::Kind::elsewhere:
+  case ExpressionSymbol::Kind::own:
+  case ExpressionSymbol::Kind::elsewhere:
     break;
   }
   switch (name.driver) {
@@ -55,7 +55,7 @@ struct Expression::Parsed {
   std::weak_ptr<const char> identity;
 };
 
-Expression::Expression(const std::string& text, const std::function<ExpressionName(const std::string&)>& resolve)
+Expression::Expression(const std::string& text, const std::function<ExpressionSymbol(const std::string&)>& resolve)
     : text_{text}, identity_{std::make_shared<const char>()} {
   try {
     mu::Parser parser;
@@ -93,7 +93,7 @@ Expression::Parsed& Expression::ofThisThread() const {
   return parsed;
 }
 
-double Expression::operator()(const Instant& instant, std::size_t joint, std::span<const double> unknowns) const {
+double Expression::operator()(const RobotSample& instant, std::size_t joint, std::span<const double> unknowns) const {
   Parsed& parsed = ofThisThread();
   for (std::size_t i = 0; i < names_.size(); ++i) {
     parsed.values[i] = valueOf(names_[i], instant, joint, unknowns);

@@ -10,7 +10,7 @@
 namespace naocal {
 
 /// What a name in a correction stands for.
-struct ExpressionName {
+struct ExpressionSymbol {
   enum class Kind { own, elsewhere, time, com, imu, unknown } kind = Kind::own;
   Driver driver = Driver::angle;
   std::size_t index = 0; // the joint elsewhere; 0 or 1 of com and imu; which unknown
@@ -26,12 +26,12 @@ struct ExpressionError {
 class Expression {
 public:
   /// Resolves each name that the text uses, in the order of names. Throws ExpressionError.
-  Expression(const std::string& text, const std::function<ExpressionName(const std::string&)>& resolve);
+  Expression(const std::string& text, const std::function<ExpressionSymbol(const std::string&)>& resolve);
 
-  const std::vector<ExpressionName>& names() const { return names_; }
+  const std::vector<ExpressionSymbol>& names() const { return names_; }
 
   /// The value [rad] at a joint.
-  double operator()(const Instant& instant, std::size_t joint, std::span<const double> unknowns) const;
+  double operator()(const RobotSample& instant, std::size_t joint, std::span<const double> unknowns) const;
 
 private:
   struct Parsed;
@@ -40,7 +40,7 @@ private:
   std::string text_;
   std::shared_ptr<const char> identity_; // the copies': a thread finds its own by it, as long as one lives
   std::vector<std::string> texts_;       // the names as written
-  std::vector<ExpressionName> names_;
+  std::vector<ExpressionSymbol> names_;
 };
 
 } // namespace naocal

@@ -16,11 +16,11 @@ namespace naocal {
 
 namespace {
 
-using Names = std::map<std::string, ExpressionName>;
+using Names = std::map<std::string, ExpressionSymbol>;
 
 /// All names that a correction may use, but for its unknowns.
 Names namesOf(const Robot& robot) {
-  using Kind = ExpressionName::Kind;
+  using Kind = ExpressionSymbol::Kind;
   Names names{{"q", {Kind::own, Driver::angle}},       {"tau", {Kind::own, Driver::torque}},
               {"qd", {Kind::own, Driver::velocity}},   {"approach", {Kind::own, Driver::approach}},
               {"T", {Kind::own, Driver::temperature}}, {"current", {Kind::own, Driver::current}},
@@ -43,7 +43,7 @@ std::vector<std::string> listed(const Names& names) {
 }
 
 /// Letters, digits and '_', no digit first: what can be named in an expression, on the command line and in files.
-void requireName(const JsonPlace& place, const std::string& name) {
+void requireName(const JsonCursor& place, const std::string& name) {
   const auto good = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
   if (name.empty() || !std::all_of(name.begin(), name.end(), good) ||
       std::isdigit(static_cast<unsigned char>(name[0])) != 0) {
@@ -51,15 +51,15 @@ void requireName(const JsonPlace& place, const std::string& name) {
   }
 }
 
-std::vector<Unknown> unknownsOf(const JsonPlace& place, Names& names) {
+std::vector<Unknown> unknownsOf(const JsonCursor& place, Names& names) {
   std::vector<Unknown> unknowns;
   for (const auto& [name, unknown] : place.members()) {
     requireName(unknown, name);
     if (names.contains(name)) {
       unknown.refuse("a name of its own", fmt::format("\"{}\", which already stands for something else", name));
     }
-    names[name] = {ExpressionName::Kind::unknown, Driver::angle, unknowns.size()};
-    const JsonPlace unit = unknown.at("unit");
+    names[name] = {ExpressionSymbol::Kind::unknown, Driver::angle, unknowns.size()};
+    const JsonCursor unit = unknown.at("unit");
     if (!unitOf(unit.text())) {
       unit.refuse(fmt::format("\"1\" or a product of powers of {}, such as rad/Nm^2", unitBases));
     }
@@ -72,7 +72,7 @@ std::vector<Unknown> unknownsOf(const JsonPlace& place, Names& names) {
 }
 
 /// Refuses, and tells where in the text.
-[[noreturn]] void refuseAt(std::size_t letter, const JsonPlace& place, std::string_view expected,
+[[noreturn]] void refuseAt(std::size_t letter, const JsonCursor& place, std::string_view expected,
                            const std::string& found) {
   try {
     place.refuse(expected, found);
@@ -93,7 +93,7 @@ std::size_t placeOf(const std::string& name, const std::string& text) {
   return at == std::string::npos ? 0 : at;
 }
 
-Expression expressionOf(const JsonPlace& place, const Names& names) {
+Expression expressionOf(const JsonCursor& place, const Names& names) {
   const std::string text = place.text();
   try {
     return {text, [&](const std::string& name) {
@@ -111,9 +111,9 @@ Expression expressionOf(const JsonPlace& place, const Names& names) {
 }
 
 /// Without its cause nothing is corrected.
-void requireNothingAtZero(const JsonPlace& place, const Expression& expression, const Effect& effect,
+void requireNothingAtZero(const JsonCursor& place, const Expression& expression, const Effect& effect,
                           const Robot& robot) {
-  Instant instant;
+  RobotSample instant;
   instant.time = Seconds{10};
   instant.q = Eigen::VectorXd::LinSpaced(static_cast<Eigen::Index>(robot.joints.size()), 0.2, 0.4);
   instant.velocity = instant.approach = instant.temperature = instant.current = instant.torque = instant.q;
@@ -126,11 +126,11 @@ void requireNothingAtZero(const JsonPlace& place, const Expression& expression, 
 
 } // namespace
 
-Effect userEffect(const JsonPlace& definition, const Robot& robot) {
+Effect userEffect(const JsonCursor& definition, const Robot& robot) {
   Names names = namesOf(robot);
-  Effect effect{.name = definition.at("name").text(), .place = Place::motor, .linear = false, .kink = true};
+  Effect effect{.name = definition.at("name").text(), .place = EffectSite::motor, .linear = false, .kink = true};
   requireName(definition.at("name"), effect.name);
-  const JsonPlace at = definition.at("at");
+  const JsonCursor at = definition.at("at");
   if (at.text() != "*") {
     const auto joint = robot.jointIndex(at.text());
     if (!joint) {
@@ -144,13 +144,13 @@ Effect userEffect(const JsonPlace& definition, const Robot& robot) {
     effect.only = robot.joints[*joint].motor;
   }
   effect.unknowns = unknownsOf(definition.at("unknowns"), names);
-  const JsonPlace correction = definition.at("correction");
+  const JsonCursor correction = definition.at("correction");
   const Expression expression = expressionOf(correction, names);
   requireNothingAtZero(correction, expression, effect, robot);
-  for (const ExpressionName& name : expression.names()) {
-    if (name.kind == ExpressionName::Kind::elsewhere) {
+  for (const ExpressionSymbol& name : expression.names()) {
+    if (name.kind == ExpressionSymbol::Kind::elsewhere) {
       effect.elsewhere.push_back({name.driver, name.index});
-    } else if (name.kind != ExpressionName::Kind::unknown) {
+    } else if (name.kind != ExpressionSymbol::Kind::unknown) {
       effect.needs.push_back(name.driver);
     }
   }
@@ -160,16 +160,16 @@ Effect userEffect(const JsonPlace& definition, const Robot& robot) {
   effect.what = what ? what->text() : "an effect of your own";
   effect.formula = "+" + correction.text();
   effect.definition = definition.value().dump();
-  effect.correct = [expression](Belief& belief, const Instant& instant, std::size_t joint,
+  effect.correct = [expression](ModelState& belief, const RobotSample& instant, std::size_t joint,
                                 std::span<const double> values) {
     belief.angle(joint) += expression(instant, joint, values);
   };
   return effect;
 }
 
-std::vector<Effect> userEffects(const JsonPlace& definitions, const Robot& robot) {
+std::vector<Effect> userEffects(const JsonCursor& definitions, const Robot& robot) {
   std::vector<Effect> result;
-  for (const JsonPlace& definition : definitions.elements()) {
+  for (const JsonCursor& definition : definitions.elements()) {
     result.push_back(userEffect(definition, robot));
     const std::string& name = result.back().name;
     const auto same = [&](const Effect& other) { return other.name == name || other.alias == name; };

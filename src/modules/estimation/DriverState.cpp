@@ -15,7 +15,7 @@ bool looksAt(const Model& model, std::initializer_list<Driver> drivers) {
   return std::any_of(model.terms().begin(), model.terms().end(), [&](const Term& term) {
     return std::any_of(term.effect.needs.begin(), term.effect.needs.end(), isOne) ||
            std::any_of(term.effect.elsewhere.begin(), term.effect.elsewhere.end(),
-                       [&](const Elsewhere& other) { return isOne(other.driver); });
+                       [&](const RemoteDriver& other) { return isOne(other.driver); });
   });
 }
 
@@ -29,7 +29,7 @@ bool carries(const Robot& robot, std::size_t joint, std::size_t link) {
 }
 
 /// Of every leg joint the mean of both feet's, weighted by what each of them carries.
-void share(const Robot& robot, const Load& right, double leftLoad, Load& left) {
+void share(const Robot& robot, const GravityLoad& right, double leftLoad, GravityLoad& left) {
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     if (carriesSole(robot, joint)) {
       left.torque[at(joint)] = leftLoad * left.torque[at(joint)] + (1 - leftLoad) * right.torque[at(joint)];
@@ -45,8 +45,8 @@ void share(const Robot& robot, const Load& right, double leftLoad, Load& left) {
   }
 }
 
-Load loadOf(const Robot& robot, const Belief& belief, const Instant& instant, bool withGrowthByAngle) {
-  const Posture torsoFromLink = posture(robot, belief);
+GravityLoad loadOf(const Robot& robot, const ModelState& belief, const RobotSample& instant, bool withGrowthByAngle) {
+  const LinkPoses torsoFromLink = posture(robot, belief);
   const auto loadOn = [&](std::size_t heldLink) {
     return gravityLoad(robot, belief, torsoFromLink, heldLink, torsoFromLink[heldLink].rotation.col(2),
                        withGrowthByAngle);
@@ -57,25 +57,25 @@ Load loadOf(const Robot& robot, const Belief& belief, const Instant& instant, bo
   case SupportFoot::right:
     return loadOn(robot.sole("right")->link);
   case SupportFoot::both: {
-    Load load = loadOn(robot.sole("left")->link);
+    GravityLoad load = loadOn(robot.sole("left")->link);
     share(robot, loadOn(robot.sole("right")->link), instant.leftLoad, load);
     return load;
   }
   case SupportFoot::none:
     break;
   }
-  Load hanging = loadOn(0);
-  hanging.com.setConstant(Instant::nothing);
+  GravityLoad hanging = loadOn(0);
+  hanging.com.setConstant(RobotSample::nothing);
   return hanging;
 }
 
 /// `loaded`, `growth`: whether torques and the centre of mass, and how torques' growth follows the offsets, are wanted.
-Driven driven(const Measurements& measurements, const Model& model, const Picture& picture,
-              const Eigen::VectorXd& unknowns, bool loaded, bool growth) {
+DriverState driven(const Measurements& measurements, const Model& model, const ImageObservation& picture,
+                   const Eigen::VectorXd& unknowns, bool loaded, bool growth) {
   const Robot& robot = measurements.robot;
   const Eigen::Index joints = at(robot.joints.size()), offsets = at(model.offsets().size());
-  Driven result{picture.instant, Eigen::MatrixXd::Zero(joints, offsets), Eigen::MatrixXd::Zero(joints, offsets),
-                Eigen::MatrixXd::Zero(growth ? joints : 0, offsets), Eigen::MatrixXd::Zero(2, offsets)};
+  DriverState result{picture.instant, Eigen::MatrixXd::Zero(joints, offsets), Eigen::MatrixXd::Zero(joints, offsets),
+                     Eigen::MatrixXd::Zero(growth ? joints : 0, offsets), Eigen::MatrixXd::Zero(2, offsets)};
   for (Eigen::Index i = 0; i < offsets; ++i) {
     const Term& offset = model.terms()[model.offsets()[static_cast<std::size_t>(i)]];
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
@@ -88,9 +88,9 @@ Driven driven(const Measurements& measurements, const Model& model, const Pictur
   if (!loaded) {
     return result;
   }
-  Belief belief = picture.drawn;
+  ModelState belief = picture.drawn;
   belief.values.head(joints) = result.instant.q;
-  const Load load = loadOf(robot, belief, result.instant, growth);
+  const GravityLoad load = loadOf(robot, belief, result.instant, growth);
   result.instant.torque = load.torque;
   result.instant.torqueGrowth = load.torqueGrowth;
   result.instant.com = load.com.head<2>();
@@ -119,15 +119,15 @@ bool carriesSole(const Robot& robot, std::size_t joint) {
   return false;
 }
 
-Driven drivenAt(const Measurements& measurements, const Model& model, const Picture& picture,
-                const Eigen::VectorXd& unknowns) {
+DriverState drivenAt(const Measurements& measurements, const Model& model, const ImageObservation& picture,
+                     const Eigen::VectorXd& unknowns) {
   const bool growth = looksAt(model, {Driver::torqueGrowth});
   const bool loaded = growth || looksAt(model, {Driver::torque, Driver::com});
   return driven(measurements, model, picture, unknowns, loaded, growth);
 }
 
-Instant instantOf(const Measurements& measurements, const Model& model, const Picture& picture,
-                  const Eigen::VectorXd& unknowns) {
+RobotSample instantOf(const Measurements& measurements, const Model& model, const ImageObservation& picture,
+                      const Eigen::VectorXd& unknowns) {
   return driven(measurements, model, picture, unknowns, true, false).instant;
 }
 

@@ -12,12 +12,12 @@ namespace naocal {
 namespace {
 
 /// What a correction looks at and that follows the offsets.
-std::vector<Elsewhere> drivers(const Effect& effect, std::size_t place) {
-  std::vector<Elsewhere> looks = effect.elsewhere, result;
+std::vector<RemoteDriver> drivers(const Effect& effect, std::size_t place) {
+  std::vector<RemoteDriver> looks = effect.elsewhere, result;
   for (const Driver driver : effect.needs) {
     looks.push_back({driver, place});
   }
-  for (const Elsewhere& look : looks) {
+  for (const RemoteDriver& look : looks) {
     if (look.driver == Driver::com) {
       result.push_back({look.driver, 0});
       result.push_back({look.driver, 1});
@@ -29,8 +29,8 @@ std::vector<Elsewhere> drivers(const Effect& effect, std::size_t place) {
 }
 
 /// Drivers in general position, so that no correction vanishes by accident.
-Instant generic(const Instant& recorded) {
-  Instant result = recorded;
+RobotSample generic(const RobotSample& recorded) {
+  RobotSample result = recorded;
   result.q = Eigen::VectorXd::LinSpaced(recorded.q.size(), 0.2, 0.4);
   result.torque = Eigen::VectorXd::LinSpaced(recorded.q.size(), 0.01, 0.02);
   result.torqueGrowth = Eigen::VectorXd::LinSpaced(recorded.q.size(), 0.1, 0.2);
@@ -51,7 +51,7 @@ Eigen::Index firstDifference(const Eigen::VectorXd& one, const Eigen::VectorXd& 
 /// Whether a quantity moves something that the picture shows.
 class Visible {
 public:
-  Visible(const Measurements& measurements, const Picture& picture)
+  Visible(const Measurements& measurements, const ImageObservation& picture)
       : quantities_{measurements.quantities}, picture_{picture}, joints_(measurements.robot.joints.size(), 0) {
     for (const std::size_t joint : jointsBetween(measurements.robot, picture)) {
       joints_[joint] = 1;
@@ -69,21 +69,21 @@ public:
     }
     const std::size_t board = (quantity - quantities_.board(0)) / (quantities_.board(1) - quantities_.board(0));
     return std::any_of(picture_.sightings.begin(), picture_.sightings.end(),
-                       [&](const Sighting& sighting) { return sighting.view.board() == board; });
+                       [&](const BoardObservation& sighting) { return sighting.view.board() == board; });
   }
 
 private:
-  const Quantities& quantities_;
-  const Picture& picture_;
+  const StateLayout& quantities_;
+  const ImageObservation& picture_;
   std::vector<char> joints_;
 };
 
 } // namespace
 
-PictureSlopes::PictureSlopes(const Measurements& measurements, const Model& model, const Picture& picture) {
+EffectJacobian::EffectJacobian(const Measurements& measurements, const Model& model, const ImageObservation& picture) {
   const Visible visible{measurements, picture};
-  std::optional<Instant> inGeneral; // made where a term varies
-  Belief belief = picture.drawn;
+  std::optional<RobotSample> inGeneral; // made where a term varies
+  ModelState belief = picture.drawn;
   std::vector<Varying> varying;
   for (std::size_t term = 0; term < model.terms().size(); ++term) {
     for (const std::size_t place : placesOn(model.terms()[term], measurements, picture)) {
@@ -93,7 +93,7 @@ PictureSlopes::PictureSlopes(const Measurements& measurements, const Model& mode
       }
     }
   }
-  std::erase_if(slopes_, [&](const Slope& slope) { return !visible(slope.quantity); });
+  std::erase_if(slopes_, [&](const StateDerivative& slope) { return !visible(slope.quantity); });
   fixedCount_ = slopes_.size();
   for (Varying& each : varying) {
     listSlopes(measurements.robot, model, std::move(each));
@@ -101,8 +101,9 @@ PictureSlopes::PictureSlopes(const Measurements& measurements, const Model& mode
 }
 
 /// Lists the slopes of a correction that is fixed; of one that varies, tells what it moves.
-PictureSlopes::Varying PictureSlopes::correction(const Model& model, const Picture& picture, std::size_t term,
-                                                 std::size_t place, Belief& belief, std::optional<Instant>& inGeneral) {
+EffectJacobian::Varying EffectJacobian::correction(const Model& model, const ImageObservation& picture,
+                                                   std::size_t term, std::size_t place, ModelState& belief,
+                                                   std::optional<RobotSample>& inGeneral) {
   const Effect& effect = model.terms()[term].effect;
   Varying result{term, place, {}, drivers(effect, place), {}};
   const bool fixed = effect.linear && result.drivers.empty();
@@ -113,7 +114,7 @@ PictureSlopes::Varying PictureSlopes::correction(const Model& model, const Pictu
   if (!fixed && !inGeneral) {
     inGeneral = generic(picture.instant);
   }
-  const Instant& instant = fixed ? picture.instant : *inGeneral;
+  const RobotSample& instant = fixed ? picture.instant : *inGeneral;
   const Eigen::VectorXd& drawn = picture.drawn.values;
   std::vector<double> values(effect.unknowns.size(), 0);
   for (std::size_t k = 0; k < values.size(); ++k) {
@@ -136,11 +137,11 @@ PictureSlopes::Varying PictureSlopes::correction(const Model& model, const Pictu
   return result;
 }
 
-void PictureSlopes::listSlopes(const Robot& robot, const Model& model, Varying varying) {
+void EffectJacobian::listSlopes(const Robot& robot, const Model& model, Varying varying) {
   const Term& term = model.terms()[varying.term];
   for (std::size_t i = 0; i < model.offsets().size(); ++i) {
     const std::size_t motor = model.terms()[model.offsets()[i]].at;
-    if (std::any_of(varying.drivers.begin(), varying.drivers.end(), [&](const Elsewhere& driver) {
+    if (std::any_of(varying.drivers.begin(), varying.drivers.end(), [&](const RemoteDriver& driver) {
           return driver.driver != Driver::angle || robot.joints[driver.joint].motor == motor;
         })) {
       varying.offsets.push_back(i);
@@ -157,21 +158,21 @@ void PictureSlopes::listSlopes(const Robot& robot, const Model& model, Varying v
   varying_.push_back(std::move(varying));
 }
 
-void PictureSlopes::addFixed(const Eigen::VectorXd& unknowns, Belief& belief) const {
+void EffectJacobian::addFixed(const Eigen::VectorXd& unknowns, ModelState& belief) const {
   for (std::size_t i = 0; i < fixedCount_; ++i) {
     belief.values[static_cast<Eigen::Index>(slopes_[i].quantity)] +=
         slopes_[i].value * unknowns[static_cast<Eigen::Index>(slopes_[i].unknown)];
   }
 }
 
-std::vector<Slope> slopes(const Measurements& measurements, const Model& model, const Picture& picture,
-                          const Eigen::VectorXd& unknowns) {
-  const PictureSlopes all{measurements, model, picture};
-  std::vector<Slope> result = all.list();
+std::vector<StateDerivative> slopes(const Measurements& measurements, const Model& model,
+                                    const ImageObservation& picture, const Eigen::VectorXd& unknowns) {
+  const EffectJacobian all{measurements, model, picture};
+  std::vector<StateDerivative> result = all.list();
   if (all.vary()) {
-    Driven driven = drivenAt(measurements, model, picture, unknowns);
-    PictureSlopes::Scratch scratch;
-    Belief belief = picture.drawn;
+    DriverState driven = drivenAt(measurements, model, picture, unknowns);
+    EffectJacobian::Scratch scratch;
+    ModelState belief = picture.drawn;
     std::vector<double> values(result.size() - all.fixedCount());
     all.addVarying(model, picture, unknowns, driven, scratch, belief, values.data());
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -183,7 +184,7 @@ std::vector<Slope> slopes(const Measurements& measurements, const Model& model, 
 
 namespace {
 
-double& driverIn(Instant& instant, const Elsewhere& which) {
+double& driverIn(RobotSample& instant, const RemoteDriver& which) {
   switch (which.driver) {
   case Driver::torque:
     return instant.torque[at(which.joint)];
@@ -196,7 +197,7 @@ double& driverIn(Instant& instant, const Elsewhere& which) {
   }
 }
 
-double byOffset(const Driven& driven, const Elsewhere& which, std::size_t offset) {
+double byOffset(const DriverState& driven, const RemoteDriver& which, std::size_t offset) {
   switch (which.driver) {
   case Driver::torque:
     return driven.torqueByOffset(at(which.joint), at(offset));
@@ -217,12 +218,13 @@ double stepOf(Driver driver) {
 /// One correction by itself: at given values and drivers, how far it moves each of its quantities.
 class Correction {
 public:
-  Correction(const Effect& effect, std::size_t place, const std::vector<std::size_t>& quantities, const Belief& drawn,
-             Belief& scratch)
+  Correction(const Effect& effect, std::size_t place, const std::vector<std::size_t>& quantities,
+             const ModelState& drawn, ModelState& scratch)
       : effect_{effect}, place_{place}, quantities_{quantities}, drawn_{drawn}, scratch_{scratch} {}
 
   /// Calls `take(i, change)` for the i-th quantity.
-  template <typename Take> void operator()(const Instant& instant, std::span<const double> values, Take take) const {
+  template <typename Take>
+  void operator()(const RobotSample& instant, std::span<const double> values, Take take) const {
     effect_.correct(scratch_, instant, place_, values);
     for (std::size_t i = 0; i < quantities_.size(); ++i) {
       double& value = scratch_.values[at(quantities_[i])];
@@ -236,14 +238,14 @@ private:
   const Effect& effect_;
   std::size_t place_;
   const std::vector<std::size_t>& quantities_;
-  const Belief& drawn_;
-  Belief& scratch_;
+  const ModelState& drawn_;
+  ModelState& scratch_;
 };
 
 } // namespace
 
-void PictureSlopes::addVarying(const Model& model, const Picture& picture, const Eigen::VectorXd& unknowns,
-                               Driven& driven, Scratch& scratch, Belief& belief, double* values) const {
+void EffectJacobian::addVarying(const Model& model, const ImageObservation& picture, const Eigen::VectorXd& unknowns,
+                                DriverState& driven, Scratch& scratch, ModelState& belief, double* values) const {
   scratch.belief = picture.drawn;
   for (const Varying& varying : varying_) {
     const Term& term = model.terms()[varying.term];
@@ -264,7 +266,7 @@ void PictureSlopes::addVarying(const Model& model, const Picture& picture, const
       }
       scratch.values[k] = here[k];
     }
-    for (const Elsewhere& which : varying.drivers) {
+    for (const RemoteDriver& which : varying.drivers) {
       double& driver = driverIn(driven.instant, which);
       const double centre = driver, step = stepOf(which.driver);
       for (const double sign : {1.0, -1.0}) {

@@ -10,9 +10,9 @@
 
 namespace naocal {
 
-DeflectionRoot deflectionRoot(const PosePart& pose, const Noise& noise) {
+JointErrorRoot deflectionRoot(const PosePart& pose, const Noise& noise) {
   const auto count = static_cast<Eigen::Index>(pose.joints.size());
-  DeflectionRoot root(count, count);
+  JointErrorRoot root(count, count);
   root.reserve(count);
   for (Eigen::Index first = 0; first < count;) {
     Eigen::Index size = 1;
@@ -57,13 +57,13 @@ PoseSystem systemOf(const PoseRows& rows) {
           byDeflections * rows.residual};
 }
 
-Eliminated eliminated(const PoseSystem& pose, const Noise& noise, const DeflectionRoot& root) {
-  Eliminated result;
+MarginalSystem eliminated(const PoseSystem& pose, const Noise& noise, const JointErrorRoot& root) {
+  MarginalSystem result;
   eliminate(pose, noise, root, result);
   return result;
 }
 
-void eliminate(const PoseSystem& pose, const Noise& noise, const DeflectionRoot& root, Eliminated& result) {
+void eliminate(const PoseSystem& pose, const Noise& noise, const JointErrorRoot& root, MarginalSystem& result) {
   const double information = 1 / (noise.pixel * noise.pixel);
   const Eigen::Index unknowns = pose.unknownGradient.size(), joints = root.cols();
   result.hessian = information * pose.unknownGram;
@@ -92,7 +92,7 @@ namespace {
 
 /// U with U^T U = `gram` and U^T r = `gradient`, r behind it as one more column: a Cholesky factorisation with pivots.
 /// What is left is taken for rounding where no direction has more than `rounding` of its own information.
-Eigen::MatrixXd factorOf(const PictureGram::Square& gram, const PictureGram::Column& gradient) {
+Eigen::MatrixXd factorOf(const ImageNormalEquations::Square& gram, const ImageNormalEquations::Column& gradient) {
   constexpr double rounding = 1e-13;
   const Eigen::Index width = gram.rows();
   const Eigen::VectorXd whole = gram.diagonal();
@@ -121,13 +121,13 @@ void RowEquations::clear(Eigen::Index columns) {
   parts_.clear();
 }
 
-void RowEquations::add(const PictureGram::Square& gram, const PictureGram::Column& gradient,
-                       const Eigen::MatrixXd& motion, const PreparedPicture::Group& group, const double* slopeValues) {
+void RowEquations::add(const ImageNormalEquations::Square& gram, const ImageNormalEquations::Column& gradient,
+                       const Eigen::MatrixXd& motion, const PreparedImage::Group& group, const double* slopeValues) {
   const Eigen::Index width = gram.rows();
   const Eigen::MatrixXd factor = factorOf(gram, gradient);
   const Eigen::MatrixXd byQuantities = factor.leftCols(width) * motion.topRows(width);
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(factor.rows(), columns_ + 1);
-  for (const PreparedPicture::Group::Share& share : group.shares) {
+  for (const PreparedImage::Group::Share& share : group.shares) {
     rows.col(group.columns[static_cast<std::size_t>(share.column)]) +=
         slopeValues[share.slope] * byQuantities.col(share.quantity);
   }

@@ -50,8 +50,8 @@ PoseSystem systemOf(const PoseRows& rows);
 
 /// t = root * z with z of unit covariance: root root^T = encoder^2 diag(scales^2) + reapproach^2 1 + pose^2 1 1^T
 /// within a joint, and + stance^2 1 1^T within a joint and stance.
-using DeflectionRoot = Eigen::SparseMatrix<double>;
-DeflectionRoot deflectionRoot(const PosePart& pose, const Noise& noise);
+using JointErrorRoot = Eigen::SparseMatrix<double>;
+JointErrorRoot deflectionRoot(const PosePart& pose, const Noise& noise);
 
 /// The rows of one pose (`PoseRows`): for each of its pictures' groups as many as its corners tell numbers apart.
 class RowEquations {
@@ -60,8 +60,8 @@ public:
 
   /// Adds sums over L, the derivative by the picture's motion (and extras): the rows are U C with U^T U = `gram`,
   /// C = motion * (the group's shares of the slopes' values), and their residuals U^-T `gradient`.
-  void add(const PictureGram::Square& gram, const PictureGram::Column& gradient, const Eigen::MatrixXd& motion,
-           const PreparedPicture::Group& group, const double* slopeValues);
+  void add(const ImageNormalEquations::Square& gram, const ImageNormalEquations::Column& gradient,
+           const Eigen::MatrixXd& motion, const PreparedImage::Group& group, const double* slopeValues);
 
   /// Into `rows`, whose unknowns and joints are known: those columns, expressed at zero deflection.
   void take(const Eigen::VectorXd& deflections, PoseRows& rows) const;
@@ -72,15 +72,15 @@ private:
 };
 
 /// A pose's deflections integrated out: Sigma = pixel^2 I + J_t S J_t^T by Woodbury on the deflections.
-struct Eliminated {
+struct MarginalSystem {
   Eigen::LLT<Eigen::MatrixXd> inner; // I + root^T deflectionGram root / pixel^2 = L L^T
   Eigen::MatrixXd half;              // L^-1 root^T J_t^T [J_x r] / pixel^2
   Eigen::MatrixXd hessian;           // J_x^T Sigma^-1 J_x
   Eigen::VectorXd unknownGradient;   // J_x^T Sigma^-1 r
   double cost = 0;                   // r^T Sigma^-1 r / 2
 };
-Eliminated eliminated(const PoseSystem& pose, const Noise& noise, const DeflectionRoot& root);
+MarginalSystem eliminated(const PoseSystem& pose, const Noise& noise, const JointErrorRoot& root);
 /// The same into `result`, whose memory is used again.
-void eliminate(const PoseSystem& pose, const Noise& noise, const DeflectionRoot& root, Eliminated& result);
+void eliminate(const PoseSystem& pose, const Noise& noise, const JointErrorRoot& root, MarginalSystem& result);
 
 } // namespace naocal

@@ -79,21 +79,21 @@ bool standsOn(const Sole& sole, SupportFoot foot) {
   return foot == SupportFoot::right ? sole.name == "right" : foot != SupportFoot::none && sole.name == "left";
 }
 
-std::vector<std::size_t> placesOn(const Term& term, const Measurements& measurements, const Picture& picture) {
+std::vector<std::size_t> placesOn(const Term& term, const Measurements& measurements, const ImageObservation& picture) {
   const Robot& robot = measurements.robot;
   const auto only = [&](bool concerned) {
     return concerned ? std::vector<std::size_t>{term.at} : std::vector<std::size_t>{};
   };
   std::vector<std::size_t> result;
   switch (term.effect.place) {
-  case Place::motor:
+  case EffectSite::motor:
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
       if (robot.joints[joint].motor == term.at) {
         result.push_back(joint);
       }
     }
     return result;
-  case Place::board:
+  case EffectSite::board:
     if (term.at != everywhere) {
       return only(true);
     }
@@ -103,24 +103,24 @@ std::vector<std::size_t> placesOn(const Term& term, const Measurements& measurem
       }
     }
     return result;
-  case Place::camera:
+  case EffectSite::camera:
     return only(term.at == picture.camera);
-  case Place::stance:
+  case EffectSite::stance:
     return only(term.at == picture.stance);
-  case Place::sole:
+  case EffectSite::sole:
     return only(standsOn(robot.soles[term.at], picture.instant.supportFoot));
-  case Place::joint:
-  case Place::length:
-  case Place::all:
+  case EffectSite::joint:
+  case EffectSite::length:
+  case EffectSite::all:
     break;
   }
   return only(true);
 }
 
-Belief believed(const Measurements& measurements, const Model& model, const Picture& picture,
-                const Eigen::VectorXd& unknowns) {
-  const Instant instant = instantOf(measurements, model, picture, unknowns);
-  Belief belief = picture.drawn;
+ModelState believed(const Measurements& measurements, const Model& model, const ImageObservation& picture,
+                    const Eigen::VectorXd& unknowns) {
+  const RobotSample instant = instantOf(measurements, model, picture, unknowns);
+  ModelState belief = picture.drawn;
   for (const Term& term : model.terms()) {
     for (std::size_t at : placesOn(term, measurements, picture)) {
       term.effect.correct(belief, instant, at, term.values(unknowns));

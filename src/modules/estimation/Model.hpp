@@ -65,7 +65,7 @@ bool standsOn(const Sole& sole, SupportFoot foot);
 
 /// Where a term corrects on a picture: each joint that its motor drives, each board if it sits everywhere, or just its
 /// place; nowhere if the picture has nothing to do with it.
-std::vector<std::size_t> placesOn(const Term& term, const Measurements& measurements, const Picture& picture);
+std::vector<std::size_t> placesOn(const Term& term, const Measurements& measurements, const ImageObservation& picture);
 
 /// Unknowns of one model in the order of another, by their names; new ones at zero.
 Eigen::VectorXd carried(const Model& from, const Eigen::VectorXd& unknowns, const Model& to);

@@ -27,7 +27,7 @@ struct Touched {
   std::set<std::size_t> motors, joints, cameras, boards, soles, lengths;
 };
 
-void touchLengths(const Robot& robot, const View& view, std::set<std::size_t>& lengths) {
+void touchLengths(const Robot& robot, const ObservationChain& view, std::set<std::size_t>& lengths) {
   for (std::size_t link : view.links()) {
     for (const Link::Stretch& stretch : robot.links[link].stretches) {
       lengths.insert(stretch.length);
@@ -38,7 +38,7 @@ void touchLengths(const Robot& robot, const View& view, std::set<std::size_t>& l
 Touched touched(const Measurements& measurements) {
   const Robot& robot = measurements.robot;
   Touched result;
-  for (const Picture& picture : measurements.pictures) {
+  for (const ImageObservation& picture : measurements.pictures) {
     if (picture.sightings.empty()) {
       continue;
     }
@@ -47,7 +47,7 @@ Touched touched(const Measurements& measurements) {
       result.joints.insert(joint);
       result.motors.insert(robot.joints[joint].motor);
     }
-    for (const Sighting& sighting : picture.sightings) {
+    for (const BoardObservation& sighting : picture.sightings) {
       const Target& target = measurements.targets[sighting.view.board()];
       touchLengths(robot, sighting.view, result.lengths);
       if (target.board.pattern) {
@@ -74,36 +74,36 @@ template <typename List> NamedPlaces named(const std::set<std::size_t>& numbers,
 NamedPlaces placesOf(const Effect& effect, const Measurements& measurements, const Touched& touched) {
   const Robot& robot = measurements.robot;
   switch (effect.place) {
-  case Place::motor: {
+  case EffectSite::motor: {
     NamedPlaces result = named(touched.motors, robot.joints);
     std::erase_if(result, [&](const auto& place) { return effect.only && place.first != *effect.only; });
     return result;
   }
-  case Place::joint:
+  case EffectSite::joint:
     return named(touched.joints, robot.joints);
-  case Place::camera:
+  case EffectSite::camera:
     return named(touched.cameras, robot.cameras);
-  case Place::board: {
+  case EffectSite::board: {
     NamedPlaces result = named(touched.boards, measurements.targets);
     if (effect.shared && result.size() > 1) {
       result.emplace_back(everywhere, "all");
     }
     return result;
   }
-  case Place::sole:
+  case EffectSite::sole:
     return named(touched.soles, robot.soles);
-  case Place::length:
+  case EffectSite::length:
     return named(touched.lengths, robot.lengths);
-  case Place::all:
+  case EffectSite::all:
     return {{0, "all"}};
-  case Place::stance:
+  case EffectSite::stance:
     break;
   }
   return {};
 }
 
 /// What an instant does not tell at a joint, in words; nothing where it does.
-const char* missing(const Instant& instant, Driver driver, std::size_t joint, const Robot& robot) {
+const char* missing(const RobotSample& instant, Driver driver, std::size_t joint, const Robot& robot) {
   const auto at = static_cast<Eigen::Index>(joint);
   switch (driver) {
   case Driver::approach:
@@ -143,13 +143,13 @@ std::optional<std::string> whyUntestable(const Effect& effect, std::size_t at, c
   const Term term{effect, at, ""};
   std::size_t concerned = 0, without = 0;
   const char* what = nullptr;
-  for (const Picture& picture : measurements.pictures) {
+  for (const ImageObservation& picture : measurements.pictures) {
     const std::vector<std::size_t> places = placesOn(term, measurements, picture);
-    const bool shares = effect.place == Place::sole && picture.instant.supportFoot == SupportFoot::both;
+    const bool shares = effect.place == EffectSite::sole && picture.instant.supportFoot == SupportFoot::both;
     if (picture.sightings.empty() || places.empty() || shares) {
       continue;
     }
-    const bool ofJoint = effect.place == Place::motor || effect.place == Place::joint;
+    const bool ofJoint = effect.place == EffectSite::motor || effect.place == EffectSite::joint;
     std::vector<std::size_t> looked = jointsBetween(measurements.robot, picture);
     std::erase_if(looked, [&](std::size_t joint) {
       return ofJoint && std::find(places.begin(), places.end(), joint) == places.end();
@@ -166,7 +166,7 @@ std::optional<std::string> whyUntestable(const Effect& effect, std::size_t at, c
         look(driver, joint);
       }
     }
-    for (const Elsewhere& other : effect.elsewhere) {
+    for (const RemoteDriver& other : effect.elsewhere) {
       look(other.driver, other.joint);
       const bool recorded = std::binary_search(measurements.recorded.begin(), measurements.recorded.end(),
                                                measurements.robot.joints[other.joint].motor);
@@ -177,7 +177,7 @@ std::optional<std::string> whyUntestable(const Effect& effect, std::size_t at, c
     what = lacks ? lacks : what;
   }
   if (concerned == 0) {
-    return effect.place == Place::sole ? "no picture was taken on one foot" : "no picture shows it";
+    return effect.place == EffectSite::sole ? "no picture was taken on one foot" : "no picture shows it";
   }
   const bool whereRecorded = effect.name == "imuTilt"; // each reading is one measurement more
   if (without == 0 || (whereRecorded && without < concerned)) {
@@ -235,8 +235,8 @@ struct Pattern {
 
   /// A motor's effect may be named at either of its joints; '*' does not stand for "all".
   bool names(const Term& term, const Robot& robot) const {
-    const std::string motors = term.effect.place == Place::motor ? labelFor(given, robot) : given;
-    const bool onePlace = term.effect.place == Place::board && term.at == everywhere;
+    const std::string motors = term.effect.place == EffectSite::motor ? labelFor(given, robot) : given;
+    const bool onePlace = term.effect.place == EffectSite::board && term.at == everywhere;
     return onePlace ? matches(motors.substr(0, motors.find('@')), term.effect.name) && motors.ends_with("@all")
                     : matches(motors, term.label());
   }
@@ -272,7 +272,7 @@ bool looksAtWeight(const Term& term) {
   const auto weighs = [](Driver driver) { return driver == Driver::torque || driver == Driver::com; };
   return std::any_of(term.effect.needs.begin(), term.effect.needs.end(), weighs) ||
          std::any_of(term.effect.elsewhere.begin(), term.effect.elsewhere.end(),
-                     [&](const Elsewhere& other) { return weighs(other.driver); });
+                     [&](const RemoteDriver& other) { return weighs(other.driver); });
 }
 
 /// The offsets of recorded joints that move nothing but mass: torques near zero depend on them.
@@ -364,10 +364,10 @@ Model makeModel(const Measurements& measurements, const std::vector<std::string>
 namespace {
 
 /// linkFromBoard or worldFromSole is off from its start by `unknowns`, named by the numbers of a placement.
-Effect placementEffect(Place place, const std::vector<std::size_t>& numbers, const std::vector<double>& sigmas) {
+Effect placementEffect(EffectSite place, const std::vector<std::size_t>& numbers, const std::vector<double>& sigmas) {
   static const std::vector<Unknown> all{{"x", "m", 0},      {"y", "m", 0},       {"z", "m", 0},
                                         {"roll", "rad", 0}, {"pitch", "rad", 0}, {"yaw", "rad", 0}};
-  Effect effect{.name = place == Place::board ? "boardPlacement" : "stancePlacement",
+  Effect effect{.name = place == EffectSite::board ? "boardPlacement" : "stancePlacement",
                 .what = "where it lies or stands",
                 .formula = "placement = start + (x, y, z, roll, pitch, yaw)",
                 .place = place,
@@ -377,10 +377,11 @@ Effect placementEffect(Place place, const std::vector<std::size_t>& numbers, con
     effect.unknowns.push_back(all[numbers[i]]);
     effect.unknowns.back().sigma = sigmas[i];
   }
-  effect.correct = [place, numbers](Belief& belief, const Instant&, std::size_t at, std::span<const double> values) {
+  effect.correct = [place, numbers](ModelState& belief, const RobotSample&, std::size_t at,
+                                    std::span<const double> values) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const auto number = static_cast<Eigen::Index>(numbers[i]);
-      (place == Place::board ? belief.boardPlacement(at) : belief.ground())[number] += values[i];
+      (place == EffectSite::board ? belief.boardPlacement(at) : belief.ground())[number] += values[i];
     }
   };
   return effect;
@@ -407,15 +408,15 @@ void addBoardPlacement(const Measurements& measurements, std::size_t index, Mode
     }
   }
   sigmas.resize(numbers.size());
-  model.add({placementEffect(Place::board, numbers, sigmas), index, target.name, 0, true});
+  model.add({placementEffect(EffectSite::board, numbers, sigmas), index, target.name, 0, true});
 }
 
 } // namespace
 
 void addPlacements(const Measurements& measurements, Model& model) {
   std::set<std::size_t> seen, stood;
-  for (const Picture& picture : measurements.pictures) {
-    for (const Sighting& sighting : picture.sightings) {
+  for (const ImageObservation& picture : measurements.pictures) {
+    for (const BoardObservation& sighting : picture.sightings) {
       seen.insert(sighting.view.board());
       if (measurements.targets[sighting.view.board()].onFloor) {
         stood.insert(picture.stance);
@@ -429,7 +430,7 @@ void addPlacements(const Measurements& measurements, Model& model) {
   }
   for (std::size_t standing : stood) {
     if (measurements.standings[standing].unknown) {
-      model.add({placementEffect(Place::stance, {0, 1, 5}, {anywhere, anywhere, anyDirection}), standing,
+      model.add({placementEffect(EffectSite::stance, {0, 1, 5}, {anywhere, anywhere, anyDirection}), standing,
                  measurements.standings[standing].name, 0, true});
     }
   }

@@ -20,7 +20,7 @@ std::vector<Effect> withBuiltIn(const std::vector<Effect>& defined) {
 } // namespace
 
 std::vector<Effect> effectsWith(const nlohmann::json& definitions, const std::string& file, const Robot& robot) {
-  return withBuiltIn(userEffects(JsonPlace{definitions, file}, robot));
+  return withBuiltIn(userEffects(JsonCursor{definitions, file}, robot));
 }
 
 nlohmann::json modelJson(const std::vector<std::string>& with, const std::vector<std::string>& without,
@@ -31,13 +31,13 @@ nlohmann::json modelJson(const std::vector<std::string>& with, const std::vector
 
 ModelFile readModelFile(const std::filesystem::path& file, const Robot& robot) {
   const nlohmann::json document = parseJson(fileContent(file), file.string());
-  const JsonPlace all{document, file.string()};
+  const JsonCursor all{document, file.string()};
   all.at("format").oneOf({"naocal-model"});
   all.at("version").integer(1, 1);
   ModelFile result;
   for (const auto& [key, list] : {std::pair{"with", &result.with}, std::pair{"without", &result.without}}) {
     if (const auto terms = all.find(key)) {
-      for (const JsonPlace& term : terms->elements()) {
+      for (const JsonCursor& term : terms->elements()) {
         list->push_back(term.text());
       }
     }

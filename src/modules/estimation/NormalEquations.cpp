@@ -9,9 +9,8 @@ void NormalEquations::clear(Eigen::Index columns) {
   gradient_.setZero(columns);
 }
 
-void NormalEquations::add(const PictureGram::Square& gram, const PictureGram::Column& gradient,
-                          const Eigen::MatrixXd& motion, const PreparedPicture::Group& group,
-                          const double* slopeValues) {
+void NormalEquations::add(const ImageNormalEquations::Square& gram, const ImageNormalEquations::Column& gradient,
+                          const Eigen::MatrixXd& motion, const PreparedImage::Group& group, const double* slopeValues) {
   if (group.extras.empty()) {
     addRows<6>(gram, gradient, motion, group, slopeValues);
   } else {
@@ -21,14 +20,14 @@ void NormalEquations::add(const PictureGram::Square& gram, const PictureGram::Co
 
 /// `Rows` of the motion: six where there are no extras.
 template <int Rows>
-void NormalEquations::addRows(const PictureGram::Square& gram, const PictureGram::Column& gradient,
-                              const Eigen::MatrixXd& motion, const PreparedPicture::Group& group,
+void NormalEquations::addRows(const ImageNormalEquations::Square& gram, const ImageNormalEquations::Column& gradient,
+                              const Eigen::MatrixXd& motion, const PreparedImage::Group& group,
                               const double* slopeValues) {
   const std::size_t rows = Rows == Eigen::Dynamic ? static_cast<std::size_t>(motion.rows()) : Rows;
   const std::size_t columns = group.columns.size(), fours = (columns + 3) / 4;
   moving_.assign(rows * fours, Four{});
   half_.resize(rows * fours);
-  for (const PreparedPicture::Group::Share& share : group.shares) {
+  for (const PreparedImage::Group::Share& share : group.shares) {
     Four* const four = &moving_[share.column / 4 * rows];
     const double slope = slopeValues[share.slope];
     for (std::size_t row = 0; row < rows; ++row) {
@@ -38,7 +37,7 @@ void NormalEquations::addRows(const PictureGram::Square& gram, const PictureGram
   withWidestVectors([&]() __attribute__((always_inline)) {
     for (std::size_t four = 0; four < fours; ++four) {
       for (std::size_t i = 0; i < rows; ++i) {
-        Lane sum{};
+        Double4 sum{};
         for (std::size_t row = 0; row < rows; ++row) {
           sum += gram(row, i) * moving_[four * rows + row].lane();
         }
@@ -55,7 +54,7 @@ void NormalEquations::addRows(const PictureGram::Square& gram, const PictureGram
       }
       gradient_[group.columns[column]] += sumOfGradient;
       for (std::size_t four = 0; four < fours; ++four) {
-        Lane sum{};
+        Double4 sum{};
         for (std::size_t row = 0; row < rows; ++row) {
           sum += own[row].columns[lane] * half_[four * rows + row].lane();
         }
@@ -72,7 +71,7 @@ void NormalEquations::addRows(const PictureGram::Square& gram, const PictureGram
 namespace {
 
 /// The loss of four corners and its slope, their weight, where the loss is not quadratic.
-void weigh(const Lane& squaredDistance, const Loss& loss, Lane& rho, Lane& weight) {
+void weigh(const Double4& squaredDistance, const Loss& loss, Double4& rho, Double4& weight) {
   for (int i = 0; i < 4; ++i) {
     const auto [value, slope] = loss(squaredDistance[i]);
     rho[i] *= value;
@@ -82,40 +81,40 @@ void weigh(const Lane& squaredDistance, const Loss& loss, Lane& rho, Lane& weigh
 
 } // namespace
 
-void PictureGram::clear(std::size_t extras) {
+void ImageNormalEquations::clear(std::size_t extras) {
   width_ = 6 + extras;
-  std::fill_n(products_, width_ * (width_ + 1) / 2, Lane{});
-  std::fill_n(gradient_, width_, Lane{});
-  squares_ = cost_ = corners_ = freedom_ = Lane{};
+  std::fill_n(products_, width_ * (width_ + 1) / 2, Double4{});
+  std::fill_n(gradient_, width_, Double4{});
+  squares_ = cost_ = corners_ = freedom_ = Double4{};
 }
 
-void PictureGram::add(const CornerBlocks& corners, const ProjectedBlocks& projected,
-                      const std::vector<ExtraRow>& extraRows, double pixelNoise, const SightingWeight& weight,
-                      const Loss& loss) {
+void ImageNormalEquations::add(const CornerBlocks& corners, const ProjectedBlocks& projected,
+                               const std::vector<ExtraRow>& extraRows, double pixelNoise, const SightingWeight& weight,
+                               const Loss& loss) {
   const double share = weight.share, freedom = weight.freedom();
   const double information = share / (pixelNoise * pixelNoise);
   const std::size_t blocks = corners.size();
   const bool quadratic = loss.scale == 0;
   withWidestVectors([ =, this, &corners, &projected, &extraRows, &loss ]() __attribute__((always_inline)) {
-    Lane squares{}, cost{}, counted{};
+    Double4 squares{}, cost{}, counted{};
     for (std::size_t block = 0; block < blocks; ++block) {
       const ProjectedBlock& seen = projected[block];
-      const Lane ru = seen.u - corners[block].u, rv = seen.v - corners[block].v;
-      const Lane rr = ru * ru + rv * rv;
-      Lane w = corners[block].present, rho = w;
+      const Double4 ru = seen.u - corners[block].u, rv = seen.v - corners[block].v;
+      const Double4 rr = ru * ru + rv * rv;
+      Double4 w = corners[block].present, rho = w;
       if (quadratic) {
         rho *= information * rr;
       } else {
         weigh(information * rr, loss, rho, w);
       }
-      counted += w > 0 ? Lane{} + 1 : Lane{};
+      counted += w > 0 ? Double4{} + 1 : Double4{};
       w *= share;
       squares += w * rr;
       cost += rho;
-      Lane* product = products_;
+      Double4* product = products_;
 #pragma GCC unroll 6
       for (std::size_t i = 0; i < 6; ++i) {
-        const Lane wu = w * seen.rowsU[i], wv = w * seen.rowsV[i];
+        const Double4 wu = w * seen.rowsU[i], wv = w * seen.rowsV[i];
         gradient_[i] = gradient_[i] + wu * ru + wv * rv;
 #pragma GCC unroll 6
         for (std::size_t j = 0; j <= i; ++j, ++product) {
@@ -124,7 +123,7 @@ void PictureGram::add(const CornerBlocks& corners, const ProjectedBlocks& projec
       }
       for (std::size_t i = 6; i < width_; ++i) {
         const ExtraRow& row = extraRows[(i - 6) * blocks + block];
-        const Lane wu = w * row.u, wv = w * row.v;
+        const Double4 wu = w * row.u, wv = w * row.v;
         gradient_[i] += wu * ru + wv * rv;
         for (std::size_t j = 0; j < 6; ++j) {
           *product++ += wu * seen.rowsU[j] + wv * seen.rowsV[j];
@@ -142,10 +141,10 @@ void PictureGram::add(const CornerBlocks& corners, const ProjectedBlocks& projec
   });
 }
 
-PictureGram::Square PictureGram::gram() const {
+ImageNormalEquations::Square ImageNormalEquations::gram() const {
   const auto width = static_cast<Eigen::Index>(width_);
   Square result(width, width);
-  const Lane* product = products_;
+  const Double4* product = products_;
   for (Eigen::Index i = 0; i < width; ++i) {
     for (Eigen::Index j = 0; j <= i; ++j) {
       result(i, j) = result(j, i) = sum(*product++);
@@ -154,7 +153,7 @@ PictureGram::Square PictureGram::gram() const {
   return result;
 }
 
-PictureGram::Column PictureGram::gradient() const {
+ImageNormalEquations::Column ImageNormalEquations::gradient() const {
   Column result(static_cast<Eigen::Index>(width_));
   for (std::size_t i = 0; i < width_; ++i) {
     result[static_cast<Eigen::Index>(i)] = sum(gradient_[i]);
@@ -208,16 +207,16 @@ private:
 };
 
 /// The board whose placement or shape a quantity is, if it is one.
-std::optional<std::size_t> boardOf(const Quantities& quantities, std::size_t quantity) {
+std::optional<std::size_t> boardOf(const StateLayout& quantities, std::size_t quantity) {
   const std::size_t first = quantities.board(0);
   return quantity >= first ? std::optional{(quantity - first) / (quantities.board(1) - first)} : std::nullopt;
 }
 
 /// What moves the corners that `view` sees.
-PreparedPicture::Group groupOf(const View& view, const Quantities& quantities, const std::vector<std::size_t>& unknowns,
-                               const PreparedPicture& prepared) {
-  PreparedPicture::Group group;
-  const std::vector<Slope>& slopes = prepared.slopes.list();
+PreparedImage::Group groupOf(const ObservationChain& view, const StateLayout& quantities,
+                             const std::vector<std::size_t>& unknowns, const PreparedImage& prepared) {
+  PreparedImage::Group group;
+  const std::vector<StateDerivative>& slopes = prepared.slopes.list();
   const std::size_t most = slopes.size() + prepared.joints.size();
   group.quantities.reserve(most);
   group.columns.reserve(most);
@@ -250,25 +249,25 @@ PreparedPicture::Group groupOf(const View& view, const Quantities& quantities, c
 
 } // namespace
 
-void prepare(const Measurements& measurements, const Picture& picture, const std::vector<std::size_t>& unknowns,
-             PreparedPicture& prepared) {
+void prepare(const Measurements& measurements, const ImageObservation& picture,
+             const std::vector<std::size_t>& unknowns, PreparedImage& prepared) {
   Numbers links{measurements.robot.links.size()};
-  const std::vector<Slope>& slopes = prepared.slopes.list();
+  const std::vector<StateDerivative>& slopes = prepared.slopes.list();
   prepared.slopeValues = {1};
-  for (const Slope& slope : slopes) {
+  for (const StateDerivative& slope : slopes) {
     prepared.slopeValues.push_back(slope.value);
   }
-  const bool boardsMove = std::any_of(slopes.begin(), slopes.end(), [&](const Slope& slope) {
+  const bool boardsMove = std::any_of(slopes.begin(), slopes.end(), [&](const StateDerivative& slope) {
     return boardOf(measurements.quantities, slope.quantity).has_value();
   });
   prepared.groups.clear();
   for (std::size_t i = 0; i < picture.sightings.size(); ++i) {
-    const View& view = picture.sightings[i].view;
+    const ObservationChain& view = picture.sightings[i].view;
     links.add(view.links());
     const auto known = std::find_if(prepared.groups.begin(), prepared.groups.end(), [&](const auto& group) {
       return !boardsMove && picture.sightings[group.sightings.front()].view.sharesPath(view);
     });
-    PreparedPicture::Group& group =
+    PreparedImage::Group& group =
         known != prepared.groups.end()
             ? *known
             : prepared.groups.emplace_back(groupOf(view, measurements.quantities, unknowns, prepared));

@@ -11,9 +11,9 @@
 
 namespace naocal {
 
-/// d(u), d(v) of four corners per unit of an extra (`View::extraRows`).
+/// d(u), d(v) of four corners per unit of an extra (`ObservationChain::extraRows`).
 struct ExtraRow {
-  Lane u, v;
+  Double4 u, v;
 };
 
 /// How far a sighting's corners count (`cornerShare`), among `repeats` pictures of one rest.
@@ -26,8 +26,8 @@ struct SightingWeight {
 };
 
 /// Sums over corners, in the six numbers of the picture's motion and the extras: every derivative by any quantity is a
-/// column of `View::motion` times these, so their cost does not grow with the joints.
-class PictureGram {
+/// column of `ObservationChain::motion` times these, so their cost does not grow with the joints.
+class ImageNormalEquations {
 public:
   static constexpr int most = 6 + static_cast<int>(extraCount);
   using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
@@ -48,20 +48,20 @@ public:
   double freedom() const { return sum(freedom_); } // what squares / pixel^2 of as many is in the mean
 
 private:
-  std::size_t width_ = 0;                // 6 + extras
-  Lane products_[most * (most + 1) / 2]; // the gram's lower triangle, row after row
-  Lane gradient_[most];
-  Lane squares_, cost_, corners_, freedom_;
+  std::size_t width_ = 0;                   // 6 + extras
+  Double4 products_[most * (most + 1) / 2]; // the gram's lower triangle, row after row
+  Double4 gradient_[most];
+  Double4 squares_, cost_, corners_, freedom_;
 };
 
 /// What a picture's residuals need that stays while the slopes do: links to walk, and which quantities move what in the
 /// normal equations of its pose. Their columns are the pose's unknowns, then the deflections of its joints.
-struct PreparedPicture {
+struct PreparedImage {
   /// Sightings that the same quantities move in the same way: their corners are summed up together.
   struct Group {
     std::vector<std::size_t> sightings;
     std::vector<std::size_t> quantities;
-    std::vector<std::size_t> extras;   // among the quantities (`View::extra`)
+    std::vector<std::size_t> extras;   // among the quantities (`ObservationChain::extra`)
     std::vector<Eigen::Index> columns; // that move them
     struct Share {
       Eigen::Index column, quantity; // places in the two lists above
@@ -72,18 +72,19 @@ struct PreparedPicture {
   std::vector<std::size_t> links;
   std::vector<std::size_t> joints;      // between camera and boards, that have a deflection
   std::vector<std::size_t> deflections; // theirs, among the pose's
-  PictureSlopes slopes;
+  EffectJacobian slopes;
   std::vector<double> slopeValues; // 1 for a joint by its deflection, then the slopes
   std::vector<Group> groups;
-  Group floor;               // what moves the other sole, where the robot stands on both
-  std::optional<View> torso; // over the floor, where the inertial unit tells of it and its tilt is an unknown
-  Group imu;                 // what moves the torso, and the unit in it
+  Group floor; // what moves the other sole, where the robot stands on both
+  std::optional<ObservationChain>
+      torso; // over the floor, where the inertial unit tells of it and its tilt is an unknown
+  Group imu; // what moves the torso, and the unit in it
 };
 
 /// Finds links, groups and slope values, given joints, deflections and slopes. `unknowns`: of the picture's pose,
 /// ascending.
-void prepare(const Measurements& measurements, const Picture& picture, const std::vector<std::size_t>& unknowns,
-             PreparedPicture& prepared);
+void prepare(const Measurements& measurements, const ImageObservation& picture,
+             const std::vector<std::size_t>& unknowns, PreparedImage& prepared);
 
 /// The normal equations of one pose: sums of w J^T J and w J^T r over its corners.
 class NormalEquations {
@@ -92,20 +93,20 @@ public:
 
   /// Adds sums over L, the derivative by the picture's motion (and extras): J = L C, C = motion * (the group's shares
   /// of the slopes' values).
-  void add(const PictureGram::Square& gram, const PictureGram::Column& gradient, const Eigen::MatrixXd& motion,
-           const PreparedPicture::Group& group, const double* slopeValues);
+  void add(const ImageNormalEquations::Square& gram, const ImageNormalEquations::Column& gradient,
+           const Eigen::MatrixXd& motion, const PreparedImage::Group& group, const double* slopeValues);
 
   const Eigen::MatrixXd& gram() const { return gram_; }
   const Eigen::VectorXd& gradient() const { return gradient_; }
 
 private:
   template <int Rows>
-  void addRows(const PictureGram::Square& gram, const PictureGram::Column& gradient, const Eigen::MatrixXd& motion,
-               const PreparedPicture::Group& group, const double* slopeValues);
+  void addRows(const ImageNormalEquations::Square& gram, const ImageNormalEquations::Column& gradient,
+               const Eigen::MatrixXd& motion, const PreparedImage::Group& group, const double* slopeValues);
 
-  struct alignas(Lane) Four {
+  struct alignas(Double4) Four {
     double columns[4];
-    Lane& lane() { return reinterpret_cast<Lane&>(columns); }
+    Double4& lane() { return reinterpret_cast<Double4&>(columns); }
   };
   Eigen::MatrixXd gram_;
   Eigen::VectorXd gradient_;

@@ -37,15 +37,15 @@ struct Residuals::Workspace {
   }
 
   /// Pictures of one reading share angles, torques and centre of mass.
-  void drive(const Measurements& measurements, const Model& model, const Picture& picture,
+  void drive(const Measurements& measurements, const Model& model, const ImageObservation& picture,
              const Eigen::VectorXd& unknowns) {
-    const Picture* const last = std::exchange(drivenPicture, &picture);
+    const ImageObservation* const last = std::exchange(drivenPicture, &picture);
     if (!last || last->instant.q != picture.instant.q || last->instant.supportFoot != picture.instant.supportFoot ||
         picture.instant.supportFoot == SupportFoot::both) {
       driven = drivenAt(measurements, model, picture, unknowns);
       return;
     }
-    Instant instant = picture.instant;
+    RobotSample instant = picture.instant;
     instant.q.swap(driven.instant.q);
     instant.torque.swap(driven.instant.torque);
     instant.torqueGrowth.swap(driven.instant.torqueGrowth);
@@ -54,8 +54,8 @@ struct Residuals::Workspace {
   }
 
   /// Adds a group's sums to those of its pose.
-  void add(const PictureGram::Square& gram, const PictureGram::Column& gradient, const Eigen::MatrixXd& by,
-           const PreparedPicture::Group& group) {
+  void add(const ImageNormalEquations::Square& gram, const ImageNormalEquations::Column& gradient,
+           const Eigen::MatrixXd& by, const PreparedImage::Group& group) {
     if (wantsRows) {
       rows.add(gram, gradient, by, group, slopes);
     } else {
@@ -67,30 +67,30 @@ struct Residuals::Workspace {
     Eigen::Matrix<double, 6, 1> placement = Eigen::Matrix<double, 6, 1>::Zero();
     RigidTransform linkFromBoard;
   };
-  Belief belief{Quantities{0, 0, 0}};
+  ModelState belief{StateLayout{0, 0, 0}};
   std::vector<PlacedBoard> boards;
-  Posture torsoFromLink;
+  LinkPoses torsoFromLink;
   ProjectedBlocks projected;
   std::vector<ExtraRow> extraRows;
-  PictureGram corners;
+  ImageNormalEquations corners;
   Eigen::MatrixXd motion;
   NormalEquations sums; // of a pose,
   RowEquations rows;    // or these
   bool wantsRows = false;
   double cost = 0; // sum of rho
-  Driven driven;
-  const Picture* drivenPicture = nullptr; // the one that `driven` is of
-  PictureSlopes::Scratch scratch;
+  DriverState driven;
+  const ImageObservation* drivenPicture = nullptr; // the one that `driven` is of
+  EffectJacobian::Scratch scratch;
   std::vector<double> varyingSlopes;
   const double* slopes = nullptr; // values of the picture's slopes
 };
 
 /// The other sole's height over the floor and its tilt are zero but for `FloorContact`; in units of pixels, as all sums
 /// are.
-void Residuals::addFloorContact(const Picture& picture, const PreparedPicture& prepared, Workspace& work,
+void Residuals::addFloorContact(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
                                 PosePart& part) const {
-  const View& sole = *picture.otherSole;
-  const Attitude attitude = sole.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
+  const ObservationChain& sole = *picture.otherSole;
+  const CameraFrames attitude = sole.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
   const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
   const Eigen::Vector3d scale =
       noise_.pixel * Eigen::Vector3d{1 / FloorContact::height, 1 / FloorContact::tilt, 1 / FloorContact::tilt};
@@ -107,20 +107,20 @@ void Residuals::addFloorContact(const Picture& picture, const PreparedPicture& p
   part.freedom += 3;
 }
 
-/// The floor's normal in the torso is what the inertial unit says, but for `ImuReading`:
+/// The floor's normal in the torso is what the inertial unit says, but for `ImuNoise`:
 ///   n_imu = (Ry(angleY) Rx(angleX) Ry(pitch) Rx(roll))^T z, roll and pitch the unit's tilt
 /// Its two level components count; d(n) = omega x n.
-void Residuals::addImuReading(const Picture& picture, const PreparedPicture& prepared, Workspace& work,
+void Residuals::addImuReading(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
                               PosePart& part) const {
-  const View& torso = *prepared.torso;
-  const Quantities& quantities = measurements_.quantities;
-  const Attitude attitude = torso.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
+  const ObservationChain& torso = *prepared.torso;
+  const StateLayout& quantities = measurements_.quantities;
+  const CameraFrames attitude = torso.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
   const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
   const double roll = work.belief.imuTilt()[0], pitch = work.belief.imuTilt()[1];
   const Eigen::Vector2d reading = picture.instant.imu;
   const Eigen::Vector3d byUnit = (rotationY(reading.y()) * rotationX(reading.x())).row(2); // in the unit's frame
   const Eigen::Vector3d pitched = rotationY(-pitch) * byUnit, told = rotationX(-roll) * pitched;
-  const double scale = noise_.pixel / ImuReading::angle;
+  const double scale = noise_.pixel / ImuNoise::angle;
 
   Eigen::Matrix<double, 2, 8> byMotion = Eigen::Matrix<double, 2, 8>::Zero();
   byMotion.leftCols<3>() = -crossMatrix(normal).topRows<2>();
@@ -146,18 +146,20 @@ void Residuals::addImuReading(const Picture& picture, const PreparedPicture& pre
 namespace {
 
 /// How the torso sees the floor, where the inertial unit's tilt is an unknown and its reading was recorded.
-std::optional<View> torsoOverFloor(const Measurements& measurements, const Model& model, const Picture& picture) {
+std::optional<ObservationChain> torsoOverFloor(const Measurements& measurements, const Model& model,
+                                               const ImageObservation& picture) {
   const bool wanted = std::any_of(model.terms().begin(), model.terms().end(),
                                   [](const Term& term) { return term.effect.name == "imuTilt"; });
-  const bool onFloor = std::any_of(picture.sightings.begin(), picture.sightings.end(), [&](const Sighting& sighting) {
-    return measurements.targets[sighting.view.board()].onFloor;
-  });
+  const bool onFloor =
+      std::any_of(picture.sightings.begin(), picture.sightings.end(), [&](const BoardObservation& sighting) {
+        return measurements.targets[sighting.view.board()].onFloor;
+      });
   if (!wanted || !onFloor || picture.instant.imu.hasNaN()) {
     return std::nullopt;
   }
   const bool right = picture.instant.supportFoot == SupportFoot::right;
-  return View::betweenLinks(measurements.robot, measurements.quantities, 0,
-                            measurements.robot.sole(right ? "right" : "left")->link);
+  return ObservationChain::betweenLinks(measurements.robot, measurements.quantities, 0,
+                                        measurements.robot.sole(right ? "right" : "left")->link);
 }
 
 } // namespace
@@ -167,13 +169,13 @@ Residuals::Residuals(const Measurements& measurements, const Model& model, const
       free_(model.unknownCount(), true), prepared_(measurements.pictures.size()), columns_(measurements.poses.size()),
       roots_(measurements.poses.size()) {
   inParallel(prepared_.size(), [&](std::size_t i) {
-    prepared_[i].slopes = PictureSlopes{measurements, model, measurements.pictures[i]};
+    prepared_[i].slopes = EffectJacobian{measurements, model, measurements.pictures[i]};
     prepared_[i].torso = torsoOverFloor(measurements, model, measurements.pictures[i]);
   });
   inParallel(columns_.size(), [&](std::size_t pose) {
     columns_[pose] = columnsOf(measurements.poses[pose]);
     roots_[pose] = deflectionRoot(columns_[pose], noise_);
-    for (const Reading& reading : measurements.poses[pose].readings) {
+    for (const EncoderSample& reading : measurements.poses[pose].readings) {
       for (std::size_t index : reading.pictures) {
         prepare(measurements, measurements.pictures[index], columns_[pose].unknowns, prepared_[index]);
       }
@@ -187,10 +189,10 @@ PosePart Residuals::columnsOf(const PoseGroup& pose) {
   std::vector<bool> moves(model_.unknownCount(), false);
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> deflections; // of motor and encoder error
   const bool latent = noise_.encoder > 0 || noise_.pose > 0 || noise_.stance > 0 || noise_.reapproach > 0;
-  for (const Reading& reading : pose.readings) {
+  for (const EncoderSample& reading : pose.readings) {
     for (std::size_t index : reading.pictures) {
-      PreparedPicture& picture = prepared_[index];
-      for (const Slope& slope : picture.slopes.list()) {
+      PreparedImage& picture = prepared_[index];
+      for (const StateDerivative& slope : picture.slopes.list()) {
         moves[slope.unknown] = true;
       }
       if (latent) {
@@ -208,7 +210,7 @@ PosePart Residuals::columnsOf(const PoseGroup& pose) {
     part.errorScales.push_back(pose.encoderErrors[joint.second].scale);
     part.stances.push_back(pose.encoderErrors[joint.second].stance);
   }
-  for (const Reading& reading : pose.readings) {
+  for (const EncoderSample& reading : pose.readings) {
     for (std::size_t index : reading.pictures) {
       for (std::size_t joint : prepared_[index].joints) {
         prepared_[index].deflections.push_back(
@@ -245,7 +247,7 @@ void takeSums(const NormalEquations& sums, const Eigen::VectorXd& deflections, P
 }
 
 /// Where a pose's deflections would rest if everything were linear, its unknowns moved `along`.
-Eigen::VectorXd restingDeflections(const Eliminated& part, const Eigen::VectorXd& along = {}) {
+Eigen::VectorXd restingDeflections(const MarginalSystem& part, const Eigen::VectorXd& along = {}) {
   Eigen::VectorXd result = -part.half.rightCols<1>();
   result.noalias() -= part.half.leftCols(along.size()) * along;
   part.inner.matrixU().solveInPlace(result);
@@ -255,7 +257,7 @@ Eigen::VectorXd restingDeflections(const Eliminated& part, const Eigen::VectorXd
 } // namespace
 
 /// What is believed at the picture's instant, and the values of its slopes there.
-void Residuals::believe(const Picture& picture, const PreparedPicture& prepared, const Eigen::VectorXd& unknowns,
+void Residuals::believe(const ImageObservation& picture, const PreparedImage& prepared, const Eigen::VectorXd& unknowns,
                         const Eigen::VectorXd& deflections, Workspace& work) const {
   work.belief = picture.drawn;
   prepared.slopes.addFixed(unknowns, work.belief);
@@ -273,7 +275,7 @@ void Residuals::believe(const Picture& picture, const PreparedPicture& prepared,
 }
 
 /// Adds the sums over a picture's corners to those of its pose. False: a corner is nowhere.
-bool Residuals::addPicture(const Picture& picture, const PreparedPicture& prepared, Workspace& work,
+bool Residuals::addPicture(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
                            PosePart& part) const {
   posture(measurements_.robot, work.belief, prepared.links, work.torsoFromLink);
   if (picture.otherSole) {
@@ -283,12 +285,12 @@ bool Residuals::addPicture(const Picture& picture, const PreparedPicture& prepar
     addImuReading(picture, prepared, work, part);
   }
   return std::all_of(prepared.groups.begin(), prepared.groups.end(),
-                     [&](const PreparedPicture::Group& group) { return addGroup(picture, group, work, part); });
+                     [&](const PreparedImage::Group& group) { return addGroup(picture, group, work, part); });
 }
 
 /// Adds the corners of a sighting to the workspace's sums over corners. False: one of them is nowhere.
-bool Residuals::addCorners(const Sighting& sighting, const std::vector<std::size_t>& extras, Attitude& attitude,
-                           Workspace& work) const {
+bool Residuals::addCorners(const BoardObservation& sighting, const std::vector<std::size_t>& extras,
+                           CameraFrames& attitude, Workspace& work) const {
   sighting.view.placeBoard(work.linkFromBoard(sighting.view.board()), attitude);
   if (!sighting.view.project(attitude, work.belief, sighting.corners, work.projected)) {
     return false;
@@ -297,7 +299,8 @@ bool Residuals::addCorners(const Sighting& sighting, const std::vector<std::size
   for (std::size_t extra : extras) {
     for (std::size_t block = 0; block < sighting.corners.size(); ++block) {
       ExtraRow& row = work.extraRows.emplace_back();
-      View::extraRows(extra, attitude, work.belief, sighting.corners[block], work.projected[block], row.u, row.v);
+      ObservationChain::extraRows(extra, attitude, work.belief, sighting.corners[block], work.projected[block], row.u,
+                                  row.v);
     }
   }
   work.corners.add(sighting.corners, work.projected, work.extraRows, noise_.pixel,
@@ -305,10 +308,10 @@ bool Residuals::addCorners(const Sighting& sighting, const std::vector<std::size
   return true;
 }
 
-bool Residuals::addGroup(const Picture& picture, const PreparedPicture::Group& group, Workspace& work,
+bool Residuals::addGroup(const ImageObservation& picture, const PreparedImage::Group& group, Workspace& work,
                          PosePart& part) const {
-  const View& path = picture.sightings[group.sightings.front()].view;
-  Attitude attitude = path.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
+  const ObservationChain& path = picture.sightings[group.sightings.front()].view;
+  CameraFrames attitude = path.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
   if (std::find(group.extras.begin(), group.extras.end(), rowTimeExtra) != group.extras.end()) {
     path.setDrift(measurements_.robot, work.belief, work.torsoFromLink, picture.instant.velocity, attitude);
   }
@@ -341,10 +344,10 @@ Residuals::State Residuals::start(const Eigen::VectorXd& unknowns) const {
 bool Residuals::addPose(std::size_t pose, const State& state, const Eigen::VectorXd& deflections, Workspace& work,
                         PosePart& part) const {
   part.squares = part.numbers = part.freedom = 0;
-  for (const Reading& reading : measurements_.poses[pose].readings) {
+  for (const EncoderSample& reading : measurements_.poses[pose].readings) {
     for (std::size_t index : reading.pictures) {
-      const Picture& picture = measurements_.pictures[index];
-      const PreparedPicture& ready = prepared_[index];
+      const ImageObservation& picture = measurements_.pictures[index];
+      const PreparedImage& ready = prepared_[index];
       believe(picture, ready, state.unknowns, deflections, work);
       if (!addPicture(picture, ready, work, part)) {
         return false;
@@ -357,7 +360,7 @@ bool Residuals::addPose(std::size_t pose, const State& state, const Eigen::Vecto
 
 /// A pose's sums at these deflections, which are then eliminated. False: one of its corners is nowhere.
 bool Residuals::lineariseAt(std::size_t pose, const State& state, const Eigen::VectorXd& inSigmas, PoseSystem& system,
-                            Eliminated& part) const {
+                            MarginalSystem& part) const {
   Workspace& work = Workspace::ofThisThread(measurements_);
   const Eigen::VectorXd deflections = roots_[pose] * inSigmas;
   work.sums.clear(at(system.unknowns.size() + system.joints.size()));
@@ -371,7 +374,7 @@ bool Residuals::lineariseAt(std::size_t pose, const State& state, const Eigen::V
 }
 
 /// Goes on from a pose's sums to where its deflections rest.
-void Residuals::settle(std::size_t pose, State& state, PoseSystem& system, Eliminated& part) const {
+void Residuals::settle(std::size_t pose, State& state, PoseSystem& system, MarginalSystem& part) const {
   constexpr int most = 20;
   constexpr double little = 1e-4; // of the cost, which a step would gain
   Eigen::VectorXd& here = state.deflections[pose];
@@ -382,7 +385,7 @@ void Residuals::settle(std::size_t pose, State& state, PoseSystem& system, Elimi
       return;
     }
     PoseSystem onward{columns_[pose], {}, {}, {}, {}, {}};
-    Eliminated onwardPart;
+    MarginalSystem onwardPart;
     if (!lineariseAt(pose, state, there, onward, onwardPart) ||
         !(onward.loss + there.squaredNorm() < system.loss + here.squaredNorm())) {
       return;
@@ -437,7 +440,7 @@ void Residuals::addUp(const State& state, Linear& result) const {
   result.hessian = sigmas_.cwiseAbs2().cwiseInverse().asDiagonal();
   for (std::size_t pose = 0; pose < columns_.size(); ++pose) {
     const PoseSystem& system = result.poses[pose];
-    const Eliminated& part = result.eliminated[pose];
+    const MarginalSystem& part = result.eliminated[pose];
     result.cost += 0.5 * (system.loss + state.deflections[pose].squaredNorm());
     result.gradient(system.unknowns) += part.unknownGradient;
     result.hessian(system.unknowns, system.unknowns) += part.hessian;
@@ -454,7 +457,7 @@ void Residuals::addUp(const State& state, Linear& result) const {
 
 std::optional<Residuals::Linear> Residuals::linearised(const State& state) const {
   std::optional<Linear> result{std::in_place};
-  const bool possible = linearisePoses(*result, [&](std::size_t pose, PoseSystem& system, Eliminated& part) {
+  const bool possible = linearisePoses(*result, [&](std::size_t pose, PoseSystem& system, MarginalSystem& part) {
     return lineariseAt(pose, state, state.deflections[pose], system, part);
   });
   if (!possible) {
@@ -465,7 +468,7 @@ std::optional<Residuals::Linear> Residuals::linearised(const State& state) const
 }
 
 bool Residuals::linearise(State& state, Linear& result) const {
-  const bool possible = linearisePoses(result, [&](std::size_t pose, PoseSystem& system, Eliminated& part) {
+  const bool possible = linearisePoses(result, [&](std::size_t pose, PoseSystem& system, MarginalSystem& part) {
     if (!lineariseAt(pose, state, state.deflections[pose], system, part)) {
       return false;
     }
@@ -487,7 +490,7 @@ Residuals::State Residuals::moved(const State& state, const Linear& linear, cons
       result.deflections.emplace_back();
       continue;
     }
-    const Eliminated& part = linear.eliminated[pose];
+    const MarginalSystem& part = linear.eliminated[pose];
     Eigen::VectorXd along = Eigen::VectorXd::Zero(part.half.cols() - 1);
     for (std::size_t i = 0; i < columns_[pose].unknowns.size(); ++i) {
       along[at(i)] = step[at(columns_[pose].unknowns[i])];
@@ -497,20 +500,20 @@ Residuals::State Residuals::moved(const State& state, const Linear& linear, cons
   return result;
 }
 
-std::optional<std::vector<SightingMotion>> Residuals::sightingMotions(const State& state) const {
-  std::vector<SightingMotion> result;
+std::optional<std::vector<BoardMotionSums>> Residuals::sightingMotions(const State& state) const {
+  std::vector<BoardMotionSums> result;
   Workspace& work = Workspace::ofThisThread(measurements_);
   for (std::size_t pose = 0; pose < columns_.size(); ++pose) {
     const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
     const Eigen::Index columns = at(columns_[pose].unknowns.size() + columns_[pose].joints.size());
-    for (const Reading& reading : measurements_.poses[pose].readings) {
+    for (const EncoderSample& reading : measurements_.poses[pose].readings) {
       for (std::size_t index : reading.pictures) {
-        const Picture& picture = measurements_.pictures[index];
+        const ImageObservation& picture = measurements_.pictures[index];
         believe(picture, prepared_[index], state.unknowns, deflections, work);
         posture(measurements_.robot, work.belief, prepared_[index].links, work.torsoFromLink);
-        for (const PreparedPicture::Group& group : prepared_[index].groups) {
+        for (const PreparedImage::Group& group : prepared_[index].groups) {
           for (std::size_t sighting : group.sightings) {
-            SightingMotion motion{.picture = index, .sighting = sighting, .pose = pose};
+            BoardMotionSums motion{.picture = index, .sighting = sighting, .pose = pose};
             motion.cross.setZero(6, columns);
             if (!addMotion(picture.sightings[sighting], group, work, motion)) {
               return std::nullopt;
@@ -525,9 +528,9 @@ std::optional<std::vector<SightingMotion>> Residuals::sightingMotions(const Stat
 }
 
 /// Fills in a sighting's sums. False: a corner is nowhere.
-bool Residuals::addMotion(const Sighting& sighting, const PreparedPicture::Group& group, Workspace& work,
-                          SightingMotion& motion) const {
-  Attitude attitude = sighting.view.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
+bool Residuals::addMotion(const BoardObservation& sighting, const PreparedImage::Group& group, Workspace& work,
+                          BoardMotionSums& motion) const {
+  CameraFrames attitude = sighting.view.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
   if (std::find(group.extras.begin(), group.extras.end(), rowTimeExtra) != group.extras.end()) {
     sighting.view.setDrift(measurements_.robot, work.belief, work.torsoFromLink,
                            measurements_.pictures[motion.picture].instant.velocity, attitude);
@@ -539,24 +542,24 @@ bool Residuals::addMotion(const Sighting& sighting, const PreparedPicture::Group
   work.motion.resize(at(6 + group.extras.size()), at(group.quantities.size()));
   sighting.view.motion(measurements_.robot, attitude, work.belief, work.torsoFromLink, group.quantities, group.extras,
                        work.motion);
-  const PictureGram::Square gram = work.corners.gram();
+  const ImageNormalEquations::Square gram = work.corners.gram();
   motion.gram = gram.topLeftCorner<6, 6>();
   motion.gradient = work.corners.gradient().head<6>();
   const Eigen::MatrixXd byQuantities = gram.topRows<6>() * work.motion;
-  for (const PreparedPicture::Group::Share& share : group.shares) {
+  for (const PreparedImage::Group::Share& share : group.shares) {
     motion.cross.col(group.columns[share.column]) += work.slopes[share.slope] * byQuantities.col(share.quantity);
   }
   return true;
 }
 
-std::vector<SightingResidual> Residuals::sightings(const State& state) const {
-  std::vector<SightingResidual> result;
+std::vector<BoardResidual> Residuals::sightings(const State& state) const {
+  std::vector<BoardResidual> result;
   Workspace& work = Workspace::ofThisThread(measurements_);
   for (std::size_t pose = 0; pose < columns_.size(); ++pose) {
     const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
-    for (const Reading& reading : measurements_.poses[pose].readings) {
+    for (const EncoderSample& reading : measurements_.poses[pose].readings) {
       for (std::size_t index : reading.pictures) {
-        const Picture& picture = measurements_.pictures[index];
+        const ImageObservation& picture = measurements_.pictures[index];
         believe(picture, prepared_[index], state.unknowns, deflections, work);
         posture(measurements_.robot, work.belief, prepared_[index].links, work.torsoFromLink);
         for (std::size_t i = 0; i < picture.sightings.size(); ++i) {
@@ -568,20 +571,20 @@ std::vector<SightingResidual> Residuals::sightings(const State& state) const {
   return result;
 }
 
-SightingResidual Residuals::sightingResidual(std::size_t picture, std::size_t index, Workspace& work) const {
-  const Sighting& sighting = measurements_.pictures[picture].sightings[index];
-  Attitude attitude = sighting.view.attitude(measurements_.robot, work.belief, work.torsoFromLink);
+BoardResidual Residuals::sightingResidual(std::size_t picture, std::size_t index, Workspace& work) const {
+  const BoardObservation& sighting = measurements_.pictures[picture].sightings[index];
+  CameraFrames attitude = sighting.view.attitude(measurements_.robot, work.belief, work.torsoFromLink);
   if (work.belief.rowTime() != 0) {
     sighting.view.setDrift(measurements_.robot, work.belief, work.torsoFromLink,
                            measurements_.pictures[picture].instant.velocity, attitude);
   }
   const Eigen::Index count = at(sighting.ids.size());
-  SightingResidual result{picture,
-                          index,
-                          Eigen::Matrix2Xd(2, count),
-                          Eigen::Matrix2Xd(2, count),
-                          Eigen::VectorXd::Zero(count),
-                          Eigen::MatrixXd::Zero(2 * count, 6)};
+  BoardResidual result{picture,
+                       index,
+                       Eigen::Matrix2Xd(2, count),
+                       Eigen::Matrix2Xd(2, count),
+                       Eigen::VectorXd::Zero(count),
+                       Eigen::MatrixXd::Zero(2 * count, 6)};
   if (!sighting.view.project(attitude, work.belief, sighting.corners, work.projected)) {
     result.predicted.setConstant(std::numeric_limits<double>::quiet_NaN());
     result.residual = result.predicted;

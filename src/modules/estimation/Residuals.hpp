@@ -14,7 +14,7 @@
 namespace naocal {
 
 /// Measurement minus prediction of one sighting's corners, and how far each counts.
-struct SightingResidual {
+struct BoardResidual {
   std::size_t picture = 0, sighting = 0;
   Eigen::Matrix2Xd predicted; // [px]
   Eigen::Matrix2Xd residual;  // measured - predicted [px]
@@ -24,7 +24,7 @@ struct SightingResidual {
 
 /// What a sighting alone tells about a rigid motion of its board in the optical frame (omega, v), beside the unknowns
 /// and deflections of its pose. L: `motionRows`, W: the corners' weights; before any noise level is applied.
-struct SightingMotion {
+struct BoardMotionSums {
   std::size_t picture = 0, sighting = 0, pose = 0;
   Eigen::Matrix<double, 6, 6> gram;               // L^T W L   [px^2 / (rad or m)^2]
   Eigen::Matrix<double, 6, 1> gradient;           // L^T W r, r = predicted - measured
@@ -48,7 +48,7 @@ public:
     Eigen::VectorXd gradient;
     Eigen::MatrixXd hessian;
     std::vector<PoseSystem> poses;
-    std::vector<Eliminated> eliminated;
+    std::vector<MarginalSystem> eliminated;
   };
 
   State start(const Eigen::VectorXd& unknowns) const;
@@ -65,9 +65,9 @@ public:
   const Eigen::VectorXd& scales() const { return sigmas_; }
 
   /// Per sighting what is seen against what was measured at a state.
-  std::vector<SightingResidual> sightings(const State& state) const;
+  std::vector<BoardResidual> sightings(const State& state) const;
   /// The same sightings, in an order of their own, against motions of their boards. Absent: the state is impossible.
-  std::optional<std::vector<SightingMotion>> sightingMotions(const State& state) const;
+  std::optional<std::vector<BoardMotionSums>> sightingMotions(const State& state) const;
 
   /// Only these unknowns are free; the others stay where they are (all free by default).
   void freeOnly(const std::vector<bool>& free) { free_ = free; }
@@ -79,24 +79,28 @@ public:
 private:
   struct Workspace;
   bool lineariseAt(std::size_t pose, const State& state, const Eigen::VectorXd& inSigmas, PoseSystem& system,
-                   Eliminated& part) const;
-  void settle(std::size_t pose, State& state, PoseSystem& system, Eliminated& part) const;
+                   MarginalSystem& part) const;
+  void settle(std::size_t pose, State& state, PoseSystem& system, MarginalSystem& part) const;
   template <class AtPose> bool linearisePoses(Linear& result, const AtPose& atPose) const;
   void addUp(const State& state, Linear& result) const;
   bool addPose(std::size_t pose, const State& state, const Eigen::VectorXd& deflections, Workspace& work,
                PosePart& part) const;
   PosePart columnsOf(const PoseGroup& pose);
-  void believe(const Picture& picture, const PreparedPicture& prepared, const Eigen::VectorXd& unknowns,
+  void believe(const ImageObservation& picture, const PreparedImage& prepared, const Eigen::VectorXd& unknowns,
                const Eigen::VectorXd& deflections, Workspace& work) const;
-  bool addPicture(const Picture& picture, const PreparedPicture& prepared, Workspace& work, PosePart& part) const;
-  void addFloorContact(const Picture& picture, const PreparedPicture& prepared, Workspace& work, PosePart& part) const;
-  bool addCorners(const Sighting& sighting, const std::vector<std::size_t>& extras, Attitude& attitude,
+  bool addPicture(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
+                  PosePart& part) const;
+  void addFloorContact(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
+                       PosePart& part) const;
+  bool addCorners(const BoardObservation& sighting, const std::vector<std::size_t>& extras, CameraFrames& attitude,
                   Workspace& work) const;
-  void addImuReading(const Picture& picture, const PreparedPicture& prepared, Workspace& work, PosePart& part) const;
-  bool addGroup(const Picture& picture, const PreparedPicture::Group& group, Workspace& work, PosePart& part) const;
-  SightingResidual sightingResidual(std::size_t picture, std::size_t index, Workspace& work) const;
-  bool addMotion(const Sighting& sighting, const PreparedPicture::Group& group, Workspace& work,
-                 SightingMotion& motion) const;
+  void addImuReading(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
+                     PosePart& part) const;
+  bool addGroup(const ImageObservation& picture, const PreparedImage::Group& group, Workspace& work,
+                PosePart& part) const;
+  BoardResidual sightingResidual(std::size_t picture, std::size_t index, Workspace& work) const;
+  bool addMotion(const BoardObservation& sighting, const PreparedImage::Group& group, Workspace& work,
+                 BoardMotionSums& motion) const;
 
   const Measurements& measurements_;
   const Model& model_;
@@ -104,9 +108,9 @@ private:
   Loss loss_;
   Eigen::VectorXd sigmas_;
   std::vector<bool> free_;
-  std::vector<PreparedPicture> prepared_; // per picture
-  std::vector<PosePart> columns_;         // per pose: nothing summed up
-  std::vector<DeflectionRoot> roots_;     // per pose
+  std::vector<PreparedImage> prepared_; // per picture
+  std::vector<PosePart> columns_;       // per pose: nothing summed up
+  std::vector<JointErrorRoot> roots_;   // per pose
 };
 
 } // namespace naocal

@@ -64,24 +64,24 @@ private:
 struct Weighed {
   Model model;
   CalibrationResult fit;
-  OpenQuestion question;
+  ModelAmbiguity question;
 };
 
-Weighed weighed(const Measurements& measurements, OpenQuestion question) {
+Weighed weighed(const Measurements& measurements, ModelAmbiguity question) {
   const Model model = makeModel(measurements, question.with, question.without, question.effects);
   CalibrationResult fit = calibrate(measurements, model);
   std::vector<Term> terms;
-  for (const Suspect& suspect : question.suspects) {
+  for (const Hypothesis& suspect : question.suspects) {
     for (Term& term : candidateTerms(measurements, question.effects)) {
       if (term.label() == suspect.label) {
         terms.push_back(std::move(term));
       }
     }
   }
-  InquiryOptions options;
+  CandidateTestOptions options;
   options.draws = 0;
   options.map = false;
-  const Inquiry inquiry{measurements, model, fit, terms, options};
+  const CandidateTests inquiry{measurements, model, fit, terms, options};
   std::vector<double> evidence;
   for (std::size_t i = 0; i < terms.size(); ++i) {
     evidence.push_back(inquiry.ofCandidate(i).bayes);
@@ -94,10 +94,10 @@ Weighed weighed(const Measurements& measurements, OpenQuestion question) {
   return {model, std::move(fit), std::move(question)};
 }
 
-const Suspect& likeliest(const Weighed& weighed) {
-  const std::vector<Suspect>& suspects = weighed.question.suspects;
+const Hypothesis& likeliest(const Weighed& weighed) {
+  const std::vector<Hypothesis>& suspects = weighed.question.suspects;
   return *std::max_element(suspects.begin(), suspects.end(),
-                           [](const Suspect& a, const Suspect& b) { return a.odds < b.odds; });
+                           [](const Hypothesis& a, const Hypothesis& b) { return a.odds < b.odds; });
 }
 
 /// The first captures of a set's poses, as many poses as wanted.
@@ -109,13 +109,13 @@ CaptureSet firstPoses(CaptureSet set, const std::vector<CommandedPose>& poses, s
   return set;
 }
 
-NextTrialArm arm(const Robot& robot, const Subject& subject, const CaptureSet& start, const OpenQuestion& question,
-                 const std::string& hidden, bool propose, std::uint64_t seed, const NextTrialOptions& options) {
+TrialArm arm(const Robot& robot, const Subject& subject, const CaptureSet& start, const ModelAmbiguity& question,
+             const std::string& hidden, bool propose, std::uint64_t seed, const NextPosesTrialOptions& options) {
   std::vector<CaptureSet> sets{start};
   for (std::size_t taken = 0; taken < options.most; taken += options.batch) {
     const Measurements measurements = measurementsOf(sets, robot, true);
     const Weighed now = weighed(measurements, question);
-    NextOptions next;
+    NextPosesOptions next;
     next.count = options.batch;
     next.seed = 1000 * seed + taken;
     next.samePlace = true;
@@ -139,20 +139,20 @@ NextTrialArm arm(const Robot& robot, const Subject& subject, const CaptureSet& s
 
 } // namespace
 
-NextTrial nextTrial(const Robot& robot, std::uint64_t seed, const NextTrialOptions& options) {
+NextPosesTrial nextTrial(const Robot& robot, std::uint64_t seed, const NextPosesTrialOptions& options) {
   const Subject subject{robot, seed, options.flawScale};
   const Simulation start = subject.captures(randomPoses(robot, options.start, seed), 0);
   const Measurements measurements = measurementsOf({start.set}, robot);
   const DiagnosisOptions asked;
   const Diagnosis diagnosis = diagnose({start.set}, measurements, asked);
-  const OpenQuestion question = openQuestion(diagnosis, robot, asked);
+  const ModelAmbiguity question = openQuestion(diagnosis, robot, asked);
   const TrueEffect& hidden = start.truth.effects.back();
-  NextTrial result{seed, hidden.effect + "@" + hidden.at, {}, {}, {}};
+  NextPosesTrial result{seed, hidden.effect + "@" + hidden.at, {}, {}, {}};
   if (diagnosis.verdict != Verdict::effectMissing || !question.rivals ||
       likeliest(weighed(measurements, question)).odds >= options.certainty) {
     return result;
   }
-  for (const Suspect& suspect : question.suspects) {
+  for (const Hypothesis& suspect : question.suspects) {
     result.suspects.push_back(suspect.label);
   }
   result.proposed = arm(robot, subject, start.set, question, result.hidden, true, seed, options);

@@ -12,7 +12,7 @@ using Numbers = std::vector<double>;
 
 /// As pagmo wants it.
 struct Problem {
-  const Cost* cost = nullptr;
+  const CostFunction* cost = nullptr;
   Eigen::Index unknowns = 1;
   double range = 1;
 
@@ -27,7 +27,7 @@ struct Problem {
 
 } // namespace
 
-Eigen::VectorXd swarmMinimum(const Cost& cost, Eigen::Index unknowns, double range, std::size_t calls,
+Eigen::VectorXd swarmMinimum(const CostFunction& cost, Eigen::Index unknowns, double range, std::size_t calls,
                              std::uint64_t seed) {
   constexpr unsigned particles = 40;
   const auto own = static_cast<unsigned>(seed);

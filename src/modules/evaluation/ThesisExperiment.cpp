@@ -44,7 +44,7 @@ Noise thesisNoise(const ThesisSetting& setting, double pixel) {
           .pose = setting.angleNoise() && setting.jointNoise == AngleNoise::stiction ? stiction : 0};
 }
 
-AngleReading angleReading(double commanded, const ThesisSetting& setting, Randomness& chance) {
+AngleReading angleReading(double commanded, const ThesisSetting& setting, RandomStream& chance) {
   if (!setting.angleNoise()) {
     return {commanded, commanded};
   }
@@ -60,12 +60,12 @@ namespace {
 const double range = radians(6.5); // of offsets [rad]
 
 /// Attitudes in which a robot stands and sees something.
-std::vector<Eigen::VectorXd> candidatePoses(const Robot& robot, const ThesisScenery& scenery, std::size_t count) {
+std::vector<Eigen::VectorXd> candidatePoses(const Robot& robot, const ThesisScene& scenery, std::size_t count) {
   PoseOptions options;
   options.sight = scenery.limits;
-  const Scene scene{robot, options.supportFoot, scenery.targets, scenery.cameras, options.sight};
+  const PlanningScene scene{robot, options.supportFoot, scenery.targets, scenery.cameras, options.sight};
   std::vector<Eigen::VectorXd> poses;
-  for (const Belief& belief : stableAttitudes(robot, scene, options, count)) {
+  for (const ModelState& belief : stableAttitudes(robot, scene, options, count)) {
     poses.emplace_back(belief.values.head(at(robot.joints.size())));
   }
   return poses;
@@ -73,9 +73,9 @@ std::vector<Eigen::VectorXd> candidatePoses(const Robot& robot, const ThesisScen
 
 std::size_t cornersSeen(const PoseGroup& pose, const Measurements& taken) {
   std::size_t corners = 0;
-  for (const Reading& reading : pose.readings) {
+  for (const EncoderSample& reading : pose.readings) {
     for (const std::size_t picture : reading.pictures) {
-      for (const Sighting& sighting : taken.pictures[picture].sightings) {
+      for (const BoardObservation& sighting : taken.pictures[picture].sightings) {
         corners += sighting.ids.size();
       }
     }
@@ -89,12 +89,12 @@ struct Prospect {
   bool sees = true;            // every robot sees enough
 };
 
-std::vector<Prospect> prospects(const ThesisStage& stage, const Model& model, const Noise& noise) {
+std::vector<Prospect> prospects(const ThesisExperiment& stage, const Model& model, const Noise& noise) {
   constexpr std::size_t robots = 40, enough = 24;
   const auto unknowns = at(model.unknownCount());
   Measurements taken = stage.everything();
   std::vector<Prospect> result(taken.poses.size(), Prospect{Eigen::MatrixXd::Zero(unknowns, unknowns)});
-  Randomness chance{1, "robots before the thesis's poses"};
+  RandomStream chance{1, "robots before the thesis's poses"};
   const auto exact = [](double angle) { return AngleReading{angle, angle}; };
   for (std::size_t robot = 0; robot < robots; ++robot) {
     Eigen::VectorXd offsets{unknowns};
@@ -115,14 +115,14 @@ std::vector<Prospect> prospects(const ThesisStage& stage, const Model& model, co
 }
 
 /// The thesis's chain among the usable poses; their numbers.
-std::vector<std::size_t> chainOf(const Robot& robot, const ThesisStage& stage,
+std::vector<std::size_t> chainOf(const Robot& robot, const ThesisExperiment& stage,
                                  const std::vector<Eigen::VectorXd>& poses, const std::vector<std::size_t>& usable,
                                  std::size_t count) {
-  const ThesisSelection thesis{
+  const ThesisCriterion thesis{
       robot, supportSole(robot, SupportFoot::left), drawnCameras(640, 480), stage.joints(), {}};
-  std::vector<SievedPose> candidates;
+  std::vector<ValidPose> candidates;
   for (const std::size_t pose : usable) {
-    candidates.push_back({drawnBelief(robot, Quantities{robot.joints.size(), robot.lengths.size(), 0}), {}});
+    candidates.push_back({drawnBelief(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0}), {}});
     candidates.back().belief.values.head(poses[pose].size()) = poses[pose];
   }
   return thesis.chain(candidates, count);
@@ -147,7 +147,7 @@ std::vector<Eigen::VectorXd> thesisPoses(const Robot& robot, ThesisFeature featu
   constexpr std::size_t candidates = 300;
   const std::vector<Eigen::VectorXd> poses = candidatePoses(robot, thesisScenery(feature), candidates);
   const ThesisSetting drawn{.feature = feature, .poses = poses.size()};
-  const ThesisStage stage{robot, drawn, posesOf(drawn, robot, poses)};
+  const ThesisExperiment stage{robot, drawn, posesOf(drawn, robot, poses)};
   const Model model = unknownsOf(stage, range / std::sqrt(3.0), 0);
   const std::vector<Prospect> all = prospects(stage, model, Noise{});
   std::vector<std::size_t> usable;
@@ -198,8 +198,8 @@ std::vector<Board> floorTiles() {
 
 } // namespace
 
-ThesisScenery thesisScenery(ThesisFeature feature) {
-  ThesisScenery result{{}, drawnCameras(640, 480), {}};
+ThesisScene thesisScenery(ThesisFeature feature) {
+  ThesisScene result{{}, drawnCameras(640, 480), {}};
   if (feature == ThesisFeature::grid) {
     result.targets = floorTiles();
     result.limits.farthest = 4.5; // from the camera, half a metre over the floor
@@ -214,7 +214,7 @@ ThesisScenery thesisScenery(ThesisFeature feature) {
   return result;
 }
 
-Measurements everythingInSight(const Robot& robot, const ThesisScenery& scenery, const ThesisSetting& setting,
+Measurements everythingInSight(const Robot& robot, const ThesisScene& scenery, const ThesisSetting& setting,
                                const std::vector<ThesisPose>& poses) {
   CaptureSet set{.name = "thesis", .model = robot.model, .cameras = scenery.cameras, .boards = scenery.targets};
   set.stances = {{0, SupportFoot::left, Placement{}}, {1, SupportFoot::right, Placement{.y = -betweenFeet}}};
@@ -256,8 +256,8 @@ Measurements everythingInSight(const Robot& robot, const ThesisScenery& scenery,
 namespace {
 
 /// Which corners of a target are in sight, and where; few ones count as none.
-void findSeen(const Board& target, const Attitude& attitude, const ProjectedBlocks& projected,
-              const CameraIntrinsics& lens, const SightLimits& limits, BoardCorners& seen) {
+void findSeen(const Board& target, const CameraFrames& attitude, const ProjectedBlocks& projected,
+              const CameraIntrinsics& lens, const VisibilityLimits& limits, BoardCorners& seen) {
   const double height = attitude.opticalFromBoard.inverse().translation.z(); // of the camera over the floor
   seen.ids.clear();
   seen.uv.clear();
@@ -280,7 +280,8 @@ void findSeen(const Board& target, const Attitude& attitude, const ProjectedBloc
 
 } // namespace
 
-ThesisStage::ThesisStage(const Robot& robot, const ThesisSetting& setting, const std::vector<ThesisPose>& poses)
+ThesisExperiment::ThesisExperiment(const Robot& robot, const ThesisSetting& setting,
+                                   const std::vector<ThesisPose>& poses)
     : scenery_{thesisScenery(setting.feature)}, everything_{everythingInSight(robot, scenery_, setting, poses)} {
   std::vector<Effect> effects{jointOffset()};
   if (setting.unknownPlaces) {
@@ -295,7 +296,7 @@ ThesisStage::ThesisStage(const Robot& robot, const ThesisSetting& setting, const
   }
 }
 
-std::vector<std::string> ThesisStage::jointNames() const {
+std::vector<std::string> ThesisExperiment::jointNames() const {
   std::vector<std::string> names;
   for (const std::size_t joint : joints()) {
     names.push_back(everything_.robot.joints[joint].name);
@@ -304,13 +305,13 @@ std::vector<std::string> ThesisStage::jointNames() const {
 }
 
 /// Fills `seen` with what its camera shows when the stage's joints truly are at these angles.
-void ThesisStage::look(const Picture& all, const Eigen::VectorXd& angles, const Eigen::VectorXd& truth,
-                       Picture& seen) const {
-  thread_local Posture torsoFromLink;
+void ThesisExperiment::look(const ImageObservation& all, const Eigen::VectorXd& angles, const Eigen::VectorXd& truth,
+                            ImageObservation& seen) const {
+  thread_local LinkPoses torsoFromLink;
   thread_local ProjectedBlocks projected;
   thread_local BoardCorners corners;
   const Robot& robot = everything_.robot;
-  Belief real = all.drawn;
+  ModelState real = all.drawn;
   for (const auto& [joint, i] : driven_) {
     real.angle(joint) = angles[i];
   }
@@ -321,10 +322,10 @@ void ThesisStage::look(const Picture& all, const Eigen::VectorXd& angles, const 
     }
   }
   posture(robot, real, all.sightings.front().view.links(), torsoFromLink);
-  Attitude attitude = all.sightings.front().view.pathAttitude(robot, real, torsoFromLink);
+  CameraFrames attitude = all.sightings.front().view.pathAttitude(robot, real, torsoFromLink);
   const CameraIntrinsics& lens = scenery_.cameras.at(robot.cameras[all.camera].name);
   seen.sightings.clear();
-  for (const Sighting& sighting : all.sightings) {
+  for (const BoardObservation& sighting : all.sightings) {
     sighting.view.placeBoard(placed(real.boardPlacement(sighting.view.board())), attitude);
     if (!sighting.view.project(attitude, real, sighting.corners, projected)) {
       continue;
@@ -337,19 +338,19 @@ void ThesisStage::look(const Picture& all, const Eigen::VectorXd& angles, const 
   }
 }
 
-void ThesisStage::take(const Eigen::VectorXd& truth, const std::function<AngleReading(double)>& read, double pixel,
-                       Randomness& chance, Measurements& taken) const {
+void ThesisExperiment::take(const Eigen::VectorXd& truth, const std::function<AngleReading(double)>& read, double pixel,
+                            RandomStream& chance, Measurements& taken) const {
   Eigen::VectorXd angles{at(joints().size())}, reported = angles;
   for (const PoseGroup& pose : everything_.poses) {
-    for (const Reading& each : pose.readings) {
-      const Belief& commanded = everything_.pictures[each.pictures.front()].drawn;
+    for (const EncoderSample& each : pose.readings) {
+      const ModelState& commanded = everything_.pictures[each.pictures.front()].drawn;
       for (std::size_t i = 0; i < joints().size(); ++i) {
         const AngleReading reading = read(commanded.angle(joints()[i]));
         angles[at(i)] = reading.raw - truth[at(i)];
         reported[at(i)] = reading.reported;
       }
       for (const std::size_t index : each.pictures) {
-        Picture& picture = taken.pictures[index];
+        ImageObservation& picture = taken.pictures[index];
         for (const auto& [joint, i] : driven_) {
           picture.drawn.angle(joint) = picture.instant.q[at(joint)] = reported[i];
         }
@@ -357,8 +358,8 @@ void ThesisStage::take(const Eigen::VectorXd& truth, const std::function<AngleRe
       }
     }
   }
-  for (Picture& picture : taken.pictures) {
-    for (Sighting& sighting : picture.sightings) {
+  for (ImageObservation& picture : taken.pictures) {
+    for (BoardObservation& sighting : picture.sightings) {
       for (CornerBlock& block : sighting.corners) {
         for (int i = 0; pixel > 0 && i < 4; ++i) {
           block.u[i] += chance.normal(pixel);
@@ -369,12 +370,12 @@ void ThesisStage::take(const Eigen::VectorXd& truth, const std::function<AngleRe
   }
 }
 
-Model unknownsOf(const ThesisStage& stage, double offsetSigma, double mountSigma) {
+Model unknownsOf(const ThesisExperiment& stage, double offsetSigma, double mountSigma) {
   Model result;
   for (Term term : stage.model().terms()) {
     for (Unknown& unknown : term.effect.unknowns) {
       if (!term.isPlacement) {
-        unknown.sigma = term.effect.place == Place::camera ? mountSigma : offsetSigma;
+        unknown.sigma = term.effect.place == EffectSite::camera ? mountSigma : offsetSigma;
       }
     }
     result.add(std::move(term));

@@ -23,18 +23,18 @@ Noise thesisNoise(const ThesisSetting& setting, double pixel);
 
 /// A joint that was commanded to an angle comes to stand within half a step of its encoder, which tells its angle with
 /// the setting's noise, rounded to 12 bits (4.1). Exact where the setting has no joint noise.
-AngleReading angleReading(double commanded, const ThesisSetting& setting, Randomness& chance);
+AngleReading angleReading(double commanded, const ThesisSetting& setting, RandomStream& chance);
 
 /// What lies on the floor, its placements in the left sole's frame, and when a camera sees it.
-struct ThesisScenery {
+struct ThesisScene {
   std::vector<Board> targets;
   std::map<std::string, CameraIntrinsics> cameras;
-  SightLimits limits;
+  VisibilityLimits limits;
 };
 
 /// Boards: the four A2 boards of simulated sets. Grid: points every 0.25 m up to 4 m away, in tiles of one square metre
 /// that are told apart by correspondence; a single point of a tile is seen as well.
-ThesisScenery thesisScenery(ThesisFeature feature);
+ThesisScene thesisScenery(ThesisFeature feature);
 
 /// How a robot stands, its angles per joint [rad].
 struct ThesisPose {
@@ -43,7 +43,7 @@ struct ThesisPose {
 };
 
 /// What there is to see in the poses: all of it, in pictures by each camera, as often as the setting has samples.
-Measurements everythingInSight(const Robot& robot, const ThesisScenery& scenery, const ThesisSetting& setting,
+Measurements everythingInSight(const Robot& robot, const ThesisScene& scenery, const ThesisSetting& setting,
                                const std::vector<ThesisPose>& poses);
 
 /// The poses of a setting: the first of those chosen (thesisPoses), and for both legs their mirror images.
@@ -62,10 +62,10 @@ std::vector<Eigen::VectorXd> thesisPoses(const Robot& robot, ThesisFeature featu
 /// setting says otherwise, poses before them, and what a robot with wrong joint zeros reports of them with both cameras
 /// at 640 x 480. Its 8 offsets are those of the joints between cameras and left sole; all other joints do not matter.
 /// For both legs it stands on either foot in turn, the right one 0.1 m beside the left one; then there are 13.
-class ThesisStage {
+class ThesisExperiment {
 public:
   /// Every pose is taken as often as the setting has samples, each with readings of its own.
-  ThesisStage(const Robot& robot, const ThesisSetting& setting, const std::vector<ThesisPose>& poses);
+  ThesisExperiment(const Robot& robot, const ThesisSetting& setting, const std::vector<ThesisPose>& poses);
 
   /// What the robot sees in the poses: all corners of all targets. To be filled by `take`.
   const Measurements& everything() const { return everything_; }
@@ -79,18 +79,19 @@ public:
   /// Takes the poses with a robot whose joints report an angle as `read` says and stand at the reading's `raw` angle
   /// less their offset; `truth`: of the model's unknowns; `pixel` is the corners' noise [px].
   void take(const Eigen::VectorXd& truth, const std::function<AngleReading(double commanded)>& read, double pixel,
-            Randomness& chance, Measurements& taken) const;
+            RandomStream& chance, Measurements& taken) const;
 
 private:
-  void look(const Picture& all, const Eigen::VectorXd& angles, const Eigen::VectorXd& truth, Picture& seen) const;
+  void look(const ImageObservation& all, const Eigen::VectorXd& angles, const Eigen::VectorXd& truth,
+            ImageObservation& seen) const;
 
-  ThesisScenery scenery_;
+  ThesisScene scenery_;
   Measurements everything_;
   Model model_;
   std::vector<std::pair<std::size_t, Eigen::Index>> driven_; // joint, and which of the stage's drives it
 };
 
 /// A stage's unknowns as a model; `sigma` of every offset and mount is its prior [rad].
-Model unknownsOf(const ThesisStage& stage, double offsetSigma, double mountSigma);
+Model unknownsOf(const ThesisExperiment& stage, double offsetSigma, double mountSigma);
 
 } // namespace naocal

@@ -67,8 +67,8 @@ ThesisEvaluation merged(const std::vector<ThesisEvaluation>& parts) {
   return result;
 }
 
-std::optional<ThesisReading> bestReading(const ThesisEvaluation& evaluation) {
-  std::optional<ThesisReading> best;
+std::optional<NoiseInterpretation> bestReading(const ThesisEvaluation& evaluation) {
+  std::optional<NoiseInterpretation> best;
   for (const AngleNoise reading : {AngleNoise::radians, AngleNoise::degrees, AngleNoise::encoder}) {
     for (std::size_t tolerance = 0; tolerance < toleranceCount; ++tolerance) {
       double squares = 0;
@@ -143,7 +143,7 @@ nlohmann::json cellJson(const ThesisCell& cell, ThesisSolver solver, const Thesi
   return result;
 }
 
-template <typename Word> Word wordAt(const JsonPlace& cell, const char* key, const std::vector<Word>& all) {
+template <typename Word> Word wordAt(const JsonCursor& cell, const char* key, const std::vector<Word>& all) {
   std::vector<std::string_view> words;
   for (const Word each : all) {
     words.push_back(word(each));
@@ -151,7 +151,7 @@ template <typename Word> Word wordAt(const JsonPlace& cell, const char* key, con
   return all[cell.at(key).oneOf(words)];
 }
 
-ThesisSetting settingAt(const JsonPlace& cell) {
+ThesisSetting settingAt(const JsonCursor& cell) {
   using enum ThesisNoise;
   ThesisSetting setting;
   setting.feature = wordAt<ThesisFeature>(cell, "feature", {ThesisFeature::grid, ThesisFeature::boards});
@@ -167,14 +167,14 @@ ThesisSetting settingAt(const JsonPlace& cell) {
   return setting;
 }
 
-template <std::size_t size> void readCounts(const JsonPlace& list, std::array<std::size_t, size>& counts) {
+template <std::size_t size> void readCounts(const JsonCursor& list, std::array<std::size_t, size>& counts) {
   const std::vector<double> numbers = list.numbers(size, {0, 1e12, ""}, "one per tolerance or bin");
   std::transform(numbers.begin(), numbers.end(), counts.begin(),
                  [](double number) { return static_cast<std::size_t>(number); });
 }
 
-ThesisTally tallyAt(const JsonPlace& cell, const std::vector<std::string>& joints) {
-  const JsonPlace counts = cell.at("counts");
+ThesisTally tallyAt(const JsonCursor& cell, const std::vector<std::string>& joints) {
+  const JsonCursor counts = cell.at("counts");
   ThesisTally tally;
   tally.sets = static_cast<std::size_t>(counts.at("sets").integer(0, largestNumber));
   tally.limitDraws = static_cast<std::size_t>(counts.at("draws").integer(0, largestNumber));
@@ -229,11 +229,11 @@ nlohmann::json evaluationJson(const ThesisEvaluation& evaluation) {
 
 ThesisEvaluation readEvaluation(const std::filesystem::path& file) {
   const nlohmann::json json = parseJson(fileContent(file), file.string());
-  const JsonPlace top{json, file.string()};
+  const JsonCursor top{json, file.string()};
   top.at("format").oneOf({"naocal-evaluation"});
   top.at("version").integer(1, 1);
   ThesisEvaluation result;
-  const JsonPlace seed = top.at("seed");
+  const JsonCursor seed = top.at("seed");
   if (!seed.value().is_number_unsigned()) {
     seed.refuse("a whole number");
   }
@@ -241,13 +241,13 @@ ThesisEvaluation readEvaluation(const std::filesystem::path& file) {
   result.sets = static_cast<std::size_t>(top.at("sets").integer(1, largestNumber));
   result.pixel = top.at("pixelNoise").number({0, 1000, "px"});
   result.parts = static_cast<std::size_t>(top.at("parts").integer(1, largestNumber));
-  for (const JsonPlace& part : top.at("done").elements()) {
+  for (const JsonCursor& part : top.at("done").elements()) {
     result.done.push_back(static_cast<std::size_t>(part.integer(0, static_cast<int>(result.parts) - 1)));
   }
-  for (const JsonPlace& joint : top.at("joints").elements()) {
+  for (const JsonCursor& joint : top.at("joints").elements()) {
     result.joints.push_back(joint.text());
   }
-  for (const JsonPlace& cell : top.at("cells").elements()) {
+  for (const JsonCursor& cell : top.at("cells").elements()) {
     const ThesisSetting setting = settingAt(cell);
     const auto solver = wordAt<ThesisSolver>(cell, "solver", {allSolvers.begin(), allSolvers.end()});
     if (!result.tally(setting, solver)) { // a setting may be in two tables
@@ -276,7 +276,7 @@ template <typename Bins> void addBins(const std::vector<Bins>& more, std::vector
 
 } // namespace
 
-void ThesisTally::add(const Eigen::VectorXd& offset, const ThesisAnswer& answer,
+void ThesisTally::add(const Eigen::VectorXd& offset, const ThesisSolution& answer,
                       const std::vector<double>& limitErrors) {
   ++sets;
   ++status[static_cast<std::size_t>(answer.status(radians(toleranceDegrees(statusTolerance))))];

@@ -36,7 +36,7 @@ struct ThesisTally {
   std::vector<std::array<std::size_t, offsetBins>> offsets; // per joint: sets, by the offset itself
   double seconds = 0;                                       // in the solver
 
-  void add(const Eigen::VectorXd& offsets, const ThesisAnswer& answer, const std::vector<double>& limitErrors);
+  void add(const Eigen::VectorXd& offsets, const ThesisSolution& answer, const std::vector<double>& limitErrors);
   void add(const ThesisTally& other);
   double successAt(std::size_t tolerance) const; // [1]
   double limitAt(std::size_t tolerance) const;   // [1]
@@ -77,7 +77,7 @@ ThesisEvaluation readEvaluation(const std::filesystem::path& file);
 ThesisEvaluation merged(const std::vector<ThesisEvaluation>& parts);
 
 /// How the thesis's figures are met by its own solvers.
-struct ThesisReading {
+struct NoiseInterpretation {
   AngleNoise jointNoise = AngleNoise::radians;
   std::size_t tolerance = 0; // index
   double difference = 0;     // root mean square over those cells [1]
@@ -87,6 +87,6 @@ struct ThesisReading {
 /// Of all readings of the joint noise and all tolerances the pair that meets the thesis's figures best, over the cells
 /// with joint noise, which alone depend on the reading, but for those in which the thesis never succeeded. Absent: none
 /// was evaluated.
-std::optional<ThesisReading> bestReading(const ThesisEvaluation& evaluation);
+std::optional<NoiseInterpretation> bestReading(const ThesisEvaluation& evaluation);
 
 } // namespace naocal

@@ -15,9 +15,9 @@ namespace naocal {
 
 /// The pixels of a problem (Residuals) with central differences in place of its derivatives, for levenbergMarquardt.
 /// Without priors and deflections.
-class NumericPixels {
+class NumericPixelProblem {
 public:
-  explicit NumericPixels(const Residuals& residuals) : residuals_{residuals} {}
+  explicit NumericPixelProblem(const Residuals& residuals) : residuals_{residuals} {}
 
   struct Linear {
     double cost = 0;
@@ -40,12 +40,12 @@ private:
 const double largestOffset = radians(6.5);
 
 /// Where a search ended.
-struct ThesisFound {
+struct ThesisSearchResult {
   bool ended = false; // by itself, in a possible state
   Eigen::VectorXd unknowns;
   double cost = std::numeric_limits<double>::infinity();
   double sigma = 0; // the largest of an offset, where costs are halves of chi2
-  bool better(const ThesisFound& other) const { return ended && (!other.ended || cost < other.cost); }
+  bool better(const ThesisSearchResult& other) const { return ended && (!other.ended || cost < other.cost); }
 };
 
 /// The solvers of the evaluation, before one error set.
@@ -54,17 +54,17 @@ public:
   /// `pixels`: plain least squares, `whitened`: with our weights and priors, `flat`: with our weights alone, where only
   /// pixels are noisy, else nullptr. `offsets`: how many of the unknowns are. `numbers`: that were measured.
   ThesisSearch(const Residuals& pixels, const Residuals& whitened, const Residuals* flat, std::size_t offsets,
-               double numbers, Randomness& starts)
+               double numbers, RandomStream& starts)
       : pixels_{pixels}, whitened_{whitened}, flat_{flat}, offsets_{static_cast<Eigen::Index>(offsets)},
         numbers_{numbers}, starts_{starts} {}
 
-  ThesisFound found(ThesisSolver solver);
+  ThesisSearchResult found(ThesisSolver solver);
 
 private:
-  template <typename Problem> ThesisFound search(const Problem& problem, const Residuals::State& start) const;
-  ThesisFound fromRandomStarts();
-  ThesisFound ours();
-  ThesisFound byCostsOnly(ThesisSolver solver);
+  template <typename Problem> ThesisSearchResult search(const Problem& problem, const Residuals::State& start) const;
+  ThesisSearchResult fromRandomStarts();
+  ThesisSearchResult ours();
+  ThesisSearchResult byCostsOnly(ThesisSolver solver);
   Eigen::VectorXd zero() const { return Eigen::VectorXd::Zero(pixels_.scales().size()); }
   Eigen::VectorXd randomStart();
 
@@ -72,19 +72,19 @@ private:
   const Residuals* flat_;
   Eigen::Index offsets_;
   double numbers_;
-  Randomness& starts_;
+  RandomStream& starts_;
 };
 
 /// Predicted minus measured, all corners.
-std::optional<Eigen::VectorXd> NumericPixels::pixels(const Eigen::VectorXd& unknowns) const {
-  const std::vector<SightingResidual> sightings = residuals_.sightings(residuals_.start(unknowns));
+std::optional<Eigen::VectorXd> NumericPixelProblem::pixels(const Eigen::VectorXd& unknowns) const {
+  const std::vector<BoardResidual> sightings = residuals_.sightings(residuals_.start(unknowns));
   Eigen::Index count = 0;
-  for (const SightingResidual& sighting : sightings) {
+  for (const BoardResidual& sighting : sightings) {
     count += sighting.residual.size();
   }
   Eigen::VectorXd result(count);
   Eigen::Index row = 0;
-  for (const SightingResidual& sighting : sightings) {
+  for (const BoardResidual& sighting : sightings) {
     for (const double difference : sighting.residual.reshaped()) {
       result[row++] = -difference;
     }
@@ -92,7 +92,7 @@ std::optional<Eigen::VectorXd> NumericPixels::pixels(const Eigen::VectorXd& unkn
   return result.allFinite() ? std::optional{result} : std::nullopt;
 }
 
-bool NumericPixels::linearise(const Residuals::State& state, Linear& result) const {
+bool NumericPixelProblem::linearise(const Residuals::State& state, Linear& result) const {
   constexpr double step = 1e-5; // [rad]
   const auto here = pixels(state.unknowns);
   if (!here) {
@@ -120,7 +120,7 @@ Eigen::VectorXd ThesisSearch::randomStart() {
 }
 
 template <typename Problem>
-ThesisFound ThesisSearch::search(const Problem& problem, const Residuals::State& start) const {
+ThesisSearchResult ThesisSearch::search(const Problem& problem, const Residuals::State& start) const {
   constexpr double smallestFall = 1e-6; // a thousandth of the noise, or of a pixel
   auto minimum = levenbergMarquardt(problem, start, {.smallestFall = smallestFall});
   if (!minimum) {
@@ -133,11 +133,11 @@ ThesisFound ThesisSearch::search(const Problem& problem, const Residuals::State&
 }
 
 /// The best of searches from zero and at random, until three have ended in it; at most fifty (the thesis's number).
-ThesisFound ThesisSearch::fromRandomStarts() {
+ThesisSearchResult ThesisSearch::fromRandomStarts() {
   constexpr int most = 50, enough = 3;
-  ThesisFound best = search(pixels_, pixels_.start(zero()));
+  ThesisSearchResult best = search(pixels_, pixels_.start(zero()));
   for (int tries = 1, same = best.ended ? 1 : 0; tries < most && same < enough; ++tries) {
-    ThesisFound next = search(pixels_, pixels_.start(randomStart()));
+    ThesisSearchResult next = search(pixels_, pixels_.start(randomStart()));
     if (next.ended && std::abs(next.cost - best.cost) <= 1e-6 * (1 + best.cost)) {
       ++same;
     } else if (next.better(best)) {
@@ -150,18 +150,18 @@ ThesisFound ThesisSearch::fromRandomStarts() {
 
 /// From zero; from random starts as well as long as what is left is more than the noise explains (five sigmas of chi2).
 /// Where only pixels are noisy and the pictures alone tell every offset, the prior does not count in the end.
-ThesisFound ThesisSearch::ours() {
+ThesisSearchResult ThesisSearch::ours() {
   constexpr int most = 20;
   constexpr double needed = 0.01; // of an offset, whose prior has 0.1 [rad]
-  ThesisFound best = search(whitened_, whitened_.start(zero()));
+  ThesisSearchResult best = search(whitened_, whitened_.start(zero()));
   const double explained = 0.5 * (numbers_ + 5 * std::sqrt(2 * numbers_));
   for (int tries = 1; tries < most && !(best.ended && best.cost < explained); ++tries) {
-    if (ThesisFound next = search(whitened_, whitened_.start(randomStart())); next.better(best)) {
+    if (ThesisSearchResult next = search(whitened_, whitened_.start(randomStart())); next.better(best)) {
       best = std::move(next);
     }
   }
   if (flat_ && best.ended && best.sigma < needed) {
-    if (ThesisFound last = search(*flat_, flat_->start(best.unknowns)); last.ended) {
+    if (ThesisSearchResult last = search(*flat_, flat_->start(best.unknowns)); last.ended) {
       return last;
     }
   }
@@ -169,20 +169,20 @@ ThesisFound ThesisSearch::ours() {
 }
 
 /// Costs of a swarm's or dlib's search: as many as these can do in about a second.
-ThesisFound ThesisSearch::byCostsOnly(ThesisSolver solver) {
+ThesisSearchResult ThesisSearch::byCostsOnly(ThesisSolver solver) {
   constexpr std::size_t swarmCalls = 40'000, dlibCalls = 500;
-  const Cost cost = [this](const Eigen::VectorXd& unknowns) {
+  const CostFunction cost = [this](const Eigen::VectorXd& unknowns) {
     const auto there = pixels_.linearised(pixels_.start(unknowns));
     return there ? there->cost : std::numeric_limits<double>::infinity();
   };
-  ThesisFound result{true, solver == ThesisSolver::dlib
-                               ? dlibMinimum(cost, offsets_, largestOffset, dlibCalls)
-                               : swarmMinimum(cost, offsets_, largestOffset, swarmCalls, starts_.below(1u << 31))};
+  ThesisSearchResult result{true, solver == ThesisSolver::dlib ? dlibMinimum(cost, offsets_, largestOffset, dlibCalls)
+                                                               : swarmMinimum(cost, offsets_, largestOffset, swarmCalls,
+                                                                              starts_.below(1u << 31))};
   result.cost = cost(result.unknowns);
   return result;
 }
 
-ThesisFound ThesisSearch::found(ThesisSolver solver) {
+ThesisSearchResult ThesisSearch::found(ThesisSolver solver) {
   switch (solver) {
   case ThesisSolver::plain:
     break;
@@ -191,7 +191,7 @@ ThesisFound ThesisSearch::found(ThesisSolver solver) {
   case ThesisSolver::ours:
     return ours();
   case ThesisSolver::numeric:
-    return search(NumericPixels{pixels_}, pixels_.start(zero()));
+    return search(NumericPixelProblem{pixels_}, pixels_.start(zero()));
   case ThesisSolver::dlib:
   case ThesisSolver::swarm:
     return byCostsOnly(solver);
@@ -221,14 +221,14 @@ double numbersOf(const Residuals::Linear& linear) {
 
 } // namespace
 
-ThesisStatus ThesisAnswer::status(double tolerance) const {
+ThesisStatus ThesisSolution::status(double tolerance) const {
   return !solved                                    ? ThesisStatus::solverFailure
          : rms > rmsTolerance                       ? ThesisStatus::noConvergence
          : errors.cwiseAbs().maxCoeff() > tolerance ? ThesisStatus::localMinimum
                                                     : ThesisStatus::success;
 }
 
-ThesisTrial::ThesisTrial(const ThesisStage& stage, const ThesisSetting& setting, double pixel)
+ThesisTrial::ThesisTrial(const ThesisExperiment& stage, const ThesisSetting& setting, double pixel)
     : stage_{stage}, setting_{setting}, noise_{thesisNoise(setting, pixel)}, plainModel_{unknownsOf(stage, noPrior,
                                                                                                     noPrior)},
       ourModel_{unknownsOf(stage, jointOffset().unknowns.front().sigma, cameraRotation().unknowns.front().sigma)},
@@ -236,7 +236,7 @@ ThesisTrial::ThesisTrial(const ThesisStage& stage, const ThesisSetting& setting,
 
 void ThesisTrial::draw(std::uint64_t seed, std::size_t number) {
   const std::string set = fmt::format("thesis set {}", number);
-  Randomness errors{seed, set}, measuring{seed, set + ", measured"};
+  RandomStream errors{seed, set}, measuring{seed, set + ", measured"};
   truth_ = Eigen::VectorXd::Zero(at(stage_.model().unknownCount()));
   for (double& offset : truth_.head(joints())) {
     do {
@@ -264,8 +264,8 @@ void ThesisTrial::draw(std::uint64_t seed, std::size_t number) {
   limits_.emplace(seed, set + ", limit");
 }
 
-ThesisAnswer ThesisTrial::answer(ThesisSolver solver) {
-  const ThesisFound found =
+ThesisSolution ThesisTrial::answer(ThesisSolver solver) {
+  const ThesisSearchResult found =
       ThesisSearch{*pixels_, *whitened_, flat_ ? &*flat_ : nullptr, stage_.joints().size(), numbers_, *starts_}.found(
           solver);
   const auto there = found.ended ? pixels_->linearised(pixels_->start(found.unknowns)) : std::nullopt;

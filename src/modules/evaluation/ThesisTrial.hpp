@@ -10,7 +10,7 @@ namespace naocal {
 enum class ThesisStatus { solverFailure, noConvergence, localMinimum, success };
 
 /// What a solver made of an error set.
-struct ThesisAnswer {
+struct ThesisSolution {
   bool solved = false;                         // the solver ended by itself, in a possible state
   double rms = 0;                              // of the corners at its offsets, per axis [px]
   double rmsTolerance = 0;                     // twice what the true offsets leave, and a pixel [px]
@@ -23,10 +23,10 @@ struct ThesisAnswer {
 class ThesisTrial {
 public:
   /// `pixel`: corner noise where there is any [px].
-  ThesisTrial(const ThesisStage& stage, const ThesisSetting& setting, double pixel);
+  ThesisTrial(const ThesisExperiment& stage, const ThesisSetting& setting, double pixel);
 
   void draw(std::uint64_t seed, std::size_t number);
-  ThesisAnswer answer(ThesisSolver solver);
+  ThesisSolution answer(ThesisSolver solver);
 
   /// Largest offset errors [rad] that an efficient estimator would make on this set: draws of N(0, H^-1), H our
   /// solver's information at the true offsets, the prior of `naocal solve` included (Cramer-Rao limit; zero without
@@ -40,7 +40,7 @@ public:
 private:
   Eigen::Index joints() const { return static_cast<Eigen::Index>(stage_.joints().size()); }
 
-  const ThesisStage& stage_;
+  const ThesisExperiment& stage_;
   ThesisSetting setting_;
   Noise noise_;
   Model plainModel_, ourModel_;
@@ -49,7 +49,7 @@ private:
   std::optional<Residuals> pixels_, whitened_, flat_; // as ThesisSearch has them
   double numbers_ = 0;                                // measured: two per corner
   double rmsAtTruth_ = 0;                             // [px]
-  std::optional<Randomness> starts_, limits_;
+  std::optional<RandomStream> starts_, limits_;
 };
 
 } // namespace naocal

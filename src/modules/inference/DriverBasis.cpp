@@ -24,7 +24,7 @@ Eigen::RowVectorXd legendre(double x, Eigen::Index count) {
   return result;
 }
 
-Eigen::RowVectorXd DriverCell::basis(double x) const {
+Eigen::RowVectorXd DriverBasis::basis(double x) const {
   switch (shape) {
   case Shape::smooth:
     return legendre((x - middle) / half, count);
@@ -49,8 +49,8 @@ std::set<double> distinctValues(const std::vector<double>& values) {
   return result;
 }
 
-DriverCell smoothCell(const std::set<double>& distinct, Eigen::Index degree) {
-  DriverCell cell;
+DriverBasis smoothCell(const std::set<double>& distinct, Eigen::Index degree) {
+  DriverBasis cell;
   cell.least = *distinct.begin();
   cell.most = *distinct.rbegin();
   cell.middle = (cell.least + cell.most) / 2;
@@ -59,12 +59,12 @@ DriverCell smoothCell(const std::set<double>& distinct, Eigen::Index degree) {
   return cell;
 }
 
-std::vector<DriverCell> rippleCells() {
+std::vector<DriverBasis> rippleCells() {
   constexpr int fewest = 2, most = 8;
-  std::vector<DriverCell> result;
+  std::vector<DriverBasis> result;
   for (int waves = fewest; waves <= most; ++waves) {
-    DriverCell& cell = result.emplace_back();
-    cell.shape = DriverCell::Shape::wave;
+    DriverBasis& cell = result.emplace_back();
+    cell.shape = DriverBasis::Shape::wave;
     cell.waves = waves;
     cell.count = 2;
     cell.choices = most - fewest + 1;
@@ -72,12 +72,12 @@ std::vector<DriverCell> rippleCells() {
   return result;
 }
 
-std::vector<DriverCell> stepCells(const std::set<double>& times) {
+std::vector<DriverBasis> stepCells(const std::set<double>& times) {
   const std::vector<double> moments = momentsBetween(times, 24);
-  std::vector<DriverCell> result;
+  std::vector<DriverBasis> result;
   for (double moment : moments) {
-    DriverCell& cell = result.emplace_back();
-    cell.shape = DriverCell::Shape::step;
+    DriverBasis& cell = result.emplace_back();
+    cell.shape = DriverBasis::Shape::step;
     cell.middle = moment;
     cell.count = 1;
     cell.choices = moments.size();
@@ -85,9 +85,9 @@ std::vector<DriverCell> stepCells(const std::set<double>& times) {
   return result;
 }
 
-DriverCell rootCell(const std::set<double>& distinct) {
-  DriverCell cell;
-  cell.shape = DriverCell::Shape::root;
+DriverBasis rootCell(const std::set<double>& distinct) {
+  DriverBasis cell;
+  cell.shape = DriverBasis::Shape::root;
   cell.half = std::max(std::abs(*distinct.begin()), std::abs(*distinct.rbegin()));
   cell.count = 1;
   return cell;
@@ -125,7 +125,7 @@ Bent bentBy(std::size_t motor, const PoseGroup& pose, const PosePart& part) {
       result.first = at(i);
     }
     auto& pictures = result.pictures.emplace_back();
-    for (const Reading& reading : pose.readings) {
+    for (const EncoderSample& reading : pose.readings) {
       if (reading.encoderError[motor] == part.errors[i]) {
         pictures.insert(pictures.end(), reading.pictures.begin(), reading.pictures.end());
       }
@@ -135,7 +135,7 @@ Bent bentBy(std::size_t motor, const PoseGroup& pose, const PosePart& part) {
 }
 
 /// A driver at each of a motor's deflections, all poses one after the other.
-std::vector<double> valuesAt(const std::vector<Bent>& bent, const DriverValues& driver) {
+std::vector<double> valuesAt(const std::vector<Bent>& bent, const DriverSeries& driver) {
   std::vector<double> result;
   for (const Bent& pose : bent) {
     for (const auto& pictures : pose.pictures) {
@@ -146,15 +146,15 @@ std::vector<double> valuesAt(const std::vector<Bent>& bent, const DriverValues& 
 }
 
 /// All that a motor's deflection may follow over one driver.
-std::vector<DriverCell> allShapes(const DriverValues& driver, std::size_t motor, const std::set<double>& distinct) {
+std::vector<DriverBasis> allShapes(const DriverSeries& driver, std::size_t motor, const std::set<double>& distinct) {
   constexpr Eigen::Index degree = 4;
-  std::vector<DriverCell> result{smoothCell(distinct, degree)};
+  std::vector<DriverBasis> result{smoothCell(distinct, degree)};
   if (driver.kind == Driver::angle && driver.joint == motor) {
-    const std::vector<DriverCell> waves = rippleCells();
+    const std::vector<DriverBasis> waves = rippleCells();
     result.insert(result.end(), waves.begin(), waves.end());
   }
   if (driver.kind == Driver::time) {
-    const std::vector<DriverCell> slips = stepCells(distinct);
+    const std::vector<DriverBasis> slips = stepCells(distinct);
     result.insert(result.end(), slips.begin(), slips.end());
   }
   if (driver.kind == Driver::torque && driver.joint == motor) {
@@ -165,7 +165,7 @@ std::vector<DriverCell> allShapes(const DriverValues& driver, std::size_t motor,
 
 /// The columns of those cells that `shapesOf(driver, motor, distinct values)` makes.
 template <typename ShapesOf>
-DriverColumns columnsOf(const Measurements& measurements, std::vector<DriverValues> drivers,
+DriverColumns columnsOf(const Measurements& measurements, std::vector<DriverSeries> drivers,
                         const std::vector<PoseRows>& poses, const ShapesOf& shapesOf) {
   DriverColumns result{std::move(drivers), {}, 0, std::vector<std::vector<DriverColumns::Block>>(poses.size())};
   for (std::size_t motor : measurements.joints) {
@@ -188,7 +188,7 @@ DriverColumns columnsOf(const Measurements& measurements, std::vector<DriverValu
       if (distinct.size() < 2) {
         continue;
       }
-      for (DriverCell cell : shapesOf(result.drivers[driver], motor, distinct)) {
+      for (DriverBasis cell : shapesOf(result.drivers[driver], motor, distinct)) {
         cell.motor = motor;
         cell.driver = driver;
         cell.least = *distinct.begin();
@@ -207,7 +207,7 @@ DriverColumns columnsOf(const Measurements& measurements, std::vector<DriverValu
       }
       DriverColumns::Block block{bent[pose].first, firstColumn, Eigen::MatrixXd(at(rows), result.count - firstColumn)};
       for (std::size_t i = 0; i < valuesOf.size(); ++i) {
-        const DriverCell& cell = result.cells[firstCell + i];
+        const DriverBasis& cell = result.cells[firstCell + i];
         for (std::size_t row = 0; row < rows; ++row) {
           block.values.row(at(row)).segment(cell.first - firstColumn, cell.count) = cell.basis(valuesOf[i][next + row]);
         }
@@ -221,7 +221,7 @@ DriverColumns columnsOf(const Measurements& measurements, std::vector<DriverValu
 
 } // namespace
 
-double DriverValues::mean(const std::vector<std::size_t>& pictures) const {
+double DriverSeries::mean(const std::vector<std::size_t>& pictures) const {
   double sum = 0;
   for (const std::size_t picture : pictures) {
     sum += atPicture[picture];
@@ -229,12 +229,12 @@ double DriverValues::mean(const std::vector<std::size_t>& pictures) const {
   return sum / static_cast<double>(pictures.size());
 }
 
-DriverColumns driverColumns(const Measurements& measurements, std::vector<DriverValues> drivers,
+DriverColumns driverColumns(const Measurements& measurements, std::vector<DriverSeries> drivers,
                             const std::vector<PoseRows>& poses) {
   return columnsOf(measurements, std::move(drivers), poses, allShapes);
 }
 
-DriverColumns proportionalColumns(const Measurements& measurements, std::vector<DriverValues> drivers,
+DriverColumns proportionalColumns(const Measurements& measurements, std::vector<DriverSeries> drivers,
                                   const std::vector<PoseRows>& poses) {
   return columnsOf(measurements, std::move(drivers), poses,
                    [](const auto&, std::size_t, const auto& values) { return std::vector{smoothCell(values, 1)}; });
@@ -243,9 +243,9 @@ DriverColumns proportionalColumns(const Measurements& measurements, std::vector<
 namespace {
 
 /// Adds a driver unless it was not recorded or is the same everywhere.
-void add(std::vector<DriverValues>& drivers, DriverValues driver, const std::vector<Instant>& instants,
-         const std::function<double(const Instant&)>& value) {
-  for (const Instant& instant : instants) {
+void add(std::vector<DriverSeries>& drivers, DriverSeries driver, const std::vector<RobotSample>& instants,
+         const std::function<double(const RobotSample&)>& value) {
+  for (const RobotSample& instant : instants) {
     driver.atPicture.push_back(value(instant));
   }
   const auto [least, most] = std::minmax_element(driver.atPicture.begin(), driver.atPicture.end());
@@ -257,21 +257,21 @@ void add(std::vector<DriverValues>& drivers, DriverValues driver, const std::vec
 
 } // namespace
 
-std::vector<DriverValues> driversOf(const Measurements& measurements, const Model& model,
+std::vector<DriverSeries> driversOf(const Measurements& measurements, const Model& model,
                                     const Eigen::VectorXd& unknowns) {
-  std::vector<Instant> instants;
-  for (const Picture& picture : measurements.pictures) {
+  std::vector<RobotSample> instants;
+  for (const ImageObservation& picture : measurements.pictures) {
     instants.push_back(instantOf(measurements, model, picture, unknowns));
   }
-  std::vector<DriverValues> drivers;
+  std::vector<DriverSeries> drivers;
   for (std::size_t joint : measurements.joints) {
     const std::string& name = measurements.robot.joints[joint].name;
     const auto index = static_cast<Eigen::Index>(joint);
     add(drivers, {.kind = Driver::angle, .joint = joint, .name = name, .unit = "rad", .what = "the angle of " + name},
-        instants, [index](const Instant& instant) { return instant.q[index]; });
+        instants, [index](const RobotSample& instant) { return instant.q[index]; });
     add(drivers,
         {.kind = Driver::torque, .joint = joint, .name = "tau_" + name, .unit = "Nm", .what = "the torque on " + name},
-        instants, [index](const Instant& instant) { return instant.torque[index]; });
+        instants, [index](const RobotSample& instant) { return instant.torque[index]; });
     add(drivers,
         {.kind = Driver::approach,
          .joint = joint,
@@ -279,7 +279,7 @@ std::vector<DriverValues> driversOf(const Measurements& measurements, const Mode
          .unit = "1",
          .what = "how it was approached",
          .motor = joint},
-        instants, [index](const Instant& instant) { return instant.approach[index]; });
+        instants, [index](const RobotSample& instant) { return instant.approach[index]; });
     add(drivers,
         {.kind = Driver::temperature,
          .joint = joint,
@@ -287,17 +287,17 @@ std::vector<DriverValues> driversOf(const Measurements& measurements, const Mode
          .unit = "°C",
          .what = "its temperature",
          .motor = joint},
-        instants, [index](const Instant& instant) { return instant.temperature[index]; });
+        instants, [index](const RobotSample& instant) { return instant.temperature[index]; });
     add(drivers,
         {.kind = Driver::velocity, .joint = joint, .name = "qd", .unit = "rad/s", .what = "its speed", .motor = joint},
-        instants, [index](const Instant& instant) { return instant.velocity[index]; });
+        instants, [index](const RobotSample& instant) { return instant.velocity[index]; });
   }
   add(drivers, {.kind = Driver::time, .name = "t", .unit = "s", .what = "time"}, instants,
-      [](const Instant& instant) { return instant.time.count(); });
+      [](const RobotSample& instant) { return instant.time.count(); });
   return drivers;
 }
 
-std::string nameAt(const DriverValues& driver, std::size_t motor) {
+std::string nameAt(const DriverSeries& driver, std::size_t motor) {
   if (driver.joint == motor && driver.kind == Driver::angle) {
     return "q";
   }
@@ -317,22 +317,23 @@ bool carries(const Robot& robot, std::size_t joint, std::size_t camera) {
   return link.has_value();
 }
 
-bool canDrive(const DriverValues& driver, const Robot& robot, std::size_t camera) {
+bool canDrive(const DriverSeries& driver, const Robot& robot, std::size_t camera) {
   return driver.kind == Driver::time || (driver.kind == Driver::angle && carries(robot, driver.joint, camera));
 }
 
-double valueAt(const Instant& instant, Driver kind, std::size_t joint) {
+double valueAt(const RobotSample& instant, Driver kind, std::size_t joint) {
   return kind == Driver::time ? instant.time.count() : instant.q[static_cast<Eigen::Index>(joint)];
 }
 
-Effect turning(const DriverValues& driver, const DriverCell& cell) {
+Effect turning(const DriverSeries& driver, const DriverBasis& cell) {
   Effect effect{.name = "mountTurns",
                 .what = {},
                 .formula = {},
-                .place = Place::camera,
+                .place = EffectSite::camera,
                 .unknowns = {},
-                .correct = [kind = driver.kind, joint = driver.joint,
-                            cell](Belief& belief, const Instant& instant, std::size_t, std::span<const double> values) {
+                .correct = [kind = driver.kind, joint = driver.joint, cell](ModelState& belief,
+                                                                            const RobotSample& instant, std::size_t,
+                                                                            std::span<const double> values) {
                   const Eigen::RowVectorXd basis = cell.basis(valueAt(instant, kind, joint));
                   const Eigen::Map<const Eigen::Matrix3Xd> coefficients{values.data(), 3, cell.count};
                   belief.mountRotation() += coefficients * basis.transpose();
@@ -347,7 +348,7 @@ Effect turning(const DriverValues& driver, const DriverCell& cell) {
 
 } // namespace
 
-std::vector<MountCurve> mountCurves(const Measurements& measurements, const std::vector<DriverValues>& drivers) {
+std::vector<MountCurve> mountCurves(const Measurements& measurements, const std::vector<DriverSeries>& drivers) {
   std::vector<MountCurve> result;
   for (std::size_t camera = 0; camera < measurements.robot.cameras.size(); ++camera) {
     for (std::size_t i = 0; i < drivers.size(); ++i) {
@@ -364,7 +365,7 @@ std::vector<MountCurve> mountCurves(const Measurements& measurements, const std:
       if (distinct.size() < 2) {
         continue;
       }
-      DriverCell cell = smoothCell(distinct, mostPolynomials);
+      DriverBasis cell = smoothCell(distinct, mostPolynomials);
       cell.driver = i;
       result.push_back(
           {{turning(drivers[i], cell), camera, measurements.robot.cameras[camera].name + " over " + drivers[i].name},

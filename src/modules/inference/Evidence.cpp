@@ -18,7 +18,7 @@ double tail(double fall, Eigen::Index freedom) {
   return freedom < 1 || fall <= 0 ? 1 : chiSquaredTail(fall, static_cast<double>(freedom));
 }
 
-double smallestP(const ScoreProblem& problem, const ScoreTests& tests, const Eigen::VectorXd& ratio) {
+double smallestP(const ScoreProblem& problem, const ScoreTest& tests, const Eigen::VectorXd& ratio) {
   std::map<std::pair<bool, Eigen::Index>, double> largest; // of groups that are named or not, by their freedom
   for (std::size_t i = 0; i < problem.groups.size(); ++i) {
     double& most = largest[{i < problem.named, tests.freedom(i)}];
@@ -53,7 +53,7 @@ double bayesOf(const ColumnGroup& group, const Eigen::MatrixXd& information, con
 }
 
 /// How far chi2 falls further when an effect is added beside another one.
-double fallBeside(const ScoreProblem& problem, const ScoreTests& tests, const Eigen::VectorXd& scores,
+double fallBeside(const ScoreProblem& problem, const ScoreTest& tests, const Eigen::VectorXd& scores,
                   const ColumnGroup& added, const ColumnGroup& other) {
   const auto fall = [&](const std::vector<Eigen::Index>& columns) {
     const Eigen::VectorXd plausible = problem.plausible(columns), score = plausible.cwiseProduct(scores(columns));
@@ -71,7 +71,7 @@ double fallBeside(const ScoreProblem& problem, const ScoreTests& tests, const Ei
 }
 
 /// Estimates and Bayes factors of the measurements' groups.
-GroupEvidence described(const ScoreProblem& problem, const ScoreTests& tests, std::size_t i,
+GroupEvidence described(const ScoreProblem& problem, const ScoreTest& tests, std::size_t i,
                         const Eigen::VectorXd& scores) {
   const ColumnGroup& columns = problem.groups[i];
   const Eigen::VectorXd plausible = problem.plausible.segment(columns.first, columns.count);
@@ -111,8 +111,8 @@ double bayesFactor(const Eigen::MatrixXd& information, const Eigen::VectorXd& sc
 
 Evidence evidenceOf(const ScoreProblem& problem, const Noise& noise, Eigen::Index draws, std::uint64_t seed) {
   const PoseResiduals measured = measuredResiduals(*problem.poses);
-  const ModelAlone alone{problem, noise};
-  const ScoreTests tests{alone};
+  const NullModel alone{problem, noise};
+  const ScoreTest tests{alone};
   const Eigen::MatrixXd own = alone(measured, problem.priorScore()).own;
   const Eigen::VectorXd scores = tests.projectedScores(measured, own).col(0);
   const Eigen::VectorXd ratio = tests.falls(measured, own);

@@ -185,8 +185,8 @@ private:
 
   const ScoreProblem& problem_;
   std::size_t expected_;
-  ModelAlone alone_;
-  ScoreTests tests_;
+  NullModel alone_;
+  ScoreTest tests_;
   PoseMisfit misfit_;
   Eigen::VectorXd score_, alone0_, variances_;
   Eigen::MatrixXd answers_; // how the own unknowns give way, negative, per column

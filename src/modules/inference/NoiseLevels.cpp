@@ -46,9 +46,9 @@ double devianceOf(const Candidates& all, double kappa) {
 double wideDeviance(const ScoreProblem& problem, const Noise& noise) {
   constexpr std::array kappas{0.1, 0.2, 0.4, 0.7, 1.0, 1.5, 2.5};
   const PoseResiduals measured = measuredResiduals(*problem.poses);
-  const ModelAlone alone{problem, noise};
-  const ModelAlone::Outcome outcome = alone(measured, problem.priorScore());
-  const ScoreTests tests{alone};
+  const NullModel alone{problem, noise};
+  const NullModel::Outcome outcome = alone(measured, problem.priorScore());
+  const ScoreTest tests{alone};
   const ColumnGroup last = problem.named > 0 ? problem.groups[problem.named - 1] : ColumnGroup{};
   const Eigen::Index count = last.first + last.count; // curves stay out: they would take scatter for a shape
   const Eigen::VectorXd plausible = problem.plausible.head(count);
@@ -140,7 +140,7 @@ double scatterPenalty(double level) {
   return 2 * std::log1p(ratio * ratio);
 }
 
-NoiseLevels noiseLevels(const ScoreProblem& wide, const Noise& noise, const Repeated& repeated) {
+NoiseLevels noiseLevels(const ScoreProblem& wide, const Noise& noise, const RepeatInfo& repeated) {
   const DriverColumns none{.blocks = std::vector<std::vector<DriverColumns::Block>>(wide.poses->size())};
   ScoreProblem problem = wide;
   problem.groups.resize(problem.named);

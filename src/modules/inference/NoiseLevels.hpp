@@ -23,7 +23,7 @@ struct NoiseLevels {
 };
 
 /// How poses were repeated.
-struct Repeated {
+struct RepeatInfo {
   bool reapproached = false; // left and taken again
   bool restood = false;      // that, and by a robot that was put down anew besides
 };
@@ -50,6 +50,6 @@ double scatterPenalty(double level);
 /// projected out. Re-approach and stance are told by differences within poses alone (pose noise set free); re-approach
 /// only where poses were left and taken again, stance only where they were taken again by a robot put down anew.
 /// `noise`: pixels and encoders, which stay. The problem's curves are left out: they would take scatter for a shape.
-NoiseLevels noiseLevels(const ScoreProblem& wide, const Noise& noise, const Repeated& repeated);
+NoiseLevels noiseLevels(const ScoreProblem& wide, const Noise& noise, const RepeatInfo& repeated);
 
 } // namespace naocal

@@ -11,12 +11,12 @@ namespace {
 constexpr double everything = 0.05; // [rad]: a pose noise that lets every joint go where it likes
 
 Eigen::MatrixXd deflectionCovariance(const PosePart& pose, const Noise& noise) {
-  const DeflectionRoot root = deflectionRoot(pose, noise);
-  return Eigen::MatrixXd{root * DeflectionRoot{root.transpose()}};
+  const JointErrorRoot root = deflectionRoot(pose, noise);
+  return Eigen::MatrixXd{root * JointErrorRoot{root.transpose()}};
 }
 
 /// chi2 of the model alone at its minimum, its unknowns' priors included.
-double chi2Of(const ModelAlone& alone) {
+double chi2Of(const NullModel& alone) {
   const ScoreProblem& problem = alone.problem();
   double squares = 0;
   for (const PoseRows& pose : *problem.poses) {
@@ -32,7 +32,7 @@ double chi2Of(const ModelAlone& alone) {
 PoseMisfit poseMisfit(const ScoreProblem& problem, const Noise& noise) {
   Noise loose = noise;
   loose.pose = everything;
-  const ModelAlone held{problem, noise}, free{problem, loose};
+  const NullModel held{problem, noise}, free{problem, loose};
   PoseMisfit result;
   result.within = chi2Of(free);
   result.chi2 = std::max(0.0, chi2Of(held) - result.within);
@@ -40,7 +40,7 @@ PoseMisfit poseMisfit(const ScoreProblem& problem, const Noise& noise) {
   const double information = 1 / (noise.pixel * noise.pixel);
   for (std::size_t number = 0; number < problem.poses->size(); ++number) {
     const PoseRows& pose = (*problem.poses)[number];
-    const ModelAlone::Whitener& whitener = free.whitener(number);
+    const NullModel::Whitener& whitener = free.whitener(number);
     const Eigen::MatrixXd more = deflectionCovariance(pose, loose) - deflectionCovariance(pose, noise);
     const Eigen::MatrixXd bent = whitener.half * pose.byDeflections / noise.pixel;
     result.directions += (information * (pose.byDeflections.transpose() * pose.byDeflections) - bent.transpose() * bent)

@@ -18,9 +18,9 @@ namespace {
 /// A pose's first moment: its set, and the time there.
 std::pair<std::size_t, double> momentOf(const PoseGroup& pose, const Measurements& measurements) {
   std::pair<std::size_t, double> first{std::numeric_limits<std::size_t>::max(), 0};
-  for (const Reading& reading : pose.readings) {
+  for (const EncoderSample& reading : pose.readings) {
     for (const std::size_t picture : reading.pictures) {
-      const Instant& instant = measurements.pictures[picture].instant;
+      const RobotSample& instant = measurements.pictures[picture].instant;
       first = std::min(first, std::pair{instant.set, instant.time.count()});
     }
   }

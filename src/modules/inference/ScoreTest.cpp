@@ -22,7 +22,7 @@ Eigen::MatrixXd compressed(const Eigen::MatrixXd& half) {
 
 } // namespace
 
-ModelAlone::ModelAlone(const ScoreProblem& problem, const Noise& noise) : problem_{problem}, noise_{noise} {
+NullModel::NullModel(const ScoreProblem& problem, const Noise& noise) : problem_{problem}, noise_{noise} {
   const double information = 1 / (noise.pixel * noise.pixel);
   const Eigen::Index own = problem.own();
   whiteners_.resize(problem.poses->size());
@@ -37,7 +37,7 @@ ModelAlone::ModelAlone(const ScoreProblem& problem, const Noise& noise) : proble
   factor_.compute(hessian);
 }
 
-void ModelAlone::takeDeflections(std::size_t pose, Taken& taken) {
+void NullModel::takeDeflections(std::size_t pose, Taken& taken) {
   const PoseRows& rows = (*problem_.poses)[pose];
   const Eigen::MatrixXd moved = rows.byDeflections * deflectionRoot(rows, noise_) / noise_.pixel;
   Eigen::MatrixXd inner = moved.transpose() * moved;
@@ -52,7 +52,7 @@ void ModelAlone::takeDeflections(std::size_t pose, Taken& taken) {
   taken.information(unknowns, unknowns) += answers.transpose() * answers;
 }
 
-ModelAlone::Outcome ModelAlone::operator()(const PoseResiduals& residuals, const Eigen::VectorXd& priorScore) const {
+NullModel::Outcome NullModel::operator()(const PoseResiduals& residuals, const Eigen::VectorXd& priorScore) const {
   const double information = 1 / (noise_.pixel * noise_.pixel);
   const Eigen::Index draws = residuals.front().cols();
   Outcome result;
@@ -102,7 +102,7 @@ Eigen::MatrixXd whiteningOf(const Eigen::MatrixXd& block, const Eigen::MatrixXd&
 
 } // namespace
 
-ScoreTests::ScoreTests(const ModelAlone& alone) : alone_{alone} {
+ScoreTest::ScoreTest(const NullModel& alone) : alone_{alone} {
   const ScoreProblem& problem = alone.problem();
   const std::size_t poses = problem.poses->size();
   Eigen::MatrixXd whitened = problem.gram / (noise().pixel * noise().pixel);
@@ -125,16 +125,16 @@ ScoreTests::ScoreTests(const ModelAlone& alone) : alone_{alone} {
   project(columns);
 }
 
-ScoreTests::Columns ScoreTests::noColumns(const ScoreProblem& problem) {
+ScoreTest::Columns ScoreTest::noColumns(const ScoreProblem& problem) {
   Columns columns;
   columns.cross = Eigen::MatrixXd::Zero(problem.own(), problem.candidates + problem.map->count);
-  for (const DriverCell& cell : problem.map->cells) {
+  for (const DriverBasis& cell : problem.map->cells) {
     columns.cells.push_back(Eigen::MatrixXd::Zero(cell.count, cell.count));
   }
   return columns;
 }
 
-ScoreTests::Columns& ScoreTests::Columns::operator+=(const Columns& other) {
+ScoreTest::Columns& ScoreTest::Columns::operator+=(const Columns& other) {
   cross += other.cross;
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
     cells[cell] += other.cells[cell];
@@ -142,10 +142,10 @@ ScoreTests::Columns& ScoreTests::Columns::operator+=(const Columns& other) {
   return *this;
 }
 
-void ScoreTests::addCurves(std::size_t pose, Columns& columns) {
+void ScoreTest::addCurves(std::size_t pose, Columns& columns) {
   const ScoreProblem& problem = alone_.problem();
   const PoseRows& rows = (*problem.poses)[pose];
-  const ModelAlone::Whitener& whitener = alone_.whitener(pose);
+  const NullModel::Whitener& whitener = alone_.whitener(pose);
   const double information = 1 / (noise().pixel * noise().pixel);
   const Eigen::MatrixXd& deflections = deflections_[pose] = whitener.half * rows.byDeflections / noise().pixel;
   if (problem.map->blocks[pose].empty()) {
@@ -175,7 +175,7 @@ void ScoreTests::addCurves(std::size_t pose, Columns& columns) {
   }
 }
 
-void ScoreTests::project(const Columns& columns) {
+void ScoreTest::project(const Columns& columns) {
   const ScoreProblem& problem = alone_.problem();
   explained_ = alone_.factor().matrixL().solve(columns.cross);
   const auto byCandidates = explained_.leftCols(problem.candidates);
@@ -193,7 +193,7 @@ void ScoreTests::project(const Columns& columns) {
 }
 
 /// Scores of all columns, downhill.
-Eigen::MatrixXd ScoreTests::projectedScores(const PoseResiduals& residuals, const Eigen::MatrixXd& own) const {
+Eigen::MatrixXd ScoreTest::projectedScores(const PoseResiduals& residuals, const Eigen::MatrixXd& own) const {
   const ScoreProblem& problem = alone_.problem();
   const double information = 1 / (noise().pixel * noise().pixel);
   Eigen::MatrixXd result = explained_.transpose() * own;
@@ -201,7 +201,7 @@ Eigen::MatrixXd ScoreTests::projectedScores(const PoseResiduals& residuals, cons
   const auto add = [&](std::size_t pose, Eigen::MatrixXd& sum) {
     const PoseRows& rows = (*problem.poses)[pose];
     const Eigen::Index first = problem.ownOf(rows), rest = at(rows.unknowns.size()) - first;
-    const ModelAlone::Whitener& whitener = alone_.whitener(pose);
+    const NullModel::Whitener& whitener = alone_.whitener(pose);
     const Eigen::MatrixXd bent = whitener.half * residuals[pose] / noise().pixel;
     const Eigen::MatrixXd part = information * (rows.byUnknowns.rightCols(rest).transpose() * residuals[pose]) -
                                  whitener.unknowns.rightCols(rest).transpose() * bent;
@@ -225,7 +225,7 @@ Eigen::MatrixXd ScoreTests::projectedScores(const PoseResiduals& residuals, cons
 }
 
 /// What a group's first few columns do to a pose's residuals.
-Eigen::MatrixXd ScoreTests::byColumns(std::size_t group, Eigen::Index count, std::size_t pose) const {
+Eigen::MatrixXd ScoreTest::byColumns(std::size_t group, Eigen::Index count, std::size_t pose) const {
   const ScoreProblem& problem = alone_.problem();
   const PoseRows& rows = (*problem.poses)[pose];
   const Eigen::Index first = problem.groups[group].first;
@@ -248,7 +248,7 @@ Eigen::MatrixXd ScoreTests::byColumns(std::size_t group, Eigen::Index count, std
   return result;
 }
 
-Eigen::MatrixXd ScoreTests::informationWith(std::size_t group, Eigen::Index count) const {
+Eigen::MatrixXd ScoreTest::informationWith(std::size_t group, Eigen::Index count) const {
   const ScoreProblem& problem = alone_.problem();
   PoseResiduals moved;
   for (std::size_t pose = 0; pose < problem.poses->size(); ++pose) {
@@ -257,7 +257,7 @@ Eigen::MatrixXd ScoreTests::informationWith(std::size_t group, Eigen::Index coun
   return -projectedScores(moved, explained_.middleCols(problem.groups[group].first, count));
 }
 
-double ScoreTests::movedPx(std::size_t group, const Eigen::VectorXd& coefficients) const {
+double ScoreTest::movedPx(std::size_t group, const Eigen::VectorXd& coefficients) const {
   const ScoreProblem& problem = alone_.problem();
   const Eigen::Index count = coefficients.size(), first = problem.groups[group].first;
   const Eigen::VectorXd own = -alone_.factor().matrixU().solve(explained_.middleCols(first, count) * coefficients);
@@ -281,7 +281,7 @@ double ScoreTests::movedPx(std::size_t group, const Eigen::VectorXd& coefficient
   return std::sqrt(2 * std::max(0.0, squares) / std::max(1.0, numbers));
 }
 
-Eigen::MatrixXd ScoreTests::falls(const PoseResiduals& residuals, const Eigen::MatrixXd& own) const {
+Eigen::MatrixXd ScoreTest::falls(const PoseResiduals& residuals, const Eigen::MatrixXd& own) const {
   const std::vector<ColumnGroup>& groups = alone_.problem().groups;
   const Eigen::MatrixXd all = projectedScores(residuals, own);
   Eigen::MatrixXd result(at(groups.size()), all.cols());

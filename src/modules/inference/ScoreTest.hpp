@@ -9,9 +9,9 @@
 namespace naocal {
 
 /// The model without any candidate at one level of noise: how likely residuals are under it.
-class ModelAlone {
+class NullModel {
 public:
-  ModelAlone(const ScoreProblem& problem, const Noise& noise);
+  NullModel(const ScoreProblem& problem, const Noise& noise);
 
   /// Of each set of residuals (column): -2 ln of the model's restricted likelihood up to a constant, and chi2 up to a
   /// constant; both constants are the same at all levels.
@@ -52,13 +52,13 @@ private:
 /// Score (Lagrange multiplier) tests of all groups at one level of noise, everything already in the model projected out
 /// (Rao 1948; Breusch and Pagan 1980):
 ///   s = G^T M Sigma^-1 r,  V = G^T M Sigma^-1 G,  fall of chi2 when the group is added: T = s^T V^-1 s.
-class ScoreTests {
+class ScoreTest {
 public:
   /// `alone` must outlive the tests.
-  explicit ScoreTests(const ModelAlone& alone);
+  explicit ScoreTest(const NullModel& alone);
 
   /// How far each group (row) lowers chi2 of each set of residuals (column); `own`: the model's own part of their
-  /// scores, as in `ModelAlone::Outcome`.
+  /// scores, as in `NullModel::Outcome`.
   Eigen::MatrixXd falls(const PoseResiduals& residuals, const Eigen::MatrixXd& own) const;
 
   /// Scores of all columns, downhill, projected: one row per column, as `ScoreProblem::groups` counts them.
@@ -70,7 +70,7 @@ public:
   double movedPx(std::size_t group, const Eigen::VectorXd& coefficients) const;
   /// Projected information of a group's own columns.
   const Eigen::MatrixXd& informationOf(std::size_t group) const { return blocks_[group]; }
-  /// L^-1 H_og of all columns g, L of `ModelAlone::factor`: the own unknowns answer one unit of a column by -L^-T of
+  /// L^-1 H_og of all columns g, L of `NullModel::factor`: the own unknowns answer one unit of a column by -L^-T of
   /// it.
   const Eigen::MatrixXd& explained() const { return explained_; }
 
@@ -95,8 +95,8 @@ private:
   void project(const Columns& columns);
   Eigen::MatrixXd byColumns(std::size_t group, Eigen::Index count, std::size_t pose) const;
 
-  const ModelAlone& alone_;
-  std::vector<Eigen::MatrixXd> deflections_; // per pose: B J_t / pixel (`ModelAlone::Whitener`)
+  const NullModel& alone_;
+  std::vector<Eigen::MatrixXd> deflections_; // per pose: B J_t / pixel (`NullModel::Whitener`)
   Eigen::MatrixXd explained_;                // L^-1 cross: own unknowns x columns
   Eigen::MatrixXd information_;              // projected, of the candidates
   std::vector<Eigen::MatrixXd> blocks_;      // projected, per group

@@ -46,7 +46,7 @@ WideModel::WideModel(const Measurements& measurements, const Model& model, std::
     : measurements_{measurements}, candidates_{std::move(candidates)} {
   const auto own = at(model.unknownCount());
   const Eigen::VectorXd unknowns = point.state.unknowns.head(own);
-  std::vector<DriverValues> drivers;
+  std::vector<DriverSeries> drivers;
   if (curves) {
     drivers = driversOf(measurements, model, unknowns);
     mounts_ = mountCurves(measurements, drivers);
@@ -67,8 +67,8 @@ WideModel::WideModel(const Measurements& measurements, const Model& model, std::
   const Eigen::Index columns = at(extended.unknownCount()) - own;
   poses_ = rowsAt(measurements, extended, point);
   map_ = driverColumns(measurements, std::move(drivers), poses_);
-  for (const DriverCell& cell : map_.cells) {
-    const bool nested = cell.shape == DriverCell::Shape::smooth;
+  for (const DriverBasis& cell : map_.cells) {
+    const bool nested = cell.shape == DriverBasis::Shape::smooth;
     groups.push_back({columns + cell.first, cell.count, nested ? 1 : 0, cell.choices});
   }
   problem_ = {poses_, map_, unknowns, priorsOf(model, unknowns), columns};

@@ -38,35 +38,35 @@ double numberWithin(const Range& range, const json& value) {
 
 } // namespace
 
-JsonPlace::JsonPlace(const json& value, std::string file)
-    : JsonPlace{value, "", std::make_shared<Surroundings>(Surroundings{std::move(file), "", ""})} {}
+JsonCursor::JsonCursor(const json& value, std::string file)
+    : JsonCursor{value, "", std::make_shared<Surroundings>(Surroundings{std::move(file), "", ""})} {}
 
-JsonPlace::JsonPlace(const json& value, std::string path, std::shared_ptr<const Surroundings> surroundings)
+JsonCursor::JsonCursor(const json& value, std::string path, std::shared_ptr<const Surroundings> surroundings)
     : value_{&value}, path_{std::move(path)}, surroundings_{std::move(surroundings)} {}
 
-JsonPlace JsonPlace::about(std::string name, std::string remedy) const {
+JsonCursor JsonCursor::about(std::string name, std::string remedy) const {
   return {*value_, path_,
           std::make_shared<Surroundings>(Surroundings{surroundings_->file, std::move(name), std::move(remedy)})};
 }
 
-JsonPlace JsonPlace::member(const std::string& key, const json& value) const {
+JsonCursor JsonCursor::member(const std::string& key, const json& value) const {
   return {value, path_.empty() ? key : path_ + "." + key, surroundings_};
 }
 
-void JsonPlace::refuse(std::string_view expected, std::string_view found) const {
+void JsonCursor::refuse(std::string_view expected, std::string_view found) const {
   const auto& [file, name, remedy] = *surroundings_;
   throw InputError{fmt::format("{}: {}{}: expected {}, found {}{}{}", file, path_.empty() ? "top level" : path_,
                                name.empty() ? "" : " (" + name + ")", expected,
                                found.empty() ? description(*value_) : found, remedy.empty() ? "" : "; ", remedy)};
 }
 
-void JsonPlace::requireObject() const {
+void JsonCursor::requireObject() const {
   if (!value_->is_object()) {
     refuse("an object");
   }
 }
 
-std::optional<JsonPlace> JsonPlace::find(const std::string& key) const {
+std::optional<JsonCursor> JsonCursor::find(const std::string& key) const {
   requireObject();
   const auto entry = value_->find(key);
   if (entry == value_->end()) {
@@ -75,7 +75,7 @@ std::optional<JsonPlace> JsonPlace::find(const std::string& key) const {
   return member(key, *entry);
 }
 
-JsonPlace JsonPlace::at(const std::string& key) const {
+JsonCursor JsonCursor::at(const std::string& key) const {
   const auto place = find(key);
   if (!place) {
     refuse(fmt::format("the key \"{}\"", key), "none");
@@ -83,11 +83,11 @@ JsonPlace JsonPlace::at(const std::string& key) const {
   return *place;
 }
 
-std::vector<JsonPlace> JsonPlace::elements() const {
+std::vector<JsonCursor> JsonCursor::elements() const {
   if (!value_->is_array()) {
     refuse("a list");
   }
-  std::vector<JsonPlace> elements;
+  std::vector<JsonCursor> elements;
   elements.reserve(value_->size());
   for (const json& element : *value_) {
     elements.push_back({element, fmt::format("{}[{}]", path_, elements.size()), surroundings_});
@@ -95,30 +95,30 @@ std::vector<JsonPlace> JsonPlace::elements() const {
   return elements;
 }
 
-std::vector<std::pair<std::string, JsonPlace>> JsonPlace::members() const {
+std::vector<std::pair<std::string, JsonCursor>> JsonCursor::members() const {
   requireObject();
-  std::vector<std::pair<std::string, JsonPlace>> members;
+  std::vector<std::pair<std::string, JsonCursor>> members;
   for (const auto& [key, value] : value_->items()) {
     members.emplace_back(key, member(key, value));
   }
   return members;
 }
 
-std::string JsonPlace::text() const {
+std::string JsonCursor::text() const {
   if (!value_->is_string() || value_->get_ref<const std::string&>().empty()) {
     refuse("a text that is not empty");
   }
   return value_->get<std::string>();
 }
 
-bool JsonPlace::boolean() const {
+bool JsonCursor::boolean() const {
   if (!value_->is_boolean()) {
     refuse("true or false");
   }
   return value_->get<bool>();
 }
 
-int JsonPlace::integer(int lowest, int highest) const {
+int JsonCursor::integer(int lowest, int highest) const {
   const double number = numberWithin({static_cast<double>(lowest), static_cast<double>(highest), ""}, *value_);
   if (std::isnan(number) || number != std::floor(number)) {
     refuse(fmt::format("a whole number from {} to {}", lowest, highest));
@@ -126,7 +126,7 @@ int JsonPlace::integer(int lowest, int highest) const {
   return static_cast<int>(number);
 }
 
-double JsonPlace::number(const Range& range) const {
+double JsonCursor::number(const Range& range) const {
   const double number = numberWithin(range, *value_);
   if (std::isnan(number)) {
     refuse(fmt::format("a number from {:g} to {:g}{}{}", range.lowest, range.highest, range.unit.empty() ? "" : " ",
@@ -135,8 +135,8 @@ double JsonPlace::number(const Range& range) const {
   return number;
 }
 
-std::vector<double> JsonPlace::numbers(std::size_t count, const Range& range, std::string_view why,
-                                       bool nullable) const {
+std::vector<double> JsonCursor::numbers(std::size_t count, const Range& range, std::string_view why,
+                                        bool nullable) const {
   if (!value_->is_array() || value_->size() != count) {
     refuse(fmt::format("a list of {} numbers ({})", count, why));
   }
@@ -152,7 +152,7 @@ std::vector<double> JsonPlace::numbers(std::size_t count, const Range& range, st
   return numbers;
 }
 
-std::size_t JsonPlace::oneOf(const std::vector<std::string_view>& words) const {
+std::size_t JsonCursor::oneOf(const std::vector<std::string_view>& words) const {
   const auto word = std::find_if(words.begin(), words.end(), [&](std::string_view candidate) {
     return value_->is_string() && value_->get_ref<const std::string&>() == candidate;
   });

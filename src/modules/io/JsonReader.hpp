@@ -22,21 +22,21 @@ inline constexpr int largestNumber = std::numeric_limits<int>::max();
 
 /// One place in a JSON document and what it is called, so that every refusal (InputError) names file, path, what was
 /// expected and what was found. The document must outlive it.
-class JsonPlace {
+class JsonCursor {
 public:
   /// The top level of a file's document.
-  JsonPlace(const nlohmann::json& value, std::string file);
+  JsonCursor(const nlohmann::json& value, std::string file);
 
   /// The same place with what to call it beside its path ("capture 17") and what to do when it is refused.
-  JsonPlace about(std::string name, std::string remedy) const;
+  JsonCursor about(std::string name, std::string remedy) const;
 
   /// The value under a key of this object; `find` is empty and `at` refuses when there is none.
-  std::optional<JsonPlace> find(const std::string& key) const;
-  JsonPlace at(const std::string& key) const;
+  std::optional<JsonCursor> find(const std::string& key) const;
+  JsonCursor at(const std::string& key) const;
 
   /// The entries of this list, or the values of this object with their keys.
-  std::vector<JsonPlace> elements() const;
-  std::vector<std::pair<std::string, JsonPlace>> members() const;
+  std::vector<JsonCursor> elements() const;
+  std::vector<std::pair<std::string, JsonCursor>> members() const;
 
   std::string text() const; // not empty
   bool boolean() const;
@@ -59,8 +59,8 @@ private:
     std::string file, name, remedy;
   };
 
-  JsonPlace(const nlohmann::json& value, std::string path, std::shared_ptr<const Surroundings> surroundings);
-  JsonPlace member(const std::string& key, const nlohmann::json& value) const;
+  JsonCursor(const nlohmann::json& value, std::string path, std::shared_ptr<const Surroundings> surroundings);
+  JsonCursor member(const std::string& key, const nlohmann::json& value) const;
   void requireObject() const;
 
   const nlohmann::json* value_;

@@ -5,10 +5,10 @@
 
 namespace naocal {
 
-std::optional<Unit> unitOf(std::string_view text) {
+std::optional<UnitPowers> unitOf(std::string_view text) {
   static const std::regex factor{R"(([*/]?)(1|rad|m|px|s|row|Nm|K|A)(?:\^(\d+(?:\.\d+)?))?(?=[*/]|$))"};
   const std::string all{text};
-  Unit unit;
+  UnitPowers unit;
   std::size_t read = 0;
   for (std::sregex_iterator found{all.begin(), all.end(), factor, std::regex_constants::match_continuous}, end;
        found != end; ++found) {
@@ -24,7 +24,7 @@ std::optional<Unit> unitOf(std::string_view text) {
   return read > 0 && read == all.size() ? std::optional{unit} : std::nullopt;
 }
 
-std::string textOf(const Unit& unit) {
+std::string textOf(const UnitPowers& unit) {
   std::string over, under;
   for (const auto& [base, power] : unit) {
     std::string& side = power > 0 ? over : under;
@@ -38,7 +38,7 @@ std::string textOf(const Unit& unit) {
   return (over.empty() ? "1" : over) + under;
 }
 
-Unit product(Unit one, const Unit& other, double power) {
+UnitPowers product(UnitPowers one, const UnitPowers& other, double power) {
   for (const auto& [base, own] : other) {
     const double sum = one[base] + own * power;
     if (sum == 0) {

@@ -12,17 +12,17 @@
 namespace naocal {
 
 /// A unit as powers of its bases: {"rad": 1, "Nm": -2} for "rad/Nm^2"; empty for "1", a plain number.
-using Unit = std::map<std::string, double, std::less<>>;
+using UnitPowers = std::map<std::string, double, std::less<>>;
 
 /// What unknowns may be counted in: a product of powers of these, as "rad/Nm^2", "s/row", "1/rad" or "1".
 inline constexpr std::string_view unitBases = "rad, m, px, s, row, Nm, K or A";
 
 /// Absent: that is no such product.
-std::optional<Unit> unitOf(std::string_view text);
-std::string textOf(const Unit& unit);
+std::optional<UnitPowers> unitOf(std::string_view text);
+std::string textOf(const UnitPowers& unit);
 
 /// one * other^power
-Unit product(Unit one, const Unit& other, double power = 1);
+UnitPowers product(UnitPowers one, const UnitPowers& other, double power = 1);
 
 /// The unit in which a person reads a quantity, and how many of it make one of its own: ("°/Nm", 57.3) for "rad/Nm".
 inline std::pair<std::string, double> shownUnit(const std::string& unit) {

@@ -18,7 +18,7 @@ namespace naocal {
 /// Capture sets of one robot and what they measured.
 struct Captures {
   std::vector<CaptureSet> sets;
-  ResultInputs sources; // folders and SHA-256 of their captures.json
+  ResultSources sources; // folders and SHA-256 of their captures.json
   Measurements measurements;
 };
 

@@ -18,8 +18,8 @@ struct LevenbergMarquardtOptions {
 };
 
 /// Where the search ended.
-template <typename State, typename Linear> struct Minimum {
-  State state;
+template <typename CandidateState, typename Linear> struct Minimum {
+  CandidateState state;
   Linear linear; // cost, gradient and Hessian there
   int iterations = 0;
   bool converged = false;
@@ -37,10 +37,10 @@ template <typename State, typename Linear> struct Minimum {
 /// Where the cost has a kink or a narrow bent valley (a gear's gap), steps never bring what is predicted: such a search
 /// has converged when it hardly fell any more.
 /// An impossible state is never rewarded: the step that led there is refused. Absent: already the start is impossible.
-template <typename Problem, typename State>
-auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarquardtOptions& options = {})
-    -> std::optional<Minimum<State, typename Problem::Linear>> {
-  Minimum<State, typename Problem::Linear> minimum{std::move(start), {}};
+template <typename Problem, typename CandidateState>
+auto levenbergMarquardt(const Problem& problem, CandidateState start, const LevenbergMarquardtOptions& options = {})
+    -> std::optional<Minimum<CandidateState, typename Problem::Linear>> {
+  Minimum<CandidateState, typename Problem::Linear> minimum{std::move(start), {}};
   if (!problem.linearise(minimum.state, minimum.linear)) {
     return std::nullopt;
   }
@@ -64,7 +64,7 @@ auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarq
     if (minimum.converged && arrived) {
       break;
     }
-    State candidate = problem.moved(minimum.state, here, step);
+    CandidateState candidate = problem.moved(minimum.state, here, step);
     const double fall = problem.linearise(candidate, there) ? here.cost - there.cost : -1;
     arrived = fall > 0;
     if (arrived) {

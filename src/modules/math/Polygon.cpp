@@ -8,7 +8,7 @@
 
 namespace naocal {
 
-double depthInside(const Outline& outline, const Eigen::Vector2d& point) {
+double depthInside(const ConvexPolygon& outline, const Eigen::Vector2d& point) {
   double depth = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Eigen::Vector2d side = outline[(i + 1) % outline.size()] - outline[i];
@@ -18,7 +18,7 @@ double depthInside(const Outline& outline, const Eigen::Vector2d& point) {
   return depth;
 }
 
-Outline hull(const Outline& points) {
+ConvexPolygon hull(const ConvexPolygon& points) {
   namespace geometry = boost::geometry;
   using Point = geometry::model::d2::point_xy<double>;
   constexpr bool clockwise = false, closed = false;
@@ -28,14 +28,14 @@ Outline hull(const Outline& points) {
   }
   geometry::model::ring<Point, clockwise, closed> ring;
   geometry::convex_hull(all, ring);
-  Outline result;
+  ConvexPolygon result;
   for (const Point& corner : ring) {
     result.emplace_back(corner.x(), corner.y());
   }
   return result;
 }
 
-bool withinHull(const Outline& points, const Eigen::Vector2d& point) {
+bool withinHull(const ConvexPolygon& points, const Eigen::Vector2d& point) {
   // Seen from the point, all others lie in a wedge from `right` to `left` narrower than half a turn, unless it is
   // within.
   const auto turn = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); };
@@ -52,13 +52,13 @@ bool withinHull(const Outline& points, const Eigen::Vector2d& point) {
   return false;
 }
 
-Eigen::Vector2d middle(const Outline& outline) {
+Eigen::Vector2d middle(const ConvexPolygon& outline) {
   const Eigen::Vector2d sum = std::accumulate(outline.begin(), outline.end(), Eigen::Vector2d::Zero().eval());
   return sum / static_cast<double>(outline.size());
 }
 
-bool apart(const Outline& a, const Outline& b) {
-  const auto hasBeyond = [](const Outline& one, const Outline& other) {
+bool apart(const ConvexPolygon& a, const ConvexPolygon& b) {
+  const auto hasBeyond = [](const ConvexPolygon& one, const ConvexPolygon& other) {
     for (std::size_t i = 0; i < one.size(); ++i) {
       const Eigen::Vector2d side = one[(i + 1) % one.size()] - one[i];
       const Eigen::Vector2d inwards{-side.y(), side.x()};

@@ -9,7 +9,7 @@ namespace naocal {
 
 namespace {
 
-class RandomPoints : public UnitPoints {
+class RandomPoints : public UnitCubeSampler {
 public:
   RandomPoints(std::uint64_t seed, std::size_t first) {
     std::seed_seq mixed{seed, static_cast<std::uint64_t>(first)};
@@ -24,7 +24,7 @@ private:
 };
 
 /// Shifted by a random vector modulo 1, so that a seed matters.
-class SobolPoints : public UnitPoints {
+class SobolPoints : public UnitCubeSampler {
 public:
   SobolPoints(std::uint64_t seed, std::size_t dimensions, std::size_t first) : sobol_{dimensions}, shift_(dimensions) {
     RandomPoints{seed, 0}.next(shift_);
@@ -42,7 +42,7 @@ private:
   std::vector<double> shift_;
 };
 
-class GridPoints : public UnitPoints {
+class GridPoints : public UnitCubeSampler {
 public:
   GridPoints(std::size_t dimensions, std::size_t count, std::size_t first) : cells_(dimensions, 1), index_{first} {
     for (std::size_t product = 1, i = 0;; i = (i + 1) % dimensions) { // one more cell along each dimension in turn
@@ -68,14 +68,14 @@ private:
 
 } // namespace
 
-std::unique_ptr<UnitPoints> unitPoints(Sampling sampling, std::uint64_t seed, std::size_t dimensions, std::size_t count,
-                                       std::size_t first) {
+std::unique_ptr<UnitCubeSampler> unitPoints(SamplingMethod sampling, std::uint64_t seed, std::size_t dimensions,
+                                            std::size_t count, std::size_t first) {
   switch (sampling) {
-  case Sampling::random:
+  case SamplingMethod::random:
     return std::make_unique<RandomPoints>(seed, first);
-  case Sampling::even:
+  case SamplingMethod::even:
     return std::make_unique<SobolPoints>(seed, dimensions, first);
-  case Sampling::grid:
+  case SamplingMethod::grid:
     break;
   }
   return std::make_unique<GridPoints>(dimensions, count, first);

@@ -12,12 +12,12 @@
 namespace naocal {
 
 /// How a range is sampled: at random, evenly at any count (Sobol's low-discrepancy sequence), or on a grid.
-enum class Sampling { random, even, grid };
+enum class SamplingMethod { random, even, grid };
 
 /// A sequence of points in the unit cube.
-class UnitPoints {
+class UnitCubeSampler {
 public:
-  virtual ~UnitPoints() = default;
+  virtual ~UnitCubeSampler() = default;
 
   /// The next point, one number in [0, 1) per dimension.
   virtual void next(std::span<double> point) = 0;
@@ -25,14 +25,14 @@ public:
 
 /// Points `first`, `first + 1`, ... of a sequence of `count` points in `dimensions`; those of a grid lie in the middle
 /// of its cells, of which there are as many as `count` allows, at least one along every dimension.
-std::unique_ptr<UnitPoints> unitPoints(Sampling sampling, std::uint64_t seed, std::size_t dimensions, std::size_t count,
-                                       std::size_t first);
+std::unique_ptr<UnitCubeSampler> unitPoints(SamplingMethod sampling, std::uint64_t seed, std::size_t dimensions,
+                                            std::size_t count, std::size_t first);
 
 /// A stream of chance, repeatable by its seed and named by its purpose: more noise in the pictures leaves the robot and
 /// its motions as they were.
-class Randomness {
+class RandomStream {
 public:
-  Randomness(std::uint64_t seed, std::string_view purpose) {
+  RandomStream(std::uint64_t seed, std::string_view purpose) {
     std::seed_seq sequence{seed & 0xffffffffU, seed >> 32, hash(purpose) & 0xffffffffU, hash(purpose) >> 32};
     engine_.seed(sequence);
   }

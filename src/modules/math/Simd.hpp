@@ -5,9 +5,9 @@ namespace naocal {
 /// Four numbers at once: the inner loops treat corners in fours, which every processor since SSE2 does in parallel.
 /// Arithmetic and comparison work on all four, [i] on one of them. (A member, never a template's argument: that would
 /// lose its alignment.)
-using Lane [[gnu::vector_size(4 * sizeof(double)), gnu::aligned(4 * sizeof(double))]] = double;
+using Double4 [[gnu::vector_size(4 * sizeof(double)), gnu::aligned(4 * sizeof(double))]] = double;
 
-inline double sum(const Lane& lane) {
+inline double sum(const Double4& lane) {
   return (lane[0] + lane[1]) + (lane[2] + lane[3]);
 }
 

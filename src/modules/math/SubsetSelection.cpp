@@ -12,7 +12,7 @@ namespace naocal {
 namespace {
 
 /// The one that, with `rest`, is judged best, none of the chosen; the first one where none can be judged.
-std::size_t bestBeside(const Eigen::MatrixXd& rest, const Judgement& judge,
+std::size_t bestBeside(const Eigen::MatrixXd& rest, const Objective& judge,
                        const std::vector<Eigen::MatrixXd>& candidates, const std::vector<std::size_t>& chosen) {
   std::vector<double> values(candidates.size());
   inParallel(candidates.size(), [&](std::size_t i) { values[i] = judge(rest + candidates[i]); });
@@ -24,7 +24,7 @@ std::size_t bestBeside(const Eigen::MatrixXd& rest, const Judgement& judge,
 
 } // namespace
 
-std::vector<std::size_t> greedySelection(const Judgement& judge, Eigen::MatrixXd known,
+std::vector<std::size_t> greedySelection(const Objective& judge, Eigen::MatrixXd known,
                                          const std::vector<Eigen::MatrixXd>& candidates, std::size_t count) {
   std::vector<std::size_t> chosen;
   while (chosen.size() < std::min(count, candidates.size())) {
@@ -34,7 +34,7 @@ std::vector<std::size_t> greedySelection(const Judgement& judge, Eigen::MatrixXd
   return chosen;
 }
 
-void exchange(const Judgement& judge, const Eigen::MatrixXd& known, const std::vector<Eigen::MatrixXd>& candidates,
+void exchange(const Objective& judge, const Eigen::MatrixXd& known, const std::vector<Eigen::MatrixXd>& candidates,
               std::vector<std::size_t>& chosen) {
   Eigen::MatrixXd sum = known;
   for (const std::size_t index : chosen) {

@@ -19,7 +19,7 @@ bool isSurveyed(const CaptureSet& set) {
 
 } // namespace
 
-Places::Places(const std::vector<CaptureSet>& sets, const Robot& robot, bool samePlace)
+FrameRegistry::FrameRegistry(const std::vector<CaptureSet>& sets, const Robot& robot, bool samePlace)
     : oneScope_{sets.size() == 1 || samePlace} {
   for (const CaptureSet& set : sets) {
     addTargets(set, robot);
@@ -28,19 +28,19 @@ Places::Places(const std::vector<CaptureSet>& sets, const Robot& robot, bool sam
   fixWorld(sets);
 }
 
-std::size_t Places::targetIndex(const CaptureSet& set, const std::string& board) const {
+std::size_t FrameRegistry::targetIndex(const CaptureSet& set, const std::string& board) const {
   return targetByName_.at(scoped(set, board));
 }
 
-std::size_t Places::standingIndex(const CaptureSet& set, int stance) const {
+std::size_t FrameRegistry::standingIndex(const CaptureSet& set, int stance) const {
   return standingByName_.at(scoped(set, std::to_string(stance)));
 }
 
-std::string Places::scoped(const CaptureSet& set, const std::string& id) const {
+std::string FrameRegistry::scoped(const CaptureSet& set, const std::string& id) const {
   return oneScope_ ? id : set.name + "/" + id;
 }
 
-void Places::addTargets(const CaptureSet& set, const Robot& robot) {
+void FrameRegistry::addTargets(const CaptureSet& set, const Robot& robot) {
   for (const Board& board : set.boards) {
     const std::string name = scoped(set, board.id);
     if (targetByName_.contains(name)) {
@@ -56,7 +56,7 @@ void Places::addTargets(const CaptureSet& set, const Robot& robot) {
   }
 }
 
-void Places::addStandings(const CaptureSet& set) {
+void FrameRegistry::addStandings(const CaptureSet& set) {
   for (const Stance& stance : set.stances) {
     const std::string name = scoped(set, std::to_string(stance.id));
     if (standingByName_.contains(name)) {
@@ -68,7 +68,7 @@ void Places::addStandings(const CaptureSet& set) {
   }
 }
 
-void Places::fixWorld(const std::vector<CaptureSet>& sets) {
+void FrameRegistry::fixWorld(const std::vector<CaptureSet>& sets) {
   std::set<std::string> seen;
   for (const CaptureSet& set : sets) {
     for (const Capture& capture : set.captures) {

@@ -24,8 +24,8 @@ void groupReadings(const std::vector<CaptureSet>& sets, Measurements& measuremen
 /// quantities and targets already.
 /// Throws InputError for what the robot cannot have measured (unknown camera, no corners, joint needed but not
 /// recorded).
-Picture recordedPicture(const std::vector<CaptureSet>& sets, std::size_t set, std::size_t capture,
-                        const Measurements& measurements, const Places& places);
+ImageObservation recordedPicture(const std::vector<CaptureSet>& sets, std::size_t set, std::size_t capture,
+                                 const Measurements& measurements, const FrameRegistry& places);
 
 namespace {
 
@@ -51,13 +51,14 @@ Tolerance toleranceFor(const std::vector<double>& jitter) {
 /// rest share each joint's encoder error, for as long as the robot rests a joint keeps its rounding error and its
 /// place.
 std::vector<Rest> groupPose(const std::vector<CaptureSet>& sets, const std::vector<std::size_t>& members,
-                            const std::vector<Picture>& pictures, const Tolerance& tolerance, PoseGroup& pose) {
+                            const std::vector<ImageObservation>& pictures, const Tolerance& tolerance,
+                            PoseGroup& pose) {
   std::vector<Rest> rests;
   std::set<int> stances;
   std::size_t approaches = 0;
-  const Picture* previous = nullptr;
+  const ImageObservation* previous = nullptr;
   for (std::size_t index : members) {
-    const Picture& picture = pictures[index];
+    const ImageObservation& picture = pictures[index];
     const Capture& capture = sets[picture.set].captures[picture.capture];
     const Capture* last = previous ? &sets[previous->set].captures[previous->capture] : nullptr;
     const bool sameReading = last && last->stance == capture.stance && last->repeat == capture.repeat &&
@@ -91,7 +92,7 @@ std::vector<Rest> groupPose(const std::vector<CaptureSet>& sets, const std::vect
 
 /// What a joint was read as in one rest, once per reading.
 RestReadings readingsOf(const Rest& rest, std::size_t joint, const PoseGroup& pose,
-                        const std::vector<Picture>& pictures) {
+                        const std::vector<ImageObservation>& pictures) {
   std::vector<double> angles;
   for (const std::size_t reading : rest.readings) {
     angles.push_back(pictures[pose.readings[reading].pictures.front()].instant.q[static_cast<Eigen::Index>(joint)]);
@@ -171,18 +172,18 @@ void placeJoints(const std::vector<std::vector<Rest>>& restsOf, const std::vecto
 }
 
 /// Tells each sighting how many pictures of its rest show the same board to the same camera.
-void countRepeats(const std::vector<Rest>& rests, const PoseGroup& pose, std::vector<Picture>& pictures) {
+void countRepeats(const std::vector<Rest>& rests, const PoseGroup& pose, std::vector<ImageObservation>& pictures) {
   for (const Rest& rest : rests) {
-    std::map<std::pair<std::size_t, std::size_t>, std::vector<Sighting*>> seen; // by camera and board
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<BoardObservation*>> seen; // by camera and board
     for (const std::size_t reading : rest.readings) {
       for (const std::size_t index : pose.readings[reading].pictures) {
-        for (Sighting& sighting : pictures[index].sightings) {
+        for (BoardObservation& sighting : pictures[index].sightings) {
           seen[{pictures[index].camera, sighting.view.board()}].push_back(&sighting);
         }
       }
     }
     for (const auto& [where, sightings] : seen) {
-      for (Sighting* sighting : sightings) {
+      for (BoardObservation* sighting : sightings) {
         sighting->repeats = sightings.size();
       }
     }
@@ -190,11 +191,11 @@ void countRepeats(const std::vector<Rest>& rests, const PoseGroup& pose, std::ve
 }
 
 /// On both feet the right sole lies flat on the floor too: one more measurement, told once per pose.
-void addFloorContact(const Measurements& measurements, Picture& picture) {
+void addFloorContact(const Measurements& measurements, ImageObservation& picture) {
   const Robot& robot = measurements.robot;
   if (picture.instant.supportFoot == SupportFoot::both) {
-    picture.otherSole =
-        View::betweenLinks(robot, measurements.quantities, robot.sole("right")->link, robot.sole("left")->link);
+    picture.otherSole = ObservationChain::betweenLinks(robot, measurements.quantities, robot.sole("right")->link,
+                                                       robot.sole("left")->link);
   }
 }
 
@@ -202,13 +203,13 @@ void addFloorContact(const Measurements& measurements, Picture& picture) {
 
 void groupReadings(const std::vector<CaptureSet>& sets, Measurements& measurements) {
   auto& pictures = measurements.pictures;
-  const auto key = [&](const Picture& picture) {
+  const auto key = [&](const ImageObservation& picture) {
     const Capture& capture = sets[picture.set].captures[picture.capture];
     return std::tuple{picture.set,          capture.pose,   capture.stance, capture.repeat,
                       capture.time.count(), capture.camera, capture.id};
   };
   std::stable_sort(pictures.begin(), pictures.end(),
-                   [&](const Picture& a, const Picture& b) { return key(a) < key(b); });
+                   [&](const ImageObservation& a, const ImageObservation& b) { return key(a) < key(b); });
   std::map<std::pair<std::size_t, std::string>, std::vector<std::size_t>> poses;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     if (!pictures[i].sightings.empty()) {
@@ -230,19 +231,19 @@ void groupReadings(const std::vector<CaptureSet>& sets, Measurements& measuremen
   }
   placeJoints(rests, allReadings(rests, measurements), measurements);
   for (std::size_t pose = 0; pose < rests.size(); ++pose) {
-    const std::vector<Reading>& readings = measurements.poses[pose].readings;
+    const std::vector<EncoderSample>& readings = measurements.poses[pose].readings;
     measurements.repeats |= readings.size() > 1;
     addFloorContact(measurements, measurements.pictures[readings.front().pictures.front()]);
     countRepeats(rests[pose], measurements.poses[pose], measurements.pictures);
   }
   std::set<std::size_t> motors;
-  const auto use = [&](const View& view) {
+  const auto use = [&](const ObservationChain& view) {
     for (std::size_t joint : view.joints()) {
       motors.insert(measurements.robot.joints[joint].motor);
     }
   };
-  for (const Picture& picture : pictures) {
-    for (const Sighting& sighting : picture.sightings) {
+  for (const ImageObservation& picture : pictures) {
+    for (const BoardObservation& sighting : picture.sightings) {
       use(sighting.view);
     }
     if (picture.otherSole) {
@@ -307,7 +308,7 @@ std::vector<std::size_t> recordedMotors(const std::vector<CaptureSet>& sets, con
 std::vector<std::size_t> posesOfPictures(const Measurements& measurements) {
   std::vector<std::size_t> result(measurements.pictures.size());
   for (std::size_t pose = 0; pose < measurements.poses.size(); ++pose) {
-    for (const Reading& reading : measurements.poses[pose].readings) {
+    for (const EncoderSample& reading : measurements.poses[pose].readings) {
       for (const std::size_t picture : reading.pictures) {
         result[picture] = pose;
       }
@@ -318,11 +319,11 @@ std::vector<std::size_t> posesOfPictures(const Measurements& measurements) {
 
 Measurements measurementsOf(const std::vector<CaptureSet>& sets, const Robot& robot, bool samePlace) {
   refuseOtherRobots(sets);
-  const Places places{sets, robot, samePlace};
+  const FrameRegistry places{sets, robot, samePlace};
   Measurements result;
   result.robot = robot;
   result.samePlace = samePlace;
-  result.quantities = Quantities{robot.joints.size(), robot.lengths.size(), places.targets().size()};
+  result.quantities = StateLayout{robot.joints.size(), robot.lengths.size(), places.targets().size()};
   result.targets = places.targets();
   result.standings = places.standings();
   result.recorded = recordedMotors(sets, robot);
@@ -332,7 +333,7 @@ Measurements measurementsOf(const std::vector<CaptureSet>& sets, const Robot& ro
       result.pictures.push_back(recordedPicture(sets, set, capture, result, places));
       result.pictures.back().instant.time -= first;
       result.pictures.back().instant.set = set;
-      for (const Sighting& sighting : result.pictures.back().sightings) {
+      for (const BoardObservation& sighting : result.pictures.back().sightings) {
         result.cornerCount += sighting.ids.size();
       }
     }
@@ -345,7 +346,8 @@ namespace {
 
 /// Per joint of the robot, what `list` holds for it, or NaN. Joints of one motor have one reading.
 Eigen::VectorXd perJoint(const Robot& robot, const CaptureSet& set, const std::vector<double>& list) {
-  Eigen::VectorXd values = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(robot.joints.size()), Instant::nothing);
+  Eigen::VectorXd values =
+      Eigen::VectorXd::Constant(static_cast<Eigen::Index>(robot.joints.size()), RobotSample::nothing);
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (const auto joint = robot.jointIndex(set.jointNames[i])) {
       values[static_cast<Eigen::Index>(*joint)] = list[i];
@@ -367,12 +369,12 @@ Eigen::VectorXd perJoint(const Robot& robot, const CaptureSet& set, const std::v
 /// The left foot's share of the weight, as the force sensors tell.
 double leftLoad(const Capture& capture) {
   if (!capture.fsr) {
-    return Instant::nothing;
+    return RobotSample::nothing;
   }
   const auto middle = capture.fsr->begin() + 4;
   const double left = std::accumulate(capture.fsr->begin(), middle, 0.0);
   const double right = std::accumulate(middle, capture.fsr->end(), 0.0);
-  return left + right > 0 ? left / (left + right) : Instant::nothing;
+  return left + right > 0 ? left / (left + right) : RobotSample::nothing;
 }
 
 std::size_t targetLink(const Robot& robot, const Target& target, SupportFoot foot) {
@@ -381,15 +383,15 @@ std::size_t targetLink(const Robot& robot, const Target& target, SupportFoot foo
 }
 
 void addSighting(const CaptureSet& set, const Capture& capture, const BoardCorners& corners, std::size_t targetIndex,
-                 const Measurements& measurements, Picture& result) {
+                 const Measurements& measurements, ImageObservation& result) {
   const Robot& robot = measurements.robot;
   const Target& target = measurements.targets[targetIndex];
   if (corners.ids.empty() || (target.onFloor && capture.supportFoot == SupportFoot::none)) {
     return; // a hanging robot learns nothing from the floor
   }
-  View view{robot,          measurements.quantities,
-            result.camera,  targetLink(robot, target, capture.supportFoot),
-            target.onFloor, targetIndex};
+  ObservationChain view{robot,          measurements.quantities,
+                        result.camera,  targetLink(robot, target, capture.supportFoot),
+                        target.onFloor, targetIndex};
   for (std::size_t joint : view.joints()) {
     if (std::isnan(result.instant.q[static_cast<Eigen::Index>(joint)])) {
       throw InputError{fmt::format("{}: capture {}: joints.measured: {} was not recorded but board {} is seen along it",
@@ -400,7 +402,7 @@ void addSighting(const CaptureSet& set, const Capture& capture, const BoardCorne
 }
 
 /// The readings, or resting angles where there are none.
-void drawAngles(const Robot& robot, Picture& result) {
+void drawAngles(const Robot& robot, ImageObservation& result) {
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     double& angle = result.instant.q[static_cast<Eigen::Index>(joint)];
     if (std::isnan(angle)) {
@@ -411,7 +413,7 @@ void drawAngles(const Robot& robot, Picture& result) {
 }
 
 /// The file's lens, and placements known or guessed.
-void drawScene(const CameraIntrinsics& camera, const Measurements& measurements, Picture& result) {
+void drawScene(const CameraIntrinsics& camera, const Measurements& measurements, ImageObservation& result) {
   result.drawn.lens().head<4>() << camera.fx, camera.fy, camera.cx, camera.cy;
   for (std::size_t i = 0; i < camera.distortion.size(); ++i) {
     result.drawn.lens()[static_cast<Eigen::Index>(4 + i)] = camera.distortion[i];
@@ -428,8 +430,8 @@ void drawScene(const CameraIntrinsics& camera, const Measurements& measurements,
 
 } // namespace
 
-Picture recordedPicture(const std::vector<CaptureSet>& sets, std::size_t setIndex, std::size_t index,
-                        const Measurements& measurements, const Places& places) {
+ImageObservation recordedPicture(const std::vector<CaptureSet>& sets, std::size_t setIndex, std::size_t index,
+                                 const Measurements& measurements, const FrameRegistry& places) {
   const Robot& robot = measurements.robot;
   const CaptureSet& set = sets[setIndex];
   const Capture& capture = set.captures[index];
@@ -442,21 +444,21 @@ Picture recordedPicture(const std::vector<CaptureSet>& sets, std::size_t setInde
     throw InputError{fmt::format("{}: captures[{}].camera: the {} has no camera '{}'", set.name, index, robot.model,
                                  capture.camera)};
   }
-  Picture result{.set = setIndex,
-                 .capture = index,
-                 .camera = *camera,
-                 .stance = places.standingIndex(set, capture.stance),
-                 .instant = {.time = capture.time,
-                             .supportFoot = capture.supportFoot,
-                             .q = perJoint(robot, set, capture.joints.measured),
-                             .velocity = perJoint(robot, set, capture.joints.velocity),
-                             .approach = perJoint(robot, set, capture.joints.approach),
-                             .temperature = perJoint(robot, set, capture.joints.temperature),
-                             .current = perJoint(robot, set, capture.joints.current),
-                             .imu = capture.imu.value_or(Eigen::Vector2d::Constant(Instant::nothing)),
-                             .leftLoad = leftLoad(capture)},
-                 .drawn = drawnBelief(robot, measurements.quantities),
-                 .sightings = {}};
+  ImageObservation result{.set = setIndex,
+                          .capture = index,
+                          .camera = *camera,
+                          .stance = places.standingIndex(set, capture.stance),
+                          .instant = {.time = capture.time,
+                                      .supportFoot = capture.supportFoot,
+                                      .q = perJoint(robot, set, capture.joints.measured),
+                                      .velocity = perJoint(robot, set, capture.joints.velocity),
+                                      .approach = perJoint(robot, set, capture.joints.approach),
+                                      .temperature = perJoint(robot, set, capture.joints.temperature),
+                                      .current = perJoint(robot, set, capture.joints.current),
+                                      .imu = capture.imu.value_or(Eigen::Vector2d::Constant(RobotSample::nothing)),
+                                      .leftLoad = leftLoad(capture)},
+                          .drawn = drawnBelief(robot, measurements.quantities),
+                          .sightings = {}};
   for (const BoardCorners& corners : *capture.corners) {
     addSighting(set, capture, corners, places.targetIndex(set, corners.board), measurements, result);
   }
@@ -465,14 +467,14 @@ Picture recordedPicture(const std::vector<CaptureSet>& sets, std::size_t setInde
   return result;
 }
 
-std::vector<std::size_t> jointsBetween(const Robot& robot, const Picture& picture) {
+std::vector<std::size_t> jointsBetween(const Robot& robot, const ImageObservation& picture) {
   std::vector<char> between(robot.joints.size(), 0);
-  const auto add = [&](const View& view) {
+  const auto add = [&](const ObservationChain& view) {
     for (const std::size_t joint : view.joints()) {
       between[joint] = 1;
     }
   };
-  for (const Sighting& sighting : picture.sightings) {
+  for (const BoardObservation& sighting : picture.sightings) {
     add(sighting.view);
   }
   if (picture.otherSole) {

@@ -28,7 +28,7 @@ inline double cornerShare(const Noise& noise, std::size_t repeats) {
 
 /// How far an inertial unit's angles are off at rest, beside its tilt in the torso. No data sheet tells; readings of a
 /// standing robot wander by some tenths of a degree.
-struct ImuReading {
+struct ImuNoise {
   static constexpr double angle = 0.005; // per axis and reading [rad]
 };
 

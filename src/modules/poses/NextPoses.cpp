@@ -16,18 +16,18 @@ namespace {
 
 /// Attitudes of the drawn robot around the boards, approached at random from above or below; where that matters, each
 /// once more the other way.
-std::vector<ProposedPose> candidates(const Robot& robot, const CaptureSet& set, const std::vector<Surroundings>& around,
-                                     bool bothWays, const NextOptions& options) {
+std::vector<ProposedPose> candidates(const Robot& robot, const CaptureSet& set, const std::vector<LocalScene>& around,
+                                     bool bothWays, const NextPosesOptions& options) {
   std::mt19937_64 random{options.seed};
   std::vector<ProposedPose> result;
-  for (const Surroundings& here : around) {
+  for (const LocalScene& here : around) {
     PoseOptions wanted;
     wanted.supportFoot = here.supportFoot;
     wanted.seed = options.seed;
     wanted.tries = 400 * options.candidates;
     wanted.stability.jointError = options.jointError;
-    const Scene scene{robot, here.supportFoot, here.boards, set.cameras, wanted.sight};
-    for (const Belief& belief : stableAttitudes(robot, scene, wanted, options.candidates / around.size())) {
+    const PlanningScene scene{robot, here.supportFoot, here.boards, set.cameras, wanted.sight};
+    for (const ModelState& belief : stableAttitudes(robot, scene, wanted, options.candidates / around.size())) {
       ProposedPose pose{{here.supportFoot, belief.values.head(static_cast<Eigen::Index>(robot.joints.size())), {}},
                         randomApproach(robot, random)};
       result.push_back(pose);
@@ -42,8 +42,8 @@ std::vector<ProposedPose> candidates(const Robot& robot, const CaptureSet& set, 
 
 /// The poses of the largest gain that can be reached, each beside those before it; `known` gets what they tell.
 std::vector<std::size_t> greedily(const Discrimination& discrimination, const PlannedInformation& information,
-                                  const std::vector<ProposedPose>& poses, ReachOnOneFoot reachable, std::size_t count,
-                                  Eigen::MatrixXd& known) {
+                                  const std::vector<ProposedPose>& poses, ReachabilityCheck reachable,
+                                  std::size_t count, Eigen::MatrixXd& known) {
   const Eigen::VectorXd before = discrimination.misfits(known);
   std::vector<std::size_t> chosen, left(poses.size());
   std::iota(left.begin(), left.end(), 0);
@@ -85,7 +85,7 @@ std::map<std::string, double> offsetSigmas(const Model& model, const Eigen::Matr
 } // namespace
 
 NextPoses nextPoses(const std::vector<CaptureSet>& sets, const Measurements& measurements, const FittedModel& fit,
-                    const OpenQuestion& question, const NextOptions& options) {
+                    const ModelAmbiguity& question, const NextPosesOptions& options) {
   NextPoses result;
   result.why = question.why;
   if (question.suspects.empty()) {
@@ -119,8 +119,8 @@ NextPoses nextPoses(const std::vector<CaptureSet>& sets, const Measurements& mea
       plannedInformation(sets, measurements, fit, question, result.around, poses, options.samePlace);
   const Discrimination discrimination{question, static_cast<Eigen::Index>(information.own.unknownCount())};
   Eigen::MatrixXd known = information.known;
-  for (const std::size_t chosen :
-       greedily(discrimination, information, poses, ReachOnOneFoot{robot, options.jointError}, options.count, known)) {
+  for (const std::size_t chosen : greedily(discrimination, information, poses,
+                                           ReachabilityCheck{robot, options.jointError}, options.count, known)) {
     result.poses.push_back(poses[chosen]);
   }
   result.growth = discrimination.growth(discrimination.misfits(information.known), discrimination.misfits(known));
@@ -131,8 +131,8 @@ NextPoses nextPoses(const std::vector<CaptureSet>& sets, const Measurements& mea
 }
 
 NextPoses nextPoses(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Diagnosis& diagnosis,
-                    const DiagnosisOptions& asked, const NextOptions& options) {
-  const OpenQuestion question = openQuestion(diagnosis, measurements.robot, asked);
+                    const DiagnosisOptions& asked, const NextPosesOptions& options) {
+  const ModelAmbiguity question = openQuestion(diagnosis, measurements.robot, asked);
   const Model model = makeModel(measurements, diagnosis.with, asked.without, asked.effects);
   Noise noise = diagnosis.lastFit.noise;
   noise.pose = diagnosis.scatter;

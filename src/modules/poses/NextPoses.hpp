@@ -9,7 +9,7 @@
 
 namespace naocal {
 
-struct NextOptions {
+struct NextPosesOptions {
   std::size_t count = 4;        // poses to propose
   std::size_t candidates = 300; // stable attitudes to choose from
   std::uint64_t seed = 1;
@@ -26,7 +26,7 @@ struct NextPoses {
   std::map<std::string, double> predictedSigma; // of joint offsets, with these poses [rad]
 
   // What that assumes.
-  std::vector<Surroundings> around;
+  std::vector<LocalScene> around;
   std::size_t stable = 0; // attitudes of the drawn robot
   std::size_t seeing = 0; // those that stand and see a board by the fit, to choose from
   Noise noise;            // of the fit
@@ -39,10 +39,10 @@ struct NextPoses {
 /// and from below where that matters: greedily the one with the largest Discrimination::gain beside the captures and
 /// those before it. The measurement model is linearised at the fit, noise as there. The same seed proposes the same.
 NextPoses nextPoses(const std::vector<CaptureSet>& sets, const Measurements& measurements, const FittedModel& fit,
-                    const OpenQuestion& question, const NextOptions& options = {});
+                    const ModelAmbiguity& question, const NextPosesOptions& options = {});
 
 /// After a diagnosis: of its last model and what it leaves open.
 NextPoses nextPoses(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Diagnosis& diagnosis,
-                    const DiagnosisOptions& asked, const NextOptions& options = {});
+                    const DiagnosisOptions& asked, const NextPosesOptions& options = {});
 
 } // namespace naocal

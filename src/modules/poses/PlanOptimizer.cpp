@@ -15,13 +15,13 @@
 
 namespace naocal {
 
-void PlanRefinement::refinePoses(PlanDraft& draft) {
-  const PlanScore score{robot_, draft.boards, cameras_, options_};
-  RandomAttitude attitudes{robot_, score.scene(), options_.poses};
+void PlanRefiner::refinePoses(PlanDraft& draft) {
+  const PlanEvaluator score{robot_, draft.boards, cameras_, options_};
+  PoseSampler attitudes{robot_, score.scene(), options_.poses};
   std::vector<Eigen::MatrixXd> own = score.parts(draft.poses);
   Eigen::MatrixXd sum = score.sum(draft.poses);
   double now = score.value(sum, draft.poses);
-  Sieve unused;
+  PassCounts unused;
   const std::size_t attempts = options_.refinements * draft.poses.size();
   for (std::size_t attempt = 0; attempt < attempts; ++attempt) {
     const std::size_t i = attempt % draft.poses.size();
@@ -46,8 +46,8 @@ void PlanRefinement::refinePoses(PlanDraft& draft) {
   }
 }
 
-void PlanRefinement::refineBoards(PlanDraft& draft) {
-  const BoardPlaces places{robot_, options_.poses.supportFoot, options_.farthestBoard, options_.gap};
+void PlanRefiner::refineBoards(PlanDraft& draft) {
+  const BoardPlacementRules places{robot_, options_.poses.supportFoot, options_.farthestBoard, options_.gap};
   const MirroredBoards mirror{draft.boards, middleBetweenFeet(options_.poses.supportFoot)};
   double now = value(draft);
   const std::size_t attempts = options_.refinements * draft.boards.size();
@@ -73,8 +73,8 @@ void PlanRefinement::refineBoards(PlanDraft& draft) {
   }
 }
 
-double PlanRefinement::value(const PlanDraft& draft) const {
-  const PlanScore score{robot_, draft.boards, cameras_, options_};
+double PlanRefiner::value(const PlanDraft& draft) const {
+  const PlanEvaluator score{robot_, draft.boards, cameras_, options_};
   Eigen::MatrixXd sum = score.known();
   for (const Eigen::MatrixXd& part : score.parts(draft.poses)) {
     if (part.leftCols(part.rows()).isZero()) {
@@ -85,13 +85,13 @@ double PlanRefinement::value(const PlanDraft& draft) const {
   return score.value(sum, draft.poses);
 }
 
-double PlanRefinement::step(std::size_t attempt, std::size_t attempts) {
+double PlanRefiner::step(std::size_t attempt, std::size_t attempts) {
   const double width = 0.15 * std::pow(0.05, static_cast<double>(attempt) / static_cast<double>(attempts));
   return std::normal_distribution<double>{0, width}(random_);
 }
 
-PlanScore::PlanScore(const Robot& robot, const std::vector<Board>& boards,
-                     const std::map<std::string, CameraIntrinsics>& cameras, const PlanOptions& options)
+PlanEvaluator::PlanEvaluator(const Robot& robot, const std::vector<Board>& boards,
+                             const std::map<std::string, CameraIntrinsics>& cameras, const PlanOptions& options)
     : robot_{robot}, cameras_{cameras}, options_{options}, boards_{boards}, scene_{robot, options.poses.supportFoot,
                                                                                    boards, cameras,
                                                                                    options.poses.sight},
@@ -108,35 +108,35 @@ PlanScore::PlanScore(const Robot& robot, const std::vector<Board>& boards,
   }
 }
 
-ThesisSelection PlanScore::thesis() const {
+ThesisCriterion PlanEvaluator::thesis() const {
   return {robot_, supportSole(robot_, options_.poses.supportFoot), cameras_, judge_.joints(), options_.weights};
 }
 
-Interaction PlanScore::interaction(const std::vector<SievedPose>& poses) const {
+Interaction PlanEvaluator::interaction(const std::vector<ValidPose>& poses) const {
   return thesis().interaction(poses);
 }
 
-std::vector<SievedPose> PlanScore::best(const std::vector<SievedPose>& candidates, std::size_t count) const {
+std::vector<ValidPose> PlanEvaluator::best(const std::vector<ValidPose>& candidates, std::size_t count) const {
   if (options_.criterion == Criterion::discriminate) {
-    return TellingApart{robot_, boards_, cameras_, options_}.best(kept_, candidates, count);
+    return EffectPairCriterion{robot_, boards_, cameras_, options_}.best(kept_, candidates, count);
   }
   const std::vector<std::size_t> indices = options_.criterion == Criterion::interaction
                                                ? thesis().chain(candidates, count)
                                                : selected(judge_, expected(known_), expectedParts(candidates), count);
-  std::vector<SievedPose> result;
+  std::vector<ValidPose> result;
   for (const std::size_t index : indices) {
     result.push_back(candidates[index]);
   }
   return result;
 }
 
-std::optional<double> PlanScore::misfit(const std::vector<SievedPose>& poses) const {
+std::optional<double> PlanEvaluator::misfit(const std::vector<ValidPose>& poses) const {
   return options_.effects.empty()
              ? std::nullopt
-             : std::optional{TellingApart{robot_, boards_, cameras_, options_}.misfit(kept_, poses)};
+             : std::optional{EffectPairCriterion{robot_, boards_, cameras_, options_}.misfit(kept_, poses)};
 }
 
-std::vector<Eigen::MatrixXd> PlanScore::partsOfDrawn(const std::vector<SievedPose>& poses) const {
+std::vector<Eigen::MatrixXd> PlanEvaluator::partsOfDrawn(const std::vector<ValidPose>& poses) const {
   std::vector<Eigen::MatrixXd> result = informations(robot_, scene_, poses, options_.noise);
   for (Eigen::MatrixXd& information : result) {
     information = judge_.part(information);
@@ -144,7 +144,7 @@ std::vector<Eigen::MatrixXd> PlanScore::partsOfDrawn(const std::vector<SievedPos
   return result;
 }
 
-Eigen::MatrixXd PlanScore::expected(const Eigen::MatrixXd& sum) const {
+Eigen::MatrixXd PlanEvaluator::expected(const Eigen::MatrixXd& sum) const {
   Eigen::MatrixXd result = ofRobot(sum, 0);
   for (std::size_t robot = 1; robot <= worn_.size(); ++robot) {
     result += ofRobot(sum, robot) / static_cast<double>(worn_.size());
@@ -152,7 +152,7 @@ Eigen::MatrixXd PlanScore::expected(const Eigen::MatrixXd& sum) const {
   return result;
 }
 
-std::vector<Eigen::MatrixXd> PlanScore::expectedParts(const std::vector<SievedPose>& poses) const {
+std::vector<Eigen::MatrixXd> PlanEvaluator::expectedParts(const std::vector<ValidPose>& poses) const {
   std::vector<Eigen::MatrixXd> result = partsOfDrawn(poses);
   for (const Eigen::VectorXd& errors : worn_) {
     const std::vector<Eigen::MatrixXd> own = partsOfDrawn(takenBy(errors, poses));
@@ -163,7 +163,7 @@ std::vector<Eigen::MatrixXd> PlanScore::expectedParts(const std::vector<SievedPo
   return result;
 }
 
-std::vector<Eigen::MatrixXd> PlanScore::parts(const std::vector<SievedPose>& poses) const {
+std::vector<Eigen::MatrixXd> PlanEvaluator::parts(const std::vector<ValidPose>& poses) const {
   std::vector<Eigen::MatrixXd> result = partsOfDrawn(poses);
   for (std::size_t robot = 0; robot < worn_.size(); ++robot) {
     const std::vector<Eigen::MatrixXd> own = partsOfDrawn(takenBy(worn_[robot], poses));
@@ -177,11 +177,11 @@ std::vector<Eigen::MatrixXd> PlanScore::parts(const std::vector<SievedPose>& pos
   return result;
 }
 
-Eigen::MatrixXd PlanScore::ofRobot(const Eigen::MatrixXd& sum, std::size_t robot) const {
+Eigen::MatrixXd PlanEvaluator::ofRobot(const Eigen::MatrixXd& sum, std::size_t robot) const {
   return sum.middleCols(static_cast<Eigen::Index>(robot) * sum.rows(), sum.rows());
 }
 
-Eigen::MatrixXd PlanScore::sum(const std::vector<SievedPose>& poses) const {
+Eigen::MatrixXd PlanEvaluator::sum(const std::vector<ValidPose>& poses) const {
   Eigen::MatrixXd result = known_;
   for (const Eigen::MatrixXd& part : parts(poses)) {
     result += part;
@@ -189,11 +189,11 @@ Eigen::MatrixXd PlanScore::sum(const std::vector<SievedPose>& poses) const {
   return result;
 }
 
-double PlanScore::worstSigma(const Eigen::MatrixXd& sum) const {
+double PlanEvaluator::worstSigma(const Eigen::MatrixXd& sum) const {
   return std::sqrt(judge_.covariance(ofRobot(sum, 0)).diagonal().maxCoeff());
 }
 
-double PlanScore::value(const Eigen::MatrixXd& sum, const std::vector<SievedPose>& poses) const {
+double PlanEvaluator::value(const Eigen::MatrixXd& sum, const std::vector<ValidPose>& poses) const {
   if (options_.criterion != Criterion::time) {
     double ofWorn = 0;
     for (std::size_t robot = 1; robot <= worn_.size(); ++robot) {
@@ -206,10 +206,10 @@ double PlanScore::value(const Eigen::MatrixXd& sum, const std::vector<SievedPose
   return missing > 1 ? farMore * missing : secondsToPlay(robot_, poses, options_.secondsPerPose);
 }
 
-std::map<std::string, double> PlanScore::sigmas(const std::vector<SievedPose>& poses, bool known) const {
-  const PoseJudge judge{robot_, scene_, judge_.joints(), options_.criterion, known};
+std::map<std::string, double> PlanEvaluator::sigmas(const std::vector<ValidPose>& poses, bool known) const {
+  const PoseCriterion judge{robot_, scene_, judge_.joints(), options_.criterion, known};
   Eigen::MatrixXd sum = judge.prior();
-  for (const std::vector<SievedPose>* each : {&kept_, &poses}) {
+  for (const std::vector<ValidPose>* each : {&kept_, &poses}) {
     for (const Eigen::MatrixXd& information : informations(robot_, scene_, *each, options_.noise)) {
       sum += judge.part(information);
     }
@@ -217,9 +217,9 @@ std::map<std::string, double> PlanScore::sigmas(const std::vector<SievedPose>& p
   return named(judge.covariance(sum).diagonal());
 }
 
-std::map<std::string, double> PlanScore::sigmasOfRobots(const std::vector<SievedPose>& poses) const {
+std::map<std::string, double> PlanEvaluator::sigmasOfRobots(const std::vector<ValidPose>& poses) const {
   constexpr std::size_t robots = 100;
-  std::vector<SievedPose> all = kept_;
+  std::vector<ValidPose> all = kept_;
   all.insert(all.end(), poses.begin(), poses.end());
   Eigen::VectorXd variances = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(judge_.joints().size()));
   for (const Eigen::VectorXd& errors : wornRobots(robot_, options_.poses, robots, 2)) {
@@ -232,7 +232,7 @@ std::map<std::string, double> PlanScore::sigmasOfRobots(const std::vector<Sieved
   return named(variances);
 }
 
-std::map<std::string, double> PlanScore::named(const Eigen::VectorXd& variances) const {
+std::map<std::string, double> PlanEvaluator::named(const Eigen::VectorXd& variances) const {
   std::map<std::string, double> result;
   for (std::size_t i = 0; i < judge_.joints().size(); ++i) {
     result[robot_.joints[judge_.joints()[i]].name] = std::sqrt(variances[static_cast<Eigen::Index>(i)]);
@@ -249,24 +249,24 @@ PlanOptions ofDrawnRobot(PlanOptions options) {
 
 } // namespace
 
-PlanDraft PlanSearch::found(const std::vector<Board>& boards, const std::vector<SievedPose>& attitudes) {
+PlanDraft PlanOptimizer::found(const std::vector<Board>& boards, const std::vector<ValidPose>& attitudes) {
   if (options_.criterion == Criterion::time) {
     return quickest(boards, attitudes);
   }
   if (options_.criterion == Criterion::interaction || options_.criterion == Criterion::discriminate) {
-    return {PlanScore{robot_, boards, cameras_, options_}.best(attitudes, options_.poses.count), boards};
+    return {PlanEvaluator{robot_, boards, cameras_, options_}.best(attitudes, options_.poses.count), boards};
   }
   return refinedFromStarts(boards, attitudes);
 }
 
 /// Selected for worn robots too, first refined for the drawn one: refining for worn ones takes many times as long.
-PlanDraft PlanSearch::refinedFromStarts(const std::vector<Board>& boards, const std::vector<SievedPose>& attitudes) {
+PlanDraft PlanOptimizer::refinedFromStarts(const std::vector<Board>& boards, const std::vector<ValidPose>& attitudes) {
   const PlanOptions drawn = ofDrawnRobot(options_);
   std::vector<PlanDraft> drafts(options_.starts, PlanDraft{{}, boards});
   inParallel(drafts.size(), [&](std::size_t i) {
     PlanOptions beginning = options_;
     beginning.criterion = static_cast<Criterion>(i % static_cast<std::size_t>(Criterion::interaction));
-    drafts[i].poses = PlanScore{robot_, boards, cameras_, beginning}.best(attitudes, options_.poses.count);
+    drafts[i].poses = PlanEvaluator{robot_, boards, cameras_, beginning}.best(attitudes, options_.poses.count);
     refine(drafts[i], attitudes, drawn, i);
   });
   PlanDraft best = *std::min_element(drafts.begin(), drafts.end(), [&](const PlanDraft& one, const PlanDraft& other) {
@@ -278,13 +278,13 @@ PlanDraft PlanSearch::refinedFromStarts(const std::vector<Board>& boards, const 
   return best;
 }
 
-PlanDraft PlanSearch::quickest(const std::vector<Board>& boards, const std::vector<SievedPose>& attitudes) {
+PlanDraft PlanOptimizer::quickest(const std::vector<Board>& boards, const std::vector<ValidPose>& attitudes) {
   constexpr double reached = 1e5; // [s]
   PlanOptions options = ofDrawnRobot(options_);
   PlanDraft best;
   double least = std::numeric_limits<double>::infinity();
   for (options.poses.count = 2; options.poses.count <= options_.poses.count; ++options.poses.count) {
-    PlanDraft draft{PlanScore{robot_, boards, cameras_, options}.best(attitudes, options.poses.count), boards};
+    PlanDraft draft{PlanEvaluator{robot_, boards, cameras_, options}.best(attitudes, options.poses.count), boards};
     refine(draft, attitudes, options, options.poses.count);
     const double there = value(draft, options);
     if (there > least && least < reached) {
@@ -305,13 +305,13 @@ PlanDraft PlanSearch::quickest(const std::vector<Board>& boards, const std::vect
 }
 
 /// Refines what is drafted, and once more from what is then the best selection.
-void PlanSearch::refine(PlanDraft& draft, std::vector<SievedPose> attitudes, const PlanOptions& options,
-                        std::uint64_t seed) {
-  PlanRefinement refinement{robot_, cameras_, options, options.poses.seed + seed};
+void PlanOptimizer::refine(PlanDraft& draft, std::vector<ValidPose> attitudes, const PlanOptions& options,
+                           std::uint64_t seed) {
+  PlanRefiner refinement{robot_, cameras_, options, options.poses.seed + seed};
   for (const bool again : {false, true}) {
     if (again && options.criterion != Criterion::time) {
       attitudes.insert(attitudes.end(), draft.poses.begin(), draft.poses.end());
-      draft.poses = PlanScore{robot_, draft.boards, cameras_, options}.best(attitudes, options.poses.count);
+      draft.poses = PlanEvaluator{robot_, draft.boards, cameras_, options}.best(attitudes, options.poses.count);
     }
     refinement.refinePoses(draft);
     if (options.moveBoards) {
@@ -324,13 +324,13 @@ void PlanSearch::refine(PlanDraft& draft, std::vector<SievedPose> attitudes, con
   tell_(found);
 }
 
-double PlanSearch::value(const PlanDraft& draft, const PlanOptions& options) const {
-  const PlanScore here{robot_, draft.boards, cameras_, options};
+double PlanOptimizer::value(const PlanDraft& draft, const PlanOptions& options) const {
+  const PlanEvaluator here{robot_, draft.boards, cameras_, options};
   return here.value(here.sum(draft.poses), draft.poses);
 }
 
-double PlanSearch::worst(const PlanDraft& draft) const { // [deg]
-  const PlanScore here{robot_, draft.boards, cameras_, options_};
+double PlanOptimizer::worst(const PlanDraft& draft) const { // [deg]
+  const PlanEvaluator here{robot_, draft.boards, cameras_, options_};
   return degrees(here.worstSigma(here.sum(draft.poses)));
 }
 

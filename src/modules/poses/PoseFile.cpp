@@ -98,7 +98,7 @@ Json planJson(const PosePlan& plan, const Robot& robot) {
   Json poses = posesOf(plan.poses, secondsOf(plan), robot);
   for (std::size_t i = 0; i < plan.standing.size(); ++i) {
     poses[i]["standing"] = plan.standing[i];
-    for (const Eigen::VectorXd& angles : plan.ways[i].value_or(PoseWay{}).via) {
+    for (const Eigen::VectorXd& angles : plan.ways[i].value_or(Transition{}).via) {
       poses[i]["via"].push_back(anglesJson(angles, robot));
     }
   }
@@ -171,7 +171,7 @@ using Json = nlohmann::json;
 
 /// Where boards are thought to lie, seen from the first pose's sole.
 Json boardsOf(const NextPoses& next) {
-  for (const Surroundings& here : next.around) {
+  for (const LocalScene& here : next.around) {
     if (!next.poses.empty() && here.supportFoot == next.poses.front().pose.supportFoot) {
       return boardsJson(here.boards);
     }
@@ -184,7 +184,7 @@ std::vector<std::optional<double>> secondsBetweenThem(const NextPoses& next, con
   std::vector<std::optional<double>> result;
   Eigen::VectorXd before = bentKnees(robot);
   for (const ProposedPose& pose : next.poses) {
-    result.push_back(secondsBetween(robot, before, pose.pose.angles, Motion{}.speed));
+    result.push_back(secondsBetween(robot, before, pose.pose.angles, TransitionOptions{}.speed));
     before = pose.pose.angles;
   }
   return result;
@@ -267,7 +267,7 @@ nlohmann::json posesOf(const std::vector<ProposedPose>& poses, const std::vector
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const PlannedPose& pose = poses[i].pose;
     std::set<std::string> boards;
-    for (const Sight& sight : pose.sights) {
+    for (const VisibleBoard& sight : pose.sights) {
       boards.insert(sight.board);
     }
     result.push_back({{"id", fmt::format("{}{:02}", "LRB"[static_cast<std::size_t>(pose.supportFoot)], i)},
@@ -285,7 +285,7 @@ nlohmann::json posesOf(const std::vector<ProposedPose>& poses, const std::vector
 namespace {
 
 /// The joint of a key, which the robot must have; absent: a finger.
-std::optional<Eigen::Index> jointOf(const std::string& name, const JsonPlace& place, const Robot& robot) {
+std::optional<Eigen::Index> jointOf(const std::string& name, const JsonCursor& place, const Robot& robot) {
   if (std::find(fingers.begin(), fingers.end(), name) != fingers.end()) {
     return std::nullopt;
   }
@@ -296,7 +296,7 @@ std::optional<Eigen::Index> jointOf(const std::string& name, const JsonPlace& pl
   return static_cast<Eigen::Index>(*joint);
 }
 
-Eigen::VectorXd anglesFrom(const JsonPlace& joints, const Robot& robot) {
+Eigen::VectorXd anglesFrom(const JsonCursor& joints, const Robot& robot) {
   constexpr double rounding = 1e-6; // [rad]
   Eigen::VectorXd angles = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(robot.joints.size()), std::nan(""));
   for (const auto& [name, place] : joints.members()) {
@@ -325,7 +325,7 @@ Eigen::VectorXd anglesFrom(const JsonPlace& joints, const Robot& robot) {
   return angles;
 }
 
-PlayablePose poseFrom(const JsonPlace& place, const Robot& robot) {
+PlayablePose poseFrom(const JsonCursor& place, const Robot& robot) {
   PlayablePose pose;
   pose.id = place.at("id").text();
   pose.supportFoot = static_cast<SupportFoot>(place.at("supportFoot").oneOf({"left", "right", "both"}));
@@ -346,7 +346,7 @@ PlayablePose poseFrom(const JsonPlace& place, const Robot& robot) {
 
 PoseFile readPoseFile(const std::filesystem::path& file, const Robot& robot) {
   const nlohmann::json document = parseJson(fileContent(file), file.string());
-  const JsonPlace all{document, file.string()};
+  const JsonCursor all{document, file.string()};
   all.at("format").oneOf({"naocal-poses"});
   all.at("version").integer(1, 1);
   if (all.at("robot").text() != robot.model) {
@@ -362,11 +362,11 @@ PoseFile readPoseFile(const std::filesystem::path& file, const Robot& robot) {
     }
   }
   if (const auto boards = all.find("boards")) {
-    for (const JsonPlace& board : boards->elements()) {
+    for (const JsonCursor& board : boards->elements()) {
       result.boards[board.at("id").text()] = readFloorPlacement(board.at("placement"));
     }
   }
-  for (const JsonPlace& pose : all.at("poses").elements()) {
+  for (const JsonCursor& pose : all.at("poses").elements()) {
     result.poses.push_back(poseFrom(pose, robot));
   }
   if (result.poses.empty()) {

@@ -36,12 +36,12 @@ template <typename Well> double largest(double most, const Well& well) {
 
 std::vector<BoardTolerance> boardTolerances(const Robot& robot, const std::vector<Board>& boards,
                                             const std::map<std::string, CameraIntrinsics>& cameras,
-                                            const PlanOptions& options, const std::vector<SievedPose>& poses) {
+                                            const PlanOptions& options, const std::vector<ValidPose>& poses) {
   constexpr double growth = 1.1, farthest = 0.3, mostTurned = std::numbers::pi / 4; // [1], [m], [rad]
   PlanOptions drawn = options;
   drawn.wornRobots = 0;
   const auto worst = [&](const std::vector<Board>& laid) { // absent: a pose sees none
-    const PlanScore score{robot, laid, cameras, drawn};
+    const PlanEvaluator score{robot, laid, cameras, drawn};
     const std::vector<Eigen::MatrixXd> parts = score.parts(poses);
     const bool blind = std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.isZero(); });
     return blind ? std::nullopt : std::optional{score.worstSigma(score.sum(poses))};
@@ -90,7 +90,7 @@ double rootMeanSquare(const std::map<std::string, double>& sigmas) {
 
 std::vector<CriterionResult> compareCriteria(const Robot& robot, const std::vector<Board>& boards,
                                              const std::map<std::string, CameraIntrinsics>& cameras,
-                                             const PlanOptions& options, const std::vector<SievedPose>& candidates) {
+                                             const PlanOptions& options, const std::vector<ValidPose>& candidates) {
   std::vector<CriterionResult> result;
   for (std::size_t criterion = 0; criterion < static_cast<std::size_t>(Criterion::time); ++criterion) {
     if (static_cast<Criterion>(criterion) == Criterion::discriminate && options.effects.empty()) {
@@ -99,9 +99,9 @@ std::vector<CriterionResult> compareCriteria(const Robot& robot, const std::vect
     PlanOptions own = options;
     own.wornRobots = 0;
     own.criterion = static_cast<Criterion>(criterion);
-    const PlanScore score{robot, boards, cameras, own};
+    const PlanEvaluator score{robot, boards, cameras, own};
     for (const std::size_t count : {3, 5, 8}) {
-      const std::vector<SievedPose> poses = score.best(candidates, count);
+      const std::vector<ValidPose> poses = score.best(candidates, count);
       const std::map<std::string, double> unknown = score.sigmas(poses, false);
       result.push_back({own.criterion, poses.size(), largest(unknown), rootMeanSquare(unknown),
                         largest(score.sigmas(poses, true)), score.interaction(poses), score.misfit(poses)});
@@ -130,14 +130,14 @@ void addMirrored(PosePlan& plan, const Robot& robot, const std::map<std::string,
   for (Board& board : boards) {
     board.placement->y += left ? betweenFeet : -betweenFeet;
   }
-  const PlanScore score{robot, boards, cameras, options};
-  const PoseChecks checks{robot, options.poses};
-  std::vector<SievedPose> images;
+  const PlanEvaluator score{robot, boards, cameras, options};
+  const PoseValidity checks{robot, options.poses};
+  std::vector<ValidPose> images;
   const std::size_t count = plan.poses.size();
   for (std::size_t i = 0; i < count; ++i) {
-    SievedPose image{score.scene().drawn(), {}, plan.standing[i]};
+    ValidPose image{score.scene().drawn(), {}, plan.standing[i]};
     image.belief.values.head(at(robot.joints.size())) = mirrored(robot, plan.poses[i].pose.angles);
-    const Posture torsoFromLink = posture(robot, image.belief);
+    const LinkPoses torsoFromLink = posture(robot, image.belief);
     if (checks.touchesItself(torsoFromLink) || !stands(robot, torsoFromLink, options.poses.supportFoot, {0.01, 0.01})) {
       throw InputError{fmt::format("pose {}: its mirror image is not valid; plan the other foot by itself", i)};
     }
@@ -188,7 +188,7 @@ public:
       tell_("comparing what the criteria select");
       result.comparison = compareCriteria(robot_, draft_.boards, cameras_, options_, candidates.attitudes);
     }
-    draft_ = PlanSearch{robot_, cameras_, options_, tell_}.found(draft_.boards, candidates.attitudes);
+    draft_ = PlanOptimizer{robot_, cameras_, options_, tell_}.found(draft_.boards, candidates.attitudes);
     options_.poses.count = draft_.poses.size();
     describe(result);
     result.sieve = candidates.sieve;
@@ -196,10 +196,10 @@ public:
   }
 
 private:
-  PlanScore score() const { return {robot_, draft_.boards, cameras_, options_}; }
+  PlanEvaluator score() const { return {robot_, draft_.boards, cameras_, options_}; }
 
   /// On both feet a million attitudes leave a hundred thousand candidates; more of them serve no plan.
-  void thin(std::vector<SievedPose>& attitudes) const {
+  void thin(std::vector<ValidPose>& attitudes) const {
     if (attitudes.size() > options_.weighed) {
       for (std::size_t i = 0; i < options_.weighed; ++i) {
         std::swap(attitudes[i], attitudes[i * attitudes.size() / options_.weighed]);
@@ -209,8 +209,8 @@ private:
   }
 
   void describe(PosePlan& result) {
-    const PlanScore here = score();
-    PosesInOrder ordered = inOrder(robot_, here.scene(), options_.poses, std::move(draft_.poses));
+    const PlanEvaluator here = score();
+    OrderedPoses ordered = inOrder(robot_, here.scene(), options_.poses, std::move(draft_.poses));
     draft_.poses = std::move(ordered.poses);
     result.ways = std::move(ordered.ways);
     result.supportFoot = options_.poses.supportFoot;
@@ -222,12 +222,12 @@ private:
     result.misfit = here.misfit(draft_.poses);
     result.tolerances = boardTolerances(robot_, draft_.boards, cameras_, options_, draft_.poses);
     result.kept = options_.kept.size();
-    std::vector<SievedPose> all = here.kept();
+    std::vector<ValidPose> all = here.kept();
     all.insert(all.end(), draft_.poses.begin(), draft_.poses.end());
     result.ways.insert(result.ways.begin(), result.kept, std::nullopt);
     const auto joints = static_cast<Eigen::Index>(robot_.joints.size());
-    for (const SievedPose& attitude : all) {
-      Belief belief = here.scene().drawn();
+    for (const ValidPose& attitude : all) {
+      ModelState belief = here.scene().drawn();
       belief.values.head(joints) = attitude.belief.values.head(joints);
       result.poses.push_back({{options_.poses.supportFoot, belief.values.head(joints),
                                here.scene().sights(belief, posture(robot_, belief))},

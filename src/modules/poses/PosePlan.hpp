@@ -22,7 +22,7 @@ struct BoardTolerance {
 /// Per board.
 std::vector<BoardTolerance> boardTolerances(const Robot& robot, const std::vector<Board>& boards,
                                             const std::map<std::string, CameraIntrinsics>& cameras,
-                                            const PlanOptions& options, const std::vector<SievedPose>& poses);
+                                            const PlanOptions& options, const std::vector<ValidPose>& poses);
 
 /// What a criterion's selection of poses is worth.
 struct CriterionResult {
@@ -40,18 +40,18 @@ struct CriterionResult {
 /// or the thesis's chain ends.
 std::vector<CriterionResult> compareCriteria(const Robot& robot, const std::vector<Board>& boards,
                                              const std::map<std::string, CameraIntrinsics>& cameras,
-                                             const PlanOptions& options, const std::vector<SievedPose>& candidates);
+                                             const PlanOptions& options, const std::vector<ValidPose>& candidates);
 
 /// Poses to take, and where to lay the boards.
 struct PosePlan {
   SupportFoot supportFoot = SupportFoot::left;
-  Sieve sieve;                              // of the candidates
-  std::vector<ProposedPose> poses;          // in the order to take them
-  std::vector<std::optional<PoseWay>> ways; // per pose: from the one before it; absent: the first, or none is safe
-  std::vector<double> standing;             // per pose: the share of robots with joint errors that stand so
-  std::vector<Board> boards;                // placements in the support sole's frame
-  std::vector<BoardTolerance> tolerances;   // per board
-  std::size_t kept = 0;                     // of the poses, in front: taken besides, in an order of their own
+  PassCounts sieve;                            // of the candidates
+  std::vector<ProposedPose> poses;             // in the order to take them
+  std::vector<std::optional<Transition>> ways; // per pose: from the one before it; absent: the first, or none is safe
+  std::vector<double> standing;                // per pose: the share of robots with joint errors that stand so
+  std::vector<Board> boards;                   // placements in the support sole's frame
+  std::vector<BoardTolerance> tolerances;      // per board
+  std::size_t kept = 0;                        // of the poses, in front: taken besides, in an order of their own
   std::map<std::string, double> sigma, sigmaKnown; // per joint's offset; with cameras and boards known [rad]
   std::map<std::string, double> sigmaOfRobots;     // of robots with joint errors, root of the mean square [rad]
   Interaction interaction;                         // that the poses leave, by the thesis's measure

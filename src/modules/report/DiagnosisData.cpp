@@ -21,40 +21,40 @@ namespace naocal {
 
 /// How much alike the first candidates are, which of them the captures cannot tell apart, and that in words; null where
 /// the diagnosis does not say.
-nlohmann::json aliasesData(const JsonPlace& diagnosis);
+nlohmann::json aliasesData(const JsonCursor& diagnosis);
 
 /// A curve of a joint's deflection over a driver, in degrees, with the model file that proposes it as an effect beside
 /// those that are `suggested`: it is what they leave.
-nlohmann::json curveJson(const JsonPlace& curve, const nlohmann::json& suggested);
+nlohmann::json curveJson(const JsonCursor& curve, const nlohmann::json& suggested);
 
 /// The cells of the joint x driver map, where the diagnosis has one.
-nlohmann::json mapJson(const JsonPlace& diagnosis);
+nlohmann::json mapJson(const JsonCursor& diagnosis);
 
 /// The verdicts that a diagnosis can have, and what it can say of a candidate, as its file writes them.
 const std::vector<std::string_view>& verdicts();
 const std::vector<std::string_view>& candidateStates();
 
 /// The verdict in a few plain words.
-std::string verdictHeadline(const JsonPlace& diagnosis);
+std::string verdictHeadline(const JsonCursor& diagnosis);
 
 /// What makes the floor under the errors: noise, and the scatter of joints where the last model needs some.
-std::string floorName(const JsonPlace& diagnosis);
+std::string floorName(const JsonCursor& diagnosis);
 
 /// What the verdict rests on: the error on poses not seen, the alarm, the lack of fit, scatter.
-std::vector<Fact> diagnosisFacts(const JsonPlace& diagnosis);
+std::vector<Fact> diagnosisFacts(const JsonCursor& diagnosis);
 
 /// Adds what the figures of a diagnosis show beside its candidates, in units that people read: which captures belong to
 /// each pose, the cameras, how much alike the first candidates are. What the file does not have stays empty or null.
-void addFigures(const JsonPlace& diagnosis, nlohmann::json& data);
+void addFigures(const JsonCursor& diagnosis, nlohmann::json& data);
 
 /// Adds to a candidate its added-variable plot, a point (pose or null, signature, residual) for each pose, and what it
 /// would look like. What the file does not have is null. `figures`: as `addFigures` made it.
-void addFigures(const JsonPlace& entry, const nlohmann::json& figures, nlohmann::json& candidate);
+void addFigures(const JsonCursor& entry, const nlohmann::json& figures, nlohmann::json& candidate);
 
 /// Adds what a diagnosis's models leave over ("given", and "last" where something was added), in units that people
 /// read: per joint the deflections that would explain it, and what stays within the pictures; and the drivers that were
 /// recorded. What the file does not have stays empty or null. `data` has the pictures.
-void addLeft(const JsonPlace& diagnosis, nlohmann::json& data);
+void addLeft(const JsonCursor& diagnosis, nlohmann::json& data);
 
 using nlohmann::json;
 
@@ -84,11 +84,11 @@ struct Aliases {
 };
 
 /// Of the pairs that cannot be told the one that takes most.
-std::string confusedSentence(const std::vector<JsonPlace>& confusable) {
-  const auto times = [](const JsonPlace& pair) { return pair.at("timesTheData").number(anyNumber); };
-  const JsonPlace& hardest =
+std::string confusedSentence(const std::vector<JsonCursor>& confusable) {
+  const auto times = [](const JsonCursor& pair) { return pair.at("timesTheData").number(anyNumber); };
+  const JsonCursor& hardest =
       *std::max_element(confusable.begin(), confusable.end(),
-                        [&](const JsonPlace& a, const JsonPlace& b) { return times(a) < times(b); });
+                        [&](const JsonCursor& a, const JsonCursor& b) { return times(a) < times(b); });
   return fmt::format("These captures cannot tell {} from {} (correlation {:.4g}{}): {}.", hardest.at("taken").text(),
                      hardest.at("other").text(), hardest.at("correlation").number(share),
                      confusable.size() > 1 ? fmt::format("; the hardest of {} such pairs", confusable.size()) : "",
@@ -100,7 +100,7 @@ std::string confusedSentence(const std::vector<JsonPlace>& confusable) {
 }
 
 /// What the matrix means, in words. `taken`: what was added to the model.
-std::string aliasSentence(const Aliases& aliases, const std::vector<JsonPlace>& confusable,
+std::string aliasSentence(const Aliases& aliases, const std::vector<JsonCursor>& confusable,
                           const std::vector<std::string>& taken) {
   if (!confusable.empty()) {
     return confusedSentence(confusable);
@@ -122,9 +122,9 @@ std::string aliasSentence(const Aliases& aliases, const std::vector<JsonPlace>& 
       aliases.candidates[one], aliases.candidates[other], most, most > 0.9 ? "hardly tell" : "tell");
 }
 
-std::vector<std::string> textsOf(const JsonPlace& list) {
+std::vector<std::string> textsOf(const JsonCursor& list) {
   std::vector<std::string> result;
-  for (const JsonPlace& text : list.elements()) {
+  for (const JsonCursor& text : list.elements()) {
     result.push_back(text.text());
   }
   return result;
@@ -132,22 +132,22 @@ std::vector<std::string> textsOf(const JsonPlace& list) {
 
 } // namespace
 
-json aliasesData(const JsonPlace& diagnosis) {
+json aliasesData(const JsonCursor& diagnosis) {
   const auto matrix = diagnosis.find("aliases");
   if (!matrix) {
     return nullptr;
   }
   const std::vector<std::string> candidates = textsOf(matrix->at("candidates"));
   Aliases aliases{candidates, {}};
-  for (const JsonPlace& row : matrix->at("correlations").elements()) {
+  for (const JsonCursor& row : matrix->at("correlations").elements()) {
     aliases.alike.push_back(row.numbers(candidates.size(), share, "one per candidate"));
   }
   if (aliases.alike.size() != candidates.size()) {
     matrix->at("correlations").refuse("one row per candidate");
   }
-  const std::vector<JsonPlace> confusable = matrix->at("confusable").elements();
+  const std::vector<JsonCursor> confusable = matrix->at("confusable").elements();
   json pairs = json::array();
-  for (const JsonPlace& pair : confusable) {
+  for (const JsonCursor& pair : confusable) {
     pairs.push_back({pair.at("taken").text(), pair.at("other").text()});
   }
   return {{"candidates", candidates},
@@ -169,14 +169,14 @@ std::string driverUnit(const std::string& driver) {
 }
 
 /// The curve's proposed expression as a model file, beside what else was suggested.
-json modelFile(const JsonPlace& effect, std::vector<std::string> with) {
+json modelFile(const JsonCursor& effect, std::vector<std::string> with) {
   with.push_back(fmt::format("{}@{}", effect.at("name").text(), effect.at("at").text()));
   return modelJson(with, {}, json::array({effect.value()}));
 }
 
 } // namespace
 
-json curveJson(const JsonPlace& curve, const json& suggested) {
+json curveJson(const JsonCursor& curve, const json& suggested) {
   const std::string joint = curve.at("at").text(), driver = curve.at("driver").text();
   const auto about = curve.find("about");
   const auto valueUnit = curve.find("unit");
@@ -185,7 +185,7 @@ json curveJson(const JsonPlace& curve, const json& suggested) {
   const auto [unit, scale] = shownUnit(within ? (shown == "px" ? "px" : "m") : driverUnit(driver));
   const auto effect = curve.find("effect"); // only joints' curves are written as one
   json points = json::array();
-  for (const JsonPlace& point : curve.at("curve").elements()) {
+  for (const JsonCursor& point : curve.at("curve").elements()) {
     const std::vector<double> values = point.numbers(3, anyNumber, "driver, deflection, standard error");
     points.push_back({scale * values[0], size * values[1], size * values[2]});
   }
@@ -208,10 +208,10 @@ json curveJson(const JsonPlace& curve, const json& suggested) {
           {"model", effect ? modelFile(*effect, suggested.get<std::vector<std::string>>()) : json(nullptr)}};
 }
 
-json mapJson(const JsonPlace& diagnosis) {
+json mapJson(const JsonCursor& diagnosis) {
   json cells = json::array();
   const auto map = diagnosis.find("map");
-  for (const JsonPlace& cell : map ? map->elements() : std::vector<JsonPlace>{}) {
+  for (const JsonCursor& cell : map ? map->elements() : std::vector<JsonCursor>{}) {
     const std::string joint = cell.at("at").text(), driver = cell.at("driver").text();
     cells.push_back({{"joint", joint},
                      {"driver", driver == "q"     ? joint
@@ -228,19 +228,19 @@ using nlohmann::json;
 namespace {
 
 /// A number, or null where the diagnosis has none.
-json numberOrNull(const JsonPlace& place, double scale = 1) {
+json numberOrNull(const JsonCursor& place, double scale = 1) {
   return place.value().is_null() ? json(nullptr) : json(scale * place.number(anyNumber));
 }
 
-json texts(const JsonPlace& list) {
+json texts(const JsonCursor& list) {
   json result = json::array();
-  for (const JsonPlace& text : list.elements()) {
+  for (const JsonCursor& text : list.elements()) {
     result.push_back(text.text());
   }
   return result;
 }
 
-json sizesJson(const JsonPlace& unknowns) {
+json sizesJson(const JsonCursor& unknowns) {
   json sizes = json::array();
   for (const auto& [name, unknown] : unknowns.members()) {
     const auto [unit, scale] = shownUnit(unknown.at("unit").text());
@@ -255,7 +255,7 @@ json sizesJson(const JsonPlace& unknowns) {
   return sizes;
 }
 
-json candidateJson(const JsonPlace& entry, const json& figures) {
+json candidateJson(const JsonCursor& entry, const json& figures) {
   const auto& states = candidateStates();
   const std::size_t state = entry.at("state").oneOf(states);
   const auto why = entry.find("why");
@@ -278,7 +278,7 @@ json candidateJson(const JsonPlace& entry, const json& figures) {
   return result;
 }
 
-json stepJson(const JsonPlace& step) {
+json stepJson(const JsonCursor& step) {
   constexpr Range pixels{0, 1e9, "px"};
   const auto dropped = step.find("dropped");
   return {{"added", step.at("added").value().is_null() ? "" : step.at("added").text()},
@@ -290,7 +290,7 @@ json stepJson(const JsonPlace& step) {
 }
 
 /// Why something looks wrong, with its capture.
-json suspicionJson(const JsonPlace& entry) {
+json suspicionJson(const JsonCursor& entry) {
   const std::string why = entry.at("why").text();
   const auto capture = entry.find("capture");
   const std::string name = capture ? fmt::format("capture {}", capture->integer(0, largestNumber)) : "";
@@ -299,7 +299,7 @@ json suspicionJson(const JsonPlace& entry) {
 
 } // namespace
 
-json diagnosisData(const JsonPlace& diagnosis) {
+json diagnosisData(const JsonCursor& diagnosis) {
   const auto defined = diagnosis.find("define");
   const bool own = defined && !defined->elements().empty(); // the last of what is suggested
   json named = texts(diagnosis.at("suggested"));
@@ -316,13 +316,13 @@ json diagnosisData(const JsonPlace& diagnosis) {
   addFigures(diagnosis, data);
   const auto list = [&](const char* key, const char* from, const auto& entryJson) {
     data[key] = json::array();
-    for (const JsonPlace& entry : diagnosis.at(from).elements()) {
+    for (const JsonCursor& entry : diagnosis.at(from).elements()) {
       data[key].push_back(entryJson(entry));
     }
   };
   list("steps", "steps", stepJson);
-  list("candidates", "ranking", [&](const JsonPlace& entry) { return candidateJson(entry, data); });
-  list("curves", "drivers", [&](const JsonPlace& curve) { return curveJson(curve, named); });
+  list("candidates", "ranking", [&](const JsonCursor& entry) { return candidateJson(entry, data); });
+  list("curves", "drivers", [&](const JsonCursor& curve) { return curveJson(curve, named); });
   list("suspicious", "suspicious", suspicionJson);
   const auto next = diagnosis.find("next");
   if (next && !next->value().is_null() && next->at("why").value() != "") { // else nothing is open
@@ -341,7 +341,7 @@ constexpr Range probability{0, 1, ""};
 constexpr Range pixels{0, 1e9, "px"};
 
 /// By which the last model's joints deflect at random from pose to pose [rad].
-double scatterOf(const JsonPlace& diagnosis) {
+double scatterOf(const JsonCursor& diagnosis) {
   return diagnosis.at("poseScatter").number({0, 10, "rad"});
 }
 
@@ -349,7 +349,7 @@ std::string chance(double p) {
   return p < 0.001 ? "p < 0.001" : fmt::format("p = {:.2g}", p);
 }
 
-Fact heldOutFact(const std::vector<JsonPlace>& all, const std::string& floor) {
+Fact heldOutFact(const std::vector<JsonCursor>& all, const std::string& floor) {
   const std::string noise = fmt::format("{}: {:.2f} px", floor, all.back().at("noiseFloorPx").number(pixels));
   if (all.front().at("heldOutPx").value().is_null()) {
     return {fmt::format("{:.2f} px", all.front().at("rmsPx").number(pixels)),
@@ -375,7 +375,7 @@ Fact alarmFact(double alarm, bool found) {
                                     : "no reason to add anything.")};
 }
 
-Fact lackOfFitFact(const JsonPlace& lackOfFit) {
+Fact lackOfFitFact(const JsonCursor& lackOfFit) {
   return {fmt::format("{:.2f}", lackOfFit.at("statistic").number({0, 1e15, ""})),
           "is the lack of fit of the base model, chi² per degree of freedom: noise alone makes 1."};
 }
@@ -394,7 +394,7 @@ const std::vector<std::string_view>& candidateStates() {
   return all;
 }
 
-std::string verdictHeadline(const JsonPlace& diagnosis) {
+std::string verdictHeadline(const JsonCursor& diagnosis) {
   static const std::vector<std::string> headlines{"The model explains these captures.",
                                                   "An effect is missing in the model.",
                                                   "Something that no known effect explains is at work.",
@@ -404,12 +404,12 @@ std::string verdictHeadline(const JsonPlace& diagnosis) {
   return headlines[diagnosis.at("verdict").oneOf(verdicts())];
 }
 
-std::string floorName(const JsonPlace& diagnosis) {
+std::string floorName(const JsonCursor& diagnosis) {
   return scatterOf(diagnosis) > 0 ? "noise floor with joint scatter" : "noise floor";
 }
 
-std::vector<Fact> diagnosisFacts(const JsonPlace& diagnosis) {
-  const std::vector<JsonPlace> steps = diagnosis.at("steps").elements();
+std::vector<Fact> diagnosisFacts(const JsonCursor& diagnosis) {
+  const std::vector<JsonCursor> steps = diagnosis.at("steps").elements();
   if (steps.empty()) { // nothing could be fitted
     return {};
   }
@@ -430,31 +430,31 @@ using nlohmann::json;
 
 namespace {
 
-std::vector<JsonPlace> elementsOf(const JsonPlace& object, const std::string& key) {
+std::vector<JsonCursor> elementsOf(const JsonCursor& object, const std::string& key) {
   const auto list = object.find(key);
-  return list ? list->elements() : std::vector<JsonPlace>{};
+  return list ? list->elements() : std::vector<JsonCursor>{};
 }
 
 /// One of the entries of a list of the page.
-int placeIn(const json& list, const JsonPlace& place) {
+int placeIn(const json& list, const JsonCursor& place) {
   return place.integer(0, static_cast<int>(list.size()) - 1);
 }
 
 /// Pictures (capture, camera, pose), poses (set, name, pictures) and cameras (width, height).
-void addTaken(const JsonPlace& diagnosis, json& data) {
+void addTaken(const JsonCursor& diagnosis, json& data) {
   data["pictures"] = data["poses"] = json::array();
   data["cameras"] = json::object();
-  for (const JsonPlace& picture : elementsOf(diagnosis, "pictures")) {
+  for (const JsonCursor& picture : elementsOf(diagnosis, "pictures")) {
     data["pictures"].push_back(
         {{"capture", picture.at("capture").integer(0, largestNumber)}, {"camera", picture.at("camera").text()}});
   }
-  for (const JsonPlace& pose : elementsOf(diagnosis, "poses")) {
+  for (const JsonCursor& pose : elementsOf(diagnosis, "poses")) {
     json pictures = json::array();
-    for (const JsonPlace& picture : pose.at("pictures").elements()) {
+    for (const JsonCursor& picture : pose.at("pictures").elements()) {
       pictures.push_back(placeIn(data["pictures"], picture));
       data["pictures"][pictures.back().get<std::size_t>()]["pose"] = data["poses"].size();
     }
-    const JsonPlace name = pose.at("name");
+    const JsonCursor name = pose.at("name");
     data["poses"].push_back({{"set", pose.at("set").text()},
                              {"name", name.value() == "" ? "–" : name.text()},
                              {"pictures", std::move(pictures)}});
@@ -467,15 +467,15 @@ void addTaken(const JsonPlace& diagnosis, json& data) {
   }
 }
 
-json addedVariableData(const JsonPlace& candidate, const json& figures) {
+json addedVariableData(const JsonCursor& candidate, const json& figures) {
   const auto view = candidate.find("addedVariable");
   if (!view) {
     return nullptr;
   }
   const auto [unit, scale] = shownUnit(view->at("unit").text());
   json points = json::array();
-  for (const JsonPlace& point : view->at("points").elements()) {
-    const JsonPlace pose = point.at("pose");
+  for (const JsonCursor& point : view->at("points").elements()) {
+    const JsonCursor pose = point.at("pose");
     points.push_back({pose.value().is_null() ? json(nullptr) : json(placeIn(figures["poses"], pose)),
                       point.at("signature").number(anyNumber) / scale, point.at("residual").number(anyNumber)});
   }
@@ -487,7 +487,7 @@ json addedVariableData(const JsonPlace& candidate, const json& figures) {
           {"points", points}};
 }
 
-json imprintData(const JsonPlace& candidate, const json& figures) {
+json imprintData(const JsonCursor& candidate, const json& figures) {
   const auto view = candidate.find("imprint");
   if (!view) {
     return nullptr;
@@ -497,9 +497,9 @@ json imprintData(const JsonPlace& candidate, const json& figures) {
     const auto [unit, scale] = shownUnit(size.at("unit").text());
     sizes.push_back({{"name", name}, {"value", scale * size.at("value").number(anyNumber)}, {"unit", unit}});
   }
-  for (const JsonPlace& picture : view->at("pictures").elements()) {
+  for (const JsonCursor& picture : view->at("pictures").elements()) {
     json corners = json::array();
-    for (const JsonPlace& corner : picture.at("corners").elements()) {
+    for (const JsonCursor& corner : picture.at("corners").elements()) {
       corners.push_back(corner.numbers(6, anyNumber, "u, v, shift before, shift after refitting"));
     }
     pictures.push_back({{"picture", placeIn(figures["pictures"], picture.at("picture"))},
@@ -517,13 +517,13 @@ json imprintData(const JsonPlace& candidate, const json& figures) {
 
 } // namespace
 
-void addFigures(const JsonPlace& diagnosis, json& data) {
+void addFigures(const JsonCursor& diagnosis, json& data) {
   addTaken(diagnosis, data);
   data["aliases"] = aliasesData(diagnosis);
   addLeft(diagnosis, data);
 }
 
-void addFigures(const JsonPlace& entry, const json& figures, json& candidate) {
+void addFigures(const JsonCursor& entry, const json& figures, json& candidate) {
   candidate["added"] = addedVariableData(entry, figures);
   candidate["imprint"] = imprintData(entry, figures);
 }
@@ -534,12 +534,12 @@ namespace {
 
 constexpr Range shiftPx{-1e9, 1e9, "px"};
 
-std::size_t pictureAt(const JsonPlace& place, const json& data) {
+std::size_t pictureAt(const JsonCursor& place, const json& data) {
   return static_cast<std::size_t>(place.integer(0, static_cast<int>(data["pictures"].size()) - 1));
 }
 
 /// A driver, its value at each picture; `joint` where it can only drive that one.
-json driverData(const JsonPlace& driver, std::size_t pictures) {
+json driverData(const JsonCursor& driver, std::size_t pictures) {
   const auto [unit, scale] = shownUnit(driver.at("unit").text());
   json values = json::array();
   for (const double value : driver.at("values").numbers(pictures, anyNumber, "one per picture")) {
@@ -553,13 +553,13 @@ json driverData(const JsonPlace& driver, std::size_t pictures) {
 }
 
 /// Per joint a list of (pictures, deflection and its standard error in degrees).
-json whatIfData(const JsonPlace& list, const json& data) {
+json whatIfData(const JsonCursor& list, const json& data) {
   json result = json::array();
-  for (const JsonPlace& joint : list.elements()) {
+  for (const JsonCursor& joint : list.elements()) {
     json points = json::array();
-    for (const JsonPlace& point : joint.at("points").elements()) {
+    for (const JsonCursor& point : joint.at("points").elements()) {
       json pictures = json::array();
-      for (const JsonPlace& picture : point.at("pictures").elements()) {
+      for (const JsonCursor& picture : point.at("pictures").elements()) {
         pictures.push_back(pictureAt(picture, data));
       }
       if (pictures.empty()) {
@@ -574,9 +574,9 @@ json whatIfData(const JsonPlace& list, const json& data) {
 }
 
 /// Cells (camera, u, v, du, dv, sigma, corners, worst picture) and boards (picture, board, distance, rms).
-json withinData(const JsonPlace& within, const json& data) {
+json withinData(const JsonCursor& within, const json& data) {
   json cells = json::array(), boards = json::array();
-  for (const JsonPlace& cell : within.at("cells").elements()) {
+  for (const JsonCursor& cell : within.at("cells").elements()) {
     cells.push_back({{"camera", cell.at("camera").text()},
                      {"corners", cell.at("corners").integer(1, largestNumber)},
                      {"worst", pictureAt(cell.at("worstPicture"), data)}});
@@ -584,7 +584,7 @@ json withinData(const JsonPlace& within, const json& data) {
       cells.back()[number] = cell.at(number).number(shiftPx);
     }
   }
-  for (const JsonPlace& board : within.at("boards").elements()) {
+  for (const JsonCursor& board : within.at("boards").elements()) {
     boards.push_back({{"picture", pictureAt(board.at("picture"), data)},
                       {"board", board.at("board").text()},
                       {"distance", board.at("distance").number({0, 1e6, "m"})},
@@ -594,13 +594,13 @@ json withinData(const JsonPlace& within, const json& data) {
 }
 
 /// Boards (name, p) with corners (place and id, off and sigma in millimetres).
-json shapeData(const JsonPlace& list) {
+json shapeData(const JsonCursor& list) {
   constexpr Range metres{-1e3, 1e3, "m"};
   constexpr double millimetre = 1e-3;
   json result = json::array();
-  for (const JsonPlace& shape : list.elements()) {
+  for (const JsonCursor& shape : list.elements()) {
     json corners = json::array();
-    for (const JsonPlace& corner : shape.at("corners").elements()) {
+    for (const JsonCursor& corner : shape.at("corners").elements()) {
       json shown{{"id", corner.at("id").integer(0, largestNumber)},
                  {"place", corner.at("place").numbers(3, metres, "x, y and z")}};
       for (const char* name : {"off", "sigma"}) {
@@ -619,16 +619,16 @@ json shapeData(const JsonPlace& list) {
 
 } // namespace
 
-void addLeft(const JsonPlace& diagnosis, json& data) {
+void addLeft(const JsonCursor& diagnosis, json& data) {
   data["drivers"] = json::array();
   data["left"] = json::object();
   if (const auto recorded = diagnosis.find("recorded")) {
-    for (const JsonPlace& driver : recorded->elements()) {
+    for (const JsonCursor& driver : recorded->elements()) {
       data["drivers"].push_back(driverData(driver, data["pictures"].size()));
     }
   }
   const auto left = diagnosis.find("left");
-  for (const auto& [model, over] : left ? left->members() : std::vector<std::pair<std::string, JsonPlace>>{}) {
+  for (const auto& [model, over] : left ? left->members() : std::vector<std::pair<std::string, JsonCursor>>{}) {
     data["left"][model] = {{"whatIf", whatIfData(over.at("whatIf"), data)},
                            {"within", withinData(over.at("withinPictures"), data)},
                            {"shapes", shapeData(over.at("boardShapes"))}};

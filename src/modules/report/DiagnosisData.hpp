@@ -7,6 +7,6 @@
 namespace naocal {
 
 /// What the page about a diagnosis file shows, in units that people read.
-nlohmann::json diagnosisData(const JsonPlace& diagnosis);
+nlohmann::json diagnosisData(const JsonCursor& diagnosis);
 
 } // namespace naocal

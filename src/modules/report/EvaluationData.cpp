@@ -13,7 +13,7 @@ using nlohmann::json;
 namespace {
 
 /// Shares by tolerance, in ascending order.
-std::vector<std::pair<double, double>> byTolerance(const JsonPlace& shares) {
+std::vector<std::pair<double, double>> byTolerance(const JsonCursor& shares) {
   std::vector<std::pair<double, double>> result;
   for (const auto& [tolerance, part] : shares.members()) {
     result.emplace_back(std::stod(tolerance), part.number({0, 1, ""}));
@@ -22,7 +22,7 @@ std::vector<std::pair<double, double>> byTolerance(const JsonPlace& shares) {
   return result;
 }
 
-json sharesOf(const JsonPlace& shares) {
+json sharesOf(const JsonCursor& shares) {
   json result = json::array();
   for (const auto& [tolerance, part] : byTolerance(shares)) {
     result.push_back(part);
@@ -31,7 +31,7 @@ json sharesOf(const JsonPlace& shares) {
 }
 
 /// "boards, 3 poses, both (encoder)": what a cell's setting is called.
-std::string nameOf(const JsonPlace& cell) {
+std::string nameOf(const JsonCursor& cell) {
   const std::string noise = cell.at("noise").text();
   const int samples = cell.at("samples").integer(1, 1000), poses = cell.at("poses").integer(1, 1000);
   std::string name = fmt::format("{}, {} poses, noise: {}", cell.at("feature").text(), poses, noise);
@@ -43,29 +43,29 @@ std::string nameOf(const JsonPlace& cell) {
   return name + (cell.at("chosenBy").text() == "ours" ? "" : ", the thesis's poses");
 }
 
-json histogram(const JsonPlace& counts, const JsonPlace& bins) {
+json histogram(const JsonCursor& counts, const JsonCursor& bins) {
   return {{"counts", counts.value()},
           {"first", bins.at("firstDegrees").number({-180, 180, "deg"})},
           {"width", bins.at("widthDegrees").number({0, 180, "deg"})}};
 }
 
 /// Cells of one name together, in the file's order: a solver each.
-std::vector<std::pair<std::string, std::vector<JsonPlace>>> grouped(const std::vector<JsonPlace>& cells,
-                                                                    std::string (*name)(const JsonPlace&)) {
-  std::vector<std::pair<std::string, std::vector<JsonPlace>>> result;
-  for (const JsonPlace& cell : cells) {
+std::vector<std::pair<std::string, std::vector<JsonCursor>>> grouped(const std::vector<JsonCursor>& cells,
+                                                                     std::string (*name)(const JsonCursor&)) {
+  std::vector<std::pair<std::string, std::vector<JsonCursor>>> result;
+  for (const JsonCursor& cell : cells) {
     const std::string own = name(cell);
     const auto same = std::find_if(result.begin(), result.end(), [&](const auto& each) { return each.first == own; });
-    (same == result.end() ? result.emplace_back(own, std::vector<JsonPlace>{}) : *same).second.push_back(cell);
+    (same == result.end() ? result.emplace_back(own, std::vector<JsonCursor>{}) : *same).second.push_back(cell);
   }
   return result;
 }
 
-json jointsOf(const std::vector<JsonPlace>& cells, const JsonPlace& evaluation) {
+json jointsOf(const std::vector<JsonCursor>& cells, const JsonCursor& evaluation) {
   json joints = json::array();
   for (const auto& [joint, before] : cells.front().at("offsetCounts").members()) {
     json solvers = json::array();
-    for (const JsonPlace& cell : cells) {
+    for (const JsonCursor& cell : cells) {
       const std::string solver = cell.at("solver").text();
       const auto errors = cell.find("errorCounts");
       if ((solver == "ours" || solver == "lm") && errors && errors->find(joint)) {
@@ -81,17 +81,17 @@ json jointsOf(const std::vector<JsonPlace>& cells, const JsonPlace& evaluation) 
 
 } // namespace
 
-json evaluationData(const JsonPlace& evaluation) {
-  const std::vector<JsonPlace> cells = evaluation.at("cells").elements();
+json evaluationData(const JsonCursor& evaluation) {
+  const std::vector<JsonCursor> cells = evaluation.at("cells").elements();
   if (cells.empty()) {
     evaluation.at("cells").refuse("at least one cell", "none: nothing was evaluated yet");
   }
   json tables = json::array(), settings = json::array(), tolerances = json::array();
-  for (const auto& [table, ofTable] : grouped(cells, [](const JsonPlace& cell) { return cell.at("table").text(); })) {
+  for (const auto& [table, ofTable] : grouped(cells, [](const JsonCursor& cell) { return cell.at("table").text(); })) {
     json figures = json::array();
     for (const auto& [name, ofSetting] : grouped(ofTable, nameOf)) {
       json solvers = json::array();
-      for (const JsonPlace& cell : ofSetting) {
+      for (const JsonCursor& cell : ofSetting) {
         solvers.push_back({{"solver", cell.at("solver").text()},
                            {"success", sharesOf(cell.at("success"))},
                            {"limit", sharesOf(cell.at("limit"))}});

@@ -7,6 +7,6 @@
 namespace naocal {
 
 /// What the page about an evaluation (EVALUATION.json) shows. Throws InputError with the place of whatever is missing.
-nlohmann::json evaluationData(const JsonPlace& evaluation);
+nlohmann::json evaluationData(const JsonCursor& evaluation);
 
 } // namespace naocal

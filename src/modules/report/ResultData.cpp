@@ -29,9 +29,9 @@ std::string spaced(const std::string& name) {
 }
 
 /// The answer over what could be missing, where that was asked; else that of the model as it is, which is `fitted`.
-json estimateJson(const std::string& name, const JsonPlace& unknown, double scale) {
+json estimateJson(const std::string& name, const JsonCursor& unknown, double scale) {
   const auto averaged = unknown.find("averaged");
-  const JsonPlace& answer = averaged ? *averaged : unknown;
+  const JsonCursor& answer = averaged ? *averaged : unknown;
   const std::vector<double> ends =
       answer.at(averaged ? "interval" : "interval95").numbers(2, {-1e15, 1e15, ""}, "lower and upper end");
   return {{"name", name},
@@ -45,9 +45,9 @@ json estimateJson(const std::string& name, const JsonPlace& unknown, double scal
 
 } // namespace
 
-json estimatesData(const JsonPlace& effects) {
+json estimatesData(const JsonCursor& effects) {
   json groups = json::array();
-  for (const JsonPlace& effect : effects.elements()) {
+  for (const JsonCursor& effect : effects.elements()) {
     const std::string title = spaced(effect.at("effect").text()), at = effect.at("at").text();
     const auto unknowns = effect.at("unknowns").members();
     for (const auto& [name, unknown] : unknowns) {
@@ -69,11 +69,11 @@ using nlohmann::json;
 namespace {
 
 /// The pictures, worst first, with what was photographed as long as the page stays small enough to be sent around.
-json picturesJson(const std::vector<SeenPicture>& seen, const Sources& sources) {
+json picturesJson(const std::vector<PictureRecord>& seen, const SourceCaptures& sources) {
   constexpr std::size_t mostPhotographs = 3'000'000; // [bytes]
   json pictures = json::array();
   std::size_t photographs = 0;
-  for (const SeenPicture& one : seen) {
+  for (const PictureRecord& one : seen) {
     json picture = pictureJson(one);
     picture["angles"] = json::object();
     for (const auto& [joint, angle] : sources.angles(one)) {
@@ -90,9 +90,9 @@ json picturesJson(const std::vector<SeenPicture>& seen, const Sources& sources) 
   return pictures;
 }
 
-json textsAt(const JsonPlace& list) {
+json textsAt(const JsonCursor& list) {
   json texts = json::array();
-  for (const JsonPlace& text : list.elements()) {
+  for (const JsonCursor& text : list.elements()) {
     texts.push_back(text.text());
   }
   return texts;
@@ -100,7 +100,7 @@ json textsAt(const JsonPlace& list) {
 
 } // namespace
 
-json pageData(const JsonPlace& result, const Sources& sources) {
+json pageData(const JsonCursor& result, const SourceCaptures& sources) {
   const VerdictWords words = verdictWords(result);
   json data{{"robot", result.at("model").at("robot").text()},
             {"verdict", result.at("verdict").text()},
@@ -117,7 +117,7 @@ json pageData(const JsonPlace& result, const Sources& sources) {
   for (const auto& [figure, sentence] : facts(result, data["pictures"].size(), sources.drawingRms())) {
     data["facts"].push_back({{"figure", figure}, {"sentence", sentence}});
   }
-  for (const JsonPlace& direction : result.at("weak").elements()) {
+  for (const JsonCursor& direction : result.at("weak").elements()) {
     data["weak"].push_back({{"sentence", direction.at("sentence").text()},
                             {"sigma", direction.at("sigma").number({0, 1e15, ""})},
                             {"unit", direction.at("unit").text()}});
@@ -143,7 +143,7 @@ json flat(const Eigen::Matrix2Xd& points, int decimals) {
   return list;
 }
 
-json boardJson(const SeenBoard& seen) {
+json boardJson(const BoardInPicture& seen) {
   json board{{"board", seen.board},
              {"ids", seen.ids},
              {"measured", flat(seen.measured, 1)},
@@ -160,11 +160,11 @@ json boardJson(const SeenBoard& seen) {
 
 } // namespace
 
-json pictureJson(const SeenPicture& seen) {
+json pictureJson(const PictureRecord& seen) {
   json picture{{"set", seen.set},       {"capture", seen.capture}, {"pose", seen.pose},
                {"repeat", seen.repeat}, {"time", seen.time},       {"camera", seen.camera},
                {"width", seen.width},   {"height", seen.height},   {"boards", json::array()}};
-  for (const SeenBoard& board : seen.boards) {
+  for (const BoardInPicture& board : seen.boards) {
     picture["boards"].push_back(boardJson(board));
   }
   return picture;
@@ -172,11 +172,11 @@ json pictureJson(const SeenPicture& seen) {
 
 namespace {
 
-double numberAt(const JsonPlace& place, const std::string& key) {
+double numberAt(const JsonCursor& place, const std::string& key) {
   return place.at(key).number({-1e15, 1e15, ""});
 }
 
-Fact cornerFact(const JsonPlace& result, std::size_t pictures, std::optional<double> drawingRms) {
+Fact cornerFact(const JsonCursor& result, std::size_t pictures, std::optional<double> drawingRms) {
   const double rms = numberAt(result, "rmsPx");
   const std::string where =
       fmt::format("rms distance between {:.0f} measured corners in {} pictures and where the result predicts them",
@@ -188,7 +188,7 @@ Fact cornerFact(const JsonPlace& result, std::size_t pictures, std::optional<dou
           where + "; the first number is with the robot's drawing alone, boards where they fit best."};
 }
 
-Fact noiseFact(const JsonPlace& noise) {
+Fact noiseFact(const JsonCursor& noise) {
   const bool told = noise.at("source").text() == "repeats";
   const double stance = numberAt(noise, "stance");
   return {fmt::format("{:.2g} px", numberAt(noise, "pixel")),
@@ -201,7 +201,7 @@ Fact noiseFact(const JsonPlace& noise) {
 }
 
 /// The noise floor, and how often noise alone would look as if something were missing.
-Fact misfitFact(const JsonPlace& result) {
+Fact misfitFact(const JsonCursor& result) {
   const double p = numberAt(result, "pValue");
   const std::string chance =
       p >= 0.05 ? "the best candidate for more is no more striking than pure noise."
@@ -216,7 +216,7 @@ Fact misfitFact(const JsonPlace& result) {
 
 } // namespace
 
-VerdictWords verdictWords(const JsonPlace& result) {
+VerdictWords verdictWords(const JsonCursor& result) {
   const std::string said = result.at("sentence").text(), between = ": ";
   const std::size_t colon = said.find(between);
   if (colon == said.npos) {
@@ -229,7 +229,7 @@ VerdictWords verdictWords(const JsonPlace& result) {
   return {said.substr(0, colon) + ".", std::move(rest)};
 }
 
-std::vector<Fact> facts(const JsonPlace& result, std::size_t pictures, std::optional<double> drawingRms) {
+std::vector<Fact> facts(const JsonCursor& result, std::size_t pictures, std::optional<double> drawingRms) {
   std::vector<Fact> all{cornerFact(result, pictures, drawingRms), misfitFact(result), noiseFact(result.at("noise"))};
   if (const double floor = numberAt(result, "floorErrorAt2m"); floor > 0) {
     all.insert(all.begin() + 1,

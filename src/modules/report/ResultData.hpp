@@ -13,10 +13,10 @@ namespace naocal {
 /// A result's estimates by effect and unit: what can share an axis stands together. [{"title": "joint offset",
 /// "unit": "°", "rows": [{"name": "LKneePitch", "value", "sigma", "low", "high", "learned"}]}] with the standard error
 /// and the ends of the 95 % interval.
-nlohmann::json estimatesData(const JsonPlace& effects);
+nlohmann::json estimatesData(const JsonCursor& effects);
 
 /// What the page's figures show, in the units that they show it in (degrees, millimetres, pixels).
-nlohmann::json pageData(const JsonPlace& result, const Sources& sources);
+nlohmann::json pageData(const JsonCursor& result, const SourceCaptures& sources);
 
 /// A number with as many decimals as a figure can show.
 double withDecimals(double value, int decimals);
@@ -24,7 +24,7 @@ double withDecimals(double value, int decimals);
 /// A picture's corners as figures show them [px]: per board `measured` (u, v of one corner after the other), how far
 /// off they are predicted with the joints' readings as they are (`reported`) and with these moved as far as their
 /// noise allows (`fitted`), and, where some count less, how far each counts (`weight`).
-nlohmann::json pictureJson(const SeenPicture& seen);
+nlohmann::json pictureJson(const PictureRecord& seen);
 
 /// A number to remember and the sentence that says what it means.
 struct Fact {
@@ -35,10 +35,10 @@ struct Fact {
 struct VerdictWords {
   std::string headline, sentence;
 };
-VerdictWords verdictWords(const JsonPlace& result);
+VerdictWords verdictWords(const JsonCursor& result);
 
 /// What a result is worth, in plain words. `pictures`: how many show corners; `drawingRms`: of the same
 /// corners with the drawing alone [px].
-std::vector<Fact> facts(const JsonPlace& result, std::size_t pictures, std::optional<double> drawingRms);
+std::vector<Fact> facts(const JsonCursor& result, std::size_t pictures, std::optional<double> drawingRms);
 
 } // namespace naocal

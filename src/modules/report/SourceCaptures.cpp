@@ -21,8 +21,8 @@ namespace naocal {
 namespace {
 
 /// A list of [u, v]; predictions may lie far outside the picture.
-Eigen::Matrix2Xd points(const JsonPlace& place, std::size_t count) {
-  const std::vector<JsonPlace> entries = place.elements();
+Eigen::Matrix2Xd points(const JsonCursor& place, std::size_t count) {
+  const std::vector<JsonCursor> entries = place.elements();
   if (entries.size() != count) {
     place.refuse("as many points as there are ids");
   }
@@ -34,10 +34,10 @@ Eigen::Matrix2Xd points(const JsonPlace& place, std::size_t count) {
   return result;
 }
 
-SeenBoard seenBoard(const JsonPlace& place) {
-  SeenBoard board;
+BoardInPicture seenBoard(const JsonCursor& place) {
+  BoardInPicture board;
   board.board = place.at("board").text();
-  for (const JsonPlace& id : place.at("ids").elements()) {
+  for (const JsonCursor& id : place.at("ids").elements()) {
     board.ids.push_back(id.integer(0, largestNumber));
   }
   const std::size_t count = board.ids.size();
@@ -52,12 +52,12 @@ SeenBoard seenBoard(const JsonPlace& place) {
 }
 
 /// A text that may be empty.
-std::string label(const JsonPlace& place) {
+std::string label(const JsonCursor& place) {
   return place.value().is_string() ? place.value().get<std::string>() : place.text();
 }
 
-SeenPicture seenPicture(const JsonPlace& place, const JsonPlace& cameras) {
-  SeenPicture picture;
+PictureRecord seenPicture(const JsonCursor& place, const JsonCursor& cameras) {
+  PictureRecord picture;
   picture.set = place.at("set").text();
   picture.capture = place.at("capture").integer(0, largestNumber);
   picture.pose = label(place.at("pose"));
@@ -65,7 +65,7 @@ SeenPicture seenPicture(const JsonPlace& place, const JsonPlace& cameras) {
   picture.time = place.at("time").number({-1e12, 1e12, "s"});
   picture.camera = place.at("camera").text();
   picture.image = label(place.at("image"));
-  const JsonPlace camera = cameras.at(picture.set).at(picture.camera);
+  const JsonCursor camera = cameras.at(picture.set).at(picture.camera);
   picture.width = camera.at("width").integer(1, 100000);
   picture.height = camera.at("height").integer(1, 100000);
   return picture;
@@ -73,32 +73,32 @@ SeenPicture seenPicture(const JsonPlace& place, const JsonPlace& cameras) {
 
 } // namespace
 
-double SeenPicture::rms() const {
+double PictureRecord::rms() const {
   double squares = 0, corners = 0;
-  for (const SeenBoard& board : boards) {
+  for (const BoardInPicture& board : boards) {
     squares += (board.predicted - board.measured).squaredNorm();
     corners += static_cast<double>(board.ids.size());
   }
   return std::sqrt(squares / corners);
 }
 
-std::vector<SeenPicture> seenPictures(const JsonPlace& result) {
-  const JsonPlace cameras = result.at("cameras");
-  const JsonPlace sightings = result.at("sightings");
-  std::map<std::pair<std::string, int>, SeenPicture> pictures;
-  for (const JsonPlace& sighting : sightings.elements()) {
-    SeenPicture picture = seenPicture(sighting, cameras);
+std::vector<PictureRecord> seenPictures(const JsonCursor& result) {
+  const JsonCursor cameras = result.at("cameras");
+  const JsonCursor sightings = result.at("sightings");
+  std::map<std::pair<std::string, int>, PictureRecord> pictures;
+  for (const JsonCursor& sighting : sightings.elements()) {
+    PictureRecord picture = seenPicture(sighting, cameras);
     pictures.try_emplace({picture.set, picture.capture}, picture).first->second.boards.push_back(seenBoard(sighting));
   }
   if (pictures.empty()) {
     sightings.refuse("at least one board in a picture");
   }
-  std::vector<SeenPicture> sorted;
+  std::vector<PictureRecord> sorted;
   for (auto& [key, picture] : pictures) {
     sorted.push_back(std::move(picture));
   }
   std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const SeenPicture& a, const SeenPicture& b) { return a.rms() > b.rms(); });
+                   [](const PictureRecord& a, const PictureRecord& b) { return a.rms() > b.rms(); });
   return sorted;
 }
 
@@ -119,9 +119,9 @@ std::optional<fs::path> found(const fs::path& folder, const fs::path& resultFile
 
 } // namespace
 
-Sources::Sources(const JsonPlace& result, const fs::path& resultFile) {
-  const JsonPlace inputs = result.at("inputs");
-  const std::vector<JsonPlace> folders = inputs.at("sets").elements(), sums = inputs.at("sha256").elements();
+SourceCaptures::SourceCaptures(const JsonCursor& result, const fs::path& resultFile) {
+  const JsonCursor inputs = result.at("inputs");
+  const std::vector<JsonCursor> folders = inputs.at("sets").elements(), sums = inputs.at("sha256").elements();
   if (folders.size() != sums.size()) {
     inputs.at("sha256").refuse("as many sums as there are sets");
   }
@@ -138,7 +138,7 @@ Sources::Sources(const JsonPlace& result, const fs::path& resultFile) {
         missing_.push_back(fmt::format("{} has changed since the result was made", file.string()));
         continue;
       }
-      const CaptureSet set = readCaptureSet(*folder, BadCaptures::skip).set;
+      const CaptureSet set = readCaptureSet(*folder, BadCapturePolicy::skip).set;
       unchanged_[set.name] = {*folder, set};
     } catch (const InputError& error) {
       missing_.push_back(error.what());
@@ -146,7 +146,7 @@ Sources::Sources(const JsonPlace& result, const fs::path& resultFile) {
   }
 }
 
-std::map<std::string, double> Sources::angles(const SeenPicture& picture) const {
+std::map<std::string, double> SourceCaptures::angles(const PictureRecord& picture) const {
   std::map<std::string, double> result;
   const auto source = unchanged_.find(picture.set);
   if (source == unchanged_.end()) {
@@ -163,7 +163,7 @@ std::map<std::string, double> Sources::angles(const SeenPicture& picture) const 
   return result;
 }
 
-std::optional<fs::path> Sources::image(const SeenPicture& picture) const {
+std::optional<fs::path> SourceCaptures::image(const PictureRecord& picture) const {
   const auto source = unchanged_.find(picture.set);
   const fs::path inside = picture.image;
   if (source == unchanged_.end() || inside.empty() || inside.is_absolute() ||
@@ -175,7 +175,7 @@ std::optional<fs::path> Sources::image(const SeenPicture& picture) const {
   return fs::is_regular_file(file, ignored) ? std::optional{file} : std::nullopt;
 }
 
-std::optional<double> Sources::drawingRms() const {
+std::optional<double> SourceCaptures::drawingRms() const {
   std::vector<CaptureSet> sets;
   for (const auto& [name, source] : unchanged_) {
     sets.push_back(source.set);

@@ -13,7 +13,7 @@
 namespace naocal {
 
 /// One board in one picture: where its corners were measured and where a result puts them. One column per corner.
-struct SeenBoard {
+struct BoardInPicture {
   std::string board;
   std::vector<int> ids;
   Eigen::Matrix2Xd measured;  // [px]
@@ -23,7 +23,7 @@ struct SeenBoard {
 };
 
 /// One picture as a result file tells it.
-struct SeenPicture {
+struct PictureRecord {
   std::string set;
   int capture = 0;
   std::string pose;
@@ -32,26 +32,26 @@ struct SeenPicture {
   std::string camera;
   int width = 640, height = 480; // [px]
   std::string image;             // relative to the set's folder; empty: none kept
-  std::vector<SeenBoard> boards;
+  std::vector<BoardInPicture> boards;
 
   /// sqrt(mean |predicted - measured|^2) over all corners [px].
   double rms() const;
 };
 
 /// The pictures of a result file, worst first. Throws InputError with place, what was expected and found.
-std::vector<SeenPicture> seenPictures(const JsonPlace& result);
+std::vector<PictureRecord> seenPictures(const JsonCursor& result);
 
 /// The capture sets that a result was made of, as far as they are still there.
-class Sources {
+class SourceCaptures {
 public:
   /// Looks for the folders that the result names, as they are written and beside the result file.
-  Sources(const JsonPlace& result, const std::filesystem::path& resultFile);
+  SourceCaptures(const JsonCursor& result, const std::filesystem::path& resultFile);
 
   /// Joint readings of a picture by joint name [rad]; empty when its set is gone or has changed.
-  std::map<std::string, double> angles(const SeenPicture& picture) const;
+  std::map<std::string, double> angles(const PictureRecord& picture) const;
 
   /// The file of a picture that was kept; absent when its set is gone or has changed.
-  std::optional<std::filesystem::path> image(const SeenPicture& picture) const;
+  std::optional<std::filesystem::path> image(const PictureRecord& picture) const;
 
   /// Rms distance of the corners from what the drawing alone predicts, floor boards where they fit best [px].
   /// Absent when a set is gone or has changed.

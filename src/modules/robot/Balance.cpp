@@ -22,8 +22,8 @@ const Sole& soleNamed(const Robot& robot, std::string_view side) {
   return *sole;
 }
 
-bool standsOnOne(const Robot& robot, const Posture& torsoFromLink, const Sole& support, const Sole& other,
-                 const Footing& least) {
+bool standsOnOne(const Robot& robot, const LinkPoses& torsoFromLink, const Sole& support, const Sole& other,
+                 const SupportMargin& least) {
   const RigidTransform soleFromTorso = torsoFromLink[support.link].inverse();
   const Eigen::Vector3d centre = soleFromTorso * centreOfMass(robot, torsoFromLink).inTorso;
   if (depthInside(support.outline, centre.head<2>()) < least.depth) {
@@ -35,7 +35,8 @@ bool standsOnOne(const Robot& robot, const Posture& torsoFromLink, const Sole& s
   });
 }
 
-bool standsOnBoth(const Robot& robot, const Posture& torsoFromLink, const Sole& left, const Sole& right, double least) {
+bool standsOnBoth(const Robot& robot, const LinkPoses& torsoFromLink, const Sole& left, const Sole& right,
+                  double least) {
   std::vector<Eigen::Vector3d> corners; // in the torso's frame, as all here
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const Sole* sole : {&left, &right}) {
@@ -54,7 +55,7 @@ bool standsOnBoth(const Robot& robot, const Posture& torsoFromLink, const Sole& 
   const auto onPlane = [&](const Eigen::Vector3d& point) -> Eigen::Vector2d {
     return axes.eigenvectors().rightCols<2>().transpose() * (point - middle);
   };
-  Outline points;
+  ConvexPolygon points;
   std::transform(corners.begin(), corners.end(), std::back_inserter(points), onPlane);
   const Eigen::Vector2d centre = onPlane(centreOfMass(robot, torsoFromLink).inTorso);
   return least > 0 ? depthInside(hull(points), centre) >= least : withinHull(points, centre);
@@ -71,20 +72,20 @@ const Sole& otherSole(const Robot& robot, SupportFoot foot) {
   return supportSole(robot, foot == SupportFoot::right ? SupportFoot::left : SupportFoot::right);
 }
 
-bool stands(const Robot& robot, const Posture& torsoFromLink, SupportFoot foot, const Footing& least) {
+bool stands(const Robot& robot, const LinkPoses& torsoFromLink, SupportFoot foot, const SupportMargin& least) {
   const Sole &support = supportSole(robot, foot), &other = otherSole(robot, foot);
   return foot == SupportFoot::both ? standsOnBoth(robot, torsoFromLink, support, other, least.depth)
                                    : standsOnOne(robot, torsoFromLink, support, other, least);
 }
 
-std::optional<double> shareStanding(const Robot& robot, const Belief& belief, SupportFoot foot, const Stability& wanted,
-                                    std::mt19937_64& random) {
+std::optional<double> shareStanding(const Robot& robot, const ModelState& belief, SupportFoot foot,
+                                    const BalanceRequirement& wanted, std::mt19937_64& random) {
   std::uniform_real_distribution<double> error{-wanted.jointError, wanted.jointError};
   const int mayFall = static_cast<int>(std::floor((1 - wanted.share) * wanted.draws + 1e-9));
   if (wanted.draws == 0) {
     return 1;
   }
-  Belief erroneous = belief;
+  ModelState erroneous = belief;
   std::vector<double> errors(robot.joints.size());
   int fallen = 0;
   for (int draw = 0; draw < wanted.draws; ++draw) {

@@ -49,7 +49,7 @@ void listWay(const Robot& robot, std::size_t joint, std::size_t heldLink, const 
 }
 
 /// Adds d3(-U) of three joints wherever two of them are one motor's: how its growth changes with the third one's angle.
-void addGrowth(const Robot& robot, std::array<std::size_t, 3> joints, double bend, Load& load) {
+void addGrowth(const Robot& robot, std::array<std::size_t, 3> joints, double bend, GravityLoad& load) {
   std::sort(joints.begin(), joints.end());
   do {
     const std::size_t motor = robot.joints[joints[0]].motor;
@@ -61,8 +61,8 @@ void addGrowth(const Robot& robot, std::array<std::size_t, 3> joints, double ben
 
 } // namespace
 
-Load gravityLoad(const Robot& robot, const Belief& belief, const Posture& torsoFromLink, std::size_t heldLink,
-                 const Eigen::Vector3d& upInTorso, bool withGrowthByAngle) {
+GravityLoad gravityLoad(const Robot& robot, const ModelState& belief, const LinkPoses& torsoFromLink,
+                        std::size_t heldLink, const Eigen::Vector3d& upInTorso, bool withGrowthByAngle) {
   const std::size_t links = robot.links.size(), joints = robot.joints.size();
   std::vector<double> mass(links);
   std::vector<Eigen::Vector3d> first(links, Eigen::Vector3d::Zero()); // sum m p beyond each link, in the torso's frame
@@ -78,12 +78,12 @@ Load gravityLoad(const Robot& robot, const Belief& belief, const Posture& torsoF
   const Eigen::Matrix3d heldFromTorso = torsoFromLink[heldLink].rotation.transpose();
 
   const Eigen::Index bent = withGrowthByAngle ? at(joints) : 0;
-  Load load{Eigen::VectorXd::Zero(at(joints)),
-            Eigen::MatrixXd::Zero(at(joints), at(joints)),
-            Eigen::VectorXd::Zero(at(joints)),
-            Eigen::MatrixXd::Zero(bent, bent),
-            torsoFromLink[heldLink].inverse() * (first.front() / mass.front()),
-            Eigen::Matrix3Xd(3, at(joints))};
+  GravityLoad load{Eigen::VectorXd::Zero(at(joints)),
+                   Eigen::MatrixXd::Zero(at(joints), at(joints)),
+                   Eigen::VectorXd::Zero(at(joints)),
+                   Eigen::MatrixXd::Zero(bent, bent),
+                   torsoFromLink[heldLink].inverse() * (first.front() / mass.front()),
+                   Eigen::Matrix3Xd(3, at(joints))};
   std::vector<Turning> turning(joints);
   for (std::size_t joint = 0; joint < joints; ++joint) {
     const std::size_t link = robot.joints[joint].link;
@@ -148,7 +148,7 @@ struct Moment {
 };
 
 /// Per link: the moment of itself and everything beyond it; at the root that of the whole robot.
-std::vector<Moment> moments(const Robot& robot, const Posture& torsoFromLink) {
+std::vector<Moment> moments(const Robot& robot, const LinkPoses& torsoFromLink) {
   std::vector<Moment> beyond(robot.links.size());
   for (std::size_t link = robot.links.size(); link-- > 0;) { // children stand behind their parents
     const double mass = robot.links[link].mass;
@@ -162,7 +162,7 @@ std::vector<Moment> moments(const Robot& robot, const Posture& torsoFromLink) {
 
 } // namespace
 
-CentreOfMass centreOfMass(const Robot& robot, const Posture& torsoFromLink) {
+CentreOfMass centreOfMass(const Robot& robot, const LinkPoses& torsoFromLink) {
   Moment whole;
   for (std::size_t link = 0; link < robot.links.size(); ++link) {
     const double mass = robot.links[link].mass;
@@ -172,7 +172,7 @@ CentreOfMass centreOfMass(const Robot& robot, const Posture& torsoFromLink) {
   return {whole.mass, whole.first / whole.mass};
 }
 
-Eigen::VectorXd gravityTorques(const Robot& robot, const Belief& belief, const Posture& torsoFromLink,
+Eigen::VectorXd gravityTorques(const Robot& robot, const ModelState& belief, const LinkPoses& torsoFromLink,
                                std::size_t heldLink, const Eigen::Vector3d& upInTorso) {
   const std::vector<Moment> beyond = moments(robot, torsoFromLink);
   std::vector<bool> carriesHeld(robot.links.size(), false);

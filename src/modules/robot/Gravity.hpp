@@ -7,7 +7,7 @@
 namespace naocal {
 
 /// What gravity does to a robot of which one link is held still, and how that changes with the angles.
-struct Load {
+struct GravityLoad {
   Eigen::VectorXd torque;        // as `gravityTorques`, per joint [Nm]
   Eigen::MatrixXd torqueByAngle; // d(torque of row)/d(angle of column), one column per joint [Nm/rad]
   Eigen::VectorXd torqueGrowth;  // d(torque)/d(angle of its own motor), per joint [Nm/rad]
@@ -21,8 +21,8 @@ struct Load {
 ///
 ///   d2U/dq_J dq_K = g up . (a_J x (a_K x L_K)), else 0, and with I before J
 ///   d3U/dq_I dq_J dq_K = g up . (a_I x (a_J x (a_K x L_K))).
-Load gravityLoad(const Robot& robot, const Belief& belief, const Posture& torsoFromLink, std::size_t heldLink,
-                 const Eigen::Vector3d& upInTorso, bool withGrowthByAngle = false);
+GravityLoad gravityLoad(const Robot& robot, const ModelState& belief, const LinkPoses& torsoFromLink,
+                        std::size_t heldLink, const Eigen::Vector3d& upInTorso, bool withGrowthByAngle = false);
 
 constexpr double gravity = 9.81; // [m/s^2]
 
@@ -31,12 +31,12 @@ struct CentreOfMass {
   double mass = 0;
   Eigen::Vector3d inTorso = Eigen::Vector3d::Zero();
 };
-CentreOfMass centreOfMass(const Robot& robot, const Posture& torsoFromLink);
+CentreOfMass centreOfMass(const Robot& robot, const LinkPoses& torsoFromLink);
 
 /// tau_J = -dU/dq_J [Nm] per joint: gravity's generalised force with `heldLink` (a sole, or the torso) held still and
 /// all other angles fixed; positive where gravity drives the angle positive. A motor that drives two joints feels both:
 /// the sum stands at each of them. `upInTorso`: unit vector against gravity, in the torso's frame.
-Eigen::VectorXd gravityTorques(const Robot& robot, const Belief& belief, const Posture& torsoFromLink,
+Eigen::VectorXd gravityTorques(const Robot& robot, const ModelState& belief, const LinkPoses& torsoFromLink,
                                std::size_t heldLink, const Eigen::Vector3d& upInTorso);
 
 } // namespace naocal

@@ -9,7 +9,7 @@ namespace naocal {
 
 namespace {
 
-Eigen::Vector3d origin(const Link& link, const Belief& belief) {
+Eigen::Vector3d origin(const Link& link, const ModelState& belief) {
   Eigen::Vector3d result = link.constant;
   for (const Link::Stretch& stretch : link.stretches) {
     result += belief.length(stretch.length) * stretch.direction;
@@ -19,8 +19,8 @@ Eigen::Vector3d origin(const Link& link, const Belief& belief) {
 
 } // namespace
 
-Belief drawnBelief(const Robot& robot, const Quantities& quantities) {
-  Belief belief{quantities};
+ModelState drawnBelief(const Robot& robot, const StateLayout& quantities) {
+  ModelState belief{quantities};
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     belief.axis(joint) = robot.joints[joint].axis;
   }
@@ -30,7 +30,7 @@ Belief drawnBelief(const Robot& robot, const Quantities& quantities) {
   return belief;
 }
 
-void takeToRest(const Robot& robot, Belief& belief) {
+void takeToRest(const Robot& robot, ModelState& belief) {
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     const AngleRange limits = robot.joints[joint].limits;
     belief.angle(joint) = std::clamp(robot.joints[joint].resting, limits.lower, limits.upper);
@@ -64,7 +64,8 @@ std::vector<std::size_t> jointsTowards(const Robot& robot, std::size_t link) {
   return joints;
 }
 
-void posture(const Robot& robot, const Belief& belief, const std::vector<std::size_t>& links, Posture& torsoFromLink) {
+void posture(const Robot& robot, const ModelState& belief, const std::vector<std::size_t>& links,
+             LinkPoses& torsoFromLink) {
   const RigidTransform torso;
   torsoFromLink.resize(robot.links.size());
   for (std::size_t index : links) {
@@ -81,16 +82,16 @@ void posture(const Robot& robot, const Belief& belief, const std::vector<std::si
   }
 }
 
-Posture posture(const Robot& robot, const Belief& belief) {
+LinkPoses posture(const Robot& robot, const ModelState& belief) {
   std::vector<std::size_t> all(robot.links.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  Posture torsoFromLink;
+  LinkPoses torsoFromLink;
   posture(robot, belief, all, torsoFromLink);
   return torsoFromLink;
 }
 
-Posture posture(const Robot& robot, const Eigen::VectorXd& angles) {
-  Belief belief = drawnBelief(robot, Quantities{robot.joints.size(), robot.lengths.size(), 0});
+LinkPoses posture(const Robot& robot, const Eigen::VectorXd& angles) {
+  ModelState belief = drawnBelief(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
   belief.values.head(angles.size()) = angles;
   return posture(robot, belief);
 }
@@ -105,13 +106,13 @@ RigidTransform placed(const Eigen::Ref<const Eigen::Matrix<double, 6, 1>>& place
           placement.head<3>()};
 }
 
-RigidTransform linkFromCamera(const CameraMount& mount, const Belief& belief) {
+RigidTransform linkFromCamera(const CameraMount& mount, const ModelState& belief) {
   const Eigen::Vector3d turn = belief.mountRotation();
   return {rotationY(mount.pitch) * rotationX(turn.x()) * rotationY(turn.y()) * rotationZ(turn.z()),
           mount.translation + belief.mountTranslation()};
 }
 
-RigidTransform linkFromOptical(const CameraMount& mount, const Belief& belief) {
+RigidTransform linkFromOptical(const CameraMount& mount, const ModelState& belief) {
   const RigidTransform camera = linkFromCamera(mount, belief);
   RigidTransform result{Eigen::Matrix3d{}, camera.translation};
   result.rotation << -camera.rotation.col(1), -camera.rotation.col(2), camera.rotation.col(0);

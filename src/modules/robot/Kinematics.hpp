@@ -10,30 +10,31 @@
 namespace naocal {
 
 /// torsoFromLink for every link of the robot that was asked for (others are untouched).
-using Posture = std::vector<RigidTransform>;
+using LinkPoses = std::vector<RigidTransform>;
 
 /// The links between the root and the given ones, each once, parents first: what `posture` has to walk.
 std::vector<std::size_t> linksTowards(const Robot& robot, const std::vector<std::size_t>& links);
 
 /// Walks `links` (parents first): torsoFromLink = torsoFromParent * T(origin) * exp([axis * angle]x).
-void posture(const Robot& robot, const Belief& belief, const std::vector<std::size_t>& links, Posture& torsoFromLink);
+void posture(const Robot& robot, const ModelState& belief, const std::vector<std::size_t>& links,
+             LinkPoses& torsoFromLink);
 
 /// The joints between the root and a link, ascending.
 std::vector<std::size_t> jointsTowards(const Robot& robot, std::size_t link);
 
 /// All links.
-Posture posture(const Robot& robot, const Belief& belief);
+LinkPoses posture(const Robot& robot, const ModelState& belief);
 
 /// Posture of the drawn robot at the given angles (one per joint) [rad].
-Posture posture(const Robot& robot, const Eigen::VectorXd& angles);
+LinkPoses posture(const Robot& robot, const Eigen::VectorXd& angles);
 
 /// parentFromFrame = T(x, y, z) Rz(yaw) Ry(pitch) Rx(roll) of the six numbers x, y, z [m], roll, pitch, yaw [rad].
 RigidTransform placed(const Eigen::Ref<const Eigen::Matrix<double, 6, 1>>& placement);
 
 /// linkFromCamera = T(mount + dt) Ry(pitch) Rx(rx) Ry(ry) Rz(rz); camera axes x forward, y left, z up.
-RigidTransform linkFromCamera(const CameraMount& mount, const Belief& belief);
+RigidTransform linkFromCamera(const CameraMount& mount, const ModelState& belief);
 
 /// The same rotation and origin with OpenCV's axes: x right, y down, z forward.
-RigidTransform linkFromOptical(const CameraMount& mount, const Belief& belief);
+RigidTransform linkFromOptical(const CameraMount& mount, const ModelState& belief);
 
 } // namespace naocal

@@ -31,7 +31,7 @@ Eigen::Vector3d drawnOrigin(const Robot& robot, const Link& link) {
 
 } // namespace
 
-Leg::Leg(const Robot& robot, std::string_view side) {
+LegKinematics::LegKinematics(const Robot& robot, std::string_view side) {
   const auto require = [&](bool met, std::string_view expected) {
     if (!met) {
       throw InputError{fmt::format("the drawing of {}: {} leg: expected {}, found another build; this leg's angles can "
@@ -69,7 +69,7 @@ Leg::Leg(const Robot& robot, std::string_view side) {
   }
 }
 
-std::optional<double> Leg::knee(double distance) const {
+std::optional<double> LegKinematics::knee(double distance) const {
   constexpr double roundOff = 1e-12; // a straight leg is reached although its cosine may come out a little above 1
   const double cosine = (distance * distance - thigh_ * thigh_ - tibia_ * tibia_) / (2 * thigh_ * tibia_);
   if (std::abs(cosine) > 1 + roundOff) {
@@ -78,7 +78,7 @@ std::optional<double> Leg::knee(double distance) const {
   return std::acos(std::clamp(cosine, -1.0, 1.0));
 }
 
-std::optional<LegAngles> Leg::angles(const RigidTransform& torsoFromSole) const {
+std::optional<LegAngles> LegKinematics::angles(const RigidTransform& torsoFromSole) const {
   // The hip seen from the foot: the ankle's roll brings it into the plane of the leg, its pitch onto the leg.
   const Eigen::Vector3d hipInSole = torsoFromSole.inverse() * hip_;
   const Eigen::Vector3d hipInFoot = hipInSole - Eigen::Vector3d{0, 0, footHeight_};
@@ -103,7 +103,7 @@ std::optional<LegAngles> Leg::angles(const RigidTransform& torsoFromSole) const 
   return LegAngles{yawPitch, wrapped(roll + tilt), hipPitch, *kneePitch, anklePitch, ankleRoll};
 }
 
-std::optional<LegAngles> Leg::angles(const RigidTransform& torsoFromSole, double hipYawPitch) const {
+std::optional<LegAngles> LegKinematics::angles(const RigidTransform& torsoFromSole, double hipYawPitch) const {
   // The sole's origin and z axis fix the ankle; hip roll, hip pitch and knee reach it; the ankle turns z.
   const Eigen::Vector3d up = torsoFromSole.rotation.col(2);
   const Eigen::Matrix3d torsoFromPelvis = rotationAbout(hipYawPitch * yawPitchAxis_);

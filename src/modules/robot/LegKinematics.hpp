@@ -19,10 +19,10 @@ using LegAngles = std::array<double, 6>;
 ///
 ///   torsoFromSole = T(hip) R(axis, yawPitch) Rx(hipRoll) Ry(hipPitch) T(-thigh z) Ry(knee) T(-tibia z)
 ///                   Ry(anklePitch) Rx(ankleRoll) T(-footHeight z)
-class Leg {
+class LegKinematics {
 public:
   /// The leg that ends in the sole named `side`. Throws InputError when the robot's leg is not built as above.
-  Leg(const Robot& robot, std::string_view side);
+  LegKinematics(const Robot& robot, std::string_view side);
 
   /// The robot's joints in the order of `LegAngles`.
   const std::array<std::size_t, 6>& joints() const { return joints_; }

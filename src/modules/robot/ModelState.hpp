@@ -6,10 +6,10 @@
 
 namespace naocal {
 
-/// Where each quantity stands in the flat list of numbers that a `Belief` is.
-class Quantities {
+/// Where each quantity stands in the flat list of numbers that a `ModelState` is.
+class StateLayout {
 public:
-  Quantities(std::size_t jointCount, std::size_t lengthCount, std::size_t boardCount)
+  StateLayout(std::size_t jointCount, std::size_t lengthCount, std::size_t boardCount)
       : joints_{jointCount}, lengths_{lengthCount}, boards_{boardCount} {}
 
   std::size_t angle(std::size_t joint) const { return joint; }                    // [rad]
@@ -35,9 +35,9 @@ private:
 /// What is believed about robot and scene at one instant, for one camera: plain numbers that effects correct.
 ///
 /// The picture's derivative with respect to every one of them is analytic (camera/ObservationChain.hpp).
-class Belief {
+class ModelState {
 public:
-  explicit Belief(const Quantities& quantities)
+  explicit ModelState(const StateLayout& quantities)
       : values{Eigen::VectorXd::Zero(static_cast<Eigen::Index>(quantities.size()))}, quantities_{quantities} {}
 
   double& angle(std::size_t joint) { return at(quantities_.angle(joint)); }
@@ -67,7 +67,7 @@ public:
   double& boardBow(std::size_t board) { return at(quantities_.board(board) + 7); }
   double boardBow(std::size_t board) const { return at(quantities_.board(board) + 7); }
 
-  const Quantities& quantities() const { return quantities_; }
+  const StateLayout& quantities() const { return quantities_; }
 
   Eigen::VectorXd values;
 
@@ -87,13 +87,13 @@ private:
     return values.segment<6>(static_cast<Eigen::Index>(i));
   }
 
-  Quantities quantities_;
+  StateLayout quantities_;
 };
 
 /// The robot as drawn, all angles zero, the camera's mount nominal, boards at their frames' origins.
-Belief drawnBelief(const Robot& robot, const Quantities& quantities);
+ModelState drawnBelief(const Robot& robot, const StateLayout& quantities);
 
 /// Brings all joints to rest, as far as their limits let them.
-void takeToRest(const Robot& robot, Belief& belief);
+void takeToRest(const Robot& robot, ModelState& belief);
 
 } // namespace naocal

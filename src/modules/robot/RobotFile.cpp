@@ -23,47 +23,47 @@ inline constexpr Range degreeRange{-360, 360, "degrees"};
 inline constexpr Range directionRange{-1, 1, ""};
 
 /// The entries of an object but its "source" and "note", which are allowed everywhere and are for people only.
-std::vector<std::pair<std::string, JsonPlace>> entries(const JsonPlace& place);
+std::vector<std::pair<std::string, JsonCursor>> entries(const JsonCursor& place);
 
 /// The entries of a section of the drawing; none when it is absent.
-std::vector<std::pair<std::string, JsonPlace>> section(const JsonPlace& drawing, const std::string& key);
+std::vector<std::pair<std::string, JsonCursor>> section(const JsonCursor& drawing, const std::string& key);
 
 /// A misspelt optional key would silently change the robot: every key must be one of these.
-void allowOnly(const JsonPlace& place, const std::vector<std::string_view>& keys);
+void allowOnly(const JsonCursor& place, const std::vector<std::string_view>& keys);
 
-Eigen::Vector3d vector3(const JsonPlace& place, const Range& range);
-Eigen::Vector3d metres3(const JsonPlace& millimetres);
-Eigen::Vector2d metres2(const JsonPlace& millimetres);
+Eigen::Vector3d vector3(const JsonCursor& place, const Range& range);
+Eigen::Vector3d metres3(const JsonCursor& millimetres);
+Eigen::Vector2d metres2(const JsonCursor& millimetres);
 
 /// The link or joint of which this place holds the name.
-std::size_t linkAt(const JsonPlace& place, const Robot& robot);
-std::size_t jointAt(const JsonPlace& place, const Robot& robot);
+std::size_t linkAt(const JsonCursor& place, const Robot& robot);
+std::size_t jointAt(const JsonCursor& place, const Robot& robot);
 
 /// The drawing's sections "joints" and "soles", for a robot whose tree is known.
-void readJoints(const JsonPlace& drawing, Robot& robot);
-void readSoles(const JsonPlace& drawing, Robot& robot);
+void readJoints(const JsonCursor& drawing, Robot& robot);
+void readSoles(const JsonCursor& drawing, Robot& robot);
 
 /// The robot of a complete drawing document (a base, if any, already merged in). Throws InputError at the first place
 /// that is not as home/configuration/drawings/NaoV5.json shows it.
-Robot readDrawing(const JsonPlace& drawing);
+Robot readDrawing(const JsonCursor& drawing);
 
 namespace {
 
-AngleRange angleRange(const JsonPlace& place, double lowerDegrees, double upperDegrees) {
+AngleRange angleRange(const JsonCursor& place, double lowerDegrees, double upperDegrees) {
   if (lowerDegrees > upperDegrees) {
     place.refuse("a lower limit not above the upper one");
   }
   return {radians(lowerDegrees), radians(upperDegrees)};
 }
 
-CoupledLimits coupledLimits(const JsonPlace& place, const Robot& robot, std::size_t joint) {
+CoupledLimits coupledLimits(const JsonCursor& place, const Robot& robot, std::size_t joint) {
   allowOnly(place, {"on", "rowsDegrees"});
   CoupledLimits coupled;
   coupled.onJoint = jointAt(place.at("on"), robot);
   if (coupled.onJoint == joint) {
     place.at("on").refuse("another joint");
   }
-  for (const JsonPlace& row : place.at("rowsDegrees").elements()) {
+  for (const JsonCursor& row : place.at("rowsDegrees").elements()) {
     const auto numbers = row.numbers(3, degreeRange, "angle, lower, upper");
     if (!coupled.angles.empty() && radians(numbers[0]) <= coupled.angles.back()) {
       row.refuse("an angle above that of the row before");
@@ -77,7 +77,7 @@ CoupledLimits coupledLimits(const JsonPlace& place, const Robot& robot, std::siz
   return coupled;
 }
 
-void readJoint(const JsonPlace& place, Robot& robot, std::size_t index) {
+void readJoint(const JsonCursor& place, Robot& robot, std::size_t index) {
   allowOnly(place,
             {"axis", "limitsDegrees", "maxSpeedDegreesPerSecond", "restingDegrees", "drivenBy", "coupledLimits"});
   Joint& joint = robot.joints[index];
@@ -86,7 +86,7 @@ void readJoint(const JsonPlace& place, Robot& robot, std::size_t index) {
     place.at("axis").refuse("a direction", "[0, 0, 0]");
   }
   joint.axis.normalize();
-  const JsonPlace limits = place.at("limitsDegrees");
+  const JsonCursor limits = place.at("limitsDegrees");
   const auto bounds = limits.numbers(2, degreeRange, "lower, upper");
   joint.limits = angleRange(limits, bounds[0], bounds[1]);
   joint.maxSpeed = radians(place.at("maxSpeedDegreesPerSecond").number({0.1, 10000, "degrees per second"}));
@@ -102,7 +102,7 @@ void readJoint(const JsonPlace& place, Robot& robot, std::size_t index) {
 
 } // namespace
 
-void readJoints(const JsonPlace& drawing, Robot& robot) {
+void readJoints(const JsonCursor& drawing, Robot& robot) {
   for (const auto& [name, place] : section(drawing, "joints")) {
     if (!robot.jointIndex(name)) {
       place.refuse("only joints of the tree", '"' + name + '"');
@@ -118,18 +118,18 @@ void readJoints(const JsonPlace& drawing, Robot& robot) {
   }
 }
 
-std::vector<std::pair<std::string, JsonPlace>> entries(const JsonPlace& place) {
+std::vector<std::pair<std::string, JsonCursor>> entries(const JsonCursor& place) {
   auto members = place.members();
   std::erase_if(members, [](const auto& member) { return member.first == "source" || member.first == "note"; });
   return members;
 }
 
-std::vector<std::pair<std::string, JsonPlace>> section(const JsonPlace& drawing, const std::string& key) {
+std::vector<std::pair<std::string, JsonCursor>> section(const JsonCursor& drawing, const std::string& key) {
   const auto place = drawing.find(key);
-  return place ? entries(*place) : std::vector<std::pair<std::string, JsonPlace>>{};
+  return place ? entries(*place) : std::vector<std::pair<std::string, JsonCursor>>{};
 }
 
-void allowOnly(const JsonPlace& place, const std::vector<std::string_view>& keys) {
+void allowOnly(const JsonCursor& place, const std::vector<std::string_view>& keys) {
   for (const auto& [key, value] : entries(place)) {
     if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
       place.refuse(fmt::format("no keys but {}, source, note", fmt::join(keys, ", ")), '"' + key + '"');
@@ -137,21 +137,21 @@ void allowOnly(const JsonPlace& place, const std::vector<std::string_view>& keys
   }
 }
 
-Eigen::Vector3d vector3(const JsonPlace& place, const Range& range) {
+Eigen::Vector3d vector3(const JsonCursor& place, const Range& range) {
   const auto xyz = place.numbers(3, range, "x, y, z");
   return {xyz[0], xyz[1], xyz[2]};
 }
 
-Eigen::Vector3d metres3(const JsonPlace& millimetres) {
+Eigen::Vector3d metres3(const JsonCursor& millimetres) {
   return vector3(millimetres, millimetreRange) / 1000;
 }
 
-Eigen::Vector2d metres2(const JsonPlace& millimetres) {
+Eigen::Vector2d metres2(const JsonCursor& millimetres) {
   const auto xy = millimetres.numbers(2, millimetreRange, "x, y");
   return {xy[0] / 1000, xy[1] / 1000};
 }
 
-std::size_t linkAt(const JsonPlace& place, const Robot& robot) {
+std::size_t linkAt(const JsonCursor& place, const Robot& robot) {
   const auto link = robot.linkIndex(place.text());
   if (!link) {
     place.refuse("the name of a link of the tree");
@@ -159,7 +159,7 @@ std::size_t linkAt(const JsonPlace& place, const Robot& robot) {
   return *link;
 }
 
-std::size_t jointAt(const JsonPlace& place, const Robot& robot) {
+std::size_t jointAt(const JsonCursor& place, const Robot& robot) {
   const auto joint = robot.jointIndex(place.text());
   if (!joint) {
     place.refuse("the name of a joint of the tree");
@@ -169,14 +169,14 @@ std::size_t jointAt(const JsonPlace& place, const Robot& robot) {
 
 namespace {
 
-void readLengths(const JsonPlace& drawing, Robot& robot) {
+void readLengths(const JsonCursor& drawing, Robot& robot) {
   for (const auto& [name, length] : section(drawing, "lengthsMillimetres")) {
     robot.lengths.push_back({name, length.number({0, millimetreRange.highest, millimetreRange.unit}) / 1000});
   }
 }
 
 /// How far the link lies from its parent: a constant part, and lengths along directions.
-void readOrigin(const JsonPlace& place, const Robot& robot, Link& link) {
+void readOrigin(const JsonCursor& place, const Robot& robot, Link& link) {
   if (const auto origin = place.find("originMillimetres")) {
     link.constant = metres3(*origin);
   }
@@ -191,7 +191,7 @@ void readOrigin(const JsonPlace& place, const Robot& robot, Link& link) {
   }
 }
 
-void readLink(const JsonPlace& place, Robot& robot) {
+void readLink(const JsonCursor& place, Robot& robot) {
   Link link;
   link.name = place.at("name").text();
   if (robot.linkIndex(link.name)) {
@@ -219,10 +219,10 @@ void readLink(const JsonPlace& place, Robot& robot) {
   robot.links.push_back(std::move(link));
 }
 
-void readTree(const JsonPlace& drawing, Robot& robot) {
-  const JsonPlace tree = drawing.at("tree");
+void readTree(const JsonCursor& drawing, Robot& robot) {
+  const JsonCursor tree = drawing.at("tree");
   allowOnly(tree, {"links"});
-  for (const JsonPlace& link : tree.at("links").elements()) {
+  for (const JsonCursor& link : tree.at("links").elements()) {
     readLink(link, robot);
   }
   if (robot.links.empty()) {
@@ -230,7 +230,7 @@ void readTree(const JsonPlace& drawing, Robot& robot) {
   }
 }
 
-void readMasses(const JsonPlace& drawing, Robot& robot) {
+void readMasses(const JsonCursor& drawing, Robot& robot) {
   for (const auto& [name, place] : section(drawing, "masses")) {
     allowOnly(place, {"kilograms", "centreMillimetres"});
     const auto index = robot.linkIndex(name);
@@ -243,7 +243,7 @@ void readMasses(const JsonPlace& drawing, Robot& robot) {
   }
 }
 
-void readCameras(const JsonPlace& drawing, Robot& robot) {
+void readCameras(const JsonCursor& drawing, Robot& robot) {
   for (const auto& [name, place] : section(drawing, "cameras")) {
     allowOnly(place, {"link", "originMillimetres", "pitchDegrees"});
     robot.cameras.push_back({.name = name,
@@ -253,13 +253,13 @@ void readCameras(const JsonPlace& drawing, Robot& robot) {
   }
 }
 
-void readHull(const JsonPlace& drawing, Robot& robot) {
+void readHull(const JsonCursor& drawing, Robot& robot) {
   const auto hull = drawing.find("hull");
   if (!hull) {
     return;
   }
   allowOnly(*hull, {"capsules"});
-  for (const JsonPlace& place : hull->at("capsules").elements()) {
+  for (const JsonCursor& place : hull->at("capsules").elements()) {
     allowOnly(place, {"link", "fromMillimetres", "toMillimetres", "radiusMillimetres"});
     robot.hull.push_back({.link = linkAt(place.at("link"), robot),
                           .from = metres3(place.at("fromMillimetres")),
@@ -270,7 +270,7 @@ void readHull(const JsonPlace& drawing, Robot& robot) {
 
 } // namespace
 
-Robot readDrawing(const JsonPlace& drawing) {
+Robot readDrawing(const JsonCursor& drawing) {
   allowOnly(drawing, {"format", "version", "base", "model", "lengthsMillimetres", "tree", "joints", "masses", "cameras",
                       "soles", "hull"});
   Robot robot;
@@ -304,9 +304,9 @@ bool isConvex(const Outline& outline) {
   return outline.size() >= 3;
 }
 
-Outline ownOutline(const JsonPlace& place) {
+Outline ownOutline(const JsonCursor& place) {
   Outline outline;
-  for (const JsonPlace& point : place.elements()) {
+  for (const JsonCursor& point : place.elements()) {
     outline.push_back(metres2(point));
   }
   if (!isConvex(outline)) {
@@ -316,7 +316,7 @@ Outline ownOutline(const JsonPlace& place) {
 }
 
 /// The outline given here, or the mirror image of another sole's.
-Outline outline(const JsonPlace& place, const JsonPlace& soles) {
+Outline outline(const JsonCursor& place, const JsonCursor& soles) {
   const auto own = place.find("outlineMillimetres"), mirrored = place.find("outlineMirroredFrom");
   if (own && mirrored) {
     place.refuse("outlineMillimetres or outlineMirroredFrom", "both");
@@ -338,7 +338,7 @@ Outline outline(const JsonPlace& place, const JsonPlace& soles) {
 
 } // namespace
 
-void readSoles(const JsonPlace& drawing, Robot& robot) {
+void readSoles(const JsonCursor& drawing, Robot& robot) {
   for (const auto& [name, place] : section(drawing, "soles")) {
     allowOnly(place, {"link", "outlineMillimetres", "outlineMirroredFrom", "forceSensorsMillimetres"});
     Sole sole;
@@ -360,7 +360,7 @@ namespace {
 /// The file's own content, known to be a drawing.
 nlohmann::json document(const std::filesystem::path& file) {
   nlohmann::json document = parseJson(fileContent(file), file.string());
-  const JsonPlace top{document, file.string()};
+  const JsonCursor top{document, file.string()};
   top.at("format").oneOf({"naocal-drawing"});
   top.at("version").integer(1, 1);
   return document;
@@ -384,7 +384,7 @@ std::vector<std::string> models(const std::filesystem::path& drawings) {
 
 Robot loadRobot(const std::filesystem::path& drawing) {
   const nlohmann::json own = document(drawing);
-  const JsonPlace top{own, drawing.string()};
+  const JsonCursor top{own, drawing.string()};
   const auto base = top.find("base");
   if (!base) {
     return readDrawing(top);
@@ -394,7 +394,7 @@ Robot loadRobot(const std::filesystem::path& drawing) {
     base->refuse("a drawing that has no base of its own");
   }
   merged.merge_patch(own);
-  return readDrawing(JsonPlace{merged, fmt::format("{} (with its base {})", drawing.string(), base->text())});
+  return readDrawing(JsonCursor{merged, fmt::format("{} (with its base {})", drawing.string(), base->text())});
 }
 
 Robot loadRobot(const std::filesystem::path& configuration, std::string_view model) {

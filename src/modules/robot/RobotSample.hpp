@@ -9,7 +9,7 @@
 namespace naocal {
 
 /// What drives effects at one instant: per joint of the robot where it is a list; NaN where it was not recorded.
-struct Instant {
+struct RobotSample {
   static constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
   std::size_t set = 0; // of those given: the same time in another one is another moment

@@ -34,9 +34,9 @@ std::size_t countOfJointsBetween(const Robot& robot, std::size_t one, std::size_
 } // namespace
 
 SelfCollision::SelfCollision(const Robot& robot, double clearance) : robot_{robot}, clearance_{clearance} {
-  Belief resting = drawnBelief(robot, Quantities{robot.joints.size(), robot.lengths.size(), 0});
+  ModelState resting = drawnBelief(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
   takeToRest(robot, resting);
-  const Posture atRest = posture(robot, resting);
+  const LinkPoses atRest = posture(robot, resting);
   for (std::size_t one = 0; one < robot.hull.size(); ++one) {
     for (std::size_t other = one + 1; other < robot.hull.size(); ++other) {
       if (countOfJointsBetween(robot, robot.hull[one].link, robot.hull[other].link) > 2 &&
@@ -47,12 +47,12 @@ SelfCollision::SelfCollision(const Robot& robot, double clearance) : robot_{robo
   }
 }
 
-bool SelfCollision::touches(const Posture& torsoFromLink) const {
+bool SelfCollision::touches(const LinkPoses& torsoFromLink) const {
   return std::any_of(pairs_.begin(), pairs_.end(),
                      [&](const auto& pair) { return near(pair.first, pair.second, torsoFromLink, clearance_); });
 }
 
-bool SelfCollision::near(std::size_t one, std::size_t other, const Posture& torsoFromLink, double gap) const {
+bool SelfCollision::near(std::size_t one, std::size_t other, const LinkPoses& torsoFromLink, double gap) const {
   const Capsule &a = robot_.hull[one], &b = robot_.hull[other];
   const RigidTransform &ofA = torsoFromLink[a.link], &ofB = torsoFromLink[b.link];
   return segmentDistance(ofA * a.from, ofA * a.to, ofB * b.from, ofB * b.to) < a.radius + b.radius + gap;

@@ -17,10 +17,10 @@ namespace naocal {
 
 /// Paints flat things over a picture of the floor, row after row: the mean brightness over each pixel's area and the
 /// time for which it is exposed.
-class RenderingRow {
+class RowRenderer {
 public:
   /// `rays`: (x, y) at z = 1 through the corners of all pixels, row after row; `width`: pixels in a row.
-  RenderingRow(const std::vector<Flat>& flats, const std::vector<Eigen::Vector2f>& rays, int width);
+  RowRenderer(const std::vector<FlatObject>& flats, const std::vector<Eigen::Vector2f>& rays, int width);
 
   /// `brightness`: of the floor in the row's pixels, then of what is seen there. It is exposed from `begin` to `end`,
   /// shares of the span between the first and the last instant; all the same where nothing moves.
@@ -32,7 +32,7 @@ private:
   /// One flat thing in the row: its cells seen through the pixels' corners when exposure begins and ends, above and
   /// below, and its place at each sample's time.
   struct Candidate {
-    const Flat* flat;
+    const FlatObject* flat;
     std::array<std::vector<std::size_t>, 4> cells;
     std::vector<Eigen::Matrix3f> planeFromRay; // one where nothing moves
   };
@@ -85,8 +85,8 @@ GreyPicture Renderer::picture(const std::vector<RenderedScene>& scenes, double e
   for (float& floor : light) {
     floor = float(appearance.floorBrightness) + float(appearance.floorTexture) * floor;
   }
-  const std::vector<Flat> all = flats(scenes, intrinsics_);
-  RenderingRow row{all, rays_, width};
+  const std::vector<FlatObject> all = flats(scenes, intrinsics_);
+  RowRenderer row{all, rays_, width};
   for (int y = 0; y < height; ++y) {
     const float begin = float(y) / float(height - 1) * float(1 - exposureShare);
     row.paint(y, begin, begin + float(exposureShare), &light[std::size_t(y) * std::size_t(width)]);
@@ -128,7 +128,7 @@ struct Outline {
 };
 
 /// Adds where a flat thing is at one more instant.
-void addInstant(Flat& flat, const RigidTransform& opticalFromFlat, const Outline& outline,
+void addInstant(FlatObject& flat, const RigidTransform& opticalFromFlat, const Outline& outline,
                 const CameraIntrinsics& camera) {
   Eigen::Matrix3d rayFromPlane;
   rayFromPlane << opticalFromFlat.rotation.leftCols<2>(), opticalFromFlat.translation;
@@ -159,22 +159,22 @@ bool seenFromBehind(const RigidTransform& opticalFromFlat) {
 
 } // namespace
 
-Eigen::Matrix3f Flat::at(float share) const {
+Eigen::Matrix3f FlatObject::at(float share) const {
   const float place = share * float(planeFromRay.size() - 1);
   const std::size_t before = std::min(std::size_t(place), planeFromRay.size() - 2);
   return planeFromRay[before] + (place - float(before)) * (planeFromRay[before + 1] - planeFromRay[before]);
 }
 
-std::vector<Flat> flats(const std::vector<RenderedScene>& scenes, const CameraIntrinsics& camera) {
-  const Flat nowhere{nullptr, false, camera.width, -1, camera.height, -1, {}};
-  std::vector<Flat> result;
+std::vector<FlatObject> flats(const std::vector<RenderedScene>& scenes, const CameraIntrinsics& camera) {
+  const FlatObject nowhere{nullptr, false, camera.width, -1, camera.height, -1, {}};
+  std::vector<FlatObject> result;
   for (std::size_t i = 0; i < scenes.front().boards.size(); ++i) {
     const RenderedBoard& board = scenes.front().boards[i];
     const Eigen::Vector2d outside{board.margin, board.margin};
     const Eigen::Vector2d size{board.pattern.squaresX * board.pattern.squareLength,
                                board.pattern.squaresY * board.pattern.squareLength};
     const Outline outline{Eigen::Vector2d{0, -size.y()} - outside, Eigen::Vector2d{size.x(), 0} + outside};
-    Flat& flat = result.emplace_back(nowhere);
+    FlatObject& flat = result.emplace_back(nowhere);
     flat.painting = paintedSheet(board.pattern, board.margin);
     flat.fromBehind = seenFromBehind(board.cameraOpticalFromBoard);
     for (const RenderedScene& scene : scenes) {
@@ -184,7 +184,7 @@ std::vector<Flat> flats(const std::vector<RenderedScene>& scenes, const CameraIn
   for (std::size_t i = 0; i < scenes.front().patches.size(); ++i) {
     const Patch& patch = scenes.front().patches[i];
     const Eigen::Vector2d half = patch.size / 2;
-    Flat& flat = result.emplace_back(nowhere);
+    FlatObject& flat = result.emplace_back(nowhere);
     flat.painting = paintedPatch(half.x(), half.y(), patch.brightness);
     flat.fromBehind = seenFromBehind(patch.cameraOpticalFromPatch);
     for (const RenderedScene& scene : scenes) {
@@ -230,12 +230,12 @@ namespace {
 
 constexpr std::size_t behindCamera = std::numeric_limits<std::size_t>::max();
 
-std::size_t cellSeen(const Painting& painting, const Eigen::Matrix3f& planeFromRay, const Eigen::Vector2f& ray) {
+std::size_t cellSeen(const FlatTexture& painting, const Eigen::Matrix3f& planeFromRay, const Eigen::Vector2f& ray) {
   const Eigen::Vector3f p = planeFromRay.leftCols<2>() * ray + planeFromRay.col(2);
   return p.z() > 0 ? painting.cell(p.x() / p.z(), p.y() / p.z()) : behindCamera;
 }
 
-float shown(const Flat& flat, std::size_t cell) {
+float shown(const FlatObject& flat, std::size_t cell) {
   return cell == behindCamera ? -1 : flat.painting->brightness(cell, flat.fromBehind);
 }
 
@@ -249,17 +249,17 @@ float scatter(unsigned x, unsigned y) {
 
 } // namespace
 
-RenderingRow::RenderingRow(const std::vector<Flat>& flats, const std::vector<Eigen::Vector2f>& rays, int width)
+RowRenderer::RowRenderer(const std::vector<FlatObject>& flats, const std::vector<Eigen::Vector2f>& rays, int width)
     : rays_{rays}, width_{width}, moves_{!flats.empty() && flats.front().planeFromRay.size() > 1} {
-  for (const Flat& flat : flats) {
+  for (const FlatObject& flat : flats) {
     Candidate& candidate = all_.emplace_back(Candidate{&flat, {}, {}});
     candidate.cells.fill(std::vector<std::size_t>(std::size_t(width + 1), behindCamera));
     candidate.planeFromRay.assign(moves_ ? samples : 1, flat.planeFromRay.front());
   }
 }
 
-void RenderingRow::prepare(Candidate& candidate, int y, float begin, float end) const {
-  const Flat& flat = *candidate.flat;
+void RowRenderer::prepare(Candidate& candidate, int y, float begin, float end) const {
+  const FlatObject& flat = *candidate.flat;
   if (moves_) {
     constexpr std::array<int, samples> times{6, 13, 2, 9, 0, 11, 4, 15, 7, 12, 3, 8, 1, 10, 5, 14};
     for (std::size_t i = 0; i < samples; ++i) {
@@ -285,8 +285,8 @@ void RenderingRow::prepare(Candidate& candidate, int y, float begin, float end) 
   }
 }
 
-std::optional<float> RenderingRow::uniform(const Candidate& candidate, int x) {
-  const Flat& flat = *candidate.flat;
+std::optional<float> RowRenderer::uniform(const Candidate& candidate, int x) {
+  const FlatObject& flat = *candidate.flat;
   if (x < flat.left || x > flat.right) {
     return -1;
   }
@@ -302,7 +302,7 @@ std::optional<float> RenderingRow::uniform(const Candidate& candidate, int x) {
 }
 
 /// The mean over samples of the pixel's area and time; those that hit nothing see the floor.
-float RenderingRow::sampled(int x, int y, float floor) const {
+float RowRenderer::sampled(int x, int y, float floor) const {
   constexpr std::array<int, samples> rows{0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15};
   const Eigen::Vector2f& corner = ray(x, y);
   const Eigen::Vector2f right = ray(x + 1, y) - corner, down = ray(x, y + 1) - corner;
@@ -322,7 +322,7 @@ float RenderingRow::sampled(int x, int y, float floor) const {
   return sum / samples;
 }
 
-void RenderingRow::paint(int y, float begin, float end, float* brightness) {
+void RowRenderer::paint(int y, float begin, float end, float* brightness) {
   std::vector<const Candidate*> here;
   int left = width_, right = -1;
   for (Candidate& candidate : all_) {

@@ -79,8 +79,8 @@ std::optional<Eigen::Vector2d> seenAt(const Eigen::Vector3d& pointInCameraOptica
 BoardCorners trueCorners(const RenderedBoard& board, const CameraIntrinsics& intrinsics);
 
 /// A flat thing made ready: what is painted on it, which pixels it may touch, and where a ray meets its plane.
-struct Flat {
-  std::shared_ptr<const Painting> painting;
+struct FlatObject {
+  std::shared_ptr<const FlatTexture> painting;
   bool fromBehind = false;                   // as seen at the first instant
   int left, right, top, bottom;              // [px], inclusive, at all instants
   std::vector<Eigen::Matrix3f> planeFromRay; // by instant: (x, y, 1) / distance = planeFromRay * ray
@@ -90,7 +90,7 @@ struct Flat {
 };
 
 /// All flat things of a scene at several instants, those in front first.
-std::vector<Flat> flats(const std::vector<RenderedScene>& scenes, const CameraIntrinsics& camera);
+std::vector<FlatObject> flats(const std::vector<RenderedScene>& scenes, const CameraIntrinsics& camera);
 
 /// The point at z = 1 that is seen at a pixel, and the pixel where a point before the camera is seen.
 /// Written for rendering alone, apart from the calibration's projection that the pictures shall check.

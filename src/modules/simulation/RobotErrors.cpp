@@ -17,15 +17,15 @@ constexpr double gapFriction = 0.3; // of a gear whose play load can take up [Nm
 
 } // namespace
 
-HiddenFlaw HiddenFlaw::scaled(double factor) const {
-  HiddenFlaw result = *this;
+InjectedEffect InjectedEffect::scaled(double factor) const {
+  InjectedEffect result = *this;
   result.compliance *= factor;
   result.play *= factor;
   result.excess *= factor;
   return result;
 }
 
-Eigen::VectorXd HiddenFlaw::lag(const Eigen::VectorXd& lastMotion, const Eigen::VectorXd& torques) const {
+Eigen::VectorXd InjectedEffect::lag(const Eigen::VectorXd& lastMotion, const Eigen::VectorXd& torques) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(lastMotion.size());
   if (looseJoint) {
     const auto joint = static_cast<Eigen::Index>(*looseJoint);
@@ -35,14 +35,14 @@ Eigen::VectorXd HiddenFlaw::lag(const Eigen::VectorXd& lastMotion, const Eigen::
   return result;
 }
 
-Robot HiddenFlaw::built(Robot drawing) const {
+Robot InjectedEffect::built(Robot drawing) const {
   if (longBone) {
     drawing.lengths[*longBone].value += excess;
   }
   return drawing;
 }
 
-TrueEffect HiddenFlaw::truth(const Robot& drawing) const {
+TrueEffect InjectedEffect::truth(const Robot& drawing) const {
   if (softJoint) {
     return {"elasticity", drawing.joints[*softJoint].name, {{"c", compliance, "rad/Nm"}}};
   }
@@ -55,9 +55,9 @@ TrueEffect HiddenFlaw::truth(const Robot& drawing) const {
   return {"linkLength", drawing.lengths[longBone.value()].name, {{"dL", excess, "m"}}};
 }
 
-HiddenFlaw drawnFlaw(const Robot& drawing, SupportFoot supportFoot, Randomness& chance) {
+InjectedEffect drawnFlaw(const Robot& drawing, SupportFoot supportFoot, RandomStream& chance) {
   const std::string side = supportFoot == SupportFoot::right ? "R" : "L";
-  HiddenFlaw flaw;
+  InjectedEffect flaw;
   switch (chance.below(3)) {
   case 0: {
     const std::array<const char*, 2> soft{"KneePitch", "AnklePitch"};
@@ -84,10 +84,10 @@ HiddenFlaw drawnFlaw(const Robot& drawing, SupportFoot supportFoot, Randomness& 
   return flaw;
 }
 
-HiddenFlaw namedFlaw(const Robot& drawing, const std::string& label) {
+InjectedEffect namedFlaw(const Robot& drawing, const std::string& label) {
   const std::size_t split = std::min(label.find('@'), label.size());
   const std::string effect = label.substr(0, split), place = label.substr(std::min(split + 1, label.size()));
-  HiddenFlaw flaw;
+  InjectedEffect flaw;
   if (const auto joint = drawing.jointIndex(place)) {
     const std::size_t motor = drawing.joints[*joint].motor;
     if (effect == "elasticity" || effect == "spring") {
@@ -114,7 +114,7 @@ HiddenFlaw namedFlaw(const Robot& drawing, const std::string& label) {
 }
 
 RobotErrors drawnErrors(const Robot& drawing, double offsetRange, double mountRange, double mountShiftRange,
-                        Randomness& chance) {
+                        RandomStream& chance) {
   RobotErrors errors;
   errors.jointOffsets.resize(static_cast<Eigen::Index>(drawing.joints.size()));
   for (double& offset : errors.jointOffsets) {

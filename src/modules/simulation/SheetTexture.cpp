@@ -17,7 +17,7 @@ std::size_t strip(float place, float margin, float length) {
   return place < length ? 2 : place < length + margin ? 3 : 4;
 }
 
-class Sheet final : public Painting {
+class Sheet final : public FlatTexture {
 public:
   Sheet(const CharucoPattern& pattern, double margin)
       : squaresX_{pattern.squaresX}, squaresY_{pattern.squaresY}, squareLength_{float(pattern.squareLength)},
@@ -82,7 +82,7 @@ private:
   std::vector<bool> white_;     // by square
 };
 
-class PatchPainting final : public Painting {
+class PatchPainting final : public FlatTexture {
 public:
   PatchPainting(double halfX, double halfY, double brightness) : halfX_{float(halfX)}, halfY_{float(halfY)} {
     brightness_.assign(9, -1);
@@ -99,11 +99,11 @@ private:
 
 } // namespace
 
-std::shared_ptr<const Painting> paintedSheet(const CharucoPattern& pattern, double margin) {
+std::shared_ptr<const FlatTexture> paintedSheet(const CharucoPattern& pattern, double margin) {
   return std::make_shared<Sheet>(pattern, margin);
 }
 
-std::shared_ptr<const Painting> paintedPatch(double halfX, double halfY, double brightness) {
+std::shared_ptr<const FlatTexture> paintedPatch(double halfX, double halfY, double brightness) {
   return std::make_shared<PatchPainting>(halfX, halfY, brightness);
 }
 

@@ -9,9 +9,9 @@ namespace naocal {
 
 /// What is painted on a plane: convex cells of one brightness each, so that an area whose corners lie in one cell is of
 /// its brightness throughout. Places beyond the edge belong to cells, too.
-class Painting {
+class FlatTexture {
 public:
-  virtual ~Painting() = default;
+  virtual ~FlatTexture() = default;
 
   /// Which cell a place [m] is in.
   virtual std::size_t cell(float x, float y) const = 0;
@@ -30,9 +30,9 @@ protected:
 ///
 /// The first square of the first row is black; in the legacy pattern with an even number of rows it is white.
 /// White squares hold the markers, numbered along rows from the top left, upright and centred.
-std::shared_ptr<const Painting> paintedSheet(const CharucoPattern& pattern, double margin);
+std::shared_ptr<const FlatTexture> paintedSheet(const CharucoPattern& pattern, double margin);
 
 /// One grey, spanning x and y by +-half [m].
-std::shared_ptr<const Painting> paintedPatch(double halfX, double halfY, double brightness);
+std::shared_ptr<const FlatTexture> paintedPatch(double halfX, double halfY, double brightness);
 
 } // namespace naocal

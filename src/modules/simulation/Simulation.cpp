@@ -12,16 +12,16 @@
 namespace naocal {
 
 /// The corners that the pictures of a walk show, without noise: one list of boards per capture.
-std::vector<std::vector<BoardCorners>> cornersInView(const Walk& walk, const SimulationPlan& plan);
+std::vector<std::vector<BoardCorners>> cornersInView(const CaptureSequence& walk, const SimulationPlan& plan);
 
 /// Moves one board, in the exposure of one picture, by `distance` [m] in a direction drawn at random. Before and after,
 /// the picture shows at least eight of its corners, and at least two other pictures do: else nothing could tell that
 /// the board is not where it always was. Absent when there is no such picture.
-std::optional<DisplacedBoard> displaceOneBoard(Walk& walk, const SimulationPlan& plan, double distance,
-                                               Randomness& chance);
+std::optional<DisplacedBoard> displaceOneBoard(CaptureSequence& walk, const SimulationPlan& plan, double distance,
+                                               RandomStream& chance);
 
 /// Adds a detector's noise, and gross errors, which are returned by name.
-std::vector<GrossCorner> spoil(std::vector<Capture>& captures, const CornerNoise& noise, Randomness& chance);
+std::vector<GrossCorner> spoil(std::vector<Capture>& captures, const CornerNoise& noise, RandomStream& chance);
 
 namespace {
 
@@ -42,7 +42,7 @@ struct Appearance {
   std::size_t capture, board;
 };
 
-std::vector<Appearance> goodSights(const Walk& walk, const SimulationPlan& plan) {
+std::vector<Appearance> goodSights(const CaptureSequence& walk, const SimulationPlan& plan) {
   constexpr std::size_t enough = 8; // corners
   std::vector<Appearance> sights;
   for (std::size_t capture = 0; capture < walk.captures.size(); ++capture) {
@@ -59,7 +59,7 @@ std::vector<Appearance> goodSights(const Walk& walk, const SimulationPlan& plan)
 
 } // namespace
 
-std::vector<std::vector<BoardCorners>> cornersInView(const Walk& walk, const SimulationPlan& plan) {
+std::vector<std::vector<BoardCorners>> cornersInView(const CaptureSequence& walk, const SimulationPlan& plan) {
   std::vector<std::vector<BoardCorners>> corners;
   for (std::size_t capture = 0; capture < walk.captures.size(); ++capture) {
     corners.push_back(cornersInView(walk.captures[capture], walk.exposures[capture], plan));
@@ -67,8 +67,8 @@ std::vector<std::vector<BoardCorners>> cornersInView(const Walk& walk, const Sim
   return corners;
 }
 
-std::optional<DisplacedBoard> displaceOneBoard(Walk& walk, const SimulationPlan& plan, double distance,
-                                               Randomness& chance) {
+std::optional<DisplacedBoard> displaceOneBoard(CaptureSequence& walk, const SimulationPlan& plan, double distance,
+                                               RandomStream& chance) {
   std::vector<Appearance> candidates = goodSights(walk, plan);
   while (!candidates.empty()) {
     const auto chosen = candidates.begin() + static_cast<std::ptrdiff_t>(chance.below(candidates.size()));
@@ -93,7 +93,7 @@ std::optional<DisplacedBoard> displaceOneBoard(Walk& walk, const SimulationPlan&
   return std::nullopt;
 }
 
-std::vector<GrossCorner> spoil(std::vector<Capture>& captures, const CornerNoise& noise, Randomness& chance) {
+std::vector<GrossCorner> spoil(std::vector<Capture>& captures, const CornerNoise& noise, RandomStream& chance) {
   std::vector<GrossCorner> gross;
   const auto error = [&] { return noise.heavyTails ? chance.heavyTailed(noise.pixel) : chance.normal(noise.pixel); };
   for (Capture& capture : captures) {
@@ -114,7 +114,7 @@ std::vector<GrossCorner> spoil(std::vector<Capture>& captures, const CornerNoise
 namespace {
 
 /// Where the boards really lie: drawn about their planned places.
-std::vector<Placement> drawnBoards(const SimulationPlan& plan, Randomness chance) {
+std::vector<Placement> drawnBoards(const SimulationPlan& plan, RandomStream chance) {
   std::vector<Placement> placements;
   for (const Board& board : plan.boards) {
     assert(board.placement);
@@ -195,16 +195,16 @@ CaptureSet emptySet(const Robot& drawing, const SimulationPlan& plan, std::uint6
 
 Simulation simulate(const Robot& drawing, const SimulationPlan& plan, std::uint64_t seed) {
   const std::uint64_t robotSeed = plan.robotSeed.value_or(seed);
-  Randomness errorChance{robotSeed, "errors"}, displacementChance{seed, "displacement"}, noiseChance{seed, "corners"};
+  RandomStream errorChance{robotSeed, "errors"}, displacementChance{seed, "displacement"}, noiseChance{seed, "corners"};
   RobotErrors errors = drawnErrors(drawing, plan.offsetRange, plan.mountRange, plan.mountShiftRange, errorChance);
   if (!plan.flaw.empty()) {
     errors.flaw = namedFlaw(drawing, plan.flaw).scaled(plan.flawScale);
   } else if (plan.hiddenFlaw && !plan.poses.empty()) {
-    Randomness flawChance{robotSeed, "flaw"};
+    RandomStream flawChance{robotSeed, "flaw"};
     errors.flaw = drawnFlaw(drawing, plan.poses.front().supportFoot, flawChance).scaled(plan.flawScale);
   }
-  const std::vector<Placement> boards = drawnBoards(plan, Randomness{plan.boardSeed.value_or(seed), "boards"});
-  Walk taken = walk(SyntheticRobot{drawing, errors, plan.mechanics}, plan, boards, seed);
+  const std::vector<Placement> boards = drawnBoards(plan, RandomStream{plan.boardSeed.value_or(seed), "boards"});
+  CaptureSequence taken = walk(SyntheticRobot{drawing, errors, plan.mechanics}, plan, boards, seed);
 
   Simulation result{emptySet(drawing, plan, robotSeed), {}, {}};
   Truth& truth = result.truth;
@@ -268,7 +268,7 @@ public:
     }
   }
 
-  Walk run() {
+  CaptureSequence run() {
     const bool restands = plan_.repeatKind == RepeatKind::restand;
     for (int round = 0; round < (restands ? plan_.samples : 1); ++round) {
       stance_ = {};
@@ -373,20 +373,20 @@ private:
 
   const SyntheticRobot& robot_;
   const SimulationPlan& plan_;
-  Randomness stanceChance_, motion_, sensors_;
+  RandomStream stanceChance_, motion_, sensors_;
   std::vector<Eigen::Isometry3d> worldFromBoard_;
   std::vector<Eigen::VectorXd> poseDeflections_;
   Eigen::VectorXd commanded_, approach_, temperatures_;
   std::optional<Stance> stance_;
-  std::optional<TakenPose> taken_;
+  std::optional<SettledPose> taken_;
   Seconds time_{0};
-  Walk walk_;
+  CaptureSequence walk_;
 };
 
 } // namespace
 
-Walk walk(const SyntheticRobot& robot, const SimulationPlan& plan, const std::vector<Placement>& boards,
-          std::uint64_t seed) {
+CaptureSequence walk(const SyntheticRobot& robot, const SimulationPlan& plan, const std::vector<Placement>& boards,
+                     std::uint64_t seed) {
   return Walker{robot, plan, boards, seed}.run();
 }
 

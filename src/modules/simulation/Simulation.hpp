@@ -16,7 +16,7 @@ struct Exposure {
 };
 
 /// What the robot recorded on its way through the poses, corners not measured yet.
-struct Walk {
+struct CaptureSequence {
   std::vector<Stance> stances; // with their true placements
   std::vector<Capture> captures;
   std::vector<Exposure> exposures; // one per capture
@@ -24,8 +24,8 @@ struct Walk {
 
 /// Takes every pose of the plan and records all cameras, 30 ms apart, `samples` times: in place (rest), after leaving
 /// the pose and coming back (reapproach), or pose after pose in as many stances (restand).
-Walk walk(const SyntheticRobot& robot, const SimulationPlan& plan, const std::vector<Placement>& boards,
-          std::uint64_t seed);
+CaptureSequence walk(const SyntheticRobot& robot, const SimulationPlan& plan, const std::vector<Placement>& boards,
+                     std::uint64_t seed);
 
 /// A capture set and what is true about it.
 struct Simulation {

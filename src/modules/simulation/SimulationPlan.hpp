@@ -39,7 +39,7 @@ std::vector<Board> boardsAround();
 constexpr double halfStance = 0.05;
 
 /// How the parts of a robot behave; the same for every robot of the make.
-struct Mechanics {
+struct RobotMechanics {
   int encoderSteps = 4096;               // per turn
   double encoderDither = radians(0.007); // sigma, per reading [rad]
   double servoDroop = 1e-3;              // motor's angle behind its target under gravity [rad/Nm]
@@ -76,7 +76,7 @@ struct SimulationPlan {
   double flawScale = 1;                   // of the hidden flaw's size: 1 is a worn NAO's
   bool hiddenFlaw = false;                // a part of the leg it stands on is not as drawn
   std::string flaw = "";                  // that part, where it is not to be drawn: "gearPlay@LKneePitch"
-  Mechanics mechanics;
+  RobotMechanics mechanics;
   CornerNoise corners;
   std::map<std::string, CameraIntrinsics> cameras = drawnCameras(640, 480);
   std::vector<Board> boards = boardsAround(); // with placements: about where they lie

@@ -105,9 +105,9 @@ private:
   }
 
   const SimulationPlan& plan_;
-  Randomness chance_;
+  RandomStream chance_;
   SyntheticRobot drawn_; // without errors
-  Leg left_, right_;
+  LegKinematics left_, right_;
 };
 
 std::vector<Eigen::VectorXd> bothFeetPoses(const Robot& robot, const SimulationPlan& plan, std::size_t count,

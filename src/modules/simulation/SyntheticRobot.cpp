@@ -54,7 +54,7 @@ Eigen::VectorXd SyntheticRobot::gravityTorques(const Eigen::VectorXd& joints, Su
          (left + right);
 }
 
-std::array<double, 8> SyntheticRobot::forceReadings(const TakenPose& taken, Randomness& chance) const {
+std::array<double, 8> SyntheticRobot::forceReadings(const SettledPose& taken, RandomStream& chance) const {
   std::array<double, 8> readings = forces(jointAngles(taken, Seconds{0}), taken.supportFoot);
   for (double& reading : readings) {
     reading = std::max(reading + chance.normal(mechanics_.forceNoise), 0.0);
@@ -62,13 +62,13 @@ std::array<double, 8> SyntheticRobot::forceReadings(const TakenPose& taken, Rand
   return readings;
 }
 
-Eigen::Vector2d SyntheticRobot::imuReading(const Eigen::Matrix3d& worldFromTorso, Randomness& chance) const {
+Eigen::Vector2d SyntheticRobot::imuReading(const Eigen::Matrix3d& worldFromTorso, RandomStream& chance) const {
   const double roll = std::atan2(worldFromTorso(2, 1), worldFromTorso(2, 2));
   const double pitch = std::asin(-worldFromTorso(2, 0));
   return {roll + chance.normal(mechanics_.imuNoise), pitch + chance.normal(mechanics_.imuNoise)};
 }
 
-Eigen::VectorXd SyntheticRobot::currentReadings(const TakenPose& taken, Randomness& chance) const {
+Eigen::VectorXd SyntheticRobot::currentReadings(const SettledPose& taken, RandomStream& chance) const {
   Eigen::VectorXd currents = mechanics_.currentPerTorque * taken.torques;
   for (double& current : currents) {
     current = std::abs(current + chance.normal(mechanics_.currentNoise));
@@ -83,14 +83,14 @@ void SyntheticRobot::warm(Eigen::VectorXd& temperatures, const Eigen::VectorXd& 
   temperatures.array() += towards * (target - temperatures.array());
 }
 
-SyntheticRobot::SyntheticRobot(const Robot& drawing, const RobotErrors& errors, const Mechanics& mechanics)
+SyntheticRobot::SyntheticRobot(const Robot& drawing, const RobotErrors& errors, const RobotMechanics& mechanics)
     : drawing_{drawing}, errors_{errors}, mechanics_{mechanics}, body_{errors.flaw ? errors.flaw->built(drawing)
                                                                                    : drawing} {
   assert(static_cast<std::size_t>(errors.jointOffsets.size()) == drawing.joints.size());
   assert(errors.mounts.size() == drawing.cameras.size());
 }
 
-Eigen::VectorXd SyntheticRobot::scatter(double sigma, Randomness& chance) const {
+Eigen::VectorXd SyntheticRobot::scatter(double sigma, RandomStream& chance) const {
   Eigen::VectorXd result{errors_.jointOffsets.size()};
   for (double& deflection : result) {
     deflection = chance.normal(sigma);
@@ -107,8 +107,8 @@ void SyntheticRobot::followMotors(Eigen::VectorXd& angles) const {
 
 /// Gears give way until they balance gravity: the soft one's deflection is its compliance times the torque in the pose
 /// so reached.
-void SyntheticRobot::yield(TakenPose& taken, const Eigen::VectorXd& lastMotion) const {
-  const HiddenFlaw& flaw = *errors_.flaw;
+void SyntheticRobot::yield(SettledPose& taken, const Eigen::VectorXd& lastMotion) const {
+  const InjectedEffect& flaw = *errors_.flaw;
   taken.deflection += flaw.lag(lastMotion, gravityTorques(taken.motors + taken.deflection, taken.supportFoot));
   followMotors(taken.deflection);
   if (flaw.softJoint) {
@@ -122,11 +122,11 @@ void SyntheticRobot::yield(TakenPose& taken, const Eigen::VectorXd& lastMotion) 
   }
 }
 
-TakenPose SyntheticRobot::approach(const Eigen::VectorXd& commanded, const Eigen::VectorXd& lastMotion,
-                                   SupportFoot supportFoot, const Eigen::VectorXd& poseDeflection,
-                                   Randomness& chance) const {
+SettledPose SyntheticRobot::approach(const Eigen::VectorXd& commanded, const Eigen::VectorXd& lastMotion,
+                                     SupportFoot supportFoot, const Eigen::VectorXd& poseDeflection,
+                                     RandomStream& chance) const {
   assert(supportFoot != SupportFoot::none);
-  TakenPose taken;
+  SettledPose taken;
   taken.supportFoot = supportFoot;
   const Eigen::VectorXd target = commanded - errors_.jointOffsets;
   taken.torques = gravityTorques(target, supportFoot);
@@ -142,11 +142,11 @@ TakenPose SyntheticRobot::approach(const Eigen::VectorXd& commanded, const Eigen
   return taken;
 }
 
-Eigen::VectorXd SyntheticRobot::jointAngles(const TakenPose& taken, Seconds since) const {
+Eigen::VectorXd SyntheticRobot::jointAngles(const SettledPose& taken, Seconds since) const {
   return taken.motors + taken.deflection + since.count() * taken.velocity;
 }
 
-Eigen::VectorXd SyntheticRobot::encoderReadings(const TakenPose& taken, Seconds since, Randomness& chance) const {
+Eigen::VectorXd SyntheticRobot::encoderReadings(const SettledPose& taken, Seconds since, RandomStream& chance) const {
   const double step = 2 * std::numbers::pi / mechanics_.encoderSteps; // [rad]
   const Eigen::VectorXd shown =
       taken.motors + since.count() * taken.velocity + errors_.jointOffsets + scatter(mechanics_.encoderDither, chance);
@@ -183,7 +183,7 @@ Eigen::Vector3d SyntheticRobot::rightSoleOffFloor(const Eigen::VectorXd& joints)
 
 /// The floor turns the legs' motors, by as little as possible, until both soles lie flat: Gauss-Newton on c(q) = 0 with
 /// the least step -J^T (J J^T)^-1 c.
-void SyntheticRobot::settleOnBothSoles(TakenPose& taken) const {
+void SyntheticRobot::settleOnBothSoles(SettledPose& taken) const {
   constexpr double step = 1e-6, flat = 1e-13; // [rad], [m or 1]
   for (int iteration = 0; iteration < 20; ++iteration) {
     const Eigen::VectorXd joints = jointAngles(taken, Seconds{0});

@@ -14,7 +14,7 @@ const Joint& knee() {
   return v6().joints[*v6().jointIndex("LKneePitch")];
 }
 
-void run(Servo& servo, double seconds, double torque, Randomness& chance) {
+void run(Servo& servo, double seconds, double torque, RandomStream& chance) {
   for (double time = 0; time < seconds; time += step.count()) {
     servo.advance(step, torque, chance);
   }
@@ -24,7 +24,7 @@ void run(Servo& servo, double seconds, double torque, Randomness& chance) {
 
 // Proves the limits of speed and travel.
 TEST_CASE("a servo turns no faster than its motor and no farther than its stops") {
-  Randomness chance{1, "servo"};
+  RandomStream chance{1, "servo"};
   Servo servo{knee(), 0, {}, 0};
   servo.command(10, 1);
   double fastest = 0, before = servo.motor();
@@ -39,7 +39,7 @@ TEST_CASE("a servo turns no faster than its motor and no farther than its stops"
 
 // Proves stiction: a motor stops short of its target on the side it comes from, and small steps do not move it.
 TEST_CASE("a servo stops short of its target and ignores what is smaller than its friction") {
-  Randomness chance{1, "servo"};
+  RandomStream chance{1, "servo"};
   double sum = 0;
   for (int draw = 0; draw < 100; ++draw) {
     for (const double from : {0.2, 0.8}) {
@@ -63,7 +63,7 @@ TEST_CASE("a servo stops short of its target and ignores what is smaller than it
 TEST_CASE("a servo yields to a torque, the more the less stiff it is") {
   ServoMechanics frictionless;
   frictionless.stopBand = frictionless.startBand = 0;
-  Randomness chance{1, "servo"};
+  RandomStream chance{1, "servo"};
   for (const double stiffness : {1.0, 0.5}) {
     Servo servo{knee(), 0, frictionless, 0.4};
     servo.command(0.5, stiffness);
@@ -75,7 +75,7 @@ TEST_CASE("a servo yields to a torque, the more the less stiff it is") {
 // Proves on which side of its gear's play a joint stands: a torque decides, and where there is none the last motion.
 TEST_CASE("a joint stands on the torque's side of its gear's play, and without a torque behind the last motion") {
   constexpr double play = 0.01;
-  Randomness chance{1, "servo"};
+  RandomStream chance{1, "servo"};
   for (const double torque : {-1.0, 1.0}) {
     for (const double from : {0.2, 0.8}) {
       Servo servo{knee(), play, {}, from};
@@ -94,7 +94,7 @@ TEST_CASE("a joint stands on the torque's side of its gear's play, and without a
 
 // Proves that a motor without stiffness does not move by itself.
 TEST_CASE("a servo that is switched off stays where it is") {
-  Randomness chance{1, "servo"};
+  RandomStream chance{1, "servo"};
   Servo servo{knee(), 0, {}, 0.4};
   servo.command(0.9, -1);
   run(servo, 1, 2, chance);

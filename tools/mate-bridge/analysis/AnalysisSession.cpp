@@ -36,7 +36,7 @@ std::vector<std::string> without(const std::vector<std::string>& labels, const s
 }
 
 /// Where to begin: the base model, or that of the result that was opened.
-Rung initialRevision(const Dataset& opened, const Measurements& measurements) {
+ModelRevision initialRevision(const Dataset& opened, const Measurements& measurements) {
   if (opened.terms.empty()) {
     return {.with = opened.with, .without = opened.without, .definitions = opened.definitions};
   }
@@ -62,11 +62,11 @@ AnalysisSession::AnalysisSession(Dataset opened, MessageSink tell)
   tellSet(session_.current());
 }
 
-std::vector<Effect> AnalysisSession::effects(const Rung& rung) const {
+std::vector<Effect> AnalysisSession::effects(const ModelRevision& rung) const {
   return effectsWith(Json::parse(rung.definitions), definitionsName, opened_.robot);
 }
 
-void AnalysisSession::tellSet(const Rung& rung) {
+void AnalysisSession::tellSet(const ModelRevision& rung) {
   if (toldDefinitions_ == rung.definitions) {
     return;
   }
@@ -89,7 +89,7 @@ void AnalysisSession::tellSet(const Rung& rung) {
 
 void AnalysisSession::tellLadder() const {
   Json rungs = Json::array();
-  for (const Rung& rung : session_.ladder) {
+  for (const ModelRevision& rung : session_.ladder) {
     rungs.push_back(revisionPanelJson(rung));
   }
   tell_("ladder", {{"at", session_.at}, {"rungs", std::move(rungs)}});
@@ -108,7 +108,7 @@ void AnalysisSession::fit() {
 /// Goes on with this session once the fit of its current model has come out well; whatever is thrown before leaves
 /// everything as it was.
 void AnalysisSession::enter(Session session) {
-  Rung& rung = session.current();
+  ModelRevision& rung = session.current();
   const Model model = makeModel(measurements_, rung.with, rung.without, effects(rung));
   const CalibrationResult result = calibrate(measurements_, model);
   rung.rmsPx = result.rmsPx;
@@ -129,7 +129,7 @@ void AnalysisSession::enter(Session session) {
 }
 
 std::vector<std::string> AnalysisSession::terms() const {
-  const Rung& rung = session_.current();
+  const ModelRevision& rung = session_.current();
   return termLabels(makeModel(measurements_, rung.with, rung.without, effects(rung)));
 }
 
@@ -151,7 +151,7 @@ void AnalysisSession::goTo(std::size_t number) {
   enter(std::move(session));
 }
 
-DiagnosisOptions AnalysisSession::options(const Rung& rung) const {
+DiagnosisOptions AnalysisSession::options(const ModelRevision& rung) const {
   DiagnosisOptions result;
   result.with = rung.with;
   result.without = rung.without;
@@ -188,8 +188,8 @@ void AnalysisSession::searchMissing(const std::function<bool()>& goesOn) {
 }
 
 void AnalysisSession::defineEffect(const Json& effect) {
-  const Effect made = userEffect(JsonPlace{effect, definitionsName}, opened_.robot);
-  Rung rung = session_.current();
+  const Effect made = userEffect(JsonCursor{effect, definitionsName}, opened_.robot);
+  ModelRevision rung = session_.current();
   Json kept = Json::array();
   for (Json& other : Json::parse(rung.definitions)) {
     if (other["name"] != made.name) {
@@ -215,7 +215,7 @@ void AnalysisSession::defineEffect(const Json& effect) {
 
 Json AnalysisSession::checkEffect(const Json& effect) const {
   try {
-    const Effect made = userEffect(JsonPlace{effect, definitionsName}, opened_.robot);
+    const Effect made = userEffect(JsonCursor{effect, definitionsName}, opened_.robot);
     const std::vector<Effect> all = effectsWith(Json::array({effect}), definitionsName, opened_.robot);
     if (effect["at"] != "*") {
       makeModel(measurements_, {fmt::format("{}@{}", made.name, effect["at"].get<std::string>())}, {}, all);
@@ -229,7 +229,7 @@ Json AnalysisSession::checkEffect(const Json& effect) const {
 }
 
 void AnalysisSession::proposePoses(std::size_t count) {
-  NextOptions wanted;
+  NextPosesOptions wanted;
   wanted.count = count;
   next_ = nextPoses(opened_.sets, measurements_, diagnosis(), options(session_.current()), wanted);
   Json told = nextJson(*next_, opened_.robot);
@@ -257,7 +257,7 @@ std::string AnalysisSession::generateFile(const std::string& name) {
     return reportPage(written(passing, result_));
   }
   if (name == "model.json") {
-    const Rung& rung = session_.current();
+    const ModelRevision& rung = session_.current();
     return modelJson(rung.with, rung.without, Json::parse(rung.definitions)).dump(2) + "\n";
   }
   if (name == "poses.json") {

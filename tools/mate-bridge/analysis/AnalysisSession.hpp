@@ -55,13 +55,13 @@ public:
 private:
   static constexpr const char* definitionsName = "your own effects"; // in refusals, for a file
 
-  std::vector<Effect> effects(const Rung& rung) const;
-  void tellSet(const Rung& rung);
+  std::vector<Effect> effects(const ModelRevision& rung) const;
+  void tellSet(const ModelRevision& rung);
   void tellLadder() const;
   void keepSession() const;
   std::vector<std::string> terms() const;
   void enter(Session session);
-  DiagnosisOptions options(const Rung& rung) const;
+  DiagnosisOptions options(const ModelRevision& rung) const;
   const Diagnosis& diagnosis();
 
   const Dataset opened_;

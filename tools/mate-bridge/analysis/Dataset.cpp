@@ -26,7 +26,7 @@ bool isSet(const std::filesystem::path& folder) {
 
 /// A set to those that are opened; pictures whose corners were not looked for are searched. Throws InputError.
 void addSet(const std::string& folder, Dataset& opened) {
-  CaptureSet set = readCaptureSet(folder, BadCaptures::refuse).set;
+  CaptureSet set = readCaptureSet(folder, BadCapturePolicy::refuse).set;
   if (std::any_of(set.captures.begin(), set.captures.end(), [](const Capture& one) { return !one.corners; })) {
     detectInSet(set, folder, std::max(1U, std::thread::hardware_concurrency()),
                 [](std::size_t, std::size_t) { return true; });
@@ -86,15 +86,15 @@ bool isDocument(const std::string& path) {
 }
 
 /// The sets that a document was made from.
-void addInputs(const JsonPlace& inputs, const std::string& file, Dataset& opened) {
-  for (const JsonPlace& set : inputs.at("sets").elements()) {
+void addInputs(const JsonCursor& inputs, const std::string& file, Dataset& opened) {
+  for (const JsonCursor& set : inputs.at("sets").elements()) {
     addSet(resolveFolder(set.text(), file), opened);
   }
 }
 
 /// A diagnosis: its sets, unless they are named, and what it suggests.
-void addDiagnosis(const JsonPlace& diagnosis, const std::string& file, bool setsAreNamed, Dataset& opened) {
-  for (const JsonPlace& label : diagnosis.at("suggested").elements()) {
+void addDiagnosis(const JsonCursor& diagnosis, const std::string& file, bool setsAreNamed, Dataset& opened) {
+  for (const JsonCursor& label : diagnosis.at("suggested").elements()) {
     opened.with.push_back(label.text());
   }
   if (!setsAreNamed) {
@@ -112,7 +112,7 @@ void takeModel(const std::string& resultFile, Dataset& opened) {
   opened.definitions = stored.definitions;
 }
 
-void addResult(const JsonPlace& result, const std::string& file, Dataset& opened) {
+void addResult(const JsonCursor& result, const std::string& file, Dataset& opened) {
   takeModel(file, opened);
   addInputs(result.at("inputs"), file, opened);
 }
@@ -142,13 +142,13 @@ void addAlone(const std::string& folder, Dataset& opened) {
 }
 
 /// A model: what was added, taken out and defined; of which captures is for others to say.
-void addModel(const JsonPlace& model, const std::string& file, bool alone, Dataset& opened) {
+void addModel(const JsonCursor& model, const std::string& file, bool alone, Dataset& opened) {
   if (alone) {
     throw InputError{fmt::format("{}: a model is opened together with captures; name them behind it", file)};
   }
   for (const auto& [key, list] : {std::pair{"with", &opened.with}, std::pair{"without", &opened.without}}) {
     if (const auto labels = model.find(key)) {
-      for (const JsonPlace& label : labels->elements()) {
+      for (const JsonCursor& label : labels->elements()) {
         list->push_back(label.text());
       }
     }
@@ -159,7 +159,7 @@ void addModel(const JsonPlace& model, const std::string& file, bool alone, Datas
 }
 
 /// A session: its ladder, and its sets unless they are named.
-void addSession(const JsonPlace& document, const std::string& file, bool alone, Dataset& opened) {
+void addSession(const JsonCursor& document, const std::string& file, bool alone, Dataset& opened) {
   Session session = readSession(file);
   if (alone) {
     addInputs(document, file, opened);
@@ -172,7 +172,7 @@ void addSession(const JsonPlace& document, const std::string& file, bool alone, 
 /// A result, a diagnosis, a session or a model, which may stand with its sets.
 void addDocument(const std::string& file, bool alone, Dataset& opened) {
   const nlohmann::json document = parseJson(fileContent(file), file);
-  const JsonPlace place{document, file};
+  const JsonCursor place{document, file};
   const std::string format = place.at("format").text();
   if (format == "naocal-diagnosis") {
     return addDiagnosis(place, file, !alone, opened);

@@ -14,16 +14,16 @@ namespace naocal {
 /// What a person opened: capture sets, and the model to begin with.
 struct Dataset {
   std::vector<CaptureSet> sets;
-  ResultInputs inputs;
+  ResultSources inputs;
   std::map<std::string, std::filesystem::path> folders; // by the set's name
   Robot robot;
   std::vector<std::string> terms; // of the result that was opened; empty: the base model
   std::vector<std::string> with,
-      without;                    // what a diagnosis or a model that was opened adds to the base model, and lacks
-  std::string definitions = "[]"; // the person's own effects: a list of JSON
-  std::vector<Rung> ladder;       // of a session that goes on, in place of all these
-  std::size_t at = 0;             // where one stands on it
-  std::string sessionFile;        // that keeps the ladder from now on; may be empty
+      without;                       // what a diagnosis or a model that was opened adds to the base model, and lacks
+  std::string definitions = "[]";    // the person's own effects: a list of JSON
+  std::vector<ModelRevision> ladder; // of a session that goes on, in place of all these
+  std::size_t at = 0;                // where one stands on it
+  std::string sessionFile;           // that keeps the ladder from now on; may be empty
 };
 
 /// Opens capture sets (folders with captures.json), folders of sets, recordings of the robot, or one RESULT.json,

@@ -20,9 +20,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-Json driversJson(const std::vector<DriverValues>& drivers, const Robot& robot) {
+Json driversJson(const std::vector<DriverSeries>& drivers, const Robot& robot) {
   Json list = Json::array();
-  for (const DriverValues& driver : drivers) {
+  for (const DriverSeries& driver : drivers) {
     const auto [unit, scale] = shownUnit(driver.unit);
     Json values = Json::array();
     for (const double value : driver.atPicture) {
@@ -36,7 +36,7 @@ Json driversJson(const std::vector<DriverValues>& drivers, const Robot& robot) {
 
 /// What is plotted first and next, and the errors of joints that can be plotted beside those of corners: a joint's
 /// points are [pictures, error, sigma] [°].
-Json tellingJson(const TellingPairs& telling, const std::vector<DriverValues>& drivers, const Robot& robot) {
+Json tellingJson(const TellingPairs& telling, const std::vector<DriverSeries>& drivers, const Robot& robot) {
   constexpr std::size_t mostPairs = 6;
   const auto errorOf = [&](const TellingPair& pair) -> std::string {
     return pair.error == TellingPair::Error::right  ? "du"
@@ -59,9 +59,9 @@ Json tellingJson(const TellingPairs& telling, const std::vector<DriverValues>& d
                        {"chance", pair.chance}});
     }
   }
-  for (const WhatIfs& joint : telling.joints) {
+  for (const SingleJointCorrection& joint : telling.joints) {
     Json points = Json::array();
-    for (const WhatIf& point : joint.points) {
+    for (const JointCorrection& point : joint.points) {
       points.push_back(
           {point.pictures, withDecimals(degrees(point.deflection), 4), withDecimals(degrees(point.sigma), 4)});
     }
@@ -73,14 +73,14 @@ Json tellingJson(const TellingPairs& telling, const std::vector<DriverValues>& d
 }
 
 /// The pictures, worst first; `index` says where a driver has its value.
-Json picturesJson(const Dataset& opened, const Measurements& measurements, const JsonPlace& result) {
+Json picturesJson(const Dataset& opened, const Measurements& measurements, const JsonCursor& result) {
   std::map<std::pair<std::string, int>, std::size_t> indices;
   for (std::size_t i = 0; i < measurements.pictures.size(); ++i) {
     const CaptureSet& set = opened.sets[measurements.pictures[i].set];
     indices[{set.name, set.captures[measurements.pictures[i].capture].id}] = i;
   }
   Json list = Json::array();
-  for (const SeenPicture& seen : seenPictures(result)) {
+  for (const PictureRecord& seen : seenPictures(result)) {
     list.push_back(pictureJson(seen));
     list.back()["index"] = indices.at({seen.set, seen.capture});
     list.back()["kept"] = !seen.image.empty();
@@ -92,7 +92,7 @@ Json picturesJson(const Dataset& opened, const Measurements& measurements, const
 /// captures tell, and cameras' mounts.
 Json compensationJson(const Measurements& measurements, const Model& model, const CalibrationResult& result) {
   Json offsets = Json::array(), untold = Json::array(), mounts = Json::array();
-  for (const ShownOffset& offset : shownOffsets(measurements, model, result)) {
+  for (const EffectiveOffset& offset : shownOffsets(measurements, model, result)) {
     isLearned(offset) ? offsets.push_back({{"joint", offset.joint}, {"value", degrees(offset.value)}})
                       : untold.push_back(offset.joint);
   }
@@ -109,9 +109,9 @@ Json compensationJson(const Measurements& measurements, const Model& model, cons
 
 Json fitJson(const Json& document, const Dataset& opened, const Measurements& measurements, const Model& model,
              const CalibrationResult& result) {
-  const JsonPlace place{document, "the fit"};
+  const JsonCursor place{document, "the fit"};
   const VerdictWords words = verdictWords(place);
-  const std::vector<DriverValues> drivers = driversOf(measurements, model, result.unknowns);
+  const std::vector<DriverSeries> drivers = driversOf(measurements, model, result.unknowns);
   const TellingPairs telling = tellingPairs(measurements, model, result, drivers);
   Json fit{{"usable", result.usable},
            {"verdict", nameOf(result.verdict)},
@@ -156,10 +156,10 @@ Json effectsJson(const std::vector<Effect>& effects) {
 
 Json diagnosisPanelJson(const Diagnosis& diagnosis) {
   const Json document = diagnosisJson(diagnosis);
-  return diagnosisData(JsonPlace{document, "the diagnosis"});
+  return diagnosisData(JsonCursor{document, "the diagnosis"});
 }
 
-Json revisionPanelJson(const Rung& rung) {
+Json revisionPanelJson(const ModelRevision& rung) {
   Json json{{"with", rung.with}, {"without", rung.without}, {"step", rung.step}, {"rms", rung.rmsPx}};
   json["from"] = rung.from ? Json(*rung.from) : Json(nullptr);
   if (rung.questioned) {

@@ -20,6 +20,6 @@ nlohmann::json effectsJson(const std::vector<Effect>& effects);
 nlohmann::json diagnosisPanelJson(const Diagnosis& diagnosis);
 
 /// A model that was tried, for the panel's ladder.
-nlohmann::json revisionPanelJson(const Rung& rung);
+nlohmann::json revisionPanelJson(const ModelRevision& rung);
 
 } // namespace naocal

@@ -38,7 +38,7 @@ Json rounded(const Eigen::Vector2d& point) {
 
 Eigen::Vector3d ray(const RigidTransform& floorFromOptical, const CameraIntrinsics& lens,
                     const Eigen::Vector2d& pixel) {
-  const Eigen::Vector2d ideal = Lens{lens}.withoutDistortion(pixel);
+  const Eigen::Vector2d ideal = LensDistortion{lens}.withoutDistortion(pixel);
   return floorFromOptical.rotation *
          Eigen::Vector3d{(ideal.x() - lens.cx) / lens.fx, (ideal.y() - lens.cy) / lens.fy, 1};
 }
@@ -72,7 +72,7 @@ double turn(double from, double to) {
 /// Where the picture shows a point of the floor.
 Eigen::Vector2d pixelOf(const Eigen::Vector3d& onFloor, const CameraView& eye) {
   const Eigen::Vector3d seen = eye.floorFromOptical.inverse() * onFloor;
-  return Lens{eye.lens}.withDistortion(
+  return LensDistortion{eye.lens}.withDistortion(
       {eye.lens.fx * seen.x() / seen.z() + eye.lens.cx, eye.lens.fy * seen.y() / seen.z() + eye.lens.cy});
 }
 
@@ -99,7 +99,7 @@ std::optional<RigidTransform> RobotOutline::floorFromOptical(const std::string& 
   if (!index) {
     return std::nullopt;
   }
-  Belief believed = drawnBelief(drawing_, {drawing_.joints.size(), drawing_.lengths.size(), 0});
+  ModelState believed = drawnBelief(drawing_, {drawing_.joints.size(), drawing_.lengths.size(), 0});
   believed.mountRotation() = belief.rotation;
   const CameraMount& mount = drawing_.cameras[*index];
   return floorFromLink_[mount.link] * linkFromOptical(mount, believed);
@@ -132,7 +132,7 @@ Json RobotOutline::toJson(const LiveCameras& cameras) const {
     const Eigen::Vector3d from = eyeHere->translation, ahead = eyeHere->rotation * Eigen::Vector3d{0, 0, 0.12};
     gaze = {rounded(from), rounded(Eigen::Vector3d{from + ahead})};
   }
-  const Posture torsoFromLink = posture(drawing_, angles_);
+  const LinkPoses torsoFromLink = posture(drawing_, angles_);
   return {{"hull", std::move(hull)},
           {"feet", std::move(feet)},
           {"views", std::move(views)},

@@ -60,7 +60,7 @@ Json listOf(const std::vector<Eigen::Vector2d>& pixels) {
 } // namespace
 
 /// What the thread works with.
-struct LiveDetection::Sight {
+struct LiveDetection::VisibleBoard {
   std::mutex mutex;
   std::vector<Board> boards;
   FloorBoardTracker places{{}};
@@ -69,7 +69,7 @@ struct LiveDetection::Sight {
 
 LiveDetection::LiveDetection(std::string robot, MessageSink tell)
     : robot_{std::move(robot)}, tell_{std::move(tell)}, drawing_{loadRobot(configurationDirectory(), "V6")},
-      sight_{std::make_shared<Sight>()} {}
+      sight_{std::make_shared<VisibleBoard>()} {}
 
 LiveDetection::~LiveDetection() = default;
 
@@ -181,7 +181,7 @@ void LiveDetection::onConfiguration(const Json& settings) {
     }
     std::vector<Board> boards;
     try {
-      for (const JsonPlace& place : JsonPlace{entry.at("value"), "the robot's boards"}.elements()) {
+      for (const JsonCursor& place : JsonCursor{entry.at("value"), "the robot's boards"}.elements()) {
         boards.push_back(readBoard(place));
       }
     } catch (const InputError&) { // the robot itself says what is wrong with them

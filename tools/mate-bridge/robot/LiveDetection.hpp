@@ -38,7 +38,7 @@ public:
   void onOffsets(const nlohmann::json& offsets);        // of `offsetsMount`, alike
 
 private:
-  struct Sight;
+  struct VisibleBoard;
   void tellScene();
 
   std::string robot_;
@@ -50,7 +50,7 @@ private:
   std::map<std::uint64_t, Eigen::VectorXd> angles_; // of the last seconds, by time [ms]
   std::chrono::steady_clock::time_point told_;
   std::map<std::string, std::chrono::steady_clock::time_point> looked_; // by camera
-  std::shared_ptr<Sight> sight_;                                        // shared with the thread
+  std::shared_ptr<VisibleBoard> sight_;                                 // shared with the thread
   JobQueue jobs_;                                                       // last: it uses the others
 };
 

@@ -27,8 +27,8 @@ double sigmaOf(const std::string& effect) {
 /// soleFromOptical of the drawing at angles, the mount turned.
 RigidTransform seenFrom(const Sole& sole, const Robot& drawing, const Eigen::VectorXd& angles, std::size_t camera,
                         const Eigen::Vector3d& turned) {
-  const Posture torsoFromLink = posture(drawing, angles);
-  Belief believed = drawnBelief(drawing, {drawing.joints.size(), drawing.lengths.size(), 0});
+  const LinkPoses torsoFromLink = posture(drawing, angles);
+  ModelState believed = drawnBelief(drawing, {drawing.joints.size(), drawing.lengths.size(), 0});
   believed.mountRotation() = turned;
   const CameraMount& mount = drawing.cameras[camera];
   return torsoFromLink[sole.link].inverse() * torsoFromLink[mount.link] * linkFromOptical(mount, believed);
@@ -57,8 +57,8 @@ double meanSquare(const RigidTransform& floorFromOptical, const RigidTransform& 
     if (seen.z() <= 0) {
       continue;
     }
-    const Eigen::Vector2d there =
-        Lens{lens}.withDistortion({lens.fx * seen.x() / seen.z() + lens.cx, lens.fy * seen.y() / seen.z() + lens.cy});
+    const Eigen::Vector2d there = LensDistortion{lens}.withDistortion(
+        {lens.fx * seen.x() / seen.z() + lens.cx, lens.fy * seen.y() / seen.z() + lens.cy});
     sum += (there - pixel).squaredNorm();
     ++count;
   }

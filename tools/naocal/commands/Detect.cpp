@@ -85,7 +85,7 @@ struct Remark {
 /// A few findings of each kind, those that say the same together; all of them are in the JSON.
 void printFindings(const SetDetection& detection) {
   constexpr std::size_t shown = 5;
-  std::map<FindingKind, std::vector<Remark>> remarks;
+  std::map<IssueKind, std::vector<Remark>> remarks;
   for (const auto& [capture, finding] : detection.findings) {
     auto& ofKind = remarks[finding.kind];
     auto same = std::find_if(ofKind.begin(), ofKind.end(), [&sentence = finding.sentence](const Remark& remark) {
@@ -97,7 +97,7 @@ void printFindings(const SetDetection& detection) {
     same->captures.push_back(capture);
   }
   for (const auto& [kind, ofKind] : remarks) {
-    if (kind == FindingKind::hiddenCorner) {
+    if (kind == IssueKind::hiddenCorner) {
       fmt::print("  {} corners of boards that were found are hidden or too blurred\n", ofKind.size());
       continue;
     }

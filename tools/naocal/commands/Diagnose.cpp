@@ -25,7 +25,7 @@ struct DiagnoseCommand {
   std::string definitions = "[]"; // of the model's file
   bool skipBad = false, full = false;
   DiagnosisOptions options;
-  NextOptions next;
+  NextPosesOptions next;
 };
 
 /// Adds a model file's terms and effects to what the command line gave.
@@ -44,7 +44,7 @@ void readModel(DiagnoseCommand& command, const Robot& robot) {
 /// What to measure next; only what is open where nobody asked for poses.
 NextPoses asked(const DiagnoseCommand& command, const LoadedSets& given, const Measurements& measurements,
                 const Diagnosis& diagnosis) {
-  NextOptions options = command.next;
+  NextPosesOptions options = command.next;
   options.count = command.json.empty() && command.poses.empty() ? 0 : options.count;
   options.seed = command.options.inquiry.seed;
   try {
@@ -57,7 +57,7 @@ NextPoses asked(const DiagnoseCommand& command, const LoadedSets& given, const M
 }
 
 /// The curve that no effect of the catalogue explains; nullptr: there is none that an expression follows.
-const DriverFinding* beyondTheCatalogue(const Diagnosis& diagnosis) {
+const DriverCurve* beyondTheCatalogue(const Diagnosis& diagnosis) {
   return diagnosis.verdict == Verdict::unknownEffect && !diagnosis.drivers.empty() &&
                  !diagnosis.drivers.front().coefficients.empty()
              ? &diagnosis.drivers.front()
@@ -65,7 +65,7 @@ const DriverFinding* beyondTheCatalogue(const Diagnosis& diagnosis) {
 }
 
 /// The model as it was asked for, with what was suggested and that curve as an effect of the person's own.
-nlohmann::json modelWith(const DriverFinding& curve, const DiagnoseCommand& command, const Diagnosis& diagnosis) {
+nlohmann::json modelWith(const DriverCurve& curve, const DiagnoseCommand& command, const Diagnosis& diagnosis) {
   std::vector<std::string> with = command.options.with;
   with.insert(with.end(), diagnosis.suggested.begin(), diagnosis.suggested.end());
   nlohmann::json effect = curveEffect(curve), define = nlohmann::json::parse(command.definitions);
@@ -104,7 +104,7 @@ int diagnose(DiagnoseCommand& command) {
   if (!command.poses.empty() && !next.poses.empty()) {
     writeJson(posesJson(next, given.robot), command.poses);
   }
-  const DriverFinding* beyond = beyondTheCatalogue(diagnosis);
+  const DriverCurve* beyond = beyondTheCatalogue(diagnosis);
   if (beyond && !command.own.empty()) {
     writeJson(modelWith(*beyond, command, diagnosis), command.own);
   }

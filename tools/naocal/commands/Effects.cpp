@@ -20,21 +20,21 @@ struct EffectsCommand {
 
 const char* places(const Effect& effect) {
   switch (effect.place) {
-  case Place::motor:
+  case EffectSite::motor:
     return effect.only ? "one joint" : "joint";
-  case Place::joint:
+  case EffectSite::joint:
     return "joint (each hip yaw-pitch)";
-  case Place::camera:
+  case EffectSite::camera:
     return "top, bottom";
-  case Place::board:
+  case EffectSite::board:
     return effect.shared ? "board id, or all" : "board id";
-  case Place::sole:
+  case EffectSite::sole:
     return "left, right (soles)";
-  case Place::length:
+  case EffectSite::length:
     return "neckZ, hipZ, hipY, thigh, tibia, footZ";
-  case Place::all:
+  case EffectSite::all:
     return "all";
-  case Place::stance:
+  case EffectSite::stance:
     break;
   }
   return "stance";
@@ -78,7 +78,7 @@ std::vector<std::string> neededKeys(const Effect& effect, const Robot& robot) {
       add(needed);
     }
   }
-  for (const Elsewhere& other : effect.elsewhere) {
+  for (const RemoteDriver& other : effect.elsewhere) {
     add("joints.measured of " + robot.joints[other.joint].name);
     if (const char* const needed = key(other.driver)) {
       add(needed);

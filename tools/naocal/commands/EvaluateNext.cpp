@@ -24,14 +24,14 @@ struct NextCommand {
   std::uint64_t seed = 1;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
   std::string json;
-  NextTrialOptions options;
+  NextPosesTrialOptions options;
 };
 
 /// One trial per robot, several at a time; after Ctrl-C those that are done.
-std::vector<NextTrial> trials(const NextCommand& command) {
+std::vector<NextPosesTrial> trials(const NextCommand& command) {
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   const Progress progress{"robots"};
-  std::vector<NextTrial> result;
+  std::vector<NextPosesTrial> result;
   std::atomic<std::size_t> next = 0;
   std::atomic<bool> stopped = false;
   std::mutex adding;
@@ -39,7 +39,7 @@ std::vector<NextTrial> trials(const NextCommand& command) {
   const auto work = [&] {
     for (std::size_t i = next++; i < command.robots && !stopped; i = next++) {
       try {
-        NextTrial trial = nextTrial(robot, command.seed + i, command.options);
+        NextPosesTrial trial = nextTrial(robot, command.seed + i, command.options);
         const std::lock_guard lock{adding};
         result.push_back(std::move(trial));
       } catch (const std::exception& error) {
@@ -61,7 +61,8 @@ std::vector<NextTrial> trials(const NextCommand& command) {
   if (!problem.empty()) {
     throw InputError{problem};
   }
-  std::sort(result.begin(), result.end(), [](const NextTrial& a, const NextTrial& b) { return a.seed < b.seed; });
+  std::sort(result.begin(), result.end(),
+            [](const NextPosesTrial& a, const NextPosesTrial& b) { return a.seed < b.seed; });
   return result;
 }
 
@@ -71,11 +72,11 @@ struct Summary {
   std::optional<std::size_t> median; // absent: half of the robots or more were never certain
 };
 
-Summary summary(const std::vector<NextTrial>& open, NextTrialArm NextTrial::*arm) {
+Summary summary(const std::vector<NextPosesTrial>& open, TrialArm NextPosesTrial::*arm) {
   Summary result;
   std::vector<std::size_t> poses;
-  for (const NextTrial& trial : open) {
-    const NextTrialArm& here = trial.*arm;
+  for (const NextPosesTrial& trial : open) {
+    const TrialArm& here = trial.*arm;
     result.certain += here.poses.has_value();
     result.right += here.right;
     poses.push_back(here.poses.value_or(std::numeric_limits<std::size_t>::max()));
@@ -93,18 +94,18 @@ nlohmann::json summaryJson(const Summary& summary) {
           {"medianPoses", summary.median ? nlohmann::json(*summary.median) : nlohmann::json(nullptr)}};
 }
 
-nlohmann::json armJson(const NextTrialArm& arm) {
+nlohmann::json armJson(const TrialArm& arm) {
   return {{"poses", arm.poses ? nlohmann::json(*arm.poses) : nlohmann::json(nullptr)}, {"right", arm.right}};
 }
 
 void evaluateNext(const NextCommand& command) {
-  const std::vector<NextTrial> all = trials(command);
-  std::vector<NextTrial> open = all;
-  std::erase_if(open, [](const NextTrial& trial) { return trial.suspects.empty(); });
-  const Summary proposed = summary(open, &NextTrial::proposed), random = summary(open, &NextTrial::random);
+  const std::vector<NextPosesTrial> all = trials(command);
+  std::vector<NextPosesTrial> open = all;
+  std::erase_if(open, [](const NextPosesTrial& trial) { return trial.suspects.empty(); });
+  const Summary proposed = summary(open, &NextPosesTrial::proposed), random = summary(open, &NextPosesTrial::random);
   if (!command.json.empty()) {
     nlohmann::json list = nlohmann::json::array();
-    for (const NextTrial& trial : open) {
+    for (const NextPosesTrial& trial : open) {
       list.push_back({{"seed", trial.seed},
                       {"hidden", trial.hidden},
                       {"suspects", trial.suspects},

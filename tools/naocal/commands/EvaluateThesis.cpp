@@ -30,7 +30,7 @@ using Tallies = std::map<ThesisSolver, ThesisTally>;
 /// Error sets of one setting on all cores.
 class SettingRun {
 public:
-  SettingRun(const ThesisStage& stage, const ThesisSetting& setting, const std::vector<ThesisSolver>& solvers,
+  SettingRun(const ThesisExperiment& stage, const ThesisSetting& setting, const std::vector<ThesisSolver>& solvers,
              const ThesisEvaluation& evaluation)
       : stage_{stage}, setting_{setting}, solvers_{solvers}, evaluation_{evaluation} {}
 
@@ -81,13 +81,13 @@ private:
         continue;
       }
       const auto start = std::chrono::steady_clock::now();
-      const ThesisAnswer answer = trial.answer(solver);
+      const ThesisSolution answer = trial.answer(solver);
       own[solver].seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       own[solver].add(trial.offsets(), answer, limit);
     }
   }
 
-  const ThesisStage& stage_;
+  const ThesisExperiment& stage_;
   const ThesisSetting& setting_;
   const std::vector<ThesisSolver>& solvers_;
   const ThesisEvaluation& evaluation_;
@@ -127,7 +127,7 @@ void runThesis(ThesisEvaluation& evaluation, unsigned jobs, const std::function<
     if (nested.empty()) {
       nested = thesisPoses(robot, setting.feature, setting.choice, 8);
     }
-    const ThesisStage stage{robot, setting, posesOf(setting, robot, nested)};
+    const ThesisExperiment stage{robot, setting, posesOf(setting, robot, nested)};
     if (const auto names = stage.jointNames(); names.size() > evaluation.joints.size()) {
       evaluation.joints = names; // those of one leg come first
     }

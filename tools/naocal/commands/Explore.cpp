@@ -30,7 +30,7 @@ class ExploreLoop {
 public:
   /// `first`: the model to begin with; of a session that goes on, only its own effects are new. `file`: the session's;
   /// may be empty.
-  ExploreLoop(const LoadedSets& given, Rung first, std::string file);
+  ExploreLoop(const LoadedSets& given, ModelRevision first, std::string file);
 
   void add(const std::string& label);
   void drop(const std::string& label);
@@ -42,8 +42,8 @@ public:
 
 private:
   /// Puts a model to the question. Throws InputError where no fit can start.
-  Rung questioned(Rung rung);
-  std::vector<Effect> effects(const Rung& rung) const;
+  ModelRevision questioned(ModelRevision rung);
+  std::vector<Effect> effects(const ModelRevision& rung) const;
   std::vector<std::string> terms() const;
   void enter(Session session);
   void save() const;
@@ -69,17 +69,17 @@ std::string joined(const std::string& definitions, const std::string& others) {
   return all.dump();
 }
 
-std::string modelWords(const Rung& rung) {
+std::string modelWords(const ModelRevision& rung) {
   std::string words = rung.with.empty() ? "base" : fmt::format("+ {}", fmt::join(rung.with, " + "));
   return rung.without.empty() ? words : fmt::format("{}, without {}", words, fmt::join(rung.without, ", "));
 }
 
-ExploreLoop::ExploreLoop(const LoadedSets& given, Rung first, std::string file)
+ExploreLoop::ExploreLoop(const LoadedSets& given, ModelRevision first, std::string file)
     : given_{given}, measurements_{measurementsOf(given.sets, given.robot)}, file_{std::move(file)} {
   if (!file_.empty() && std::filesystem::exists(file_)) {
     session_ = readSession(file_);
     requireSameCaptures(session_, given_.inputs, file_);
-    for (Rung& rung : session_.ladder) {
+    for (ModelRevision& rung : session_.ladder) {
       effectsWith(Json::parse(rung.definitions), file_, given_.robot); // refuses what is none
       rung.definitions = joined(rung.definitions, first.definitions);
     }
@@ -91,11 +91,11 @@ ExploreLoop::ExploreLoop(const LoadedSets& given, Rung first, std::string file)
   save();
 }
 
-std::vector<Effect> ExploreLoop::effects(const Rung& rung) const {
+std::vector<Effect> ExploreLoop::effects(const ModelRevision& rung) const {
   return effectsWith(Json::parse(rung.definitions), "the person's own effects", given_.robot);
 }
 
-Rung ExploreLoop::questioned(Rung rung) {
+ModelRevision ExploreLoop::questioned(ModelRevision rung) {
   DiagnosisOptions options{.with = rung.with, .without = rung.without};
   options.effects = effects(rung);
   options.grow = false;
@@ -111,7 +111,7 @@ Rung ExploreLoop::questioned(Rung rung) {
 
 /// The labels of the current model's terms.
 std::vector<std::string> ExploreLoop::terms() const {
-  const Rung& rung = session_.current();
+  const ModelRevision& rung = session_.current();
   return termLabels(makeModel(measurements_, rung.with, rung.without, effects(rung)));
 }
 
@@ -144,7 +144,7 @@ void ExploreLoop::printLadder() const {
   fmt::print("  {:>3}  {:>9}  {:>9}  {:>9}  {:>7}  model (*: the one you are at)\n", "", "rms", "unseen", "noise",
              "alarm p");
   for (std::size_t i = 0; i < session_.ladder.size(); ++i) {
-    const Rung& rung = session_.ladder[i];
+    const ModelRevision& rung = session_.ladder[i];
     const auto& step = rung.questioned;
     const std::string unseen = step && step->heldOutPx ? fmt::format("{:6.3f} px", *step->heldOutPx) : "-";
     fmt::print("{} {:>3}  {:6.3f} px  {:>9}  {:>9}  {:>7}  {}\n", i == session_.at ? '*' : ' ', i, rung.rmsPx, unseen,
@@ -207,7 +207,7 @@ struct ExploreCommand {
 
 void explore(const ExploreCommand& command) {
   const LoadedSets given = loadSets(command.sets, false);
-  Rung first;
+  ModelRevision first;
   if (!command.model.empty()) {
     ModelFile file = readModelFile(command.model, given.robot);
     first = {.with = std::move(file.with), .without = std::move(file.without), .definitions = file.definitions};

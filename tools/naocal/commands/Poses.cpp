@@ -39,7 +39,7 @@ PlanInputs defaultPlanInputs() {
 /// Boards and cameras of a capture set; placements that are only guessed are where planning begins. Throws InputError
 /// where none lies on the floor.
 PlanInputs readPlanInputs(const std::string& captureSet) {
-  const CaptureSet set = readCaptureSet(captureSet, BadCaptures::skip).set;
+  const CaptureSet set = readCaptureSet(captureSet, BadCapturePolicy::skip).set;
   PlanInputs result{{}, set.cameras};
   for (Board board : set.boards) {
     if (board.link == "floor") {
@@ -94,8 +94,8 @@ std::map<std::string, double> readWeights(const std::vector<std::string>& texts)
 
 const std::map<std::string, SupportFoot> supportFeet{
     {"left", SupportFoot::left}, {"right", SupportFoot::right}, {"both", SupportFoot::both}};
-const std::map<std::string, Sampling> samplings{
-    {"even", Sampling::even}, {"grid", Sampling::grid}, {"random", Sampling::random}};
+const std::map<std::string, SamplingMethod> samplings{
+    {"even", SamplingMethod::even}, {"grid", SamplingMethod::grid}, {"random", SamplingMethod::random}};
 
 std::map<std::string, Criterion> criteria() {
   std::map<std::string, Criterion> result;
@@ -145,7 +145,7 @@ void addPoses(CLI::App& app) {
   PlanOptions& plan = command->plan;
   plan.poses.count = 8;
   plan.poses.tries = 1'000'000;
-  plan.poses.sampling = Sampling::even;
+  plan.poses.sampling = SamplingMethod::even;
   CLI::App* const poses = app.add_subcommand("poses", "plans poses worth taking, and where to lay the boards");
   poses->add_option("-o,--output", command->output, "POSES.json, to be written")
       ->required()

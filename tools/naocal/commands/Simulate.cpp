@@ -200,7 +200,7 @@ void refuseWhatIsThere(const std::filesystem::path& folder, bool force) {
 std::set<std::filesystem::path> picturesIn(const std::filesystem::path& folder) {
   std::set<std::filesystem::path> pictures;
   try {
-    for (const Capture& capture : readCaptureSet(folder, BadCaptures::skip).set.captures) {
+    for (const Capture& capture : readCaptureSet(folder, BadCapturePolicy::skip).set.captures) {
       const auto picture = std::filesystem::path{capture.image}.lexically_normal();
       if (!capture.image.empty() && picture.is_relative() && *picture.begin() != "..") {
         pictures.insert(folder / picture);

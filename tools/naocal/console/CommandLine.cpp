@@ -34,7 +34,7 @@ Shard parseShard(const std::string& text) {
 LoadedSets loadSets(const std::vector<std::string>& folders, bool skipBad) {
   LoadedSets given;
   for (const std::string& folder : folders) {
-    ReadCaptureSet read = readCaptureSet(folder, skipBad ? BadCaptures::skip : BadCaptures::refuse);
+    LoadedCaptureSet read = readCaptureSet(folder, skipBad ? BadCapturePolicy::skip : BadCapturePolicy::refuse);
     for (const std::string& sentence : read.skipped) {
       fmt::print(stderr, "left out: {}\n", sentence);
     }

@@ -31,7 +31,7 @@ Shard parseShard(const std::string& text);
 /// Capture sets as a command was given them.
 struct LoadedSets {
   std::vector<CaptureSet> sets;
-  ResultInputs inputs;
+  ResultSources inputs;
   Robot robot; // the drawing of the sets' model
 };
 

@@ -55,7 +55,7 @@ CLI::Validator replaceableFile(std::string format) {
 
 void requireReplaceableSet(const std::filesystem::path& folder) {
   if (std::filesystem::exists(folder / "captures.json") &&
-      !readCaptureSet(folder, BadCaptures::skip).set.bodyId.starts_with(syntheticId)) {
+      !readCaptureSet(folder, BadCapturePolicy::skip).set.bodyId.starts_with(syntheticId)) {
     throw InputError{
         fmt::format("{}: expected a simulated set or none, found another robot's captures; they are left alone, "
                     "name another folder",

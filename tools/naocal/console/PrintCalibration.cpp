@@ -56,8 +56,8 @@ void printCalibration(const std::vector<CaptureSet>& sets, const Measurements& m
   for (const WeakDirection& weak : result.weak) {
     fmt::print("\nweak: {}\n", weak.sentence);
   }
-  for (const Doubt& doubt : result.doubts) {
-    const Picture& picture = measurements.pictures[doubt.picture];
+  for (const Outlier& doubt : result.doubts) {
+    const ImageObservation& picture = measurements.pictures[doubt.picture];
     fmt::print("\ndoubtful: capture {} ({}), board {}: {} {:.1f} px off{}",
                sets[picture.set].captures[picture.capture].id, sets[picture.set].captures[picture.capture].camera,
                measurements.targets[picture.sightings[doubt.sighting].view.board()].name,

@@ -30,12 +30,12 @@ void printLadder(const Diagnosis& diagnosis) {
   const bool unseen = diagnosis.steps.front().heldOutPx.has_value();
   fmt::print("\n{}\n", unseen ? "held-out error: on poses that neither the fit nor the choice of effects has seen"
                               : "error of the fit (one pose: none is left to hold out)");
-  const auto error = [](const Step& step) { return step.heldOutPx.value_or(step.rmsPx); };
+  const auto error = [](const SelectionStep& step) { return step.heldOutPx.value_or(step.rmsPx); };
   double most = diagnosis.steps.back().noiseFloorPx;
-  for (const Step& step : diagnosis.steps) {
+  for (const SelectionStep& step : diagnosis.steps) {
     most = std::max(most, error(step));
   }
-  for (const Step& step : diagnosis.steps) {
+  for (const SelectionStep& step : diagnosis.steps) {
     fmt::print("  {:32} {} {:6.3f} px{}\n", step.added.empty() ? "base model" : "+ " + step.added,
                bar(error(step), most, 30), error(step),
                step.dropped.empty() ? "" : fmt::format("   no longer needed: {}", fmt::join(step.dropped, ", ")));
@@ -49,7 +49,7 @@ void printCurves(const Diagnosis& diagnosis) {
     return;
   }
   fmt::print("\nwhat is left over, by joint and what it varies with\n");
-  for (const DriverFinding& curve : diagnosis.drivers) {
+  for (const DriverCurve& curve : diagnosis.drivers) {
     std::string coefficients;
     for (const auto& [name, value, unit] : curve.coefficients) {
       coefficients +=
@@ -75,7 +75,7 @@ void printCandidates(const Diagnosis& diagnosis) {
   fmt::print("\ncandidates, best first (bar: evidence, 2 ln of the Bayes factor against the model without it)\n");
   for (std::size_t i = 0; i < std::min(shown, diagnosis.ranking.size()); ++i) {
     const CandidateFinding& finding = diagnosis.ranking[i];
-    if (finding.state == State::noData) {
+    if (finding.state == CandidateState::noData) {
       break;
     }
     const std::string fall = finding.chi2Drop ? fmt::format("; chi2 fell by {:.0f} on adding it, predicted {:.0f}",
@@ -87,9 +87,9 @@ void printCandidates(const Diagnosis& diagnosis) {
   }
   std::size_t absorbed = 0, noData = 0, inconclusive = 0;
   for (const CandidateFinding& finding : diagnosis.ranking) {
-    absorbed += finding.state == State::absorbed;
-    noData += finding.state == State::noData;
-    inconclusive += finding.state == State::inconclusive;
+    absorbed += finding.state == CandidateState::absorbed;
+    noData += finding.state == CandidateState::noData;
+    inconclusive += finding.state == CandidateState::inconclusive;
   }
   fmt::print("  {} candidates in all; {} not testable here, {} need data that was not recorded, {} could hide below "
              "what these captures show\n",
@@ -103,7 +103,7 @@ void printDiagnosis(const Diagnosis& diagnosis, const GivenOptions& asked) {
     printCandidates(diagnosis);
     printCurves(diagnosis);
   }
-  for (const Suspicion& suspicion : diagnosis.suspicious) {
+  for (const DataAnomaly& suspicion : diagnosis.suspicious) {
     fmt::print("  suspicious: {}\n", suspicion.why);
   }
   if (!diagnosis.suggested.empty() && !diagnosis.own) {

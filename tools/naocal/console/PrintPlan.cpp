@@ -11,7 +11,7 @@ namespace naocal {
 
 namespace {
 
-void printSieve(const Sieve& sieve) {
+void printSieve(const PassCounts& sieve) {
   fmt::print("\n{:>10} attitudes drawn\n{:>10} the legs reach them, clear of the joints' limits\n"
              "{:>10} no part touches another\n{:>10} stand, with joint errors too\n{:>10} see a board\n\n",
              sieve.generated, sieve.reachable, sieve.collisionFree, sieve.stable, sieve.seeing);

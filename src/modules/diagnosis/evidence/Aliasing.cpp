@@ -9,7 +9,7 @@
 
 namespace naocal {
 
-AliasMatrix aliasMatrix(const Inquiry& inquiry, const std::vector<std::string>& labels, std::size_t most) {
+AliasMatrix aliasMatrix(const CandidateTests& inquiry, const std::vector<std::string>& labels, std::size_t most) {
   AliasMatrix result;
   std::vector<ColumnGroup> groups;
   for (const std::string& label : labels) {
@@ -55,7 +55,7 @@ double evidenceToTell(double correlation) {
   return 5.4 / std::max(1e-9, 1 - correlation);
 }
 
-std::vector<std::size_t> equivalents(const Inquiry& inquiry, std::size_t chosen) {
+std::vector<std::size_t> equivalents(const CandidateTests& inquiry, std::size_t chosen) {
   std::vector<std::size_t> result;
   const GroupEvidence& best = inquiry.ofCandidate(chosen);
   const std::vector<ColumnGroup>& groups = inquiry.problem().groups;

@@ -16,7 +16,7 @@ struct AliasMatrix {
 };
 
 /// Of the first `most` of those labels that are the inquiry's candidates and that its model does not absorb.
-AliasMatrix aliasMatrix(const Inquiry& inquiry, const std::vector<std::string>& labels, std::size_t most);
+AliasMatrix aliasMatrix(const CandidateTests& inquiry, const std::vector<std::string>& labels, std::size_t most);
 
 /// Largest canonical correlation of what two candidates would do to the pictures, everything in the model projected
 /// out. `information`: of all candidates' columns, projected (`Evidence::information`).
@@ -30,6 +30,6 @@ double evidenceToTell(double correlation);
 /// put them behind: the evidence does not suffice to tell (`evidenceToTell`). What sizes are plausible counts, unless
 /// the chosen one's is not. One that is evident and does something else to the pictures is there as well, and is no
 /// other explanation of the same.
-std::vector<std::size_t> equivalents(const Inquiry& inquiry, std::size_t chosen);
+std::vector<std::size_t> equivalents(const CandidateTests& inquiry, std::size_t chosen);
 
 } // namespace naocal

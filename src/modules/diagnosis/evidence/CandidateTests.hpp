@@ -10,7 +10,7 @@
 
 namespace naocal {
 
-struct InquiryOptions {
+struct CandidateTestOptions {
   Eigen::Index draws = 199; // of pure noise, for the alarm's null distribution
   std::uint64_t seed = 1;
   bool map = true; // joints and mounts over drivers beside the candidates
@@ -19,10 +19,10 @@ struct InquiryOptions {
 /// A fitted model put to the question: which of these candidates, and which curve of a joint or mount over a driver,
 /// would explain what is left over? All linearised at the fit, and at its levels of noise: what a candidate explains
 /// must not depend on how much was taken for noise without it.
-class Inquiry {
+class CandidateTests {
 public:
-  Inquiry(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
-          const std::vector<Term>& candidates, const InquiryOptions& options = {});
+  CandidateTests(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
+                 const std::vector<Term>& candidates, const CandidateTestOptions& options = {});
 
   const std::vector<Term>& candidates() const { return wide_.candidates(); }
   const std::vector<PoseRows>& poses() const { return wide_.poses(); }
@@ -48,7 +48,7 @@ public:
   std::optional<std::size_t> find(const std::string& label) const;
   const GroupEvidence& ofCandidate(std::size_t candidate) const { return evidence_.groups[candidate]; }
   /// The shape of a curve, and over which driver.
-  const DriverCell& cellOf(std::size_t curve) const {
+  const DriverBasis& cellOf(std::size_t curve) const {
     return curve < mounts().size() ? mounts()[curve].cell : map().cells[curve - mounts().size()];
   }
   std::size_t curveCount() const { return mounts().size() + map().cells.size(); }

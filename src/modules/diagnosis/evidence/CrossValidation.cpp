@@ -15,7 +15,7 @@
 namespace naocal {
 
 /// Sums over some poses, of all columns of a linearised problem: whitened ones to learn from, plain ones to measure by.
-struct HeldOutSums {
+struct FoldSums {
   Eigen::MatrixXd hessian, gram;
   Eigen::VectorXd gradient, plainGradient;
   double squares = 0, numbers = 0;
@@ -23,11 +23,11 @@ struct HeldOutSums {
 
 /// The sums of all poses, and of each of the five folds (or as many as there are poses), with the unknowns moved by
 /// `step`.
-struct HeldOutParts {
-  HeldOutSums all;
-  std::vector<HeldOutSums> parts;
+struct Folds {
+  FoldSums all;
+  std::vector<FoldSums> parts;
 };
-HeldOutParts heldOutSums(const Inquiry& inquiry, const Eigen::VectorXd& step);
+Folds heldOutSums(const CandidateTests& inquiry, const Eigen::VectorXd& step);
 
 namespace {
 
@@ -43,7 +43,7 @@ class Fold {
 public:
   /// `prior`: of every column its information, `start` its unknown where the sums were taken. `given`: the columns that
   /// are always learned, the first of those in all questions.
-  Fold(const HeldOutSums& all, const HeldOutSums& held, const Eigen::VectorXd& prior, const Eigen::VectorXd& start,
+  Fold(const FoldSums& all, const FoldSums& held, const Eigen::VectorXd& prior, const Eigen::VectorXd& start,
        const Columns& given)
       : held_{held}, hessian_{all.hessian - held.hessian}, gradient_{all.gradient - held.gradient}, prior_{prior},
         pull_{prior.cwiseProduct(start)} {
@@ -115,7 +115,7 @@ public:
   }
 
 private:
-  const HeldOutSums& held_;
+  const FoldSums& held_;
   Eigen::MatrixXd hessian_;
   Eigen::VectorXd gradient_, prior_, pull_;
   Eigen::MatrixXd untold_, holding_; // directions that the other folds do not tell, of the given columns: D, L L^T D
@@ -137,7 +137,7 @@ struct Choices {
   std::vector<Columns> candidates, chosen; // per candidate; per effect that was chosen on all poses
   Columns given;                           // all others of the model
 
-  Choices(const Inquiry& inquiry, const Model& model, const std::vector<std::string>& labels) {
+  Choices(const CandidateTests& inquiry, const Model& model, const std::vector<std::string>& labels) {
     const Eigen::Index own = inquiry.problem().own();
     for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
       const ColumnGroup& group = inquiry.problem().groups[i];
@@ -153,8 +153,9 @@ struct Choices {
 
 } // namespace
 
-std::optional<HeldOut> heldOut(const Inquiry& inquiry, const Model& model, const std::vector<std::string>& chosen,
-                               const std::vector<std::vector<std::size_t>>& added) {
+std::optional<CrossValidation> heldOut(const CandidateTests& inquiry, const Model& model,
+                                       const std::vector<std::string>& chosen,
+                                       const std::vector<std::vector<std::size_t>>& added) {
   const ScoreProblem& problem = inquiry.problem();
   if (inquiry.poses().size() < 2) {
     return std::nullopt;
@@ -169,16 +170,16 @@ std::optional<HeldOut> heldOut(const Inquiry& inquiry, const Model& model, const
     toNone(effect) = -start(effect);
     start(effect).setZero();
   }
-  const HeldOutParts sums = heldOutSums(inquiry, toNone);
+  const Folds sums = heldOutSums(inquiry, toNone);
   std::vector<Columns> groups = choices.candidates;
   groups.insert(groups.end(), choices.chosen.begin(), choices.chosen.end());
   Columns asItIs = choices.given;
   for (const Columns& effect : choices.chosen) {
     asItIs = joined(asItIs, effect);
   }
-  HeldOut result;
+  CrossValidation result;
   result.afterPx.resize(added.size());
-  for (const HeldOutSums& held : sums.parts) {
+  for (const FoldSums& held : sums.parts) {
     const Fold fold{sums.all, held, prior, start, choices.given};
     result.beforePx += fold.squaresLeft(asItIs);
     for (std::size_t i = 0; i < added.size(); ++i) {
@@ -209,16 +210,16 @@ namespace {
 constexpr std::size_t folds = 5;
 
 /// Of every `folds`th pose from `first` on.
-HeldOutSums sumsFrom(std::size_t first, std::size_t each, const ModelAlone& alone) {
+FoldSums sumsFrom(std::size_t first, std::size_t each, const NullModel& alone) {
   const std::vector<PoseRows>& poses = *alone.problem().poses;
   const double pixel = alone.noise().pixel;
   const Eigen::Index size = alone.problem().gram.cols();
-  HeldOutSums result;
+  FoldSums result;
   result.gradient = result.plainGradient = Eigen::VectorXd::Zero(size);
   GramSum plain{size}, taken{size};
   for (std::size_t pose = first; pose < poses.size(); pose += each) {
     const PoseRows& rows = poses[pose];
-    const ModelAlone::Whitener& whitener = alone.whitener(pose);
+    const NullModel::Whitener& whitener = alone.whitener(pose);
     plain.add(rows.unknowns, rows.byUnknowns);
     taken.add(rows.unknowns, whitener.unknowns);
     const Eigen::VectorXd gradient = rows.byUnknowns.transpose() * rows.residual;
@@ -233,7 +234,7 @@ HeldOutSums sumsFrom(std::size_t first, std::size_t each, const ModelAlone& alon
   return result;
 }
 
-void add(const HeldOutSums& part, HeldOutSums& sums) {
+void add(const FoldSums& part, FoldSums& sums) {
   sums.hessian += part.hessian;
   sums.gram += part.gram;
   sums.gradient += part.gradient;
@@ -242,7 +243,7 @@ void add(const HeldOutSums& part, HeldOutSums& sums) {
   sums.numbers += part.numbers;
 }
 
-void move(const Eigen::VectorXd& step, HeldOutSums& sums) {
+void move(const Eigen::VectorXd& step, FoldSums& sums) {
   const Eigen::VectorXd moved = sums.gram * step;
   sums.squares += 2 * sums.plainGradient.dot(step) + step.dot(moved);
   sums.plainGradient += moved;
@@ -251,12 +252,12 @@ void move(const Eigen::VectorXd& step, HeldOutSums& sums) {
 
 } // namespace
 
-HeldOutParts heldOutSums(const Inquiry& inquiry, const Eigen::VectorXd& step) {
-  const ModelAlone alone{inquiry.problem(), inquiry.noise()};
+Folds heldOutSums(const CandidateTests& inquiry, const Eigen::VectorXd& step) {
+  const NullModel alone{inquiry.problem(), inquiry.noise()};
   const std::size_t parts = std::min(folds, inquiry.poses().size());
-  HeldOutParts result;
+  Folds result;
   for (std::size_t part = 0; part < parts; ++part) {
-    HeldOutSums& sums = result.parts.emplace_back(sumsFrom(part, parts, alone));
+    FoldSums& sums = result.parts.emplace_back(sumsFrom(part, parts, alone));
     move(step, sums);
     part == 0 ? void(result.all = sums) : add(sums, result.all);
   }

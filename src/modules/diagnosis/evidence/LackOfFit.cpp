@@ -7,7 +7,7 @@
 
 namespace naocal {
 
-LackOfFit lackOfFit(const Inquiry& inquiry) {
+LackOfFit lackOfFit(const CandidateTests& inquiry) {
   const PoseMisfit misfit = poseMisfit(inquiry.problem(), inquiry.noise());
   double freedom = 0;
   for (const PoseRows& pose : inquiry.poses()) {

@@ -8,7 +8,7 @@
 
 namespace naocal {
 
-std::optional<AddedVariable> addedVariable(const Inquiry& inquiry, const Model& model, std::size_t candidate) {
+std::optional<AddedVariable> addedVariable(const CandidateTests& inquiry, const Model& model, std::size_t candidate) {
   const ScoreProblem& problem = inquiry.problem();
   const GroupEvidence& evidence = inquiry.ofCandidate(candidate);
   if (evidence.freedom < 1) {
@@ -70,7 +70,7 @@ CandidateColumn::Pose summed(const PoseRows& pose, const Noise& noise, Eigen::In
   together.topLeftCorner(kept, kept).setIdentity();
   together.col(kept).tail(at(moving.size())) = direction(moving);
   const PoseRows part{pose, pose.byUnknowns(Eigen::all, rows) * together, pose.byDeflections, pose.residual};
-  Eliminated whitened = eliminated(systemOf(part), noise, deflectionRoot(pose, noise));
+  MarginalSystem whitened = eliminated(systemOf(part), noise, deflectionRoot(pose, noise));
   result.information = std::move(whitened.hessian);
   result.gradient = std::move(whitened.unknownGradient);
   return result;
@@ -85,7 +85,7 @@ std::string labelOf(const Model& model, Eigen::Index unknown) {
   return term->label();
 }
 
-CandidateColumn::CandidateColumn(const Inquiry& inquiry, std::size_t candidate, const Eigen::VectorXd& direction,
+CandidateColumn::CandidateColumn(const CandidateTests& inquiry, std::size_t candidate, const Eigen::VectorXd& direction,
                                  const Noise& noise) {
   const ScoreProblem& problem = inquiry.problem();
   const Eigen::Index own = problem.own();

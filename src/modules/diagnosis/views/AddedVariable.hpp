@@ -11,7 +11,7 @@
 namespace naocal {
 
 /// What one pose says about a candidate, both in standard errors of one number.
-struct PoseTestimony {
+struct AddedVariablePoint {
   std::optional<std::size_t> pose; // absent: what was believed of the model's own unknowns before
   double signature = 0;            // how far one unit of the candidate moves the pose's pictures
   double residual = 0;             // how far they were measured to have moved that way
@@ -25,19 +25,20 @@ struct PoseTestimony {
 /// where M takes off what the model's own unknowns can follow. The slope over all points is the candidate's estimate.
 /// A point stands left of zero where e moves the pose against the sense of `like`.
 struct AddedVariable {
-  std::vector<PoseTestimony> points;
+  std::vector<AddedVariablePoint> points;
   double slope = 0, sigma = 0; // [the unknown's unit]; of several unknowns: in units of their estimates together
   std::string like;            // the model's own effect that imitates the candidate best
 };
 
 /// Of a candidate effect; absent where the model absorbs it.
-std::optional<AddedVariable> addedVariable(const Inquiry& inquiry, const Model& model, std::size_t candidate);
+std::optional<AddedVariable> addedVariable(const CandidateTests& inquiry, const Model& model, std::size_t candidate);
 
 /// A candidate as one column beside the model's own unknowns, in sums whitened at one level of noise, and what the own
 /// unknowns can do about it.
 struct CandidateColumn {
   /// `direction`: by how much each of the candidate's unknowns moves with the column [the unknown's unit].
-  CandidateColumn(const Inquiry& inquiry, std::size_t candidate, const Eigen::VectorXd& direction, const Noise& noise);
+  CandidateColumn(const CandidateTests& inquiry, std::size_t candidate, const Eigen::VectorXd& direction,
+                  const Noise& noise);
 
   struct Pose {
     std::vector<Eigen::Index> columns; // the own unknowns that it depends on, then the candidate (numbered `own`)

@@ -10,7 +10,7 @@ namespace naocal {
 BoardShape boardShape(const ImageField& field, const Measurements& measurements) {
   assert(field.of != ImageField::Of::camera);
   const std::vector<Eigen::Vector3d>& points = measurements.targets[field.at].board.points;
-  const Sheet sheet{points};
+  const SheetBasis sheet{points};
   BoardShape shape{.board = field.at, .corners = {}, .pValue = field.fit.pValue};
   for (std::size_t i = 0; i < points.size(); ++i) {
     Eigen::MatrixXd byCoefficients = Eigen::MatrixXd::Zero(3, field.fit.estimate.size());
@@ -33,7 +33,7 @@ BoardShape boardShape(const ImageField& field, const Measurements& measurements)
 
 std::vector<BoardShape> boardShapes(const Measurements& measurements, const Model& model,
                                     const CalibrationResult& fit) {
-  const FreedErrors errors{measurements, model, fit};
+  const MotionFreeResiduals errors{measurements, model, fit};
   std::vector<BoardShape> result;
   for (std::size_t board = 0; board < measurements.targets.size(); ++board) {
     if (const ImageField field = sheetField(errors, measurements, board); field.fit.freedom > 0) {

@@ -18,14 +18,15 @@ namespace naocal {
 
 /// Adds to a finding the small expression that follows the misfit of its joint over its driver best: linear, square,
 /// |x|, sign, root, sines and cosines of x to 8x, a step in time, the driver times the joint's torque.
-void express(const Inquiry& inquiry, const Measurements& measurements, const DriverCell& cell, DriverFinding& finding);
+void express(const CandidateTests& inquiry, const Measurements& measurements, const DriverBasis& cell,
+             DriverCurve& finding);
 
 namespace {
 
 /// The curve's points over its driver with their errors, from its coefficients; and half of its range. A joint is
 /// approached from below, from nowhere that is known, or from above: there is nothing between.
-void draw(const DriverCell& cell, const Eigen::VectorXd& estimate, const Eigen::MatrixXd& covariance,
-          DriverFinding& finding) {
+void draw(const DriverBasis& cell, const Eigen::VectorXd& estimate, const Eigen::MatrixXd& covariance,
+          DriverCurve& finding) {
   const int points = finding.driver == "approach" ? static_cast<int>(std::lround(cell.most - cell.least)) + 1 : 41;
   double least = 0, most = 0;
   for (int i = 0; i < points; ++i) {
@@ -41,7 +42,7 @@ void draw(const DriverCell& cell, const Eigen::VectorXd& estimate, const Eigen::
 
 /// How much of a joint's or mount's scatter from picture to picture a curve explains: its variance over the pictures as
 /// they were taken, against the pose noise.
-double shareOf(const DriverCell& cell, const std::vector<double>& driver, const Eigen::VectorXd& estimate,
+double shareOf(const DriverBasis& cell, const std::vector<double>& driver, const Eigen::VectorXd& estimate,
                double left) {
   double sum = 0, squares = 0;
   for (const double x : driver) {
@@ -54,13 +55,13 @@ double shareOf(const DriverCell& cell, const std::vector<double>& driver, const 
   return variance > 0 ? variance / (variance + left * left) : 0;
 }
 
-void drawMount(const DriverCell& cell, const std::vector<double>& driver, const GroupEvidence& group, double scatter,
-               DriverFinding& finding) {
+void drawMount(const DriverBasis& cell, const std::vector<double>& driver, const GroupEvidence& group, double scatter,
+               DriverCurve& finding) {
   const std::array<const char*, 3> axes{"x", "y", "z"};
   finding.amplitude = -1;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     const auto own = Eigen::seqN(axis, cell.count, 3);
-    DriverFinding about = finding;
+    DriverCurve about = finding;
     about.about = axes[static_cast<std::size_t>(axis)];
     about.curve.clear();
     draw(cell, group.estimate(own), group.covariance(own, own), about);
@@ -76,27 +77,27 @@ struct CurveName {
   std::string place, driver;
 };
 
-CurveName curveName(const Inquiry& inquiry, const Measurements& measurements, std::size_t curve) {
-  const std::vector<DriverValues>& drivers = inquiry.map().drivers;
+CurveName curveName(const CandidateTests& inquiry, const Measurements& measurements, std::size_t curve) {
+  const std::vector<DriverSeries>& drivers = inquiry.map().drivers;
   if (curve < inquiry.mounts().size()) {
     const MountCurve& mount = inquiry.mounts()[curve];
     return {measurements.robot.cameras[mount.camera()].name, drivers[mount.cell.driver].name};
   }
-  const DriverCell& cell = inquiry.map().cells[curve - inquiry.mounts().size()];
+  const DriverBasis& cell = inquiry.map().cells[curve - inquiry.mounts().size()];
   return {measurements.robot.joints[cell.motor].name, nameAt(drivers[cell.driver], cell.motor)};
 }
 
 /// A curve as a finding; of a mount, about the axis that turns furthest.
-DriverFinding driverFinding(const Inquiry& inquiry, const Measurements& measurements, std::size_t curve) {
+DriverCurve driverFinding(const CandidateTests& inquiry, const Measurements& measurements, std::size_t curve) {
   const CurveName name = curveName(inquiry, measurements, curve);
   const GroupEvidence& group = inquiry.ofCurve(curve);
-  DriverFinding result{.place = name.place, .driver = name.driver};
+  DriverCurve result{.place = name.place, .driver = name.driver};
   result.likelihoodRatio = group.likelihoodRatio;
   result.bayes = group.bayes;
   const bool ofMount = curve < inquiry.mounts().size();
-  const DriverCell& cell =
+  const DriverBasis& cell =
       ofMount ? inquiry.mounts()[curve].cell : inquiry.map().cells[curve - inquiry.mounts().size()];
-  const DriverValues& driver = inquiry.map().drivers[cell.driver];
+  const DriverSeries& driver = inquiry.map().drivers[cell.driver];
   result.what = driver.what;
   if (ofMount) {
     drawMount(cell, driver.atPicture, group, inquiry.noise().pose, result);
@@ -109,7 +110,7 @@ DriverFinding driverFinding(const Inquiry& inquiry, const Measurements& measurem
 }
 
 /// Of each place and driver the curve that explains most, best first.
-std::vector<std::size_t> bestCurves(const Inquiry& inquiry, const Measurements& measurements) {
+std::vector<std::size_t> bestCurves(const CandidateTests& inquiry, const Measurements& measurements) {
   std::vector<std::size_t> result;
   std::set<std::pair<std::string, std::string>> seen;
   for (std::size_t curve : inquiry.curvesByEvidence()) {
@@ -123,7 +124,7 @@ std::vector<std::size_t> bestCurves(const Inquiry& inquiry, const Measurements& 
 
 } // namespace
 
-DriverMap driverMap(const Inquiry& inquiry, const Measurements& measurements) {
+DriverMap driverMap(const CandidateTests& inquiry, const Measurements& measurements) {
   DriverMap map;
   std::vector<std::size_t> best = bestCurves(inquiry, measurements);
   for (std::size_t i = 0; i < std::min<std::size_t>(3, best.size()); ++i) {
@@ -180,7 +181,7 @@ std::vector<FieldPoint> pointsOf(const ImageField& field, const Measurements& me
     return onBoard(field, measurements);
   }
   const auto seen = std::find_if(measurements.pictures.begin(), measurements.pictures.end(),
-                                 [&](const Picture& picture) { return picture.camera == field.at; });
+                                 [&](const ImageObservation& picture) { return picture.camera == field.at; });
   return inPicture(field.fit, seen->drawn.lens().segment<2>(2));
 }
 
@@ -213,12 +214,11 @@ double halfRange(const std::vector<std::array<double, 3>>& curve) {
 
 } // namespace
 
-DriverFinding fieldFinding(const ImageField& field, const Measurements& measurements) {
+DriverCurve fieldFinding(const ImageField& field, const Measurements& measurements) {
   const bool board = field.of != ImageField::Of::camera;
   const std::array<const char*, 2> drivers = board ? std::array{"x", "y"} : std::array{"u", "v"};
   const std::array<const char*, 3> components = board ? std::array{"x", "y", "z"} : std::array{"u", "v", ""};
-  DriverFinding result{.place =
-                           board ? measurements.targets[field.at].name : measurements.robot.cameras[field.at].name};
+  DriverCurve result{.place = board ? measurements.targets[field.at].name : measurements.robot.cameras[field.at].name};
   result.unit = board ? "m" : "px";
   result.bayes = field.fit.bayes;
   result.share = field.fit.share;
@@ -242,9 +242,9 @@ DriverFinding fieldFinding(const ImageField& field, const Measurements& measurem
 namespace {
 
 /// Values of the driver transformed, as a driver of its own named by its expression.
-DriverValues shaped(const DriverValues& driver, std::size_t motor, const std::string& expression, const Unit& unit,
-                    const std::function<double(std::size_t)>& value) {
-  DriverValues result{
+DriverSeries shaped(const DriverSeries& driver, std::size_t motor, const std::string& expression,
+                    const UnitPowers& unit, const std::function<double(std::size_t)>& value) {
+  DriverSeries result{
       .kind = driver.kind, .joint = driver.joint, .name = expression, .unit = textOf(unit), .motor = motor};
   for (std::size_t i = 0; i < driver.atPicture.size(); ++i) {
     result.atPicture.push_back(value(i));
@@ -253,13 +253,14 @@ DriverValues shaped(const DriverValues& driver, std::size_t motor, const std::st
 }
 
 /// Shapes that physics has, of one driver; those that go together stand side by side.
-std::vector<DriverValues> shapes(const DriverValues& driver, std::size_t motor,
-                                 const std::vector<DriverValues>& drivers) {
+std::vector<DriverSeries> shapes(const DriverSeries& driver, std::size_t motor,
+                                 const std::vector<DriverSeries>& drivers) {
   const std::vector<double>& x = driver.atPicture;
   const std::string name = nameAt(driver, motor);
-  const Unit number, own = unitOf(driver.unit).value_or(Unit{{"K", 1}}), root = product({}, own, 0.5); // °C counts K
-  std::vector<DriverValues> result;
-  const auto add = [&](const std::string& expression, const Unit& unit,
+  const UnitPowers number, own = unitOf(driver.unit).value_or(UnitPowers{{"K", 1}}),
+                           root = product({}, own, 0.5); // °C counts K
+  std::vector<DriverSeries> result;
+  const auto add = [&](const std::string& expression, const UnitPowers& unit,
                        const std::function<double(std::size_t)>& value) {
     result.push_back(shaped(driver, motor, expression, unit, value));
   };
@@ -286,7 +287,7 @@ std::vector<DriverValues> shapes(const DriverValues& driver, std::size_t motor,
       add(fmt::format("({} > {:.6g} ? 1 : 0)", name, at), number, [&, at](std::size_t j) { return x[j] > at ? 1 : 0; });
     }
   }
-  for (const DriverValues& other : drivers) {
+  for (const DriverSeries& other : drivers) {
     if (other.kind == Driver::torque && other.joint == motor && driver.kind != Driver::torque) {
       add(fmt::format("{}*tau", name), product(own, {{"Nm", 1}}),
           [&](std::size_t i) { return x[i] * other.atPicture[i]; });
@@ -301,11 +302,12 @@ bool isSineOf(const std::string& sine, const std::string& cosine) {
 
 } // namespace
 
-void express(const Inquiry& inquiry, const Measurements& measurements, const DriverCell& cell, DriverFinding& finding) {
-  const std::vector<DriverValues>& drivers = inquiry.map().drivers;
+void express(const CandidateTests& inquiry, const Measurements& measurements, const DriverBasis& cell,
+             DriverCurve& finding) {
+  const std::vector<DriverSeries>& drivers = inquiry.map().drivers;
   DriverColumns columns =
       proportionalColumns(measurements, shapes(drivers[cell.driver], cell.motor, drivers), inquiry.poses());
-  const std::vector<DriverCell> single = columns.cells;
+  const std::vector<DriverBasis> single = columns.cells;
   const auto nameOf = [&](std::size_t i) { return columns.drivers[single[i].driver].name; };
   for (std::size_t i = 0; i + 1 < single.size(); ++i) {
     if (isSineOf(nameOf(i), nameOf(i + 1))) {
@@ -318,19 +320,19 @@ void express(const Inquiry& inquiry, const Measurements& measurements, const Dri
   problem.plausible = Eigen::VectorXd::Constant(problem.candidates + columns.count, plausibleCurve);
   problem.groups.clear();
   problem.named = 0;
-  for (const DriverCell& shape : columns.cells) {
+  for (const DriverBasis& shape : columns.cells) {
     problem.groups.push_back({problem.candidates + shape.first, shape.count});
   }
   const Evidence evidence = evidenceOf(problem, inquiry.noise());
   const auto best = std::max_element(evidence.groups.begin(), evidence.groups.end(),
                                      [](const auto& a, const auto& b) { return a.bayes < b.bayes; });
-  const DriverCell& shape = columns.cells[static_cast<std::size_t>(best - evidence.groups.begin())];
+  const DriverBasis& shape = columns.cells[static_cast<std::size_t>(best - evidence.groups.begin())];
   for (std::size_t i = 0; i < single.size(); ++i) {
     const Eigen::Index column = single[i].first - shape.first;
     if (column >= 0 && column < shape.count) {
       const std::string coefficient = finding.coefficients.empty() ? "a" : "b";
       finding.expression += (finding.expression.empty() ? "" : " + ") + coefficient + "*" + nameOf(i);
-      const Unit unit = product({{"rad", 1}}, *unitOf(columns.drivers[single[i].driver].unit), -1);
+      const UnitPowers unit = product({{"rad", 1}}, *unitOf(columns.drivers[single[i].driver].unit), -1);
       finding.coefficients.push_back({coefficient, best->estimate[column] / single[i].half, textOf(unit)});
     }
   }

@@ -17,7 +17,7 @@ struct Coefficient {
 };
 
 /// A curve of a joint, of a camera's mount or within pictures over a driver that would explain what is left over.
-struct DriverFinding {
+struct DriverCurve {
   std::string place, driver; // as in a user's effect: "LKneePitch", "q"; of a mount the camera: "top", "t"; of a lens
                              // the camera and "u" or "v", of a board's shape the board and "x" or "y"
   std::string what;          // "the angle of LKneePitch"
@@ -31,21 +31,21 @@ struct DriverFinding {
 };
 
 /// A cell of the map: how well a curve of this joint or mount over this driver would explain what is left over.
-struct MapCell {
+struct DriverScore {
   std::string place, driver; // as in a user's effect
   double bayes = 0, pValue = 1;
 };
 
 /// Every joint's deflection and every mount's turning as curves over every driver.
 struct DriverMap {
-  std::vector<MapCell> cells;
-  std::vector<DriverFinding> best; // the curves that explain most, best first
+  std::vector<DriverScore> cells;
+  std::vector<DriverCurve> best; // the curves that explain most, best first
 };
-DriverMap driverMap(const Inquiry& inquiry, const Measurements& measurements);
+DriverMap driverMap(const CandidateTests& inquiry, const Measurements& measurements);
 
 /// A field within pictures as a curve, like those of joints.
 /// It varies with, for a board its rows ("y") or columns ("x"), for a camera the picture's ("v", "u"). Of all
 /// pairs of a component and a driver the one that varies most.
-DriverFinding fieldFinding(const ImageField& field, const Measurements& measurements);
+DriverCurve fieldFinding(const ImageField& field, const Measurements& measurements);
 
 } // namespace naocal

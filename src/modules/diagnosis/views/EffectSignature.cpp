@@ -35,7 +35,7 @@ std::vector<std::size_t> onePerPose(const Measurements& measurements) {
   std::vector<std::size_t> result;
   for (const PoseGroup& pose : measurements.poses) {
     std::set<std::size_t> cameras;
-    for (const Reading& reading : pose.readings) {
+    for (const EncoderSample& reading : pose.readings) {
       for (std::size_t picture : reading.pictures) {
         if (cameras.insert(measurements.pictures[picture].camera).second) {
           result.push_back(picture);
@@ -46,13 +46,13 @@ std::vector<std::size_t> onePerPose(const Measurements& measurements) {
   return result;
 }
 
-Eigen::Matrix2Xd together(const std::vector<SceneBoard>& boards) {
+Eigen::Matrix2Xd together(const std::vector<PredictedBoard>& boards) {
   Eigen::Index count = 0;
-  for (const SceneBoard& board : boards) {
+  for (const PredictedBoard& board : boards) {
     count += board.corners.cols();
   }
   Eigen::Matrix2Xd result(2, count);
-  for (const SceneBoard& board : boards) {
+  for (const PredictedBoard& board : boards) {
     result.middleCols(result.cols() - count, board.corners.cols()) = board.corners;
     count -= board.corners.cols();
   }
@@ -64,13 +64,13 @@ double rms(const Eigen::Matrix2Xd& shifts) {
 }
 
 /// Shifts by an effect from what the model shows, before and after refitting; absent where a corner leaves the world.
-std::optional<Imprint::Seen> shifted(std::size_t picture, const Eigen::Matrix2Xd& flawed, const Eigen::Matrix2Xd& model,
-                                     const Eigen::Matrix2Xd& refitted) {
+std::optional<EffectSignature::Seen> shifted(std::size_t picture, const Eigen::Matrix2Xd& flawed,
+                                             const Eigen::Matrix2Xd& model, const Eigen::Matrix2Xd& refitted) {
   const Eigen::Matrix2Xd before = flawed - model, after = flawed - refitted;
   if (!before.allFinite() || !after.allFinite()) {
     return std::nullopt;
   }
-  Imprint::Seen seen{picture, rms(before), rms(after), {}};
+  EffectSignature::Seen seen{picture, rms(before), rms(after), {}};
   std::vector<Eigen::Index> some;
   const Eigen::Index step = (model.cols() + cornersPerPicture - 1) / cornersPerPicture;
   for (Eigen::Index i = 0; i < model.cols(); i += step) {
@@ -82,11 +82,11 @@ std::optional<Imprint::Seen> shifted(std::size_t picture, const Eigen::Matrix2Xd
 }
 
 /// Of all pictures the rms; of each camera those that shift most.
-void summarise(const Measurements& measurements, Imprint& imprint) {
+void summarise(const Measurements& measurements, EffectSignature& imprint) {
   double before = 0, after = 0, count = 0;
-  for (const Imprint::Seen& seen : imprint.pictures) {
+  for (const EffectSignature::Seen& seen : imprint.pictures) {
     double corners = 0;
-    for (const Sighting& sighting : measurements.pictures[seen.picture].sightings) {
+    for (const BoardObservation& sighting : measurements.pictures[seen.picture].sightings) {
       corners += static_cast<double>(sighting.ids.size());
     }
     before += corners * seen.beforePx * seen.beforePx;
@@ -98,7 +98,7 @@ void summarise(const Measurements& measurements, Imprint& imprint) {
   std::stable_sort(imprint.pictures.begin(), imprint.pictures.end(),
                    [](const auto& a, const auto& b) { return a.beforePx > b.beforePx; });
   std::map<std::size_t, Eigen::Index> taken; // per camera
-  std::erase_if(imprint.pictures, [&](const Imprint::Seen& seen) {
+  std::erase_if(imprint.pictures, [&](const EffectSignature::Seen& seen) {
     Eigen::Index& corners = taken[measurements.pictures[seen.picture].camera];
     corners += seen.corners.cols();
     return corners > cornersPerCamera;
@@ -107,13 +107,14 @@ void summarise(const Measurements& measurements, Imprint& imprint) {
 
 } // namespace
 
-std::vector<Imprint> imprints(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
-                              const Inquiry& inquiry, const std::vector<std::size_t>& candidates) {
-  std::vector<Imprint> result;
+std::vector<EffectSignature> imprints(const Measurements& measurements, const Model& model,
+                                      const CalibrationResult& fit, const CandidateTests& inquiry,
+                                      const std::vector<std::size_t>& candidates) {
+  std::vector<EffectSignature> result;
   std::vector<Eigen::VectorXd> refitted;
   for (std::size_t candidate : candidates) {
     const GroupEvidence& evidence = inquiry.ofCandidate(candidate);
-    Imprint& imprint = result.emplace_back();
+    EffectSignature& imprint = result.emplace_back();
     imprint.found = evidence.bayes > 0;
     imprint.size = shownSize(evidence, inquiry.candidates()[candidate].effect);
     const CandidateColumn column{inquiry, candidate, imprint.size, inquiry.noise()};
@@ -121,24 +122,24 @@ std::vector<Imprint> imprints(const Measurements& measurements, const Model& mod
     refitted.push_back(fit.unknowns + column.imitation);
   }
   for (std::size_t index : onePerPose(measurements)) {
-    const Picture& picture = measurements.pictures[index];
-    const Instant instant = instantOf(measurements, model, picture, fit.unknowns);
-    const Belief plain = believed(measurements, model, picture, fit.unknowns);
+    const ImageObservation& picture = measurements.pictures[index];
+    const RobotSample instant = instantOf(measurements, model, picture, fit.unknowns);
+    const ModelState plain = believed(measurements, model, picture, fit.unknowns);
     const Eigen::Matrix2Xd shown = together(scene(measurements, picture, plain));
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       const Term& term = inquiry.candidates()[candidates[i]];
-      Belief flawed = plain;
+      ModelState flawed = plain;
       for (std::size_t at : placesOn(term, measurements, picture)) {
         term.effect.correct(flawed, instant, at, {result[i].size.data(), term.effect.unknowns.size()});
       }
-      const Belief followed = believed(measurements, model, picture, refitted[i]);
+      const ModelState followed = believed(measurements, model, picture, refitted[i]);
       if (auto seen = shifted(index, together(scene(measurements, picture, flawed)), shown,
                               together(scene(measurements, picture, followed)))) {
         result[i].pictures.push_back(std::move(*seen));
       }
     }
   }
-  for (Imprint& imprint : result) {
+  for (EffectSignature& imprint : result) {
     summarise(measurements, imprint);
   }
   return result;

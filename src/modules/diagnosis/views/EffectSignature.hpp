@@ -11,7 +11,7 @@ namespace naocal {
 
 /// What an effect of a certain size would do to these captures were they perfect otherwise: the corners' shift from
 /// what the model without it shows, as it is and after that model is fitted to them.
-struct Imprint {
+struct EffectSignature {
   Eigen::VectorXd size;             // of the effect's unknowns
   bool found = false;               // the size that was found; else one that is plausible
   double beforePx = 0, afterPx = 0; // rms over all corners of one picture per pose and camera [px]
@@ -27,7 +27,8 @@ struct Imprint {
 
 /// Of each of these candidates of an inquiry into `model` at its `fit`. A candidate that explains something has the
 /// size that was found, another one goes that way as far as is plausible.
-std::vector<Imprint> imprints(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
-                              const Inquiry& inquiry, const std::vector<std::size_t>& candidates);
+std::vector<EffectSignature> imprints(const Measurements& measurements, const Model& model,
+                                      const CalibrationResult& fit, const CandidateTests& inquiry,
+                                      const std::vector<std::size_t>& candidates);
 
 } // namespace naocal

@@ -17,7 +17,7 @@
 namespace naocal {
 
 /// Which captures poses and pictures of the measurements are, for people who look for them in the sets.
-struct Taken {
+struct CaptureIndex {
   struct Pose {
     std::string set, name;
     std::vector<std::size_t> pictures; // by capture
@@ -32,19 +32,19 @@ struct Taken {
   std::map<std::string, std::array<int, 2>> cameras; // width and height of their pictures [px]
 };
 
-Taken takenIn(const std::vector<CaptureSet>& sets, const Measurements& measurements);
+CaptureIndex takenIn(const std::vector<CaptureSet>& sets, const Measurements& measurements);
 
 /// What a diagnosis's figures show beside its candidates' own.
 struct Figures {
   /// What a model leaves over.
   struct Left {
-    std::vector<WhatIfs> whatIfs; // per joint
-    Leftover leftover;
+    std::vector<SingleJointCorrection> whatIfs; // per joint
+    ResidualField leftover;
     std::vector<BoardShape> shapes;
   };
-  Taken taken;                        // poses and pictures, as the figures count them
+  CaptureIndex taken;                 // poses and pictures, as the figures count them
   AliasMatrix aliases;                // of the first of the ranking, in the model as given
-  std::vector<DriverValues> recorded; // what joints' deflections may vary with
+  std::vector<DriverSeries> recorded; // what joints' deflections may vary with
   Left given, last;                   // of the model as given, and with everything suggested (empty where nothing is)
 };
 

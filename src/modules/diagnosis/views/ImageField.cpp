@@ -24,13 +24,13 @@ Eigen::RowVectorXd monomials(const Eigen::Vector2d& at, int most) {
   return result;
 }
 
-Sheet::Sheet(const std::vector<Eigen::Vector3d>& points) : points_{points} {
+SheetBasis::SheetBasis(const std::vector<Eigen::Vector3d>& points) : points_{points} {
   for (const Eigen::Vector3d& point : points) {
     box_.extend(point.head<2>());
   }
 }
 
-Eigen::RowVectorXd Sheet::basis(std::size_t corner) const {
+Eigen::RowVectorXd SheetBasis::basis(std::size_t corner) const {
   constexpr int degree = 3;
   const Eigen::Vector2d at = points_[corner].head<2>() - box_.center();
   return monomials(at / std::max(1e-6, box_.sizes().maxCoeff() / 2), degree);
@@ -50,7 +50,7 @@ struct RepeatSums {
   };
   std::map<int, Corner> corners;
 
-  void add(const FreedSighting& sighting, const Eigen::MatrixXd& freed) {
+  void add(const MotionFreeResidual& sighting, const Eigen::MatrixXd& freed) {
     for (std::size_t i = 0; i < sighting.ids->size(); ++i) {
       const double weight = sighting.errors->weight[at(i)];
       Corner& corner = corners[(*sighting.ids)[i]];
@@ -79,10 +79,10 @@ struct MeanSquares {
 };
 
 /// `boards`: of the sighting's picture.
-FreedSighting freedSighting(const SightingResidual& errors, const Picture& picture,
-                            const std::vector<SceneBoard>& boards) {
-  const Sighting& sighting = picture.sightings[errors.sighting];
-  FreedSighting result{
+MotionFreeResidual freedSighting(const BoardResidual& errors, const ImageObservation& picture,
+                                 const std::vector<PredictedBoard>& boards) {
+  const BoardObservation& sighting = picture.sightings[errors.sighting];
+  MotionFreeResidual result{
       .errors = &errors, .ids = &sighting.ids, .camera = picture.camera, .board = sighting.view.board()};
   result.opticalFromBoard = boards[errors.sighting].opticalFromBoard.rotation;
   result.weights = errors.weight.replicate(1, 2).transpose().reshaped();
@@ -93,23 +93,24 @@ FreedSighting freedSighting(const SightingResidual& errors, const Picture& pictu
 
 } // namespace
 
-Eigen::MatrixXd FreedSighting::freed(const Eigen::MatrixXd& columns) const {
+Eigen::MatrixXd MotionFreeResidual::freed(const Eigen::MatrixXd& columns) const {
   return columns - errors->motionRows * motion.solve(weighted.transpose() * columns);
 }
 
-FreedErrors::FreedErrors(const Measurements& measurements, const Model& model, const CalibrationResult& fit) {
+MotionFreeResiduals::MotionFreeResiduals(const Measurements& measurements, const Model& model,
+                                         const CalibrationResult& fit) {
   const std::vector<std::size_t> poseOf = posesOfPictures(measurements);
   using Repeats = std::array<std::size_t, 3>; // pose, camera, board
   std::map<Repeats, std::vector<std::size_t>> repeats;
-  std::map<std::size_t, std::vector<SceneBoard>> scenes; // by picture
-  for (const SightingResidual& errors : fit.sightings) {
+  std::map<std::size_t, std::vector<PredictedBoard>> scenes; // by picture
+  for (const BoardResidual& errors : fit.sightings) {
     if (errors.residual.allFinite() && (errors.weight.array() > counts).count() >= leastCorners) {
-      const Picture& picture = measurements.pictures[errors.picture];
+      const ImageObservation& picture = measurements.pictures[errors.picture];
       const auto [boards, fresh] = scenes.try_emplace(errors.picture);
       if (fresh) {
         boards->second = scene(measurements, picture, believed(measurements, model, picture, fit.unknowns));
       }
-      const FreedSighting& added = sightings_.emplace_back(freedSighting(errors, picture, boards->second));
+      const MotionFreeResidual& added = sightings_.emplace_back(freedSighting(errors, picture, boards->second));
       repeats[{poseOf[errors.picture], added.camera, added.board}].push_back(sightings_.size() - 1);
     }
   }
@@ -123,13 +124,13 @@ FreedErrors::FreedErrors(const Measurements& measurements, const Model& model, c
   }
 }
 
-FieldFit FreedErrors::fitted(Eigen::Index count, double plausible,
-                             const std::function<bool(const FreedSighting&)>& chosen,
-                             const std::function<Eigen::MatrixXd(const FreedSighting&)>& columns) const {
+FieldFit MotionFreeResiduals::fitted(Eigen::Index count, double plausible,
+                                     const std::function<bool(const MotionFreeResidual&)>& chosen,
+                                     const std::function<Eigen::MatrixXd(const MotionFreeResidual&)>& columns) const {
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(count, count);
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(count);
   std::map<std::size_t, RepeatSums> repeats;
-  for (const FreedSighting& sighting : sightings_) {
+  for (const MotionFreeResidual& sighting : sightings_) {
     if (chosen(sighting)) {
       const Eigen::MatrixXd own = columns(sighting), weighted = sighting.weights.asDiagonal() * own;
       const Eigen::MatrixXd left = sighting.freed(sighting.errors->residual.reshaped());
@@ -185,19 +186,19 @@ constexpr double plausibleLens = 1;      // of a polynomial's coefficient, at th
 
 /// Where in the picture a corner is, about -1 to 1 across: (u, v) - (cx, cy), in units of cx. As predicted: measured
 /// places share the noise of the errors that they would explain.
-Eigen::Vector2d place(const Measurements& measurements, const FreedSighting& sighting, Eigen::Index corner) {
+Eigen::Vector2d place(const Measurements& measurements, const MotionFreeResidual& sighting, Eigen::Index corner) {
   const auto lens = measurements.pictures[sighting.errors->picture].drawn.lens();
   return (sighting.errors->predicted.col(corner) - lens.segment<2>(2)) / lens[2];
 }
 
 } // namespace
 
-ImageField cornerField(const FreedErrors& errors, const Measurements& measurements, std::size_t board) {
+ImageField cornerField(const MotionFreeResiduals& errors, const Measurements& measurements, std::size_t board) {
   const Eigen::Index count = 3 * at(measurements.targets[board].board.points.size());
   return {ImageField::Of::corners, board,
           errors.fitted(
-              count, plausibleShape, [&](const FreedSighting& sighting) { return sighting.board == board; },
-              [&](const FreedSighting& sighting) {
+              count, plausibleShape, [&](const MotionFreeResidual& sighting) { return sighting.board == board; },
+              [&](const MotionFreeResidual& sighting) {
                 Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(sighting.errors->motionRows.rows(), count);
                 for (std::size_t i = 0; i < sighting.ids->size(); ++i) {
                   columns.block<2, 3>(at(2 * i), 3 * (*sighting.ids)[i]) = sighting.byCorner(i);
@@ -206,13 +207,13 @@ ImageField cornerField(const FreedErrors& errors, const Measurements& measuremen
               })};
 }
 
-ImageField sheetField(const FreedErrors& errors, const Measurements& measurements, std::size_t board) {
-  const Sheet sheet{measurements.targets[board].board.points};
+ImageField sheetField(const MotionFreeResiduals& errors, const Measurements& measurements, std::size_t board) {
+  const SheetBasis sheet{measurements.targets[board].board.points};
   const Eigen::Index terms = sheet.basis(0).size();
   return {ImageField::Of::sheet, board,
           errors.fitted(
-              3 * terms, plausibleShape, [&](const FreedSighting& sighting) { return sighting.board == board; },
-              [&](const FreedSighting& sighting) {
+              3 * terms, plausibleShape, [&](const MotionFreeResidual& sighting) { return sighting.board == board; },
+              [&](const MotionFreeResidual& sighting) {
                 Eigen::MatrixXd columns(sighting.errors->motionRows.rows(), 3 * terms);
                 for (std::size_t i = 0; i < sighting.ids->size(); ++i) {
                   const Eigen::RowVectorXd basis = sheet.basis(static_cast<std::size_t>((*sighting.ids)[i]));
@@ -225,12 +226,12 @@ ImageField sheetField(const FreedErrors& errors, const Measurements& measurement
               })};
 }
 
-ImageField cameraField(const FreedErrors& errors, const Measurements& measurements, std::size_t camera) {
+ImageField cameraField(const MotionFreeResiduals& errors, const Measurements& measurements, std::size_t camera) {
   const Eigen::Index terms = monomials({0, 0}, lensDegree).size();
   return {ImageField::Of::camera, camera,
           errors.fitted(
-              2 * terms, plausibleLens, [&](const FreedSighting& sighting) { return sighting.camera == camera; },
-              [&](const FreedSighting& sighting) {
+              2 * terms, plausibleLens, [&](const MotionFreeResidual& sighting) { return sighting.camera == camera; },
+              [&](const MotionFreeResidual& sighting) {
                 const Eigen::Index corners = sighting.errors->residual.cols();
                 Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(2 * corners, 2 * terms);
                 for (Eigen::Index i = 0; i < corners; ++i) {
@@ -241,7 +242,7 @@ ImageField cameraField(const FreedErrors& errors, const Measurements& measuremen
               })};
 }
 
-ImageField again(const ImageField& field, const FreedErrors& errors, const Measurements& measurements) {
+ImageField again(const ImageField& field, const MotionFreeResiduals& errors, const Measurements& measurements) {
   return field.of == ImageField::Of::corners ? cornerField(errors, measurements, field.at)
          : field.of == ImageField::Of::sheet ? sheetField(errors, measurements, field.at)
                                              : cameraField(errors, measurements, field.at);
@@ -250,7 +251,7 @@ ImageField again(const ImageField& field, const FreedErrors& errors, const Measu
 std::optional<ImageField> strikingField(const Measurements& measurements, const Model& model,
                                         const CalibrationResult& fit) {
   constexpr std::size_t fewCorners = 60; // of a board, to be looked at one by one: that takes their cube of time
-  const FreedErrors errors{measurements, model, fit};
+  const MotionFreeResiduals errors{measurements, model, fit};
   std::vector<ImageField> fields;
   for (std::size_t board = 0; board < measurements.targets.size(); ++board) {
     fields.push_back(sheetField(errors, measurements, board));

@@ -18,9 +18,9 @@ constexpr int lensDegree = 4;
 Eigen::RowVectorXd monomials(const Eigen::Vector2d& at, int most);
 
 /// A board's polynomials of degree 3: of its corners' places, about -1 to 1 across.
-class Sheet {
+class SheetBasis {
 public:
-  explicit Sheet(const std::vector<Eigen::Vector3d>& points);
+  explicit SheetBasis(const std::vector<Eigen::Vector3d>& points);
 
   Eigen::RowVectorXd basis(std::size_t corner) const;
 
@@ -30,9 +30,9 @@ private:
 };
 
 /// One board in one picture, its own rigid motion taken out of the corners' errors.
-struct FreedSighting {
-  const SightingResidual* errors = nullptr; // r = measured - predicted [px], L = `motionRows`, W = `weight`
-  const std::vector<int>* ids = nullptr;    // of the corners
+struct MotionFreeResidual {
+  const BoardResidual* errors = nullptr; // r = measured - predicted [px], L = `motionRows`, W = `weight`
+  const std::vector<int>* ids = nullptr; // of the corners
   std::size_t camera = 0, board = 0;
   Eigen::Matrix3d opticalFromBoard;
   std::size_t repeats = 0;             // the pictures that this pose has of this board by this camera, and
@@ -65,20 +65,20 @@ struct FieldFit {
 ///
 /// A detector's and a lens's small errors repeat when a pose is at rest. So the mean over a pose's repeats counts as
 /// one measurement, and its noise is what those means leave, not what corners leave.
-class FreedErrors {
+class MotionFreeResiduals {
 public:
-  FreedErrors(const Measurements& measurements, const Model& model, const CalibrationResult& fit);
-  FreedErrors(const Measurements&, const Model&, CalibrationResult&&) = delete; // they point into it
+  MotionFreeResiduals(const Measurements& measurements, const Model& model, const CalibrationResult& fit);
+  MotionFreeResiduals(const Measurements&, const Model&, CalibrationResult&&) = delete; // they point into it
 
   /// Fits `count` coefficients to the sightings that are `chosen`; `columns`: d(predicted) by the coefficients, two
   /// rows a corner. Too few measurements: nothing is said (bayes 0, pValue 1).
-  FieldFit fitted(Eigen::Index count, double plausible, const std::function<bool(const FreedSighting&)>& chosen,
-                  const std::function<Eigen::MatrixXd(const FreedSighting&)>& columns) const;
+  FieldFit fitted(Eigen::Index count, double plausible, const std::function<bool(const MotionFreeResidual&)>& chosen,
+                  const std::function<Eigen::MatrixXd(const MotionFreeResidual&)>& columns) const;
 
-  const std::vector<FreedSighting>& sightings() const { return sightings_; }
+  const std::vector<MotionFreeResidual>& sightings() const { return sightings_; }
 
 private:
-  std::vector<FreedSighting> sightings_;
+  std::vector<MotionFreeResidual> sightings_;
 };
 
 /// Errors within pictures as a field: of one board, wherever it is seen, or of one camera, wherever boards appear.
@@ -90,16 +90,16 @@ struct ImageField {
 };
 
 /// Columns of a board's shape: every corner off in three directions [m], in the board's axes.
-ImageField cornerField(const FreedErrors& errors, const Measurements& measurements, std::size_t board);
+ImageField cornerField(const MotionFreeResiduals& errors, const Measurements& measurements, std::size_t board);
 
 /// The same as polynomials of degree 3 over the board: few numbers, that tell smooth shapes from noise sooner [m].
-ImageField sheetField(const FreedErrors& errors, const Measurements& measurements, std::size_t board);
+ImageField sheetField(const MotionFreeResiduals& errors, const Measurements& measurements, std::size_t board);
 
 /// Columns of a lens: errors to the right and down as polynomials of degree 4 over the picture [px].
-ImageField cameraField(const FreedErrors& errors, const Measurements& measurements, std::size_t camera);
+ImageField cameraField(const MotionFreeResiduals& errors, const Measurements& measurements, std::size_t camera);
 
 /// The same field in other errors.
-ImageField again(const ImageField& field, const FreedErrors& errors, const Measurements& measurements);
+ImageField again(const ImageField& field, const MotionFreeResiduals& errors, const Measurements& measurements);
 
 /// The field that explains most, if any does beyond chance and beyond what a lens or a detector is known to [px].
 std::optional<ImageField> strikingField(const Measurements& measurements, const Model& model,

@@ -20,12 +20,12 @@ constexpr std::size_t fewest = 5;              // corners of a cell that is show
 constexpr double trusted = 0.7;                // weight of a corner that counts
 
 /// One picture's sightings, without those that a fit puts behind the camera.
-using Sightings = std::vector<const SightingResidual*>;
+using Sightings = std::vector<const BoardResidual*>;
 using CellPlace = std::array<std::size_t, 3>; // of a cell: camera, column, row
 
 /// CellSums over the corners of a cell.
 struct CellSums {
-  Leftover::Cell cell;
+  ResidualField::Cell cell;
   double squares = 0, worst = 0;
 
   void add(const Eigen::Vector2d& seen, const Eigen::Vector2d& error, std::size_t picture) {
@@ -41,8 +41,8 @@ struct CellSums {
     }
   }
 
-  Leftover::Cell mean() const {
-    Leftover::Cell result = cell;
+  ResidualField::Cell mean() const {
+    ResidualField::Cell result = cell;
     const auto count = static_cast<double>(cell.corners);
     for (double* sum : {&result.u, &result.v, &result.du, &result.dv}) {
       *sum /= count;
@@ -56,7 +56,7 @@ struct CellSums {
 /// Corners that count; with three of them the picture's motion explains everything.
 double trustedCorners(const Sightings& picture) {
   double count = 0;
-  for (const SightingResidual* sighting : picture) {
+  for (const BoardResidual* sighting : picture) {
     count += static_cast<double>((sighting->weight.array() >= trusted).count());
   }
   return count;
@@ -66,7 +66,7 @@ double trustedCorners(const Sightings& picture) {
 Eigen::Matrix<double, 6, 1> motionOf(const Sightings& picture) {
   Eigen::Matrix<double, 6, 6> gram = Eigen::Matrix<double, 6, 6>::Zero();
   Eigen::Matrix<double, 6, 1> gradient = Eigen::Matrix<double, 6, 1>::Zero();
-  for (const SightingResidual* sighting : picture) {
+  for (const BoardResidual* sighting : picture) {
     for (Eigen::Index i = 0; i < sighting->residual.cols(); ++i) {
       const auto corner = sighting->motionRows.middleRows<2>(2 * i);
       gram += sighting->weight[i] * corner.transpose() * corner;
@@ -77,7 +77,7 @@ Eigen::Matrix<double, 6, 1> motionOf(const Sightings& picture) {
 }
 
 /// Predicted - measured of each corner, the picture's motion taken out.
-Eigen::Matrix2Xd freed(const SightingResidual& sighting, const Eigen::Matrix<double, 6, 1>& motion) {
+Eigen::Matrix2Xd freed(const BoardResidual& sighting, const Eigen::Matrix<double, 6, 1>& motion) {
   const Eigen::VectorXd moved = sighting.motionRows * motion;
   return moved.reshaped(2, sighting.residual.cols()) - sighting.residual;
 }
@@ -87,9 +87,8 @@ std::size_t part(double x, int size, int parts) {
 }
 
 /// Adds a sighting's trusted corners to their cells; returns how many there are and the sum of their squares [px^2].
-std::pair<double, double> addCorners(const SightingResidual& sighting, const Eigen::Matrix2Xd& errors,
-                                     std::size_t camera, const CameraIntrinsics& lens,
-                                     std::map<CellPlace, CellSums>& cells) {
+std::pair<double, double> addCorners(const BoardResidual& sighting, const Eigen::Matrix2Xd& errors, std::size_t camera,
+                                     const CameraIntrinsics& lens, std::map<CellPlace, CellSums>& cells) {
   double count = 0, squares = 0;
   for (Eigen::Index i = 0; i < errors.cols(); ++i) {
     if (sighting.weight[i] >= trusted) {
@@ -105,15 +104,15 @@ std::pair<double, double> addCorners(const SightingResidual& sighting, const Eig
 
 } // namespace
 
-Leftover leftover(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& model,
-                  const CalibrationResult& fit) {
+ResidualField leftover(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& model,
+                       const CalibrationResult& fit) {
   std::map<std::size_t, Sightings> byPicture;
-  for (const SightingResidual& sighting : fit.sightings) {
+  for (const BoardResidual& sighting : fit.sightings) {
     if (sighting.residual.allFinite()) {
       byPicture[sighting.picture].push_back(&sighting);
     }
   }
-  Leftover result;
+  ResidualField result;
   result.noisePx = fit.noise.pixel;
   std::map<CellPlace, CellSums> cells;
   for (const auto& [index, sightings] : byPicture) {
@@ -121,13 +120,13 @@ Leftover leftover(const std::vector<CaptureSet>& sets, const Measurements& measu
     if (all <= 3) {
       continue;
     }
-    const Picture& picture = measurements.pictures[index];
+    const ImageObservation& picture = measurements.pictures[index];
     const CaptureSet& set = sets[picture.set];
     const CameraIntrinsics& lens = set.cameras.at(set.captures[picture.capture].camera);
     const Eigen::Matrix<double, 6, 1> motion = motionOf(sightings);
-    const std::vector<SceneBoard> boards =
+    const std::vector<PredictedBoard> boards =
         scene(measurements, picture, believed(measurements, model, picture, fit.unknowns));
-    for (const SightingResidual* sighting : sightings) {
+    for (const BoardResidual* sighting : sightings) {
       const auto [count, squares] = addCorners(*sighting, freed(*sighting, motion), picture.camera, lens, cells);
       if (count > 0) { // six of the picture's numbers went into its motion
         result.boards.push_back({index, picture.sightings[sighting->sighting].view.board(),
@@ -144,18 +143,19 @@ Leftover leftover(const std::vector<CaptureSet>& sets, const Measurements& measu
   return result;
 }
 
-std::vector<SceneBoard> scene(const Measurements& measurements, const Picture& picture, const Belief& belief) {
+std::vector<PredictedBoard> scene(const Measurements& measurements, const ImageObservation& picture,
+                                  const ModelState& belief) {
   const Robot& robot = measurements.robot;
-  std::vector<SceneBoard> result;
-  Posture torsoFromLink(robot.links.size());
+  std::vector<PredictedBoard> result;
+  LinkPoses torsoFromLink(robot.links.size());
   ProjectedBlocks projected;
-  for (const Sighting& sighting : picture.sightings) {
+  for (const BoardObservation& sighting : picture.sightings) {
     posture(robot, belief, sighting.view.links(), torsoFromLink);
-    Attitude attitude = sighting.view.attitude(robot, belief, torsoFromLink);
+    CameraFrames attitude = sighting.view.attitude(robot, belief, torsoFromLink);
     if (belief.rowTime() != 0) {
       sighting.view.setDrift(robot, belief, torsoFromLink, picture.instant.velocity, attitude);
     }
-    SceneBoard& board = result.emplace_back();
+    PredictedBoard& board = result.emplace_back();
     board.opticalFromBoard = attitude.opticalFromBoard;
     board.corners.setConstant(2, at(sighting.ids.size()), std::numeric_limits<double>::quiet_NaN());
     if (sighting.view.project(attitude, belief, sighting.corners, projected)) {

@@ -11,7 +11,7 @@
 namespace naocal {
 
 /// What is left of the corners' errors when each picture may move as a whole: lens, boards and corner detection do it.
-struct Leftover {
+struct ResidualField {
   /// The mean over a cell of one camera's picture.
   struct Cell {
     double u = 0, v = 0;          // where its corners were measured, in the mean [px]
@@ -33,12 +33,12 @@ struct Leftover {
 
 /// Takes the rigid motion (omega, v) of the scene before each camera out of a fit's residuals:
 ///
-///   r - L (L^T W L)^-1 L^T W r,  L = `SightingResidual::motionRows`, W the corners' weights
-Leftover leftover(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& model,
-                  const CalibrationResult& fit);
+///   r - L (L^T W L)^-1 L^T W r,  L = `BoardResidual::motionRows`, W the corners' weights
+ResidualField leftover(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& model,
+                       const CalibrationResult& fit);
 
 /// What one picture should show of one board if everything were as believed.
-struct SceneBoard {
+struct PredictedBoard {
   Eigen::Matrix2Xd corners; // [px]; not finite where one would lie behind the camera
   RigidTransform opticalFromBoard;
 
@@ -47,6 +47,7 @@ struct SceneBoard {
 };
 
 /// Of all sightings of a picture, in their order.
-std::vector<SceneBoard> scene(const Measurements& measurements, const Picture& picture, const Belief& belief);
+std::vector<PredictedBoard> scene(const Measurements& measurements, const ImageObservation& picture,
+                                  const ModelState& belief);
 
 } // namespace naocal

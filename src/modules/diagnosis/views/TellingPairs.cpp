@@ -41,7 +41,7 @@ std::vector<Value> cornerErrors(const CalibrationResult& fit, const std::vector<
   const Eigen::Index axis = error == Error::right ? 0 : 1;
   std::vector<Value> result;
   for (std::size_t i = 0; i < fit.asReported.size(); ++i) {
-    const SightingResidual& seen = fit.asReported[i];
+    const BoardResidual& seen = fit.asReported[i];
     for (Eigen::Index corner = 0; corner < seen.residual.cols(); ++corner) {
       const double weight = fit.sightings[i].weight[corner]; // with the joints moved: only false corners lose theirs
       const double y = -seen.residual(axis, corner);
@@ -72,9 +72,9 @@ std::vector<Value> byPicture(const std::vector<Value>& corners, std::size_t pict
   return sums;
 }
 
-std::vector<Value> jointErrors(const WhatIfs& joint, const std::vector<std::size_t>& blocks) {
+std::vector<Value> jointErrors(const SingleJointCorrection& joint, const std::vector<std::size_t>& blocks) {
   std::vector<Value> result;
-  for (const WhatIf& point : joint.points) {
+  for (const JointCorrection& point : joint.points) {
     result.push_back({point.pictures, blocks[point.pictures.front()], point.deflection, 1 / (point.sigma * point.sigma),
                       -point.gradient, point.gram});
   }
@@ -88,7 +88,7 @@ struct Tried {
   std::vector<double> x; // per value
 };
 
-Tried tried(TellingPair pair, const std::vector<Value>& values, const std::vector<DriverValues>& drivers) {
+Tried tried(TellingPair pair, const std::vector<Value>& values, const std::vector<DriverSeries>& drivers) {
   Tried result{pair, &values, {}};
   for (const Value& value : values) {
     result.x.push_back(pair.over == Over::column ? value.column
@@ -150,7 +150,7 @@ std::vector<TellingPair> differing(std::vector<TellingPair> pairs) {
 } // namespace
 
 TellingPairs tellingPairs(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
-                          const std::vector<DriverValues>& drivers, const TellingOptions& options) {
+                          const std::vector<DriverSeries>& drivers, const TellingOptions& options) {
   const auto rows = Residuals{measurements, model, fit.noise, fit.loss}.rows(fit.state);
   if (!rows) {
     return {};
@@ -168,7 +168,7 @@ TellingPairs tellingPairs(const Measurements& measurements, const Model& model, 
       squares += corner.weight * corner.y * corner.y;
     }
   }
-  for (const WhatIfs& joint : result.joints) {
+  for (const SingleJointCorrection& joint : result.joints) {
     joints.push_back(jointErrors(joint, blocks));
   }
 
@@ -224,13 +224,13 @@ std::string errorWords(const TellingPair& pair, const Robot& robot) {
   return fmt::format("{}'s error that would explain the misfit", robot.joints[pair.motor].name);
 }
 
-const DriverValues* driverOf(const TellingPair& pair, const std::vector<DriverValues>& drivers) {
+const DriverSeries* driverOf(const TellingPair& pair, const std::vector<DriverSeries>& drivers) {
   return pair.over == Over::driver ? &drivers[pair.driver] : nullptr;
 }
 
 /// What the error is drawn over.
-std::string overWords(const TellingPair& pair, const std::vector<DriverValues>& drivers, const Robot& robot) {
-  const DriverValues* const driver = driverOf(pair, drivers);
+std::string overWords(const TellingPair& pair, const std::vector<DriverSeries>& drivers, const Robot& robot) {
+  const DriverSeries* const driver = driverOf(pair, drivers);
   return driver != nullptr           ? drivenBy(*driver, robot)
          : pair.over == Over::column ? "the column in the picture"
                                      : "the row in the picture";
@@ -246,10 +246,10 @@ std::string amount(const TellingPair& pair, double value) {
 }
 
 /// "go from A to B as the torque on LHipPitch grows"
-std::string change(const TellingPair& pair, const std::vector<DriverValues>& drivers, const Robot& robot) {
+std::string change(const TellingPair& pair, const std::vector<DriverSeries>& drivers, const Robot& robot) {
   const bool one = pair.error == Error::joint; // singular
   const std::string over = overWords(pair, drivers, robot), from = amount(pair, pair.from), to = amount(pair, pair.to);
-  const DriverValues* const driver = driverOf(pair, drivers);
+  const DriverSeries* const driver = driverOf(pair, drivers);
   if (driver != nullptr && driver->kind == Driver::approach) {
     return fmt::format("{} {} where {} was approached from below and {} where from above", one ? "is" : "are", to,
                        robot.joints[driver->joint].name, from); // the last motion was upwards where it is +1
@@ -275,7 +275,7 @@ std::string change(const TellingPair& pair, const std::vector<DriverValues>& dri
 
 } // namespace
 
-std::string drivenBy(const DriverValues& driver, const Robot& robot) {
+std::string drivenBy(const DriverSeries& driver, const Robot& robot) {
   const std::string& joint = robot.joints[driver.joint].name;
   switch (driver.kind) {
   case Driver::approach:
@@ -289,16 +289,16 @@ std::string drivenBy(const DriverValues& driver, const Robot& robot) {
   }
 }
 
-std::string tellingLabel(const TellingPair& pair, const std::vector<DriverValues>& drivers, const Robot& robot) {
+std::string tellingLabel(const TellingPair& pair, const std::vector<DriverSeries>& drivers, const Robot& robot) {
   const std::string error =
       pair.error == Error::joint ? fmt::format("error of {}", robot.joints[pair.motor].name) : errorWords(pair, robot);
   return fmt::format("{} over {}", error, overWords(pair, drivers, robot));
 }
 
-std::string tellingSentence(const TellingPair& pair, const std::vector<DriverValues>& drivers, const Robot& robot) {
+std::string tellingSentence(const TellingPair& pair, const std::vector<DriverSeries>& drivers, const Robot& robot) {
   const double small = std::min(std::abs(pair.from), std::abs(pair.to)),
                large = std::max(std::abs(pair.from), std::abs(pair.to));
-  const DriverValues* const driver = driverOf(pair, drivers);
+  const DriverSeries* const driver = driverOf(pair, drivers);
   // the smaller side of an error against the larger: beyond the first it turns round, beyond the second "±" says it
   constexpr double turned = 0.3, even = 0.7;
   const bool turns =
@@ -319,7 +319,7 @@ std::string tellingSentence(const TellingPair& pair, const std::vector<DriverVal
                              : fmt::format(". That is {:.0f} % of the squared error.", percent));
 }
 
-std::string tellingSentence(const TellingPairs& telling, const std::vector<DriverValues>& drivers, const Robot& robot) {
+std::string tellingSentence(const TellingPairs& telling, const std::vector<DriverSeries>& drivers, const Robot& robot) {
   if (!telling.pairs.empty()) {
     return tellingSentence(telling.pairs.front(), drivers, robot);
   }

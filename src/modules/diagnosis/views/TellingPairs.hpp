@@ -31,8 +31,8 @@ struct TellingPair {
 /// corners, of one joint's only the best.
 struct TellingPairs {
   std::vector<TellingPair> pairs;
-  std::size_t tried = 0;       // pairs that were looked at
-  std::vector<WhatIfs> joints; // errors of joints that were looked at
+  std::size_t tried = 0;                     // pairs that were looked at
+  std::vector<SingleJointCorrection> joints; // errors of joints that were looked at
 };
 
 struct TellingOptions {
@@ -46,19 +46,19 @@ struct TellingOptions {
 /// speeds, and the place in the picture. What follows its driver beyond chance (`Trend`) is ranked by the share of
 /// all squared errors that goes with the curve: errors in pixels and of joints are measured by the same yardstick.
 TellingPairs tellingPairs(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
-                          const std::vector<DriverValues>& drivers, const TellingOptions& options = {});
+                          const std::vector<DriverSeries>& drivers, const TellingOptions& options = {});
 
 /// "the torque on LHipPitch", "the direction from which LHipPitch was approached"
-std::string drivenBy(const DriverValues& driver, const Robot& robot);
+std::string drivenBy(const DriverSeries& driver, const Robot& robot);
 
 /// "errors down over the torque on LHipPitch"
-std::string tellingLabel(const TellingPair& pair, const std::vector<DriverValues>& drivers, const Robot& robot);
+std::string tellingLabel(const TellingPair& pair, const std::vector<DriverSeries>& drivers, const Robot& robot);
 
 /// What the plot shows: "Errors down of ±6.0 px change sign with the direction from which LHipPitch was approached: 87
 /// % of the squared error."
-std::string tellingSentence(const TellingPair& pair, const std::vector<DriverValues>& drivers, const Robot& robot);
+std::string tellingSentence(const TellingPair& pair, const std::vector<DriverSeries>& drivers, const Robot& robot);
 
 /// Of the most telling one, or that there is none.
-std::string tellingSentence(const TellingPairs& telling, const std::vector<DriverValues>& drivers, const Robot& robot);
+std::string tellingSentence(const TellingPairs& telling, const std::vector<DriverSeries>& drivers, const Robot& robot);
 
 } // namespace naocal

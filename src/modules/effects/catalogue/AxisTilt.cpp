@@ -23,10 +23,10 @@ Effect axisTilt() {
   return {.name = "axisTilt",
           .what = "the joint's axis is tilted against the drawing",
           .formula = "axis = R_n1(alpha) * R_n2(beta) * drawn axis",
-          .place = Place::joint,
+          .place = EffectSite::joint,
           .unknowns = {{"alpha", "rad", 0.01}, {"beta", "rad", 0.01}},
           .linear = false,
-          .correct = [](Belief& belief, const Instant&, std::size_t joint, std::span<const double> values) {
+          .correct = [](ModelState& belief, const RobotSample&, std::size_t joint, std::span<const double> values) {
             const Eigen::Vector3d axis = belief.axis(joint);
             const auto [n1, n2] = tiltAxes(axis);
             belief.axis(joint) = rotationAbout(values[0] * n1) * rotationAbout(values[1] * n2) * axis;

@@ -7,9 +7,9 @@ Effect boardBow() {
   return {.name = "boardBow",
           .what = "the board is bent: its middle stands higher than its rim",
           .formula = "z = h * (1 - (r / r_max)^2)",
-          .place = Place::board,
+          .place = EffectSite::board,
           .unknowns = {{"h", "m", 0.003}},
-          .correct = [](Belief& belief, const Instant&, std::size_t board, std::span<const double> values) {
+          .correct = [](ModelState& belief, const RobotSample&, std::size_t board, std::span<const double> values) {
             belief.boardBow(board) += values[0];
           }};
 }

@@ -7,10 +7,10 @@ Effect boardScale() {
   return {.name = "boardScale",
           .what = "the board was printed larger or smaller than the file says",
           .formula = "squareLength * (1 + s)",
-          .place = Place::board,
+          .place = EffectSite::board,
           .unknowns = {{"s", "1", 0.01}},
           .shared = true,
-          .correct = [](Belief& belief, const Instant&, std::size_t board, std::span<const double> values) {
+          .correct = [](ModelState& belief, const RobotSample&, std::size_t board, std::span<const double> values) {
             belief.boardScale(board) += values[0];
           }};
 }

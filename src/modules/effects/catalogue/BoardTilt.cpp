@@ -7,9 +7,9 @@ Effect boardTilt() {
   return {.name = "boardTilt",
           .what = "the board does not lie flat",
           .formula = "worldFromBoard = placement * Ry(pitch) * Rx(roll)",
-          .place = Place::board,
+          .place = EffectSite::board,
           .unknowns = {{"roll", "rad", 0.01}, {"pitch", "rad", 0.01}},
-          .correct = [](Belief& belief, const Instant&, std::size_t board, std::span<const double> values) {
+          .correct = [](ModelState& belief, const RobotSample&, std::size_t board, std::span<const double> values) {
             belief.boardPlacement(board).segment<2>(3) += Eigen::Vector2d{values[0], values[1]};
           }};
 }

@@ -7,10 +7,10 @@ Effect cameraRotation() {
   return {.name = "cameraRotation",
           .what = "the camera sits turned in the head",
           .formula = "headFromCamera = nominal * Rx(rx) * Ry(ry) * Rz(rz)",
-          .place = Place::camera,
+          .place = EffectSite::camera,
           .unknowns = {{"rx", "rad", 0.05}, {"ry", "rad", 0.05}, {"rz", "rad", 0.05}},
           .base = true,
-          .correct = [](Belief& belief, const Instant&, std::size_t, std::span<const double> values) {
+          .correct = [](ModelState& belief, const RobotSample&, std::size_t, std::span<const double> values) {
             belief.mountRotation() += Eigen::Vector3d{values[0], values[1], values[2]};
           }};
 }

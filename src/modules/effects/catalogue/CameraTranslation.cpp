@@ -7,9 +7,9 @@ Effect cameraTranslation() {
   return {.name = "cameraTranslation",
           .what = "the camera sits shifted in the head",
           .formula = "headFromCamera = T(x, y, z) * nominal",
-          .place = Place::camera,
+          .place = EffectSite::camera,
           .unknowns = {{"x", "m", 0.005}, {"y", "m", 0.005}, {"z", "m", 0.005}},
-          .correct = [](Belief& belief, const Instant&, std::size_t, std::span<const double> values) {
+          .correct = [](ModelState& belief, const RobotSample&, std::size_t, std::span<const double> values) {
             belief.mountTranslation() += Eigen::Vector3d{values[0], values[1], values[2]};
           }};
 }

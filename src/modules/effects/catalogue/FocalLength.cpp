@@ -7,9 +7,9 @@ Effect focalLength() {
   return {.name = "focalLength",
           .what = "the lens magnifies more or less than the file says",
           .formula = "fx, fy -> fx (1 + s), fy (1 + s)",
-          .place = Place::camera,
+          .place = EffectSite::camera,
           .unknowns = {{"s", "1", 0.03}},
-          .correct = [](Belief& belief, const Instant&, std::size_t, std::span<const double> values) {
+          .correct = [](ModelState& belief, const RobotSample&, std::size_t, std::span<const double> values) {
             belief.lens().head<2>() *= 1 + values[0];
           }};
 }

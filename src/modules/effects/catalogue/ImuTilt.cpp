@@ -8,10 +8,10 @@ Effect imuTilt() {
   return {.name = "imuTilt",
           .what = "the inertial unit sits tilted in the torso",
           .formula = "torso attitude = reading * Ry(pitch) * Rx(roll)",
-          .place = Place::all,
+          .place = EffectSite::all,
           .unknowns = {{"roll", "rad", 0.03}, {"pitch", "rad", 0.03}},
           .needs = {Driver::imu},
-          .correct = [](Belief& belief, const Instant&, std::size_t, std::span<const double> values) {
+          .correct = [](ModelState& belief, const RobotSample&, std::size_t, std::span<const double> values) {
             belief.imuTilt() += Eigen::Vector2d{values[0], values[1]};
           }};
 }

@@ -7,10 +7,10 @@ Effect jointOffset() {
   return {.name = "jointOffset",
           .what = "the encoder's zero is off: a fall, a worn gear, an assembly one tooth away",
           .formula = "q_true = q_measured - o",
-          .place = Place::motor,
+          .place = EffectSite::motor,
           .unknowns = {{"o", "rad", 0.1}},
           .base = true,
-          .correct = [](Belief& belief, const Instant&, std::size_t joint, std::span<const double> values) {
+          .correct = [](ModelState& belief, const RobotSample&, std::size_t joint, std::span<const double> values) {
             belief.angle(joint) -= values[0];
           }};
 }

@@ -7,9 +7,9 @@ Effect linkLength() {
   return {.name = "linkLength",
           .what = "a link is longer or shorter than the drawing says",
           .formula = "length + dL",
-          .place = Place::length,
+          .place = EffectSite::length,
           .unknowns = {{"dL", "m", 0.002}},
-          .correct = [](Belief& belief, const Instant&, std::size_t length, std::span<const double> values) {
+          .correct = [](ModelState& belief, const RobotSample&, std::size_t length, std::span<const double> values) {
             belief.length(length) += values[0];
           }};
 }

@@ -7,9 +7,9 @@ Effect principalPoint() {
   return {.name = "principalPoint",
           .what = "the optical axis meets the sensor elsewhere than the file says",
           .formula = "cx, cy -> cx + x, cy + y",
-          .place = Place::camera,
+          .place = EffectSite::camera,
           .unknowns = {{"x", "px", 20}, {"y", "px", 20}},
-          .correct = [](Belief& belief, const Instant&, std::size_t, std::span<const double> values) {
+          .correct = [](ModelState& belief, const RobotSample&, std::size_t, std::span<const double> values) {
             belief.lens().segment<2>(2) += Eigen::Vector2d{values[0], values[1]};
           }};
 }

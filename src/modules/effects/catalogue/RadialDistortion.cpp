@@ -7,9 +7,9 @@ Effect radialDistortion() {
   return {.name = "radialDistortion",
           .what = "the lens bends rays more or less towards its rim than the file says",
           .formula = "k1, k2 -> k1 + k1', k2 + k2'",
-          .place = Place::camera,
+          .place = EffectSite::camera,
           .unknowns = {{"k1", "1", 0.1}, {"k2", "1", 0.2}},
-          .correct = [](Belief& belief, const Instant&, std::size_t, std::span<const double> values) {
+          .correct = [](ModelState& belief, const RobotSample&, std::size_t, std::span<const double> values) {
             belief.lens().segment<2>(4) += Eigen::Vector2d{values[0], values[1]};
           }};
 }

@@ -8,10 +8,10 @@ Effect rollingShutter() {
   return {.name = "rollingShutter",
           .what = "the picture's rows are exposed one after the other while the joints move",
           .formula = "+q' * s * (v - cy) on every joint",
-          .place = Place::camera,
+          .place = EffectSite::camera,
           .unknowns = {{"s", "s/row", 6e-5}},
           .needs = {Driver::velocity},
-          .correct = [](Belief& belief, const Instant&, std::size_t, std::span<const double> values) {
+          .correct = [](ModelState& belief, const RobotSample&, std::size_t, std::span<const double> values) {
             belief.rowTime() += values[0];
           }};
 }

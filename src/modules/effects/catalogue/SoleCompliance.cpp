@@ -8,10 +8,10 @@ Effect soleCompliance() {
   return {.name = "soleCompliance",
           .what = "the sole or the floor gives way: the body tips towards its centre of mass",
           .formula = "pitch + c * com_x, roll - c * com_y",
-          .place = Place::sole,
+          .place = EffectSite::sole,
           .unknowns = {{"c", "rad/m", 0.3}},
           .needs = {Driver::com},
-          .correct = [](Belief& belief, const Instant& instant, std::size_t, std::span<const double> values) {
+          .correct = [](ModelState& belief, const RobotSample& instant, std::size_t, std::span<const double> values) {
             if (instant.supportFoot != SupportFoot::both) {
               belief.ground()[3] -= values[0] * instant.com.y();
               belief.ground()[4] += values[0] * instant.com.x();

@@ -8,9 +8,9 @@ Effect soleTilt() {
   return {.name = "soleTilt",
           .what = "the body stands tilted on that sole: a bent foot or a slope",
           .formula = "worldFromSole = placement * Ry(pitch) * Rx(roll)",
-          .place = Place::sole,
+          .place = EffectSite::sole,
           .unknowns = {{"roll", "rad", 0.02}, {"pitch", "rad", 0.02}},
-          .correct = [](Belief& belief, const Instant&, std::size_t, std::span<const double> values) {
+          .correct = [](ModelState& belief, const RobotSample&, std::size_t, std::span<const double> values) {
             belief.ground().segment<2>(3) += Eigen::Vector2d{values[0], values[1]};
           }};
 }

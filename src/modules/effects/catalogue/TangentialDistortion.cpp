@@ -7,9 +7,9 @@ Effect tangentialDistortion() {
   return {.name = "tangentialDistortion",
           .what = "the lens sits tilted over the sensor",
           .formula = "p1, p2 -> p1 + p1', p2 + p2'",
-          .place = Place::camera,
+          .place = EffectSite::camera,
           .unknowns = {{"p1", "1", 0.01}, {"p2", "1", 0.01}},
-          .correct = [](Belief& belief, const Instant&, std::size_t, std::span<const double> values) {
+          .correct = [](ModelState& belief, const RobotSample&, std::size_t, std::span<const double> values) {
             belief.lens().segment<2>(6) += Eigen::Vector2d{values[0], values[1]};
           }};
 }

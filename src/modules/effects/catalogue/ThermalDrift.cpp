@@ -4,15 +4,16 @@ namespace naocal {
 
 /// Gear and link grow with the motor's heat. 5e-4 rad/K: a degree over the 35 K that a leg's motor warms up in a game.
 Effect thermalDrift() {
-  return {.name = "thermalDrift",
-          .what = "the joint's angle drifts as its motor warms up",
-          .formula = "+k * (T - 30 degC)",
-          .place = Place::motor,
-          .unknowns = {{"k", "rad/K", 5e-4}},
-          .needs = {Driver::temperature},
-          .correct = [](Belief& belief, const Instant& instant, std::size_t joint, std::span<const double> values) {
-            belief.angle(joint) += values[0] * (instant.temperature[static_cast<Eigen::Index>(joint)] - 30);
-          }};
+  return {
+      .name = "thermalDrift",
+      .what = "the joint's angle drifts as its motor warms up",
+      .formula = "+k * (T - 30 degC)",
+      .place = EffectSite::motor,
+      .unknowns = {{"k", "rad/K", 5e-4}},
+      .needs = {Driver::temperature},
+      .correct = [](ModelState& belief, const RobotSample& instant, std::size_t joint, std::span<const double> values) {
+        belief.angle(joint) += values[0] * (instant.temperature[static_cast<Eigen::Index>(joint)] - 30);
+      }};
 }
 
 } // namespace naocal

@@ -7,12 +7,11 @@ Effect timeDrift() {
   return {.name = "timeDrift",
           .what = "the joint's angle creeps while the captures are taken",
           .formula = "+k * (t - t_first)",
-          .place = Place::motor,
+          .place = EffectSite::motor,
           .unknowns = {{"k", "rad/s", 1e-5}},
           .needs = {Driver::time},
-          .correct = [](Belief& belief, const Instant& instant, std::size_t joint, std::span<const double> values) {
-            belief.angle(joint) += values[0] * instant.time.count();
-          }};
+          .correct = [](ModelState& belief, const RobotSample& instant, std::size_t joint,
+                        std::span<const double> values) { belief.angle(joint) += values[0] * instant.time.count(); }};
 }
 
 } // namespace naocal

@@ -10,10 +10,10 @@ Effect timeOffset() {
   return {.name = "timeOffset",
           .what = "pictures are younger than the joint angles recorded with them",
           .formula = "+q' * dt on every joint",
-          .place = Place::all,
+          .place = EffectSite::all,
           .unknowns = {{"dt", "s", 0.02}},
           .needs = {Driver::velocity},
-          .correct = [](Belief& belief, const Instant& instant, std::size_t, std::span<const double> values) {
+          .correct = [](ModelState& belief, const RobotSample& instant, std::size_t, std::span<const double> values) {
             for (Eigen::Index joint = 0; joint < instant.velocity.size(); ++joint) {
               if (std::isfinite(instant.velocity[joint])) {
                 belief.angle(static_cast<std::size_t>(joint)) += instant.velocity[joint] * values[0];

@@ -14,7 +14,7 @@
 
 namespace naocal {
 
-BoardPlaces::BoardPlaces(const Robot& robot, SupportFoot supportFoot, double farthest, double gap)
+BoardPlacementRules::BoardPlacementRules(const Robot& robot, SupportFoot supportFoot, double farthest, double gap)
     : farthest_{farthest}, gap_{gap} {
   feet_ = {supportSole(robot, supportFoot).outline, otherSole(robot, supportFoot).outline};
   for (Eigen::Vector2d& corner : feet_.back()) {
@@ -22,13 +22,13 @@ BoardPlaces::BoardPlaces(const Robot& robot, SupportFoot supportFoot, double far
   }
 }
 
-bool BoardPlaces::allow(const std::vector<Board>& boards, std::size_t one) const {
-  const Outline own = sheet(boards[one], gap_);
+bool BoardPlacementRules::allow(const std::vector<Board>& boards, std::size_t one) const {
+  const ConvexPolygon own = sheet(boards[one], gap_);
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& corner : own) {
     middle += corner / static_cast<double>(own.size());
   }
-  const auto clear = [&](const Outline& other) { return apart(own, other); };
+  const auto clear = [&](const ConvexPolygon& other) { return apart(own, other); };
   for (std::size_t i = 0; i < boards.size(); ++i) {
     if (i != one && !clear(sheet(boards[i]))) {
       return false;
@@ -37,7 +37,7 @@ bool BoardPlaces::allow(const std::vector<Board>& boards, std::size_t one) const
   return middle.norm() <= farthest_ && std::all_of(feet_.begin(), feet_.end(), clear);
 }
 
-Outline sheet(const Board& board, double margin) {
+ConvexPolygon sheet(const Board& board, double margin) {
   Eigen::AlignedBox3d extent;
   for (const Eigen::Vector3d& point : board.points) {
     extent.extend(point);
@@ -46,7 +46,7 @@ Outline sheet(const Board& board, double margin) {
   const Eigen::Vector3d least = extent.min().array() - beyond, most = extent.max().array() + beyond;
   const Eigen::Rotation2Dd turn{board.placement->yaw};
   const Eigen::Vector2d at{board.placement->x, board.placement->y};
-  Outline result;
+  ConvexPolygon result;
   for (const Eigen::Vector2d& corner : {Eigen::Vector2d{least.x(), least.y()}, Eigen::Vector2d{most.x(), least.y()},
                                         Eigen::Vector2d{most.x(), most.y()}, Eigen::Vector2d{least.x(), most.y()}}) {
     result.push_back(at + turn * corner);
@@ -57,7 +57,7 @@ Outline sheet(const Board& board, double margin) {
 namespace {
 
 Eigen::Vector2d middleOf(const Board& board) {
-  const Outline corners = sheet(board);
+  const ConvexPolygon corners = sheet(board);
   return std::accumulate(corners.begin(), corners.end(), Eigen::Vector2d::Zero().eval()) /
          static_cast<double>(corners.size());
 }

@@ -24,8 +24,8 @@ CornerBlocks allCorners(const Board& board) {
 
 } // namespace
 
-Scene::Scene(const Robot& robot, SupportFoot foot, const std::vector<Board>& boards,
-             const std::map<std::string, CameraIntrinsics>& cameras, const SightLimits& limits)
+PlanningScene::PlanningScene(const Robot& robot, SupportFoot foot, const std::vector<Board>& boards,
+                             const std::map<std::string, CameraIntrinsics>& cameras, const VisibilityLimits& limits)
     : robot_{robot}, limits_{limits}, boards_{boards},
       quantities_{robot.joints.size(), robot.lengths.size(), boards.size()}, drawn_{drawnBelief(robot, quantities_)} {
   for (std::size_t board = 0; board < boards_.size(); ++board) {
@@ -40,7 +40,7 @@ Scene::Scene(const Robot& robot, SupportFoot foot, const std::vector<Board>& boa
   }
   const Sole& support = supportSole(robot, foot);
   if (foot == SupportFoot::both) {
-    otherSole_ = View::betweenLinks(robot, quantities_, otherSole(robot, foot).link, support.link);
+    otherSole_ = ObservationChain::betweenLinks(robot, quantities_, otherSole(robot, foot).link, support.link);
   }
   for (const auto& [name, lens] : cameras) {
     const auto camera = robot.cameraIndex(name);
@@ -49,13 +49,14 @@ Scene::Scene(const Robot& robot, SupportFoot foot, const std::vector<Board>& boa
           fmt::format("camera {}: expected a camera of the drawing of {}, found none of that name", name, robot.model)};
     }
     for (std::size_t board = 0; board < boards_.size(); ++board) {
-      outlooks_.push_back(
-          {*camera, lens, View{robot, quantities_, *camera, support.link, true, board}, allCorners(boards_[board])});
+      outlooks_.push_back({*camera, lens, ObservationChain{robot, quantities_, *camera, support.link, true, board},
+                           allCorners(boards_[board])});
     }
   }
 }
 
-Scene::Projection Scene::projection(const Outlook& outlook, Belief& belief, const Posture& torsoFromLink) const {
+PlanningScene::Projection PlanningScene::projection(const Outlook& outlook, ModelState& belief,
+                                                    const LinkPoses& torsoFromLink) const {
   const CameraIntrinsics& lens = outlook.lens;
   const Board& board = boards_[outlook.view.board()];
   belief.lens() << lens.fx, lens.fy, lens.cx, lens.cy,
@@ -83,7 +84,7 @@ Scene::Projection Scene::projection(const Outlook& outlook, Belief& belief, cons
   return result;
 }
 
-std::vector<std::size_t> Scene::joints() const {
+std::vector<std::size_t> PlanningScene::joints() const {
   std::set<std::size_t> motors;
   for (const Outlook& outlook : outlooks_) {
     for (const std::size_t joint : outlook.view.joints()) {
@@ -98,9 +99,9 @@ std::vector<std::size_t> Scene::joints() const {
   return {motors.begin(), motors.end()};
 }
 
-std::vector<Sight> Scene::sights(const Belief& belief, const Posture& torsoFromLink) const {
-  std::vector<Sight> sights;
-  Belief own = belief; // each camera has its lens
+std::vector<VisibleBoard> PlanningScene::sights(const ModelState& belief, const LinkPoses& torsoFromLink) const {
+  std::vector<VisibleBoard> sights;
+  ModelState own = belief; // each camera has its lens
   for (const Outlook& outlook : outlooks_) {
     Projection seen = projection(outlook, own, torsoFromLink);
     if (!seen.seen.empty()) {
@@ -128,11 +129,12 @@ Eigen::Matrix<double, 6, 6> ofMotion(const ProjectedBlocks& corners, const std::
 
 } // namespace
 
-Eigen::MatrixXd Scene::information(const Belief& belief, const Posture& torsoFromLink, double pixel) const {
+Eigen::MatrixXd PlanningScene::information(const ModelState& belief, const LinkPoses& torsoFromLink,
+                                           double pixel) const {
   const std::size_t mounts = robot_.joints.size(), boards = mounts + 3 * robot_.cameras.size();
   const auto size = at(boards + 3 * boards_.size());
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(size, size);
-  Belief own = belief;
+  ModelState own = belief;
   for (const Outlook& outlook : outlooks_) {
     const Projection seen = projection(outlook, own, torsoFromLink);
     if (seen.seen.empty()) {
@@ -167,8 +169,9 @@ Eigen::MatrixXd Scene::information(const Belief& belief, const Posture& torsoFro
   return information;
 }
 
-void Scene::addFloorContact(const Belief& belief, const Posture& torsoFromLink, Eigen::MatrixXd& information) const {
-  const Attitude attitude = otherSole_->pathAttitude(robot_, belief, torsoFromLink);
+void PlanningScene::addFloorContact(const ModelState& belief, const LinkPoses& torsoFromLink,
+                                    Eigen::MatrixXd& information) const {
+  const CameraFrames attitude = otherSole_->pathAttitude(robot_, belief, torsoFromLink);
   const std::vector<std::size_t>& joints = otherSole_->joints();
   std::vector<std::size_t> quantities;
   for (const std::size_t joint : joints) {
@@ -185,7 +188,7 @@ void Scene::addFloorContact(const Belief& belief, const Posture& torsoFromLink, 
   }
 }
 
-Eigen::MatrixXd Scene::priorInformation() const {
+Eigen::MatrixXd PlanningScene::priorInformation() const {
   // Offsets are uniform within 6.5 degrees and cameras turned by up to 2; boards lie about where they should.
   const double offset = radians(6.5) / std::sqrt(3.0), mount = radians(2) / std::sqrt(3.0); // [rad]
   constexpr double board = 0.1;                                                             // [m] and [rad]

@@ -12,7 +12,7 @@
 namespace naocal {
 
 /// When a corner counts as seen: the detector must be able to measure it.
-struct SightLimits {
+struct VisibilityLimits {
   double nearest = 0.4, farthest = 1.6; // from the camera [m]
   double grazing = radians(15);         // least angle between ray and board [rad]
   double border = 10;                   // least distance to the picture's edge [px]
@@ -21,31 +21,31 @@ struct SightLimits {
 };
 
 /// A board that a camera sees.
-struct Sight {
+struct VisibleBoard {
   std::string camera, board;
   std::vector<int> corners; // ids
 };
 
 /// A robot on one sole or both, boards around it on the floor, and what its cameras see of them.
-class Scene {
+class PlanningScene {
 public:
   /// `boards`: with their placements in the support sole's frame (on both feet the left one's), else InputError.
   /// `cameras`: by the robot's names.
-  Scene(const Robot& robot, SupportFoot foot, const std::vector<Board>& boards,
-        const std::map<std::string, CameraIntrinsics>& cameras, const SightLimits& limits);
+  PlanningScene(const Robot& robot, SupportFoot foot, const std::vector<Board>& boards,
+                const std::map<std::string, CameraIntrinsics>& cameras, const VisibilityLimits& limits);
 
   /// The drawn robot on its sole among the boards, all angles zero.
-  const Belief& drawn() const { return drawn_; }
+  const ModelState& drawn() const { return drawn_; }
 
   /// Joints between the sole and the cameras, by their motors; on both feet the other leg's too.
   std::vector<std::size_t> joints() const;
 
-  std::vector<Sight> sights(const Belief& belief, const Posture& torsoFromLink) const;
+  std::vector<VisibleBoard> sights(const ModelState& belief, const LinkPoses& torsoFromLink) const;
 
   /// J^T R^-1 J over the corners in sight, `pixel` being their noise [px]: what the pictures of a pose tell about the
   /// unknowns: an offset per joint of the drawing (at its motor) [rad], three rotations per camera [rad], and x, y [m],
   /// yaw [rad] per board. On both feet also over how the right sole lies on the left one's floor (FloorContact).
-  Eigen::MatrixXd information(const Belief& belief, const Posture& torsoFromLink, double pixel = 1) const;
+  Eigen::MatrixXd information(const ModelState& belief, const LinkPoses& torsoFromLink, double pixel = 1) const;
 
   /// What is known of them before any picture: 1 / sigma^2 on the diagonal.
   Eigen::MatrixXd priorInformation() const;
@@ -55,27 +55,27 @@ private:
   struct Outlook {
     std::size_t camera;
     CameraIntrinsics lens;
-    View view;
+    ObservationChain view;
     CornerBlocks corners;
   };
 
   /// Where the board's corners come to lie in the picture, and which of them are seen.
   struct Projection {
-    Attitude attitude;
+    CameraFrames attitude;
     ProjectedBlocks corners;
     std::vector<int> seen; // ids
   };
-  Projection projection(const Outlook& outlook, Belief& belief, const Posture& torsoFromLink) const;
+  Projection projection(const Outlook& outlook, ModelState& belief, const LinkPoses& torsoFromLink) const;
 
-  void addFloorContact(const Belief& belief, const Posture& torsoFromLink, Eigen::MatrixXd& information) const;
+  void addFloorContact(const ModelState& belief, const LinkPoses& torsoFromLink, Eigen::MatrixXd& information) const;
 
   const Robot& robot_;
-  SightLimits limits_;
+  VisibilityLimits limits_;
   std::vector<Board> boards_;
-  Quantities quantities_;
-  Belief drawn_;
+  StateLayout quantities_;
+  ModelState drawn_;
   std::vector<Outlook> outlooks_;
-  std::optional<View> otherSole_; // on both feet: how it sees the floor
+  std::optional<ObservationChain> otherSole_; // on both feet: how it sees the floor
 };
 
 } // namespace naocal

@@ -31,14 +31,14 @@ Eigen::MatrixXd whitened(const Eigen::MatrixXd& gram, Eigen::Index joints, const
 
 } // namespace
 
-PoseCandidates poseCandidates(const Robot& robot, const Scene& scene, const PoseOptions& options,
+PoseCandidates poseCandidates(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
                               const std::function<void(std::size_t)>& progress) {
   const std::size_t chunks = (options.tries + chunk - 1) / chunk;
   std::vector<PoseCandidates> parts(chunks);
   std::mutex telling;
   std::size_t tried = 0;
   inParallel(chunks, [&](std::size_t i) {
-    RandomAttitude attitudes{robot, scene, options, i * chunk};
+    PoseSampler attitudes{robot, scene, options, i * chunk};
     const std::size_t count = std::min(chunk, options.tries - i * chunk);
     for (std::size_t k = 0; k < count; ++k) {
       if (auto attitude = attitudes.draw(parts[i].sieve)) {
@@ -59,23 +59,23 @@ PoseCandidates poseCandidates(const Robot& robot, const Scene& scene, const Pose
   return all;
 }
 
-std::vector<Eigen::MatrixXd> informations(const Robot& robot, const Scene& scene, const std::vector<SievedPose>& poses,
-                                          const Noise& noise) {
+std::vector<Eigen::MatrixXd> informations(const Robot& robot, const PlanningScene& scene,
+                                          const std::vector<ValidPose>& poses, const Noise& noise) {
   std::vector<Eigen::MatrixXd> result(poses.size());
   inParallel(poses.size(), [&](std::size_t i) {
     const auto joints = static_cast<Eigen::Index>(robot.joints.size());
-    Belief belief = scene.drawn(); // the boards may lie elsewhere than when the pose was drawn
+    ModelState belief = scene.drawn(); // the boards may lie elsewhere than when the pose was drawn
     belief.values.head(joints) = poses[i].belief.values.head(joints);
     result[i] = whitened(scene.information(belief, posture(robot, belief), noise.pixel), joints, noise);
   });
   return result;
 }
 
-std::vector<Belief> stableAttitudes(const Robot& robot, const Scene& scene, const PoseOptions& options,
-                                    std::size_t count) {
-  RandomAttitude attitudes{robot, scene, options};
-  std::vector<Belief> found;
-  Sieve sieve;
+std::vector<ModelState> stableAttitudes(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
+                                        std::size_t count) {
+  PoseSampler attitudes{robot, scene, options};
+  std::vector<ModelState> found;
+  PassCounts sieve;
   for (std::size_t tried = 0; tried < options.tries && found.size() < count; ++tried) {
     if (const auto attitude = attitudes.draw(sieve)) {
       found.push_back(attitude->belief);
@@ -87,20 +87,20 @@ std::vector<Belief> stableAttitudes(const Robot& robot, const Scene& scene, cons
 std::vector<PlannedPose> stablePoses(const Robot& robot, const std::vector<Board>& boards,
                                      const std::map<std::string, CameraIntrinsics>& cameras,
                                      const PoseOptions& options) {
-  const Scene scene{robot, options.supportFoot, boards, cameras, options.sight};
-  const std::vector<Belief> found = stableAttitudes(robot, scene, options, options.choice * options.count);
+  const PlanningScene scene{robot, options.supportFoot, boards, cameras, options.sight};
+  const std::vector<ModelState> found = stableAttitudes(robot, scene, options, options.choice * options.count);
   if (found.size() < options.count) {
     throw InputError{fmt::format("expected {} stable poses that see a board, found {} in {} attempts; put the boards "
                                  "nearer or ask for fewer poses",
                                  options.count, found.size(), options.tries)};
   }
   std::vector<Eigen::MatrixXd> informations;
-  for (const Belief& belief : found) {
+  for (const ModelState& belief : found) {
     informations.push_back(scene.information(belief, posture(robot, belief)));
   }
   std::vector<PlannedPose> poses;
   for (const std::size_t chosen : mostInformative(scene.priorInformation(), informations, options.count)) {
-    const Belief& belief = found[chosen];
+    const ModelState& belief = found[chosen];
     poses.push_back({options.supportFoot, belief.values.head(static_cast<Eigen::Index>(robot.joints.size())),
                      scene.sights(belief, posture(robot, belief))});
   }
@@ -120,7 +120,7 @@ std::vector<std::size_t> headJoints(const Robot& robot) {
 
 } // namespace
 
-Sieve& Sieve::operator+=(const Sieve& other) {
+PassCounts& PassCounts::operator+=(const PassCounts& other) {
   generated += other.generated;
   reachable += other.reachable;
   collisionFree += other.collisionFree;
@@ -129,7 +129,7 @@ Sieve& Sieve::operator+=(const Sieve& other) {
   return *this;
 }
 
-RandomAttitude::RandomAttitude(const Robot& robot, const Scene& scene, const PoseOptions& options, std::size_t first)
+PoseSampler::PoseSampler(const Robot& robot, const PlanningScene& scene, const PoseOptions& options, std::size_t first)
     : robot_{robot}, scene_{scene}, checks_{robot, options}, legs_{robot, options}, head_{headJoints(robot)},
       hanging_{scene.drawn()}, point_(legs_.ranges() + head_.size()) {
   points_ = unitPoints(options.sampling, options.seed, point_.size(), options.tries, first);
@@ -138,20 +138,20 @@ RandomAttitude::RandomAttitude(const Robot& robot, const Scene& scene, const Pos
   takeToRest(robot, hanging_);
 }
 
-std::optional<SievedPose> RandomAttitude::draw(Sieve& sieve) {
+std::optional<ValidPose> PoseSampler::draw(PassCounts& sieve) {
   points_->next(point_);
   return attempt(30, sieve);
 }
 
-std::optional<SievedPose> RandomAttitude::at(const std::vector<double>& point, Sieve& sieve) {
+std::optional<ValidPose> PoseSampler::at(const std::vector<double>& point, PassCounts& sieve) {
   point_ = point;
   return attempt(1, sieve);
 }
 
-std::optional<Belief> RandomAttitude::reached(const std::vector<double>& point) {
+std::optional<ModelState> PoseSampler::reached(const std::vector<double>& point) {
   point_ = point;
   used_ = 0;
-  Belief belief = hanging_;
+  ModelState belief = hanging_;
   const auto draw = [&](const Interval& interval) { return from(interval); };
   if (!legs_.bend(belief, draw) || !checks_.withinLimits(belief, legs_.joints())) {
     return std::nullopt;
@@ -160,14 +160,14 @@ std::optional<Belief> RandomAttitude::reached(const std::vector<double>& point) 
   return belief;
 }
 
-std::optional<SievedPose> RandomAttitude::attempt(int glances, Sieve& sieve) {
+std::optional<ValidPose> PoseSampler::attempt(int glances, PassCounts& sieve) {
   ++sieve.generated;
   const auto belief = reached(point_);
   if (!belief) {
     return std::nullopt;
   }
   ++sieve.reachable;
-  const Posture torsoFromLink = posture(robot_, *belief);
+  const LinkPoses torsoFromLink = posture(robot_, *belief);
   if (checks_.touchesItself(torsoFromLink)) {
     return std::nullopt;
   }
@@ -177,7 +177,7 @@ std::optional<SievedPose> RandomAttitude::attempt(int glances, Sieve& sieve) {
     return std::nullopt;
   }
   ++sieve.stable;
-  SievedPose result{*belief, point_, *share};
+  ValidPose result{*belief, point_, *share};
   if (!lookAround(result, glances)) {
     return std::nullopt;
   }
@@ -189,14 +189,14 @@ std::optional<SievedPose> RandomAttitude::attempt(int glances, Sieve& sieve) {
   return result;
 }
 
-void RandomAttitude::turnHead(Belief& belief, const DrawnNumber& draw) const {
+void PoseSampler::turnHead(ModelState& belief, const NumberSource& draw) const {
   for (const std::size_t joint : head_) {
     belief.angle(joint) = draw({robot_.joints[joint].limits.lower, robot_.joints[joint].limits.upper});
   }
 }
 
-bool RandomAttitude::lookAround(SievedPose& attitude, int glances) {
-  Belief& belief = attitude.belief;
+bool PoseSampler::lookAround(ValidPose& attitude, int glances) {
+  ModelState& belief = attitude.belief;
   for (int glance = 0; glance < glances; ++glance) {
     if (glance > 0) {
       turnHead(belief, [&](const Interval& interval) {
@@ -206,7 +206,7 @@ bool RandomAttitude::lookAround(SievedPose& attitude, int glances) {
     if (!checks_.withinLimits(belief, head_)) {
       continue;
     }
-    const Posture torsoFromLink = posture(robot_, belief);
+    const LinkPoses torsoFromLink = posture(robot_, belief);
     if (scene_.sights(belief, torsoFromLink).empty()) {
       continue;
     }
@@ -219,7 +219,7 @@ bool RandomAttitude::lookAround(SievedPose& attitude, int glances) {
   return false;
 }
 
-double RandomAttitude::from(const Interval& interval) {
+double PoseSampler::from(const Interval& interval) {
   return interval.lower + point_[used_++] * (interval.upper - interval.lower);
 }
 
@@ -238,8 +238,8 @@ std::vector<Eigen::VectorXd> wornRobots(const Robot& robot, const PoseOptions& o
   return result;
 }
 
-std::vector<SievedPose> takenBy(const Eigen::VectorXd& errors, std::vector<SievedPose> poses) {
-  for (SievedPose& pose : poses) {
+std::vector<ValidPose> takenBy(const Eigen::VectorXd& errors, std::vector<ValidPose> poses) {
+  for (ValidPose& pose : poses) {
     pose.belief.values.head(errors.size()) += errors;
   }
   return poses;

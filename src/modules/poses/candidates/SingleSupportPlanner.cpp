@@ -24,12 +24,13 @@ bool isCalibrated(const std::string& joint) {
 
 } // namespace
 
-OneFootWays::OneFootWays(const Robot& robot, SupportFoot foot, const Eigen::VectorXd& stand, double jointError)
+SingleSupportPlanner::SingleSupportPlanner(const Robot& robot, SupportFoot foot, const Eigen::VectorXd& stand,
+                                           double jointError)
     : robot_{robot}, foot_{foot}, options_{onFoot(foot, jointError)}, ways_{robot, options_}, onto_{ontoOneFoot(
                                                                                                   robot, foot, stand)} {
 }
 
-std::optional<OneFootWays::Way> OneFootWays::safeWay(const Eigen::VectorXd& to) const {
+std::optional<SingleSupportPlanner::Way> SingleSupportPlanner::safeWay(const Eigen::VectorXd& to) const {
   for (const int parts : {1, 2, 4, 8}) {
     auto way = betweenOnOneFoot(robot_, foot_, onto_.back(), to, parts);
     if (!way) {
@@ -47,8 +48,10 @@ std::optional<OneFootWays::Way> OneFootWays::safeWay(const Eigen::VectorXd& to) 
   return std::nullopt;
 }
 
-std::optional<OneFootWays::Approach> OneFootWays::approach(const Eigen::VectorXd& angles, const Eigen::VectorXd& wanted,
-                                                           double distance, std::mt19937_64& random) const {
+std::optional<SingleSupportPlanner::Approach> SingleSupportPlanner::approach(const Eigen::VectorXd& angles,
+                                                                             const Eigen::VectorXd& wanted,
+                                                                             double distance,
+                                                                             std::mt19937_64& random) const {
   constexpr int tries = 16;
   Approach result{Eigen::VectorXd::Zero(angles.size()), {}};
   for (int attempt = 0; attempt < tries; ++attempt) {
@@ -73,7 +76,7 @@ std::optional<OneFootWays::Approach> OneFootWays::approach(const Eigen::VectorXd
   return std::nullopt;
 }
 
-bool ReachOnOneFoot::operator()(const ProposedPose& pose) {
+bool ReachabilityCheck::operator()(const ProposedPose& pose) {
   constexpr double aside = radians(1); // where an approach begins, as robots are configured
   const SupportFoot foot = pose.pose.supportFoot;
   if (foot != SupportFoot::left && foot != SupportFoot::right) {

@@ -10,10 +10,10 @@ namespace naocal {
 
 /// Ways of a robot on one foot, all from standing upright on it, so that poses can be taken in any order: 97 of 100
 /// robots with joint errors stand all along, and no part touches another.
-class OneFootWays {
+class SingleSupportPlanner {
 public:
   /// `stand`: on both feet [rad]; `jointError`: as of Stability [rad].
-  OneFootWays(const Robot& robot, SupportFoot foot, const Eigen::VectorXd& stand, double jointError);
+  SingleSupportPlanner(const Robot& robot, SupportFoot foot, const Eigen::VectorXd& stand, double jointError);
 
   /// From the stand onto the foot (ontoOneFoot).
   const std::vector<Eigen::VectorXd>& onto() const { return onto_; }
@@ -34,23 +34,23 @@ private:
   const Robot& robot_;
   SupportFoot foot_;
   PoseOptions options_;
-  WayChecks ways_;
+  TransitionCheck ways_;
   std::vector<Eigen::VectorXd> onto_;
 };
 
 /// Whether poses on one foot can be reached from standing upright on it, each joint from the side that is wanted, as
-/// robots reach them (OneFootWays). Of poses on both feet nothing is asked.
-class ReachOnOneFoot {
+/// robots reach them (SingleSupportPlanner). Of poses on both feet nothing is asked.
+class ReachabilityCheck {
 public:
   /// `jointError`: as of Stability [rad].
-  ReachOnOneFoot(const Robot& robot, double jointError) : robot_{robot}, jointError_{jointError} {}
+  ReachabilityCheck(const Robot& robot, double jointError) : robot_{robot}, jointError_{jointError} {}
 
   bool operator()(const ProposedPose& pose);
 
 private:
   const Robot& robot_;
   double jointError_;
-  std::map<SupportFoot, OneFootWays> ways_;
+  std::map<SupportFoot, SingleSupportPlanner> ways_;
 };
 
 } // namespace naocal

@@ -15,13 +15,13 @@
 
 namespace naocal {
 
-OneFoot::OneFoot(const Robot& robot, SupportFoot supportFoot)
+SingleSupport::SingleSupport(const Robot& robot, SupportFoot supportFoot)
     : robot_{robot}, supportLeg_{robot, supportSole(robot, supportFoot).name},
       otherLeg_{robot, otherSole(robot, supportFoot).name}, middle_{naocal::middle(
                                                                 supportSole(robot, supportFoot).outline)} {}
 
-bool OneFoot::stand(Belief& belief, RigidTransform soleFromTorso, const RigidTransform& soleFromOther,
-                    const Eigen::Vector2d& centre) const {
+bool SingleSupport::stand(ModelState& belief, RigidTransform soleFromTorso, const RigidTransform& soleFromOther,
+                          const Eigen::Vector2d& centre) const {
   soleFromTorso.translation.head<2>() = centre;
   constexpr int rounds = 3; // each leaves a small share of the distance
   for (int round = 0; round < rounds; ++round) {
@@ -34,7 +34,8 @@ bool OneFoot::stand(Belief& belief, RigidTransform soleFromTorso, const RigidTra
   return bend(belief, soleFromTorso, soleFromOther);
 }
 
-bool OneFoot::bend(Belief& belief, const RigidTransform& soleFromTorso, const RigidTransform& soleFromOther) const {
+bool SingleSupport::bend(ModelState& belief, const RigidTransform& soleFromTorso,
+                         const RigidTransform& soleFromOther) const {
   const RigidTransform torsoFromSole = soleFromTorso.inverse();
   const auto support = supportLeg_.angles(torsoFromSole);
   const auto other = support ? otherLeg_.angles(torsoFromSole * soleFromOther, support->front()) : std::nullopt;
@@ -70,10 +71,10 @@ std::vector<Eigen::VectorXd> ontoOneFoot(const Robot& robot, SupportFoot support
   constexpr std::array points{Point{0.5, 0.30, 0, 0.15, 0.15}, Point{1, 0.30, 0, 0.25, 0.2},
                               Point{1.1, 0.31, 0.02, 0.3, 0.2}, Point{1, 0.31, 0.04, 0.3, 0.3}};
   constexpr double forwards = 0.025; // the centre of mass, from the sole's origin [m]
-  const OneFoot feet{robot, supportFoot};
+  const SingleSupport feet{robot, supportFoot};
   const double inwards = supportFoot == SupportFoot::left ? -1 : 1;
   const Eigen::Vector2d over{forwards, feet.middle().y()}, between{forwards, inwards * betweenFeet / 2};
-  Belief belief = drawnBelief(robot, Quantities{robot.joints.size(), robot.lengths.size(), 0});
+  ModelState belief = drawnBelief(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
   belief.values.head(stand.size()) = stand;
   std::vector<Eigen::VectorXd> way;
   for (const Point& point : points) {
@@ -93,14 +94,14 @@ std::vector<Eigen::VectorXd> ontoOneFoot(const Robot& robot, SupportFoot support
 std::optional<std::vector<Eigen::VectorXd>> betweenOnOneFoot(const Robot& robot, SupportFoot supportFoot,
                                                              const Eigen::VectorXd& from, const Eigen::VectorXd& to,
                                                              int parts) {
-  const OneFoot feet{robot, supportFoot};
+  const SingleSupport feet{robot, supportFoot};
   const std::size_t support = supportSole(robot, supportFoot).link, other = otherSole(robot, supportFoot).link;
   struct End {
     RigidTransform soleFromTorso, soleFromOther;
     Eigen::Vector3d centre;
   };
   const auto end = [&](const Eigen::VectorXd& angles) {
-    const Posture torsoFromLink = posture(robot, angles);
+    const LinkPoses torsoFromLink = posture(robot, angles);
     const RigidTransform soleFromTorso = torsoFromLink[support].inverse();
     return End{soleFromTorso, soleFromTorso * torsoFromLink[other],
                soleFromTorso * centreOfMass(robot, torsoFromLink).inTorso};
@@ -112,7 +113,7 @@ std::optional<std::vector<Eigen::VectorXd>> betweenOnOneFoot(const Robot& robot,
         (1 - share) * a.translation + share * b.translation};
   };
   std::vector<Eigen::VectorXd> via;
-  Belief belief = drawnBelief(robot, Quantities{robot.joints.size(), robot.lengths.size(), 0});
+  ModelState belief = drawnBelief(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
   for (int i = 1; i < parts; ++i) {
     const double share = static_cast<double>(i) / parts;
     belief.values.head(from.size()) = (1 - share) * from + share * to;
@@ -126,22 +127,22 @@ std::optional<std::vector<Eigen::VectorXd>> betweenOnOneFoot(const Robot& robot,
   return via;
 }
 
-StandingLegs::StandingLegs(const Robot& robot, const PoseOptions& options)
+StanceSampler::StanceSampler(const Robot& robot, const PoseOptions& options)
     : robot_{robot}, options_{options}, other_{otherSole(robot, options.supportFoot)},
       feet_{robot, options.supportFoot}, joints_{feet_.supportLeg().joints().begin(),
                                                  feet_.supportLeg().joints().end()} {
   joints_.insert(joints_.end(), feet_.otherLeg().joints().begin(), feet_.otherLeg().joints().end());
 }
 
-std::size_t StandingLegs::ranges() const {
+std::size_t StanceSampler::ranges() const {
   return options_.supportFoot == SupportFoot::both ? 8 : 11;
 }
 
-bool StandingLegs::bend(Belief& belief, const DrawnNumber& draw) const {
+bool StanceSampler::bend(ModelState& belief, const NumberSource& draw) const {
   return options_.supportFoot == SupportFoot::both ? bendOnBoth(belief, draw) : bendOnOne(belief, draw);
 }
 
-bool StandingLegs::bendOnOne(Belief& belief, const DrawnNumber& draw) const {
+bool StanceSampler::bendOnOne(ModelState& belief, const NumberSource& draw) const {
   const double outwards = options_.supportFoot == SupportFoot::left ? 1 : -1; // the support foot's outer side
   RigidTransform soleFromTorso;
   soleFromTorso.rotation = rotationZ(draw(options_.yaw)) * rotationY(draw(options_.pitch));
@@ -161,8 +162,8 @@ bool StandingLegs::bendOnOne(Belief& belief, const DrawnNumber& draw) const {
 
 /// One motor turns both hips, in opposite directions: the torso's yaw is sought by secants at which either leg wants it
 /// to turn by as much.
-bool StandingLegs::bendOnBoth(Belief& belief, const DrawnNumber& draw) const {
-  const BesideFoot& beside = options_.beside;
+bool StanceSampler::bendOnBoth(ModelState& belief, const NumberSource& draw) const {
+  const DoubleSupportRanges& beside = options_.beside;
   RigidTransform soleFromOther;
   soleFromOther.translation.x() = draw(beside.forwards);
   soleFromOther.translation.y() = -draw(beside.sideways);
@@ -207,14 +208,14 @@ bool StandingLegs::bendOnBoth(Belief& belief, const DrawnNumber& draw) const {
   return false;
 }
 
-void StandingLegs::set(Belief& belief, const LegAngles& support, const LegAngles& other) const {
+void StanceSampler::set(ModelState& belief, const LegAngles& support, const LegAngles& other) const {
   for (std::size_t i = 0; i < support.size(); ++i) {
     belief.angle(feet_.supportLeg().joints()[i]) = support[i];
     belief.angle(feet_.otherLeg().joints()[i]) = other[i];
   }
 }
 
-void StandingLegs::lean(const Belief& belief, const Eigen::Vector2d& wanted, RigidTransform& soleFromTorso) const {
+void StanceSampler::lean(const ModelState& belief, const Eigen::Vector2d& wanted, RigidTransform& soleFromTorso) const {
   const Eigen::Vector3d centre = soleFromTorso * centreOfMass(robot_, posture(robot_, belief)).inTorso;
   soleFromTorso.translation.head<2>() += wanted - centre.head<2>();
 }

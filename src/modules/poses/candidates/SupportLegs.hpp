@@ -12,26 +12,26 @@
 namespace naocal {
 
 /// The legs of a robot that stands on one foot.
-class OneFoot {
+class SingleSupport {
 public:
-  OneFoot(const Robot& robot, SupportFoot supportFoot);
+  SingleSupport(const Robot& robot, SupportFoot supportFoot);
 
   /// Bends both legs so that torso and other sole are turned as wanted, the torso is at the height wanted, and the
   /// centre of mass is over a point of the support sole [m]; where the torso is forwards and sideways follows. False
   /// where the legs do not reach.
-  bool stand(Belief& belief, RigidTransform soleFromTorso, const RigidTransform& soleFromOther,
+  bool stand(ModelState& belief, RigidTransform soleFromTorso, const RigidTransform& soleFromOther,
              const Eigen::Vector2d& centre) const;
 
-  const Leg& supportLeg() const { return supportLeg_; }
-  const Leg& otherLeg() const { return otherLeg_; }
+  const LegKinematics& supportLeg() const { return supportLeg_; }
+  const LegKinematics& otherLeg() const { return otherLeg_; }
   /// Of the support sole's outline.
   const Eigen::Vector2d& middle() const { return middle_; }
 
 private:
-  bool bend(Belief& belief, const RigidTransform& soleFromTorso, const RigidTransform& soleFromOther) const;
+  bool bend(ModelState& belief, const RigidTransform& soleFromTorso, const RigidTransform& soleFromOther) const;
 
   const Robot& robot_;
-  Leg supportLeg_, otherLeg_;
+  LegKinematics supportLeg_, otherLeg_;
   Eigen::Vector2d middle_;
 };
 
@@ -53,12 +53,12 @@ std::optional<std::vector<Eigen::VectorXd>> betweenOnOneFoot(const Robot& robot,
                                                              int parts);
 
 /// The next number, in an interval.
-using DrawnNumber = std::function<double(const Interval&)>;
+using NumberSource = std::function<double(const Interval&)>;
 
 /// Bends legs until a robot stands as the ranges of PoseOptions have it: on one foot, the other one lifted, or on both.
-class StandingLegs {
+class StanceSampler {
 public:
-  StandingLegs(const Robot& robot, const PoseOptions& options);
+  StanceSampler(const Robot& robot, const PoseOptions& options);
 
   /// How many numbers `bend` draws.
   std::size_t ranges() const;
@@ -67,19 +67,19 @@ public:
 
   /// The torso somewhere over the support sole, then moved until the centre of mass is where it was drawn. False: out
   /// of the legs' reach; joints' limits are not judged.
-  bool bend(Belief& belief, const DrawnNumber& draw) const;
+  bool bend(ModelState& belief, const NumberSource& draw) const;
 
 private:
-  bool bendOnOne(Belief& belief, const DrawnNumber& draw) const;
-  bool bendOnBoth(Belief& belief, const DrawnNumber& draw) const;
-  void set(Belief& belief, const LegAngles& support, const LegAngles& other) const;
+  bool bendOnOne(ModelState& belief, const NumberSource& draw) const;
+  bool bendOnBoth(ModelState& belief, const NumberSource& draw) const;
+  void set(ModelState& belief, const LegAngles& support, const LegAngles& other) const;
   /// Moves the torso until the centre of mass of the robot is over `wanted` in the support sole's frame.
-  void lean(const Belief& belief, const Eigen::Vector2d& wanted, RigidTransform& soleFromTorso) const;
+  void lean(const ModelState& belief, const Eigen::Vector2d& wanted, RigidTransform& soleFromTorso) const;
 
   const Robot& robot_;
   const PoseOptions& options_;
   const Sole& other_;
-  OneFoot feet_;
+  SingleSupport feet_;
   std::vector<std::size_t> joints_;
 };
 

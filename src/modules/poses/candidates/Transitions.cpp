@@ -66,7 +66,7 @@ std::vector<std::size_t> byDynamicProgramming(const Ways& seconds) {
   return order;
 }
 
-PoseOptions onTheWay(PoseOptions options, const Motion& motion) {
+PoseOptions onTheWay(PoseOptions options, const TransitionOptions& motion) {
   options.footing = {.depth = 0.01, .clearance = 0.005};
   options.stability.share = motion.share;
   return options;
@@ -85,20 +85,20 @@ double secondsBetween(const Robot& robot, const Eigen::VectorXd& from, const Eig
   return seconds;
 }
 
-WayChecks::WayChecks(const Robot& robot, const PoseOptions& options, const Motion& motion)
+TransitionCheck::TransitionCheck(const Robot& robot, const PoseOptions& options, const TransitionOptions& motion)
     : robot_{robot}, motion_{motion}, options_{onTheWay(options, motion)}, checks_{robot, options_} {}
 
-std::optional<double> WayChecks::seconds(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const {
+std::optional<double> TransitionCheck::seconds(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const {
   std::mt19937_64 random{options_.seed};
-  const Posture before = posture(robot_, from);
+  const LinkPoses before = posture(robot_, from);
   if (slides(before, posture(robot_, to))) {
     return std::nullopt;
   }
-  Belief belief = drawnBelief(robot_, Quantities{robot_.joints.size(), robot_.lengths.size(), 0});
+  ModelState belief = drawnBelief(robot_, StateLayout{robot_.joints.size(), robot_.lengths.size(), 0});
   const int steps = std::max(1, static_cast<int>(std::ceil((to - from).cwiseAbs().maxCoeff() / motion_.step)));
   for (int i = 1; i < steps; ++i) {
     belief.values.head(from.size()) = from + (to - from) * i / steps;
-    const Posture torsoFromLink = posture(robot_, belief);
+    const LinkPoses torsoFromLink = posture(robot_, belief);
     if (slides(before, torsoFromLink) || checks_.touchesItself(torsoFromLink) ||
         !checks_.standing(belief, torsoFromLink, random)) {
       return std::nullopt;
@@ -108,7 +108,7 @@ std::optional<double> WayChecks::seconds(const Eigen::VectorXd& from, const Eige
 }
 
 /// On both feet: whether a corner of the other sole comes to lie elsewhere, seen from the support sole.
-bool WayChecks::slides(const Posture& before, const Posture& now) const {
+bool TransitionCheck::slides(const LinkPoses& before, const LinkPoses& now) const {
   if (options_.supportFoot != SupportFoot::both) {
     return false;
   }
@@ -121,9 +121,9 @@ bool WayChecks::slides(const Posture& before, const Posture& now) const {
   });
 }
 
-double secondsToPlay(const Robot& robot, const std::vector<SievedPose>& poses, double secondsPerPose) {
+double secondsToPlay(const Robot& robot, const std::vector<ValidPose>& poses, double secondsPerPose) {
   const auto joints = static_cast<Eigen::Index>(robot.joints.size());
-  const double speed = Motion{}.speed;
+  const double speed = TransitionOptions{}.speed;
   Ways seconds(poses.size(), std::vector<std::optional<double>>(poses.size()));
   for (std::size_t i = 0; i < poses.size(); ++i) {
     for (std::size_t k = 0; k < poses.size(); ++k) {
@@ -145,16 +145,16 @@ std::optional<std::vector<std::size_t>> quickestOrder(const Ways& seconds) {
   return order.size() == seconds.size() ? std::optional{order} : std::nullopt;
 }
 
-std::optional<PoseWay> safeWay(const Robot& robot, const Scene& scene, const PoseOptions& options,
-                               const WayChecks& checks, const SievedPose& from, const SievedPose& to) {
+std::optional<Transition> safeWay(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
+                                  const TransitionCheck& checks, const ValidPose& from, const ValidPose& to) {
   const auto joints = static_cast<Eigen::Index>(robot.joints.size());
   const Eigen::VectorXd start = from.belief.values.head(joints), end = to.belief.values.head(joints);
   if (const auto straight = checks.seconds(start, end)) {
-    return PoseWay{{}, *straight};
+    return Transition{{}, *straight};
   }
-  RandomAttitude attitudes{robot, scene, options};
+  PoseSampler attitudes{robot, scene, options};
   for (const int parts : {2, 4, 8}) {
-    PoseWay way;
+    Transition way;
     Eigen::VectorXd last = start;
     for (int i = 1; i <= parts; ++i) {
       std::vector<double> point(from.point.size());
@@ -177,11 +177,11 @@ std::optional<PoseWay> safeWay(const Robot& robot, const Scene& scene, const Pos
   return std::nullopt;
 }
 
-PosesInOrder inOrder(const Robot& robot, const Scene& scene, const PoseOptions& options,
-                     std::vector<SievedPose> poses) {
+OrderedPoses inOrder(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
+                     std::vector<ValidPose> poses) {
   const std::size_t count = poses.size();
-  const WayChecks checks{robot, options};
-  std::vector<std::optional<PoseWay>> ways(count * count);
+  const TransitionCheck checks{robot, options};
+  std::vector<std::optional<Transition>> ways(count * count);
   inParallel(count * count, [&](std::size_t i) {
     ways[i] = safeWay(robot, scene, options, checks, poses[i / count], poses[i % count]);
   });
@@ -194,7 +194,7 @@ PosesInOrder inOrder(const Robot& robot, const Scene& scene, const PoseOptions& 
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});
   order = quickestOrder(seconds).value_or(order);
-  PosesInOrder result;
+  OrderedPoses result;
   for (std::size_t i = 0; i < count; ++i) {
     result.poses.push_back(std::move(poses[order[i]]));
     result.ways.push_back(i == 0 ? std::nullopt : ways[order[i - 1] * count + order[i]]);

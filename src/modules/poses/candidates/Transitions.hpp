@@ -10,7 +10,7 @@ namespace naocal {
 
 /// How a robot goes from pose to pose: all joints start and arrive together, the one with the longest way at `speed`, a
 /// share of its full speed.
-struct Motion {
+struct TransitionOptions {
   double share = 0.97; // of robots with joint errors that must stand all along
   double speed = 0.15; // a robot on one foot moves slowly
   double step = 0.03;  // at most this far between checks, of the joint that moves most [rad]
@@ -21,23 +21,23 @@ struct Motion {
 double secondsBetween(const Robot& robot, const Eigen::VectorXd& from, const Eigen::VectorXd& to, double speed);
 
 /// Looks at the way between poses.
-class WayChecks {
+class TransitionCheck {
 public:
-  WayChecks(const Robot& robot, const PoseOptions& options, const Motion& motion = {});
-  WayChecks(const WayChecks&) = delete;
-  WayChecks& operator=(const WayChecks&) = delete;
+  TransitionCheck(const Robot& robot, const PoseOptions& options, const TransitionOptions& motion = {});
+  TransitionCheck(const TransitionCheck&) = delete;
+  TransitionCheck& operator=(const TransitionCheck&) = delete;
 
   /// Of the motion from one to the other; absent where the robot, or too many of those with joint errors, would fall
   /// over or touch itself on the way, or a foot of both would slide.
   std::optional<double> seconds(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const;
 
 private:
-  bool slides(const Posture& before, const Posture& now) const;
+  bool slides(const LinkPoses& before, const LinkPoses& now) const;
 
   const Robot& robot_;
-  Motion motion_;
+  TransitionOptions motion_;
   PoseOptions options_; // on the way
-  PoseChecks checks_;
+  PoseValidity checks_;
 };
 
 /// The quickest order to visit all poses, one after another: exact for up to 12 poses, else always the nearest next.
@@ -46,26 +46,27 @@ std::optional<std::vector<std::size_t>> quickestOrder(const std::vector<std::vec
 
 /// Straight on from pose to pose in the quickest order, and a rest in each [s]; whether the ways are safe is not looked
 /// at.
-double secondsToPlay(const Robot& robot, const std::vector<SievedPose>& poses, double secondsPerPose);
+double secondsToPlay(const Robot& robot, const std::vector<ValidPose>& poses, double secondsPerPose);
 
 /// A safe way from one pose to another.
-struct PoseWay {
+struct Transition {
   std::vector<Eigen::VectorXd> via; // angles to pass through on the way, none: straight on [rad]
   double seconds = 0;
 };
 
 /// Straight on where that is safe; else along the line between the poses' points in the ranges that they were drawn
 /// from, which keeps the centre of mass over the foot. Absent: neither is safe.
-std::optional<PoseWay> safeWay(const Robot& robot, const Scene& scene, const PoseOptions& options,
-                               const WayChecks& checks, const SievedPose& from, const SievedPose& to);
+std::optional<Transition> safeWay(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
+                                  const TransitionCheck& checks, const ValidPose& from, const ValidPose& to);
 
 /// Poses in the quickest safe order, and the way to each from the one before it; absent: the first, or none is safe.
-struct PosesInOrder {
-  std::vector<SievedPose> poses;
-  std::vector<std::optional<PoseWay>> ways;
+struct OrderedPoses {
+  std::vector<ValidPose> poses;
+  std::vector<std::optional<Transition>> ways;
 };
 
 /// Where there is no safe way through all of them the order is as given.
-PosesInOrder inOrder(const Robot& robot, const Scene& scene, const PoseOptions& options, std::vector<SievedPose> poses);
+OrderedPoses inOrder(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
+                     std::vector<ValidPose> poses);
 
 } // namespace naocal

@@ -12,9 +12,9 @@
 
 namespace naocal {
 
-Discrimination::Discrimination(const OpenQuestion& question, Eigen::Index own) : question_{question}, own_{own} {
+Discrimination::Discrimination(const ModelAmbiguity& question, Eigen::Index own) : question_{question}, own_{own} {
   Eigen::Index column = 0;
-  for (const Suspect& suspect : question.suspects) {
+  for (const Hypothesis& suspect : question.suspects) {
     first_.push_back(column);
     column += suspect.size.size();
   }
@@ -85,7 +85,7 @@ namespace {
 constexpr std::size_t mostSuspects = 8;
 
 /// The likeliest of these, their evidence turned into odds.
-void suspect(std::vector<Suspect> suspects, std::vector<double> evidence, OpenQuestion& question) {
+void suspect(std::vector<Hypothesis> suspects, std::vector<double> evidence, ModelAmbiguity& question) {
   std::vector<std::size_t> order(suspects.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     order[i] = i;
@@ -104,7 +104,7 @@ void suspect(std::vector<Suspect> suspects, std::vector<double> evidence, OpenQu
 }
 
 /// "a, b and c", from the suspect `first` on: three of them by name.
-std::string named(const std::vector<Suspect>& suspects, std::size_t first) {
+std::string named(const std::vector<Hypothesis>& suspects, std::size_t first) {
   constexpr std::size_t most = 3;
   std::vector<std::string> words;
   for (std::size_t i = first; i < std::min(suspects.size(), first + most); ++i) {
@@ -117,8 +117,8 @@ std::string named(const std::vector<Suspect>& suspects, std::size_t first) {
 }
 
 /// False: its only twins are in the model as well.
-bool askWhichOne(const Diagnosis& diagnosis, const CandidateFinding& head, OpenQuestion& question) {
-  std::vector<Suspect> suspects;
+bool askWhichOne(const Diagnosis& diagnosis, const CandidateFinding& head, ModelAmbiguity& question) {
+  std::vector<Hypothesis> suspects;
   std::vector<double> evidence;
   for (const CandidateFinding& finding : diagnosis.ranking) {
     const std::string label = finding.term.label();
@@ -140,10 +140,11 @@ bool askWhichOne(const Diagnosis& diagnosis, const CandidateFinding& head, OpenQ
 }
 
 /// The curve that the misfit follows, as an effect of its own, against the best of the catalogue.
-void askAboutCurve(const Diagnosis& diagnosis, const Robot& robot, OpenQuestion& question) {
-  const DriverFinding& curve = diagnosis.drivers.front();
+void askAboutCurve(const Diagnosis& diagnosis, const Robot& robot, ModelAmbiguity& question) {
+  const DriverCurve& curve = diagnosis.drivers.front();
   const auto rival = std::find_if(diagnosis.ranking.begin(), diagnosis.ranking.end(), [&](const auto& finding) {
-    return finding.state != State::noData && finding.state != State::present && finding.evidence.freedom > 0;
+    return finding.state != CandidateState::noData && finding.state != CandidateState::present &&
+           finding.evidence.freedom > 0;
   });
   if (rival == diagnosis.ranking.end() || curve.expression.empty()) {
     return;
@@ -155,7 +156,7 @@ void askAboutCurve(const Diagnosis& diagnosis, const Robot& robot, OpenQuestion&
     size[i] = value;
     definition["unknowns"][name] = {{"unit", unit}, {"sigma", std::max(std::abs(value), 1e-6)}};
   }
-  question.effects.push_back(userEffect(JsonPlace{definition, "the curve"}, robot));
+  question.effects.push_back(userEffect(JsonCursor{definition, "the curve"}, robot));
   const Eigen::VectorXd plausible = Term{question.effects.back()}.sigmas();
   suspect({{"curve@" + curve.place, size, plausible},
            {rival->term.label(), rival->evidence.estimate, rival->term.sigmas()}},
@@ -164,9 +165,9 @@ void askAboutCurve(const Diagnosis& diagnosis, const Robot& robot, OpenQuestion&
   question.why = fmt::format("tells a curve of {} over {} from {}", curve.place, curve.driver, rival->term.label());
 }
 
-void askWhether(const Diagnosis& diagnosis, State state, OpenQuestion& question) {
+void askWhether(const Diagnosis& diagnosis, CandidateState state, ModelAmbiguity& question) {
   constexpr std::size_t few = 3;
-  std::vector<Suspect> suspects;
+  std::vector<Hypothesis> suspects;
   std::vector<double> evidence;
   for (const CandidateFinding& finding : diagnosis.ranking) { // the strongest come first
     if (finding.state == state && suspects.size() < few) {
@@ -198,8 +199,8 @@ std::vector<double> probabilities(const std::vector<double>& evidence) {
   return result;
 }
 
-OpenQuestion openQuestion(const Diagnosis& diagnosis, const Robot& robot, const DiagnosisOptions& asked) {
-  OpenQuestion question{
+ModelAmbiguity openQuestion(const Diagnosis& diagnosis, const Robot& robot, const DiagnosisOptions& asked) {
+  ModelAmbiguity question{
       .suspects = {}, .with = diagnosis.with, .without = asked.without, .effects = asked.effects, .why = {}};
   if (diagnosis.verdict == Verdict::badCaptures) {
     question.whyNone = "put the captures right first, further ones would suffer from the same";
@@ -208,7 +209,7 @@ OpenQuestion openQuestion(const Diagnosis& diagnosis, const Robot& robot, const 
   if (diagnosis.verdict == Verdict::unknownEffect) {
     askAboutCurve(diagnosis, robot, question);
     if (question.suspects.empty()) {
-      const DriverFinding& curve = diagnosis.drivers.front();
+      const DriverCurve& curve = diagnosis.drivers.front();
       question.whyNone =
           fmt::format("poses are proposed to tell a joint's curve from effects, and what is missing sits at {} over {}",
                       curve.place, curve.driver);
@@ -222,9 +223,9 @@ OpenQuestion openQuestion(const Diagnosis& diagnosis, const Robot& robot, const 
       return question;
     }
   }
-  askWhether(diagnosis, State::inconclusive, question);
+  askWhether(diagnosis, CandidateState::inconclusive, question);
   if (question.suspects.empty()) {
-    askWhether(diagnosis, State::absorbed, question);
+    askWhether(diagnosis, CandidateState::absorbed, question);
   }
   if (question.suspects.empty()) {
     question.whyNone = "the captures leave nothing open";

@@ -11,7 +11,7 @@
 namespace naocal {
 
 /// An effect that may be there, and what is believed about it.
-struct Suspect {
+struct Hypothesis {
   std::string label;         // "elasticity@LKneePitch"
   Eigen::VectorXd size;      // of its unknowns if it is there [the unknowns' units]
   Eigen::VectorXd plausible; // how large they may be: their priors' sigmas
@@ -19,10 +19,10 @@ struct Suspect {
 };
 
 /// What captures leave open, best answered by further poses.
-struct OpenQuestion {
-  std::vector<Suspect> suspects; // the likeliest first; none: nothing is open
-  bool rivals = false;           // which one of the suspects is there? else: is each of them there at all?
-  std::vector<std::string> with; // what the model has beyond the base: none of the suspects
+struct ModelAmbiguity {
+  std::vector<Hypothesis> suspects; // the likeliest first; none: nothing is open
+  bool rivals = false;              // which one of the suspects is there? else: is each of them there at all?
+  std::vector<std::string> with;    // what the model has beyond the base: none of the suspects
   std::vector<std::string> without;
   std::vector<Effect> effects; // all that suspects and model are named by
   std::string why;             // "tells elasticity@LKneePitch from backlash@LKneePitch"; empty: there is no question
@@ -32,7 +32,7 @@ struct OpenQuestion {
 /// The first of these that a diagnosis leaves open: which effect of a class that its captures cannot tell apart is
 /// there; whether a curve that no effect describes is what its best rival of the catalogue says; whether candidates are
 /// there that the captures hardly test. Odds are exp(evidence / 2), evidence = 2 ln of the Bayes factor.
-OpenQuestion openQuestion(const Diagnosis& diagnosis, const Robot& robot, const DiagnosisOptions& asked);
+ModelAmbiguity openQuestion(const Diagnosis& diagnosis, const Robot& robot, const DiagnosisOptions& asked);
 
 /// 2 ln Bayes factors as probabilities: exp(evidence / 2), together 1.
 std::vector<double> probabilities(const std::vector<double>& evidence);
@@ -47,7 +47,7 @@ std::vector<double> probabilities(const std::vector<double>& evidence);
 class Discrimination {
 public:
   /// `model`'s own unknowns come first, then those of the suspects in their order.
-  Discrimination(const OpenQuestion& question, Eigen::Index own);
+  Discrimination(const ModelAmbiguity& question, Eigen::Index own);
 
   /// lambda of each ordered pair of rivals, or of each suspect, in an order of its own.
   Eigen::VectorXd misfits(const Eigen::MatrixXd& hessian) const;
@@ -65,7 +65,7 @@ private:
     std::optional<std::size_t> other;
     double weight; // all together 1
   };
-  const OpenQuestion& question_;
+  const ModelAmbiguity& question_;
   Eigen::Index own_;
   std::vector<Eigen::Index> first_; // column of each suspect behind the own ones
   std::vector<Pair> pairs_;

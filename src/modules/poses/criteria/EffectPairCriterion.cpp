@@ -12,8 +12,9 @@
 
 namespace naocal {
 
-TellingApart::TellingApart(const Robot& robot, const std::vector<Board>& boards,
-                           const std::map<std::string, CameraIntrinsics>& cameras, const PlanOptions& options)
+EffectPairCriterion::EffectPairCriterion(const Robot& robot, const std::vector<Board>& boards,
+                                         const std::map<std::string, CameraIntrinsics>& cameras,
+                                         const PlanOptions& options)
     : robot_{robot}, boards_{boards}, cameras_{cameras}, options_{options}, scene_{robot, options.poses.supportFoot,
                                                                                    boards, cameras,
                                                                                    options.poses.sight} {
@@ -25,7 +26,7 @@ TellingApart::TellingApart(const Robot& robot, const std::vector<Board>& boards,
 }
 
 /// One picture of each camera in each pose, the robot standing at a known place; corners' pixels do not matter.
-CaptureSet TellingApart::captures(const std::vector<SievedPose>& poses) const {
+CaptureSet EffectPairCriterion::captures(const std::vector<ValidPose>& poses) const {
   CaptureSet set{.name = "plan", .model = robot_.model, .cameras = cameras_, .boards = boards_};
   set.stances = {{0, options_.poses.supportFoot, Placement{}}};
   for (const Joint& joint : robot_.joints) {
@@ -42,9 +43,9 @@ CaptureSet TellingApart::captures(const std::vector<SievedPose>& poses) const {
   std::mt19937_64 random{options_.poses.seed};
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const Eigen::VectorXd approach = poses[i].approach.size() > 0 ? poses[i].approach : randomApproach(robot_, random);
-    Belief belief = scene_.drawn();
+    ModelState belief = scene_.drawn();
     belief.values.head(joints) = poses[i].belief.values.head(joints);
-    const std::vector<Sight> sights = scene_.sights(belief, posture(robot_, belief));
+    const std::vector<VisibleBoard> sights = scene_.sights(belief, posture(robot_, belief));
     for (const auto& [camera, lens] : cameras_) {
       Capture& capture = set.captures.emplace_back();
       capture.id = static_cast<int>(set.captures.size());
@@ -59,7 +60,7 @@ CaptureSet TellingApart::captures(const std::vector<SievedPose>& poses) const {
   return set;
 }
 
-TellingApart::Told TellingApart::told(const std::vector<SievedPose>& poses) const {
+EffectPairCriterion::Told EffectPairCriterion::told(const std::vector<ValidPose>& poses) const {
   const Measurements measurements = measurementsOf({captures(poses)}, robot_);
   const std::vector<std::string> without =
       options_.known ? std::vector<std::string>{"cameraRotation@*"} : std::vector<std::string>{};
@@ -70,7 +71,8 @@ TellingApart::Told TellingApart::told(const std::vector<SievedPose>& poses) cons
   const Model named = makeModel(measurements, options_.effects, without); // says what is wrong with them
   const auto isAsked = [&](const Term& term) {
     return std::any_of(options_.effects.begin(), options_.effects.end(), [&](const std::string& given) {
-      return given == term.label() || (term.effect.place == Place::motor && labelFor(given, robot_) == term.label());
+      return given == term.label() ||
+             (term.effect.place == EffectSite::motor && labelFor(given, robot_) == term.label());
     });
   };
   for (const Term& term : named.terms()) {
@@ -95,11 +97,11 @@ TellingApart::Told TellingApart::told(const std::vector<SievedPose>& poses) cons
   return result;
 }
 
-std::vector<SievedPose> TellingApart::best(const std::vector<SievedPose>& kept,
-                                           const std::vector<SievedPose>& candidates, std::size_t count) const {
-  std::vector<SievedPose> all = kept;
+std::vector<ValidPose> EffectPairCriterion::best(const std::vector<ValidPose>& kept,
+                                                 const std::vector<ValidPose>& candidates, std::size_t count) const {
+  std::vector<ValidPose> all = kept;
   std::mt19937_64 random{options_.poses.seed};
-  for (const SievedPose& candidate : candidates) {
+  for (const ValidPose& candidate : candidates) {
     all.push_back(candidate);
     all.back().approach = randomApproach(robot_, random);
     all.push_back(all.back());
@@ -113,12 +115,12 @@ std::vector<SievedPose> TellingApart::best(const std::vector<SievedPose>& kept,
   }
   told.poses.erase(told.poses.begin(), told.poses.begin() + static_cast<std::ptrdiff_t>(kept.size()));
   const Eigen::VectorXd before = discrimination.misfits(told.prior);
-  const Judgement judge = [&](const Eigen::MatrixXd& sum) {
+  const Objective judge = [&](const Eigen::MatrixXd& sum) {
     return 1 / discrimination.growth(before, discrimination.misfits(sum));
   };
   std::vector<std::size_t> chosen = greedySelection(judge, known, told.poses, count);
   exchange(judge, known, told.poses, chosen);
-  std::vector<SievedPose> result;
+  std::vector<ValidPose> result;
   for (const std::size_t index : chosen) {
     result.push_back(all[kept.size() + index]);
     if (!told.byApproach) {
@@ -128,8 +130,8 @@ std::vector<SievedPose> TellingApart::best(const std::vector<SievedPose>& kept,
   return result;
 }
 
-double TellingApart::misfit(const std::vector<SievedPose>& kept, const std::vector<SievedPose>& poses) const {
-  std::vector<SievedPose> all = kept;
+double EffectPairCriterion::misfit(const std::vector<ValidPose>& kept, const std::vector<ValidPose>& poses) const {
+  std::vector<ValidPose> all = kept;
   all.insert(all.end(), poses.begin(), poses.end());
   const Told told = this->told(all);
   Eigen::MatrixXd sum = told.prior;

@@ -35,7 +35,7 @@ bool looksAtApproach(const Model& model) {
 namespace {
 
 /// Of the fitted robot: half of what is asked of the drawn one, for what the fit does not know.
-constexpr Footing fittedFooting{0.01, 0.01};
+constexpr SupportMargin fittedFooting{0.01, 0.01};
 
 /// In the order of the set's joints; 0 for those that the drawing does not hold (fingers).
 std::vector<double> listed(const CaptureSet& set, const Robot& robot, const Eigen::VectorXd& perJoint) {
@@ -69,9 +69,9 @@ Capture plannedCapture(const CaptureSet& set, const Robot& robot, const Proposed
 
 } // namespace
 
-std::vector<BoardCorners> seenBy(const std::string& camera, const std::vector<Sight>& sights) {
+std::vector<BoardCorners> seenBy(const std::string& camera, const std::vector<VisibleBoard>& sights) {
   std::vector<BoardCorners> result;
-  for (const Sight& sight : sights) {
+  for (const VisibleBoard& sight : sights) {
     if (sight.camera == camera) {
       const std::vector<Eigen::Vector2d> nothing(sight.corners.size(), Eigen::Vector2d::Zero());
       result.push_back({sight.board, sight.corners, nothing});
@@ -116,32 +116,32 @@ std::vector<CaptureSet> withPlanned(const std::vector<CaptureSet>& sets, const R
 
 std::vector<ProposedPose> feasibleByFit(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                                         const Model& model, const Eigen::VectorXd& unknowns,
-                                        const std::vector<Surroundings>& around, std::vector<ProposedPose> poses) {
+                                        const std::vector<LocalScene>& around, std::vector<ProposedPose> poses) {
   const Robot& robot = measurements.robot;
-  std::map<SupportFoot, Scene> scenes;
-  for (const Surroundings& here : around) {
-    scenes.try_emplace(here.supportFoot, robot, here.supportFoot, here.boards, sets.back().cameras, SightLimits{});
+  std::map<SupportFoot, PlanningScene> scenes;
+  for (const LocalScene& here : around) {
+    scenes.try_emplace(here.supportFoot, robot, here.supportFoot, here.boards, sets.back().cameras, VisibilityLimits{});
   }
-  std::map<std::size_t, Picture> pictures; // per camera in use, the last one: only its angles will change
-  for (const Picture& picture : measurements.pictures) {
+  std::map<std::size_t, ImageObservation> pictures; // per camera in use, the last one: only its angles will change
+  for (const ImageObservation& picture : measurements.pictures) {
     pictures.insert_or_assign(picture.camera, picture);
   }
   const auto ofRobot = static_cast<Eigen::Index>(measurements.quantities.lens()); // angles, lengths, mount
   for (ProposedPose& planned : poses) {
     PlannedPose& pose = planned.pose;
-    const Scene& scene = scenes.at(pose.supportFoot);
+    const PlanningScene& scene = scenes.at(pose.supportFoot);
     pose.sights.clear();
     for (auto& [camera, picture] : pictures) {
       picture.instant.supportFoot = pose.supportFoot;
       picture.instant.q = pose.angles;
       picture.drawn.values.head(pose.angles.size()) = pose.angles;
-      Belief belief = scene.drawn();
+      ModelState belief = scene.drawn();
       belief.values.head(ofRobot) = believed(measurements, model, picture, unknowns).values.head(ofRobot);
-      const Posture torsoFromLink = posture(robot, belief);
+      const LinkPoses torsoFromLink = posture(robot, belief);
       if (!stands(robot, torsoFromLink, pose.supportFoot, fittedFooting)) {
         break;
       }
-      for (Sight& sight : scene.sights(belief, torsoFromLink)) {
+      for (VisibleBoard& sight : scene.sights(belief, torsoFromLink)) {
         if (sight.camera == robot.cameras[camera].name) {
           pose.sights.push_back(std::move(sight));
         }
@@ -157,15 +157,15 @@ namespace {
 /// The fit's unknowns in the order of a model of the same captures and planned ones; the robot stands anew where it
 /// stood last.
 Eigen::VectorXd unknownsOf(const Measurements& extended, const Model& model, const FittedModel& fit,
-                           const std::vector<Surroundings>& around) {
+                           const std::vector<LocalScene>& around) {
   Eigen::VectorXd result = carried(fit.model, fit.unknowns, model);
   for (const Term& term : model.terms()) {
     const auto& fitted = fit.model.terms();
-    if (term.effect.place != Place::stance ||
+    if (term.effect.place != EffectSite::stance ||
         std::any_of(fitted.begin(), fitted.end(), [&](const Term& each) { return each.label() == term.label(); })) {
       continue;
     }
-    for (const Surroundings& here : around) {
+    for (const LocalScene& here : around) {
       if (here.supportFoot == extended.standings[term.at].supportFoot) {
         result.segment<3>(static_cast<Eigen::Index>(term.first)) << here.sole.x, here.sole.y, here.sole.yaw;
       }
@@ -180,7 +180,7 @@ double samplesOf(const Measurements& measurements) {
   std::size_t pictures = 0;
   std::set<std::pair<const PoseGroup*, std::size_t>> views;
   for (const PoseGroup& pose : measurements.poses) {
-    for (const Reading& reading : pose.readings) {
+    for (const EncoderSample& reading : pose.readings) {
       for (const std::size_t picture : reading.pictures) {
         ++pictures;
         views.insert({&pose, measurements.pictures[picture].camera});
@@ -190,10 +190,10 @@ double samplesOf(const Measurements& measurements) {
   return std::round(static_cast<double>(pictures) / static_cast<double>(views.size()));
 }
 
-Model withSuspects(const Measurements& measurements, const Model& model, const OpenQuestion& question) {
+Model withSuspects(const Measurements& measurements, const Model& model, const ModelAmbiguity& question) {
   Model result = model;
   const std::vector<Term> terms = candidateTerms(measurements, question.effects);
-  for (const Suspect& suspect : question.suspects) {
+  for (const Hypothesis& suspect : question.suspects) {
     const auto term =
         std::find_if(terms.begin(), terms.end(), [&](const Term& each) { return each.label() == suspect.label; });
     if (term == terms.end()) {
@@ -216,8 +216,8 @@ PoseInformation informationOf(PoseSystem pose, const Noise& noise, double sample
 }
 
 PlannedInformation plannedInformation(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                      const FittedModel& fit, const OpenQuestion& question,
-                                      const std::vector<Surroundings>& around, const std::vector<ProposedPose>& poses,
+                                      const FittedModel& fit, const ModelAmbiguity& question,
+                                      const std::vector<LocalScene>& around, const std::vector<ProposedPose>& poses,
                                       bool samePlace) {
   const Measurements extended =
       measurementsOf(withPlanned(sets, measurements.robot, poses), measurements.robot, samePlace);
@@ -267,29 +267,29 @@ template <typename Numbers> Placement onFloor(const Numbers& numbers) {
 
 } // namespace
 
-std::vector<Surroundings> surroundings(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                       const Model& model, const Eigen::VectorXd& unknowns) {
+std::vector<LocalScene> surroundings(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                     const Model& model, const Eigen::VectorXd& unknowns) {
   const std::size_t lastSet = sets.size() - 1;
-  std::map<SupportFoot, const Picture*> latest; // per foot
+  std::map<SupportFoot, const ImageObservation*> latest; // per foot
   std::set<std::size_t> seen;
-  for (const Picture& picture : measurements.pictures) {
+  for (const ImageObservation& picture : measurements.pictures) {
     const SupportFoot foot =
         picture.instant.supportFoot == SupportFoot::both ? SupportFoot::left : picture.instant.supportFoot;
     if (picture.set != lastSet || foot == SupportFoot::none) {
       continue;
     }
-    const Picture*& last = latest[foot];
+    const ImageObservation*& last = latest[foot];
     last = !last || last->instant.time < picture.instant.time ? &picture : last;
-    for (const Sighting& sighting : picture.sightings) {
+    for (const BoardObservation& sighting : picture.sightings) {
       if (measurements.targets[sighting.view.board()].onFloor) {
         seen.insert(sighting.view.board());
       }
     }
   }
-  std::vector<Surroundings> result;
+  std::vector<LocalScene> result;
   for (const auto& [foot, picture] : latest) {
-    const Belief belief = believed(measurements, model, *picture, unknowns);
-    Surroundings here{foot, onFloor(belief.ground()), {}};
+    const ModelState belief = believed(measurements, model, *picture, unknowns);
+    LocalScene here{foot, onFloor(belief.ground()), {}};
     for (const std::size_t target : seen) {
       Board board = measurements.targets[target].board; // its id as in its set
       board.placement = seenFrom(here.sole, onFloor(belief.boardPlacement(target)));

@@ -18,15 +18,15 @@ Eigen::VectorXd randomApproach(const Robot& robot, std::mt19937_64& random);
 bool looksAtApproach(const Model& model);
 
 /// Where a robot stood last and what lies around it, by a fit: where it would take further poses.
-struct Surroundings {
+struct LocalScene {
   SupportFoot supportFoot = SupportFoot::left;
   Placement sole;            // in the fit's world
   std::vector<Board> boards; // on the floor, seen in the last set; placements in the sole's frame
 };
 
 /// One for each foot that the last set stands on (of both feet, the left one); none where no board lies on the floor.
-std::vector<Surroundings> surroundings(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                       const Model& model, const Eigen::VectorXd& unknowns);
+std::vector<LocalScene> surroundings(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                     const Model& model, const Eigen::VectorXd& unknowns);
 
 /// The sets with captures of planned poses behind the last one's, as if they had been taken after it: the boards lie
 /// where they lay, the robot stands anew on each foot; every camera takes one picture a pose, and joints read what they
@@ -35,7 +35,7 @@ std::vector<CaptureSet> withPlanned(const std::vector<CaptureSet>& sets, const R
                                     const std::vector<ProposedPose>& poses);
 
 /// What a camera sees, corners' pixels nothing.
-std::vector<BoardCorners> seenBy(const std::string& camera, const std::vector<Sight>& sights);
+std::vector<BoardCorners> seenBy(const std::string& camera, const std::vector<VisibleBoard>& sights);
 
 /// The name of a planned pose's captures.
 std::string plannedName(std::size_t pose);
@@ -47,7 +47,7 @@ int plannedStance(const std::vector<CaptureSet>& sets, SupportFoot foot);
 /// where they were sent; their sights so.
 std::vector<ProposedPose> feasibleByFit(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                                         const Model& model, const Eigen::VectorXd& unknowns,
-                                        const std::vector<Surroundings>& around, std::vector<ProposedPose> poses);
+                                        const std::vector<LocalScene>& around, std::vector<ProposedPose> poses);
 
 /// A pose's information about the unknowns that it depends on, its joints' deflections eliminated.
 struct PoseInformation {
@@ -76,14 +76,14 @@ struct PlannedInformation {
 
 /// The measurement model linearised at the fit, for captures and planned poses (withPlanned); suspects absent.
 PlannedInformation plannedInformation(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                      const FittedModel& fit, const OpenQuestion& question,
-                                      const std::vector<Surroundings>& around, const std::vector<ProposedPose>& poses,
+                                      const FittedModel& fit, const ModelAmbiguity& question,
+                                      const std::vector<LocalScene>& around, const std::vector<ProposedPose>& poses,
                                       bool samePlace);
 
 /// Pictures per pose and camera.
 double samplesOf(const Measurements& measurements);
 
 /// The model with the suspects behind its own unknowns.
-Model withSuspects(const Measurements& measurements, const Model& model, const OpenQuestion& question);
+Model withSuspects(const Measurements& measurements, const Model& model, const ModelAmbiguity& question);
 
 } // namespace naocal

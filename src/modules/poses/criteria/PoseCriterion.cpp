@@ -19,8 +19,8 @@ constexpr double softness = 4;
 
 } // namespace
 
-PoseJudge::PoseJudge(const Robot& robot, const Scene& scene, std::vector<std::size_t> joints, Criterion criterion,
-                     bool known)
+PoseCriterion::PoseCriterion(const Robot& robot, const PlanningScene& scene, std::vector<std::size_t> joints,
+                             Criterion criterion, bool known)
     : prior_{scene.priorInformation()}, joints_{std::move(joints)}, criterion_{criterion} {
   if (!known) {
     order_.resize(static_cast<std::size_t>(prior_.rows()) - robot.joints.size());
@@ -29,11 +29,11 @@ PoseJudge::PoseJudge(const Robot& robot, const Scene& scene, std::vector<std::si
   order_.insert(order_.end(), joints_.begin(), joints_.end());
 }
 
-Eigen::MatrixXd PoseJudge::part(const Eigen::MatrixXd& information) const {
+Eigen::MatrixXd PoseCriterion::part(const Eigen::MatrixXd& information) const {
   return information(order_, order_);
 }
 
-Eigen::MatrixXd PoseJudge::covariance(const Eigen::MatrixXd& sum) const {
+Eigen::MatrixXd PoseCriterion::covariance(const Eigen::MatrixXd& sum) const {
   // The offsets stand last: their block of L is the root of what is known of them with all else unknown.
   const auto count = static_cast<Eigen::Index>(joints_.size());
   const Eigen::LLT<Eigen::MatrixXd> factor{sum};
@@ -42,7 +42,7 @@ Eigen::MatrixXd PoseJudge::covariance(const Eigen::MatrixXd& sum) const {
   return inverse.transpose() * inverse;
 }
 
-double PoseJudge::operator()(const Eigen::MatrixXd& information) const {
+double PoseCriterion::operator()(const Eigen::MatrixXd& information) const {
   const Eigen::MatrixXd covariance = this->covariance(information);
   switch (criterion_) {
   case Criterion::determinant:
@@ -65,7 +65,7 @@ double PoseJudge::operator()(const Eigen::MatrixXd& information) const {
   return std::pow(sum, 1 / softness);
 }
 
-std::vector<std::size_t> selected(const PoseJudge& judge, const Eigen::MatrixXd& known,
+std::vector<std::size_t> selected(const PoseCriterion& judge, const Eigen::MatrixXd& known,
                                   const std::vector<Eigen::MatrixXd>& candidates, std::size_t count) {
   std::vector<std::size_t> best;
   double least = std::numeric_limits<double>::infinity();

@@ -16,7 +16,7 @@ enum class Criterion {
   eigenvalue,   // E: the worst direction's variance
   worst,        // the worst joint's variance (smoothly: a norm), be cameras and boards unknown or, 3.4 times, known
   interaction,  // the thesis's: what looks alike to the cameras (poses/Interaction.hpp)
-  discriminate, // what leaves open which of two effects is there (poses/TellingApart.hpp)
+  discriminate, // what leaves open which of two effects is there (poses/EffectPairCriterion.hpp)
   time          // the seconds that it takes to play poses which reach a sigma that is asked for
 };
 constexpr std::array<std::string_view, 7> criterionNames{"D", "A", "E", "worst", "thesis", "discriminate", "time"};
@@ -26,11 +26,11 @@ constexpr std::string_view name(Criterion criterion) {
 
 /// Judges information about a scene's unknowns (Scene::information) by the offsets of some joints; cameras and boards
 /// are unknown along with them.
-class PoseJudge {
+class PoseCriterion {
 public:
   /// `joints`: of the robot's, those whose pictures depend on them. `known`: where cameras and boards are is known.
-  PoseJudge(const Robot& robot, const Scene& scene, std::vector<std::size_t> joints, Criterion criterion,
-            bool known = false);
+  PoseCriterion(const Robot& robot, const PlanningScene& scene, std::vector<std::size_t> joints, Criterion criterion,
+                bool known = false);
 
   /// The part that matters: what is unknown beside the offsets, then these.
   Eigen::MatrixXd part(const Eigen::MatrixXd& information) const;
@@ -44,8 +44,8 @@ public:
   const std::vector<std::size_t>& joints() const { return joints_; }
 
   /// The same unknowns judged otherwise.
-  PoseJudge by(Criterion criterion) const {
-    PoseJudge result = *this;
+  PoseCriterion by(Criterion criterion) const {
+    PoseCriterion result = *this;
     result.criterion_ = criterion;
     return result;
   }
@@ -59,7 +59,7 @@ private:
 
 /// Picks `count` (at most all) of the candidates, given by their parts, beside what is `known`: greedily by each
 /// criterion in turn, then by exchange; the best of these. Indices.
-std::vector<std::size_t> selected(const PoseJudge& judge, const Eigen::MatrixXd& known,
+std::vector<std::size_t> selected(const PoseCriterion& judge, const Eigen::MatrixXd& known,
                                   const std::vector<Eigen::MatrixXd>& candidates, std::size_t count);
 
 } // namespace naocal

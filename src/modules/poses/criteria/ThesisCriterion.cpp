@@ -49,16 +49,16 @@ FloorSensor::FloorSensor(const Robot& robot, const Sole& support,
   }
 }
 
-RigidTransform FloorSensor::opticalFromSole(const Eye& eye, const Posture& torsoFromLink) const {
+RigidTransform FloorSensor::opticalFromSole(const Eye& eye, const LinkPoses& torsoFromLink) const {
   const CameraMount& mount = robot_.cameras[eye.camera];
-  const Belief drawn = drawnBelief(robot_, Quantities{robot_.joints.size(), robot_.lengths.size(), 0});
+  const ModelState drawn = drawnBelief(robot_, StateLayout{robot_.joints.size(), robot_.lengths.size(), 0});
   return (torsoFromLink[mount.link] * linkFromOptical(mount, drawn)).inverse() * torsoFromLink[sole_];
 }
 
 Eigen::MatrixXd FloorSensor::observation(const Eigen::VectorXd& angles) const {
   constexpr double little = 1e-3; // [rad]
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(at(3 * eyes_.size()), at(joints_.size()));
-  const Posture here = posture(robot_, angles);
+  const LinkPoses here = posture(robot_, angles);
   for (std::size_t i = 0; i < eyes_.size(); ++i) {
     const auto& [camera, lens, weight] = eyes_[i];
     const RigidTransform view = opticalFromSole(eyes_[i], here);
@@ -114,18 +114,19 @@ Eigen::ArrayXd jointInteraction(const Eigen::MatrixXd& observation) {
   });
 }
 
-InteractionJudge::InteractionJudge(const Eigen::VectorXd& jointWeights)
+InteractionCriterion::InteractionCriterion(const Eigen::VectorXd& jointWeights)
     : weights_{perPair(jointWeights.size(),
                        [&](Eigen::Index a, Eigen::Index b) { return jointWeights[a] * jointWeights[b]; })} {
   weights_ /= weights_.sum();
 }
 
-Interaction InteractionJudge::operator()(const Eigen::ArrayXd& product) const {
+Interaction InteractionCriterion::operator()(const Eigen::ArrayXd& product) const {
   constexpr double toldApart = 0.01;
   return {(weights_ * product).sum(), static_cast<std::size_t>((product > toldApart).count())};
 }
 
-std::vector<std::size_t> InteractionJudge::chain(const std::vector<Eigen::ArrayXd>& poses, std::size_t count) const {
+std::vector<std::size_t> InteractionCriterion::chain(const std::vector<Eigen::ArrayXd>& poses,
+                                                     std::size_t count) const {
   std::vector<std::size_t> chosen;
   Eigen::ArrayXd product = Eigen::ArrayXd::Ones(weights_.size());
   double cost = 1;
@@ -164,13 +165,13 @@ Eigen::VectorXd jointWeights(const Robot& robot, const std::vector<std::size_t>&
 
 } // namespace
 
-ThesisSelection::ThesisSelection(const Robot& robot, const Sole& support,
+ThesisCriterion::ThesisCriterion(const Robot& robot, const Sole& support,
                                  const std::map<std::string, CameraIntrinsics>& cameras,
                                  const std::vector<std::size_t>& joints, const std::map<std::string, double>& weights)
     : sensor_{robot, support, cameras, joints, weights}, judge_{jointWeights(robot, joints, weights)},
       angles_{at(robot.joints.size())} {}
 
-std::vector<Eigen::ArrayXd> ThesisSelection::interactions(const std::vector<SievedPose>& poses) const {
+std::vector<Eigen::ArrayXd> ThesisCriterion::interactions(const std::vector<ValidPose>& poses) const {
   std::vector<Eigen::ArrayXd> result(poses.size());
   inParallel(poses.size(), [&](std::size_t i) {
     result[i] = jointInteraction(sensor_.observation(poses[i].belief.values.head(angles_)));
@@ -178,7 +179,7 @@ std::vector<Eigen::ArrayXd> ThesisSelection::interactions(const std::vector<Siev
   return result;
 }
 
-Interaction ThesisSelection::interaction(const std::vector<SievedPose>& poses) const {
+Interaction ThesisCriterion::interaction(const std::vector<ValidPose>& poses) const {
   const std::vector<Eigen::ArrayXd> all = interactions(poses);
   Eigen::ArrayXd product = all.front();
   for (std::size_t i = 1; i < all.size(); ++i) {
@@ -187,7 +188,7 @@ Interaction ThesisSelection::interaction(const std::vector<SievedPose>& poses) c
   return judge_(product);
 }
 
-std::vector<std::size_t> ThesisSelection::chain(const std::vector<SievedPose>& poses, std::size_t count) const {
+std::vector<std::size_t> ThesisCriterion::chain(const std::vector<ValidPose>& poses, std::size_t count) const {
   return judge_.chain(interactions(poses), count);
 }
 

@@ -13,9 +13,9 @@
 namespace naocal {
 
 /// What is observed of a robot in a pose when its joints turn a little: any n numbers per radian, by m joints.
-class Sensor {
+class PoseSensor {
 public:
-  virtual ~Sensor() = default;
+  virtual ~PoseSensor() = default;
 
   /// Angles per joint of the drawing [rad].
   virtual Eigen::MatrixXd observation(const Eigen::VectorXd& angles) const = 0;
@@ -25,7 +25,7 @@ public:
 /// moves the picture of the floor almost rigidly, by (t_x, t_y, r_z) about the picture's middle. Three rows per camera,
 /// all in pixels: the turn is that of a point half a picture's width off the middle. Lenses without distortion. A
 /// camera that has no floor in sight observes nothing: zeros.
-class FloorSensor : public Sensor {
+class FloorSensor : public PoseSensor {
 public:
   /// `joints`: motors; `weights`: how much a camera's rows count, 1 where it has none.
   FloorSensor(const Robot& robot, const Sole& support, const std::map<std::string, CameraIntrinsics>& cameras,
@@ -39,7 +39,7 @@ private:
     CameraIntrinsics lens;
     double weight;
   };
-  RigidTransform opticalFromSole(const Eye& eye, const Posture& torsoFromLink) const;
+  RigidTransform opticalFromSole(const Eye& eye, const LinkPoses& torsoFromLink) const;
 
   const Robot& robot_;
   std::size_t sole_; // link
@@ -62,10 +62,10 @@ struct Interaction {
 };
 
 /// Judges pose-pose interaction (thesis 4.5): the product, pair by pair, of the poses' joint-joint interactions.
-class InteractionJudge {
+class InteractionCriterion {
 public:
   /// `jointWeights`: how much each joint matters; a pair's weight is the product of its joints'.
-  explicit InteractionJudge(const Eigen::VectorXd& jointWeights);
+  explicit InteractionCriterion(const Eigen::VectorXd& jointWeights);
 
   Interaction operator()(const Eigen::ArrayXd& product) const;
 
@@ -78,21 +78,21 @@ private:
 };
 
 /// The thesis's way to select poses, by what looks alike to the cameras over the floor.
-class ThesisSelection {
+class ThesisCriterion {
 public:
   /// `joints`: motors whose turns are to be told apart; `weights`: of joints and cameras by name, 1 where it has none.
-  ThesisSelection(const Robot& robot, const Sole& support, const std::map<std::string, CameraIntrinsics>& cameras,
+  ThesisCriterion(const Robot& robot, const Sole& support, const std::map<std::string, CameraIntrinsics>& cameras,
                   const std::vector<std::size_t>& joints, const std::map<std::string, double>& weights);
 
-  Interaction interaction(const std::vector<SievedPose>& poses) const;
-  /// InteractionJudge::chain.
-  std::vector<std::size_t> chain(const std::vector<SievedPose>& poses, std::size_t count) const;
+  Interaction interaction(const std::vector<ValidPose>& poses) const;
+  /// InteractionCriterion::chain.
+  std::vector<std::size_t> chain(const std::vector<ValidPose>& poses, std::size_t count) const;
 
 private:
-  std::vector<Eigen::ArrayXd> interactions(const std::vector<SievedPose>& poses) const;
+  std::vector<Eigen::ArrayXd> interactions(const std::vector<ValidPose>& poses) const;
 
   FloorSensor sensor_;
-  InteractionJudge judge_;
+  InteractionCriterion judge_;
   Eigen::Index angles_; // per pose
 };
 
