@@ -43,7 +43,7 @@ struct Thread {
   }
   std::vector<std::string> kept() const {
     std::vector<std::string> kinds;
-    for (const auto& [kind, message] : desks.latest()) {
+    for (const auto& [kind, message] : slot.latest()) {
       if (kind != "work") {
         kinds.push_back(kind);
       }
@@ -54,11 +54,11 @@ struct Thread {
   std::mutex mutex;
   std::deque<std::function<void()>> waiting;
   std::vector<std::string> told;
-  AnalysisSlot desks{[this](std::function<void()> action) {
-                       const std::lock_guard lock{mutex};
-                       waiting.push_back(std::move(action));
-                     },
-                     [this](const Message& message) { told.push_back(Json::parse(*message.bytes)["kind"]); }};
+  AnalysisSlot slot{[this](std::function<void()> action) {
+                      const std::lock_guard lock{mutex};
+                      waiting.push_back(std::move(action));
+                    },
+                    [this](const Message& message) { told.push_back(Json::parse(*message.bytes)["kind"]); }};
 };
 
 /// A few captures of a simulated robot.
@@ -73,7 +73,7 @@ void writeCaptures(const std::filesystem::path& folder) {
 
 TEST_CASE("who comes later is told what is true of the present fit, in the order in which it was told") {
   // Proves that opening returns at once and its captures come later, that what was said of a fit goes with it, and that
-  // what cannot be opened is told and leaves the desk as it is.
+  // what cannot be opened is told and leaves what is open as it is.
   const TemporaryFolder folder;
   writeCaptures(folder.path() / "few");
   Thread thread;
@@ -82,20 +82,20 @@ TEST_CASE("who comes later is told what is true of the present fit, in the order
     problem = why;
     thread.told.emplace_back("refused");
   };
-  thread.desks.open({(folder.path() / "few").string()}, refused);
-  CHECK(thread.desks.worker() == nullptr);
+  thread.slot.open({(folder.path() / "few").string()}, refused);
+  CHECK(thread.slot.worker() == nullptr);
   REQUIRE(thread.until("questions"));
   CHECK(thread.kept() == std::vector<std::string>{"set", "fit", "ladder", "questions"});
-  thread.desks.worker()->drop("jointOffset@HeadYaw");
+  thread.slot.worker()->drop("jointOffset@HeadYaw");
   REQUIRE(thread.until("fit"));
   CHECK(thread.kept() == std::vector<std::string>{"set", "ladder", "fit"});
   REQUIRE(thread.until("questions"));
 
-  const AnalysisWorker* const desk = thread.desks.worker();
-  thread.desks.open({(folder.path() / "none").string()}, refused);
+  const AnalysisWorker* const worker = thread.slot.worker();
+  thread.slot.open({(folder.path() / "none").string()}, refused);
   REQUIRE(thread.until("refused"));
   CHECK_FALSE(problem.empty());
-  CHECK(thread.desks.worker() == desk);
+  CHECK(thread.slot.worker() == worker);
 }
 
 TEST_CASE("why there is no fit at all is told to whoever comes later, until there is one") {
@@ -108,13 +108,13 @@ TEST_CASE("why there is no fit at all is told to whoever comes later, until ther
   Thread thread;
   std::string problem;
   const std::vector<std::string> paths{(folder.path() / "few").string(), (folder.path() / "model.json").string()};
-  thread.desks.open(paths, [&](const std::string& why) { problem = why; });
+  thread.slot.open(paths, [&](const std::string& why) { problem = why; });
   REQUIRE(thread.until("unfitted"));
   CHECK(problem.empty());
   CHECK(thread.kept() == std::vector<std::string>{"set", "unfitted"});
-  CHECK(Json::parse(*thread.desks.latest().back().second.bytes)["sentence"].get<std::string>().find(label) !=
+  CHECK(Json::parse(*thread.slot.latest().back().second.bytes)["sentence"].get<std::string>().find(label) !=
         std::string::npos);
-  thread.desks.worker()->drop(label);
+  thread.slot.worker()->drop(label);
   REQUIRE(thread.until("fit"));
   CHECK(thread.kept() == std::vector<std::string>{"set", "ladder", "fit"});
 }

@@ -35,13 +35,13 @@ void writeSetAndResult(const std::filesystem::path& folder) {
 } // namespace
 
 TEST_CASE("a result is opened with its captures and its model") {
-  // Proves that captures are found beside the result, and that the laboratory begins with the result's model.
+  // Proves that captures are found beside the result, and that the session begins with the result's model.
   const TemporaryFolder folder;
   writeSetAndResult(folder.path());
   std::map<std::string, Json> told;
-  AnalysisSession laboratory{openDataset({(folder.path() / "result.json").string()}),
-                             [&](const std::string& kind, const Json& content) { told[kind] = content; }};
-  laboratory.fit();
+  AnalysisSession session{openDataset({(folder.path() / "result.json").string()}),
+                          [&](const std::string& kind, const Json& content) { told[kind] = content; }};
+  session.fit();
   CHECK(told["fit"]["with"] == Json::array({"elasticity@LKneePitch"}));
   CHECK(told["fit"]["without"] == Json::array({"jointOffset@HeadYaw"}));
   CHECK_FALSE(told["fit"]["pictures"].empty());
@@ -85,9 +85,9 @@ TEST_CASE("a model that was saved is opened with captures") {
                               {"define", {spring}}}
                              .dump());
   std::map<std::string, Json> told;
-  AnalysisSession laboratory{openDataset({model, set}),
-                             [&](const std::string& kind, const Json& content) { told[kind] = content; }};
-  laboratory.fit();
+  AnalysisSession session{openDataset({model, set}),
+                          [&](const std::string& kind, const Json& content) { told[kind] = content; }};
+  session.fit();
   CHECK(told["fit"]["with"] == Json::array({"softness@LKneePitch"}));
   CHECK(told["fit"]["without"] == Json::array({"jointOffset@HeadYaw"}));
   CHECK(told["set"]["own"][0] == spring);
@@ -103,22 +103,22 @@ TEST_CASE("a session is kept as it goes, and gone on from") {
   std::map<std::string, Json> told;
   const auto tell = [&](const std::string& kind, const Json& content) { told[kind] = content; };
   {
-    AnalysisSession laboratory{openSession({set}, file), tell};
-    laboratory.fit();
-    laboratory.add("elasticity@LKneePitch");
-    laboratory.testCandidates();
-    laboratory.add("focalLength@top");
-    laboratory.goTo(1);
+    AnalysisSession session{openSession({set}, file), tell};
+    session.fit();
+    session.add("elasticity@LKneePitch");
+    session.testCandidates();
+    session.add("focalLength@top");
+    session.goTo(1);
   }
   const Json ladder = told["ladder"];
   for (const Dataset& opened : {openDataset({file}), openDataset({file, set}), openSession({set}, file)}) {
     told.clear();
-    AnalysisSession laboratory{opened, tell};
-    laboratory.fit();
+    AnalysisSession session{opened, tell};
+    session.fit();
     CHECK(told["fit"]["with"] == Json::array({"elasticity@LKneePitch"}));
     CHECK(told["ladder"] == ladder);
     CHECK(ladder["rungs"][1].contains("heldOut"));
-    CHECK(Json::parse(laboratory.generateFile("session.json")) == Json::parse(fileContent(file)));
+    CHECK(Json::parse(session.generateFile("session.json")) == Json::parse(fileContent(file)));
   }
   writeAtomically(std::filesystem::path{set} / "captures.json",
                   fileContent(std::filesystem::path{set} / "captures.json") + "\n");

@@ -42,10 +42,10 @@ Said saidAbout(const std::filesystem::path& set, const std::filesystem::path& fo
             .diagnosed = fileContent(file("diagnosed.txt")),
             .resultPage = fileContent(file("result.html")),
             .diagnosisPage = fileContent(file("diagnosis.html"))};
-  AnalysisSession laboratory{openDataset({set.string()}),
-                             [&](const std::string& kind, const Json& content) { said.panel[kind] = content; }};
-  laboratory.fit();
-  laboratory.testCandidates();
+  AnalysisSession session{openDataset({set.string()}),
+                          [&](const std::string& kind, const Json& content) { said.panel[kind] = content; }};
+  session.fit();
+  session.testCandidates();
   return said;
 }
 

@@ -22,10 +22,10 @@ TEST_CASE("the panel says of a robot's recording what the robot said") {
                        diagnosis = nlohmann::json::parse(fileContent(first / "diagnosis.json"));
 
   std::map<std::string, nlohmann::json> panel;
-  AnalysisSession laboratory{openDataset({first.parent_path().string()}),
-                             [&](const std::string& kind, const nlohmann::json& content) { panel[kind] = content; }};
-  laboratory.fit();
-  laboratory.testCandidates();
+  AnalysisSession session{openDataset({first.parent_path().string()}),
+                          [&](const std::string& kind, const nlohmann::json& content) { panel[kind] = content; }};
+  session.fit();
+  session.testCandidates();
   REQUIRE(panel.contains("fit"));
   REQUIRE(panel.contains("questions"));
   const nlohmann::json &fit = panel["fit"], &questions = panel["questions"];

@@ -14,7 +14,6 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <fmt/format.h>
-#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -114,9 +113,10 @@ struct Panel::Implementation {
   void received(std::size_t panel, const std::string& text) {
     std::string problem;
     try {
-      const Json request = wireJson(text);
-      const auto found = handlers().find(request.at("do").get<std::string>());
-      found == handlers().end() ? refuseVerb(request) : found->second(*this, panel, request);
+      const Json body = wireJson(text);
+      const Request request{*this, panel, body};
+      const auto found = handlers().find(request.verb());
+      found == handlers().end() ? request.refuseVerb() : found->second(request);
       return;
     } catch (const Json::exception& error) {
       problem = fmt::format("the bridge did not understand the panel: {}", error.what());
@@ -126,106 +126,96 @@ struct Panel::Implementation {
     refuse(panel, problem);
   }
 
-  using Handler = std::function<void(Implementation& bridge, std::size_t panel, const Json& request)>;
-  using Handlers = std::map<std::string, Handler, std::less<>>;
+  /// What a panel asks for: {"do": verb, ..}.
+  struct Request {
+    Implementation& bridge;
+    std::size_t panel;
+    const Json& body;
 
-  /// Everything that a panel can ask for, by {"do": verb}. Handlers throw InputError for what cannot be done.
+    const Json& at(const char* key) const { return body.at(key); }
+    std::string verb() const { return at("do"); }
+
+    [[noreturn]] void refuseVerb() const {
+      throw InputError{fmt::format("the bridge does not know how to do \"{}\"", verb())};
+    }
+    /// Throws InputError where no captures are open.
+    AnalysisWorker& worker() const {
+      AnalysisWorker* const worker = bridge.analysis.worker();
+      if (!worker) {
+        refuseVerb();
+      }
+      return *worker;
+    }
+    /// Throws InputError where that robot is not connected to.
+    WatchedRobot& robot() const { return bridge.robots.at(at("robot"), verb()); }
+    /// nullptr: the robot has gone, and what was watched of it.
+    WatchedRobot* robotIfThere() const { return bridge.robots.find(at("robot")); }
+
+    /// To this panel, under the request's number.
+    void answer(const char* kind, Json content) const {
+      content["kind"] = kind;
+      content["number"] = at("number");
+      bridge.server.send(panel, makeMessage(wireText(content)));
+    }
+    void open() const {
+      bridge.analysis.open(at("paths"),
+                           [&bridge = bridge, panel = panel](const std::string& why) { bridge.refuse(panel, why); });
+    }
+    void unwatch() const {
+      if (WatchedRobot* const robot = robotIfThere()) {
+        robot->unwatch(panel);
+      }
+    }
+    void unsubscribe() const {
+      if (WatchedRobot* const robot = robotIfThere()) {
+        robot->unsubscribe(at("key"), panel);
+      }
+    }
+    void disconnect() const {
+      robot(); // else there is none to disconnect
+      bridge.robots.disconnect(at("robot"));
+    }
+  };
+
+  /// Everything that a panel can ask for, by its verb.
+  using Handlers = std::map<std::string_view, void (*)(const Request& request)>;
   static const Handlers& handlers() {
     static const Handlers all{
-        // the bridge itself
-        {"open",
-         [](Implementation& bridge, std::size_t panel, const Json& request) {
-           bridge.analysis.open(request.at("paths"),
-                                [&bridge, panel](const std::string& why) { bridge.refuse(panel, why); });
-         }},
-        {"stand", [](Implementation& bridge, std::size_t panel,
-                     const Json& request) { bridge.server.send(panel, makeMessage(bridge.stood(request).dump())); }},
-        {"run",
-         [](Implementation& bridge, std::size_t, const Json& request) { bridge.runner.run(request.at("words")); }},
-        {"endRun", [](Implementation& bridge, std::size_t, const Json&) { bridge.runner.end(); }},
         // captures
+        {"open", [](const Request& request) { request.open(); }},
         {"check",
-         [](Implementation& bridge, std::size_t panel, const Json& request) {
-           Json answer = bridge.worker(request).checkEffect(request.at("effect"));
-           answer["kind"] = "checked";
-           answer["number"] = request.at("number");
-           bridge.server.send(panel, makeMessage(wireText(answer)));
-         }},
-        {"add", [](Implementation& bridge, std::size_t,
-                   const Json& request) { bridge.worker(request).add(request.at("label")); }},
-        {"drop", [](Implementation& bridge, std::size_t,
-                    const Json& request) { bridge.worker(request).drop(request.at("label")); }},
-        {"goTo", [](Implementation& bridge, std::size_t,
-                    const Json& request) { bridge.worker(request).goTo(request.at("rung")); }},
-        {"define", [](Implementation& bridge, std::size_t,
-                      const Json& request) { bridge.worker(request).defineEffect(request.at("effect")); }},
-        {"search",
-         [](Implementation& bridge, std::size_t, const Json& request) { bridge.worker(request).searchMissing(); }},
-        {"cancel",
-         [](Implementation& bridge, std::size_t, const Json& request) { bridge.worker(request).cancelSearch(); }},
-        {"propose", [](Implementation& bridge, std::size_t,
-                       const Json& request) { bridge.worker(request).proposePoses(request.at("count")); }},
-        {"compare", [](Implementation& bridge, std::size_t,
-                       const Json& request) { bridge.worker(request).compareWith(request.at("paths")); }},
-        {"make", [](Implementation& bridge, std::size_t,
-                    const Json& request) { bridge.worker(request).generateFile(request.at("file")); }},
+         [](const Request& request) { request.answer("checked", request.worker().checkEffect(request.at("effect"))); }},
+        {"add", [](const Request& request) { request.worker().add(request.at("label")); }},
+        {"drop", [](const Request& request) { request.worker().drop(request.at("label")); }},
+        {"goTo", [](const Request& request) { request.worker().goTo(request.at("rung")); }},
+        {"define", [](const Request& request) { request.worker().defineEffect(request.at("effect")); }},
+        {"search", [](const Request& request) { request.worker().searchMissing(); }},
+        {"cancel", [](const Request& request) { request.worker().cancelSearch(); }},
+        {"propose", [](const Request& request) { request.worker().proposePoses(request.at("count")); }},
+        {"compare", [](const Request& request) { request.worker().compareWith(request.at("paths")); }},
+        {"make", [](const Request& request) { request.worker().generateFile(request.at("file")); }},
         // robots
-        {"connect",
-         [](Implementation& bridge, std::size_t, const Json& request) { bridge.robots.connect(request.at("robot")); }},
-        {"disconnect",
-         [](Implementation& bridge, std::size_t, const Json& request) {
-           bridge.robot(request);
-           bridge.robots.disconnect(request.at("robot"));
-         }},
-        {"watch",
-         [](Implementation& bridge, std::size_t panel, const Json& request) { bridge.robot(request).watch(panel); }},
-        {"unwatch",
-         [](Implementation& bridge, std::size_t panel, const Json& request) {
-           if (WatchedRobot* const robot = bridge.robots.find(request.at("robot"))) { // else it went with its robot
-             robot->unwatch(panel);
-           }
-         }},
-        {"subscribe", [](Implementation& bridge, std::size_t panel,
-                         const Json& request) { bridge.robot(request).subscribe(request.at("key"), panel); }},
-        {"unsubscribe",
-         [](Implementation& bridge, std::size_t panel, const Json& request) {
-           if (WatchedRobot* const robot = bridge.robots.find(request.at("robot"))) {
-             robot->unsubscribe(request.at("key"), panel);
-           }
-         }},
-        {"keys", [](Implementation& bridge, std::size_t,
-                    const Json& request) { bridge.robot(request).requestKeys(request.at("mount")); }},
-        {"set", [](Implementation& bridge, std::size_t,
-                   const Json& request) { bridge.robot(request).set(request.at("settings")); }},
-        {"save", [](Implementation& bridge, std::size_t, const Json& request) { bridge.robot(request).save(); }},
+        {"connect", [](const Request& request) { request.bridge.robots.connect(request.at("robot")); }},
+        {"disconnect", [](const Request& request) { request.disconnect(); }},
+        {"watch", [](const Request& request) { request.robot().watch(request.panel); }},
+        {"unwatch", [](const Request& request) { request.unwatch(); }},
+        {"subscribe", [](const Request& request) { request.robot().subscribe(request.at("key"), request.panel); }},
+        {"unsubscribe", [](const Request& request) { request.unsubscribe(); }},
+        {"keys", [](const Request& request) { request.robot().requestKeys(request.at("mount")); }},
+        {"set", [](const Request& request) { request.robot().set(request.at("settings")); }},
+        {"save", [](const Request& request) { request.robot().save(); }},
+        {"stand", [](const Request& request) { request.answer("stand", request.bridge.stood(request.at("angles"))); }},
+        // the terminal's commands
+        {"run", [](const Request& request) { request.bridge.runner.run(request.at("words")); }},
+        {"endRun", [](const Request& request) { request.bridge.runner.end(); }},
     };
     return all;
   }
 
-  [[noreturn]] static void refuseVerb(const Json& request) {
-    throw InputError{fmt::format("the bridge does not know how to do \"{}\"", request.at("do").get<std::string>())};
-  }
-
-  /// Throws InputError where no captures are open.
-  AnalysisWorker& worker(const Json& request) const {
-    AnalysisWorker* const worker = analysis.worker();
-    if (!worker) {
-      refuseVerb(request);
-    }
-    return *worker;
-  }
-
-  /// Throws InputError where that robot is not connected to.
-  WatchedRobot& robot(const Json& request) const { return robots.at(request.at("robot"), request.at("do")); }
-
-  /// How a robot would stand: {"angles": by joint or in HULKs' order [rad]} answered with "stand" and its number.
-  Json stood(const Json& request) const {
-    const Json& given = request.at("angles");
+  /// How a robot would stand at angles, by joint or in HULKs' order [rad]; empty where they are none.
+  Json stood(const Json& given) const {
     const auto angles = given.is_array() ? parseOrderedAngles(given, drawing) : parseNamedAngles(given, drawing);
-    Json answer = angles ? RobotOutline{drawing, *angles}.toJson({}) : Json::object();
-    answer["kind"] = "stand";
-    answer["number"] = request.at("number");
-    return answer;
+    return angles ? RobotOutline{drawing, *angles}.toJson({}) : Json::object();
   }
 
   const Robot drawing = loadRobot(configurationDirectory(), "V6");

@@ -24,7 +24,7 @@ public:
   /// The robot's list of captures, [{"number", "pose", "camera", "round"}]; a shorter or another one is of a new
   /// calibration. Throws Json::exception for anything else. True: there are other pictures than before.
   bool onCaptures(const nlohmann::json& captures, std::uint64_t timestamp);
-  /// A camera's live picture ("top", "bottom"; time as in `told` [ms]). True: it is a capture's.
+  /// A camera's live picture ("top", "bottom"; time as in `onCaptures` [ms]). True: it is a capture's.
   bool onImage(const std::string& camera, std::uint64_t timestamp, std::string_view file);
 
   /// Which calibration it is, counted, and whose captures (by their place in the robot's list) have pictures.

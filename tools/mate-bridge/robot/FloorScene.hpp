@@ -70,8 +70,8 @@ class FloorBoardTracker {
 public:
   explicit FloorBoardTracker(std::vector<Board> boards) : boards_{std::move(boards)} {}
 
-  /// Takes a view of a board in; afterwards `predicted` tells where these corners should have been [px]. Empty: the
-  /// picture does not tell where it lies (a corner above the horizon), or there is no such board or corner.
+  /// Takes a view of a board in and returns where these corners should have been [px]. Empty: the picture does not tell
+  /// where it lies (a corner above the horizon), or there is no such board or corner.
   std::vector<Eigen::Vector2d> update(const BoardCorners& seen, const CameraView& eye);
 
   /// For a plan: [{"id", "columns", "rows", "square", "x", "y", "yaw"}] of those seen so far [m, rad].

@@ -72,7 +72,7 @@ public:
   /// them: its secret.
   bool authenticate(const std::string& settings);
 
-  /// Ends both connections, so that the robot does what was left with it as a last will, until `wake`.
+  /// Ends both connections, so that the robot does what was left with it as a last will, until `resume`.
   void suspend();
   void resume();
 

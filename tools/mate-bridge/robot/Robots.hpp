@@ -68,7 +68,7 @@ public:
   /// A panel has gone.
   void removePanel(std::size_t panel);
 
-  /// Leaves the robot alone until `wake`.
+  /// Leaves the robot alone until `resume`.
   void suspend() { link_->suspend(); }
   void resume() { link_->resume(); }
 

@@ -13,8 +13,6 @@ class io_context;
 
 namespace naocal {
 
-class RequestGuard;
-
 /// What a path is answered with.
 struct HttpReply {
   unsigned status = 200;
