@@ -1,6 +1,6 @@
 #pragma once
 
-#include "server/TemporaryDirectory.hpp"
+#include "io/Files.hpp"
 
 #include <memory>
 #include <string>

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -113,6 +114,19 @@ std::string sha256(std::string_view content) {
     text += fmt::format("{:02x}", digest[i]);
   }
   return text;
+}
+
+TemporaryDirectory::TemporaryDirectory(const std::filesystem::path& parent) {
+  std::string name = (parent / "naocal-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) {
+    throw InputError{"no temporary folder could be made; is the disk full?"};
+  }
+  path_ = name;
+}
+
+TemporaryDirectory::~TemporaryDirectory() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
 }
 
 } // namespace naocal

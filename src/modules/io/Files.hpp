@@ -15,4 +15,18 @@ void writeAtomically(const std::filesystem::path& file, std::string_view content
 /// Lower-case hexadecimal SHA-256.
 std::string sha256(std::string_view content);
 
+/// RAII temporary directory, mode 0700. Throws InputError where none can be made.
+class TemporaryDirectory {
+public:
+  explicit TemporaryDirectory(const std::filesystem::path& parent = std::filesystem::temp_directory_path());
+  ~TemporaryDirectory();
+  TemporaryDirectory(const TemporaryDirectory&) = delete;
+  TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+private:
+  std::filesystem::path path_;
+};
+
 } // namespace naocal

@@ -12,7 +12,6 @@
 #include "io/InputError.hpp"
 #include "poses/PoseFile.hpp"
 #include "report/ReportPage.hpp"
-#include "server/TemporaryDirectory.hpp"
 
 #include <algorithm>
 #include <filesystem>
