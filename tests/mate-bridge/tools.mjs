@@ -4,7 +4,7 @@
 import {chmodSync, existsSync, readFileSync, readdirSync, readlinkSync, writeFileSync} from "node:fs";
 import {spawn} from "node:child_process";
 import {join} from "node:path";
-import {tools, check, panelOf, folder, quietPage, portrait, end} from "./browser.mjs";
+import {tools, check, happens, panelOf, folder, quietPage, portrait, end} from "./browser.mjs";
 
 const [, , bridge, modules, pictures] = process.argv;
 const {launch, axe} = tools(modules), here = folder();
@@ -32,8 +32,7 @@ await page.screenshot({path: join(here, "a robot", "kept.png")}); // a picture t
 set.captures[0].image = "kept.png";
 writeFileSync(setFile, JSON.stringify(set));
 await page.getByRole("button", {name: /^Open /}).click();
-await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor({timeout: 60000});
-check(true, "they are opened by a click");
+await happens(page.getByRole("heading", {name: "Where the prediction fails"}).waitFor({timeout: 60000}), "they are opened by a click");
 const kept = await page.evaluate(id => fetch("picture/" + encodeURIComponent("a robot") + "/" + id).then(answer => answer.status), set.captures[0].id);
 check(kept === 200, "pictures of a set whose name has a space are shown: " + kept);
 
@@ -61,8 +60,7 @@ await click("Run");
 await page.waitForFunction(() => /^naocal solve .*finished/.test(document.getElementById("toolStatus")?.textContent), null, {timeout: 120000});
 await portrait(page, axe, pictures, "tools-solve");
 await click("Open " + join(here, "result.json"));
-await page.getByRole("button", {name: "remove focalLength@top"}).waitFor({timeout: 60000});
-check(true, "a result that was solved for is opened by a click, with its model");
+await happens(page.getByRole("button", {name: "remove focalLength@top"}).waitFor({timeout: 60000}), "a result that was solved for is opened by a click, with its model");
 
 await click("Tools");
 await click("Evaluate: next poses");
@@ -77,8 +75,7 @@ check(child && !open.some(one => one.startsWith("socket:")), "a command holds no
 await click("End it");
 await page.getByText("finishes what it has begun").waitFor();
 await click("End it");
-await page.waitForFunction(() => /was ended/.test(document.getElementById("toolStatus")?.textContent), null, {timeout: 30000});
-check(true, "a long command is ended: " + await status.innerText());
+await happens(page.waitForFunction(() => /was ended/.test(document.getElementById("toolStatus")?.textContent), null, {timeout: 30000}), "a long command is ended");
 
 const refused = await page.evaluate(words => new Promise(resolve => {
   const socket = new WebSocket(location.href.replace(/^http/, "ws").replace(/#.*$/, "") + "live");

@@ -1,0 +1,55 @@
+// Saves drawings as pictures and as strokes: every figure has two buttons for that.
+import {Context} from "svgcanvas";
+import {button, download, element} from "naocal/lib/dom.js";
+import {font, onNewFigure} from "naocal/lib/figure.js";
+
+const fileName = label => label.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "").slice(0, 60);
+
+// As SVG: drawn once more, by what writes down each stroke.
+export function svgOf(draw, width, height) {
+  const context = new Context({width, height, document});
+  context.isVector = true;
+  context.font = font;
+  context.__applyText = applyText;
+  draw(context, width, height);
+  return context.getSerializedSvg();
+}
+
+// In place of svgcanvas's own, which reads the font out of an inline style: the page's rules forbid those.
+/** @this {any} */
+function applyText(text, x, y, action) {
+  const parent = this.__closestGroupOrSvg(), [, weight, size, family] = this.font.match(/^(?:(bold) )?([\d.]+px) (.+)$/);
+  const drawn = this.__createElement("text", {"font-family": family, "font-size": size, "font-weight": weight || "normal", x, y,
+    "text-anchor": {center: "middle", right: "end"}[this.textAlign] || "start",
+    "dominant-baseline": {middle: "central", top: "hanging", bottom: "text-after-edge"}[this.textBaseline] || "alphabetic"}, true);
+  drawn.append(text);
+  this.__currentElement = drawn;
+  this.__applyTransformation(drawn);
+  this.__applyStyleToCurrentElement(action);
+  parent.append(drawn);
+}
+
+// The two buttons for a drawing; `canvasOf` gives it as a canvas, `sizeOf` as it is to be drawn again.
+export function saveButtons(label, draw, canvasOf, sizeOf) {
+  const name = fileName(label);
+  return [button("PNG", () => canvasOf().toBlob(blob => download(name + ".png", blob)), {class: "small", "aria-label": "save as PNG: " + label}),
+    button("SVG", () => {
+      const {width, height} = sizeOf();
+      download(name + ".svg", svgOf(draw, width, height), "image/svg+xml");
+    }, {class: "small", "aria-label": "save as SVG: " + label})];
+}
+
+// For a drawing that stands nowhere on the page.
+export const offscreenButtons = (label, draw, {width, height}) => saveButtons(label, draw, () => {
+  const canvas = element("canvas", {width: 2 * width, height: 2 * height}), context = canvas.getContext("2d");
+  context.scale(2, 2);
+  context.font = font;
+  draw(context, width, height);
+  return canvas;
+}, () => ({width, height}));
+
+onNewFigure((frame, {draw, label}) => {
+  const canvas = frame.querySelector("canvas");
+  frame.append(element("div", {class: "save"}, ...saveButtons(label, draw, () => canvas,
+    () => ({width: frame.clientWidth, height: parseFloat(canvas.style.height)}))));
+});

@@ -1,0 +1,34 @@
+// What the bridge has told, and what views share.
+import {send} from "./connection.js";
+
+export const state = {
+  laboratory: false, set: null, ladder: null, fit: null, questions: null, found: null, next: null, compared: null, work: null,
+  earlier: null, // questions as they were answered for the model before
+  unfitted: null, // why there is no fit at all
+  robots: new Map(), // by address: {connected, sentence, list, mounts, keys: Map}
+  /** @type {import("naocal/lib/types.js").Layer} */
+  layer: "reported",
+  chosen: null, // the picture that was clicked on, by capture and set
+};
+
+/** @type {(sentence: string, kind: "problem" | "news") => void} */
+let notify = () => {};
+export const onNotice = listener => { notify = listener; };
+export const notice = sentence => notify(sentence, "problem");
+export const say = sentence => notify(sentence, "news");
+
+// Asks the bridge; false when it is away, which it says.
+export function act(request) {
+  const sent = send(request);
+  if (!sent) notice("The bridge is not connected: nothing was changed. The panel keeps trying.");
+  return sent;
+}
+
+// What a robot last told under each key, and what the bridge worked out of it.
+const known = new Map(); // by robot
+
+export const of = robot => {
+  if (!known.has(robot)) known.set(robot, {values: new Map(), scene: null, before: null, pictures: {series: 0, places: []}});
+  return known.get(robot);
+};
+export const valueOf = (robot, key) => of(robot).values.get(key) ?? null;
