@@ -19,7 +19,7 @@ const statOf = pid => { try { return readFileSync("/proc/" + pid + "/stat", "utf
 await click("Tools");
 await click("Simulate");
 await page.getByLabel("write the captures to").fill(join(here, "a robot"));
-await page.getByLabel("poses, or a plan's file").fill("8");
+await page.getByLabel("number of poses, or a plan file").fill("8");
 await page.getByLabel("hide a flaw in it").check();
 check((await line.innerText()).trim() === "naocal simulate '" + join(here, "a robot") + "' --poses 8 --samples 3 --support left --seed 1 --hidden-flaw", "the line is what one would type: " + await line.innerText());
 await portrait(page, axe, pictures, "tools");
@@ -39,7 +39,7 @@ check(kept === 200, "pictures of a set whose name has a space are shown: " + kep
 await click("Tools");
 await click("Plan poses");
 await page.getByLabel("write the plan to").fill(join(here, "poses.json"));
-await page.getByLabel("chosen among").fill("20000");
+await page.getByLabel("candidate poses").fill("20000");
 await page.getByLabel("poses", {exact: true}).fill("5");
 await click("Run");
 await page.waitForFunction(() => /^naocal poses .*finished/.test(document.getElementById("toolStatus")?.textContent), null, {timeout: 120000});

@@ -1,4 +1,4 @@
-// The connection to the bridge in the header, and what is said when it goes.
+// Connection status in the header, and the notice when the bridge is gone.
 import {at} from "naocal/lib/dom.js";
 import {notice, state} from "./core/state.js";
 import {refreshStop} from "./robots/controls.js";
@@ -6,7 +6,7 @@ import {bridgeLost} from "./robots/robots.js";
 
 let wasConnected = false, lostAt = null, saidSo = false;
 
-// `gone`: called once when it has gone.
+// `gone`: called once per loss of connection.
 export function showLink(connected, gone) {
   at("link").textContent = connected ? "bridge" : "bridge away";
   at("link").className = connected ? "" : "gone";
@@ -26,7 +26,7 @@ export function showLink(connected, gone) {
   wasConnected = connected;
 }
 
-// A bridge that was started anew has another token, and mostly another port: this page cannot reach it any more.
+// A restarted bridge has another token and usually another port: this page cannot reach it.
 async function otherBridge() {
   const answer = await fetch(location.pathname).catch(() => null);
   if (saidSo || (answer && answer.ok)) return;

@@ -1,9 +1,9 @@
-// Tools: the terminal's commands, with the words that one would type there.
+// Tools: runs the terminal's commands and shows the command line.
 import {button, element, empty} from "naocal/lib/dom.js";
 import {on} from "./core/connection.js";
 import {act} from "./core/state.js";
 
-// A field: `flag` before it (none: it stands alone), `value` to begin with; `options` to choose from, `check`: with or without.
+// A field: `flag` (none: a positional argument), `value` (initial), `options` (a choice), `check` (a switch), `opens` (the panel can open it).
 const modelFields = [{flag: "--with", label: "add effects", value: ""}, {flag: "--without", label: "leave effects out", value: ""}, {flag: "--model", label: "model file", value: ""},
   {flag: "--same-place", label: "boards and stances of equal names are at the same place in all sets", check: true}, {flag: "--skip-bad", label: "skip unusable captures", check: true}];
 const commands = [
@@ -46,7 +46,7 @@ on("errand", message => { told = message; fresh(); });
 const keyOf = field => chosen.name + "/" + field.label;
 const valueOf = field => typed.get(keyOf(field)) ?? (field.check ? false : field.options ? field.options[0] : field.value);
 
-// What one would type: options that stand as they are by default are said, too.
+// Words of the command line, defaults included.
 function wordsNow() {
   const words = [...chosen.words];
   for (const field of chosen.fields) {
@@ -96,7 +96,7 @@ export function showTools(parent) {
   fresh();
 }
 
-// What the last command wrote or filled, and that can be opened here.
+// Path that the last command wrote and the panel can open.
 function placeWritten(words) {
   const command = commands.find(one => one.words.every((word, i) => words[i] === word)), field = command?.fields.find(({opens}) => opens);
   return field && (field.flag ? words[words.indexOf(field.flag) + 1] : words[command.words.length]);

@@ -1,4 +1,4 @@
-// Puts the panel together: views, tabs, keys, what the bridge tells.
+// The panel: views, tabs, keys, messages of the bridge.
 import "./core/theme.js";
 import {at, button, element, empty} from "naocal/lib/dom.js";
 import {waitingWords} from "naocal/lib/format.js";
@@ -23,7 +23,7 @@ import {leaveLive, onMessage as onLiveMessage, showLive} from "./robots/live.js"
 import {onMessage as onRobotMessage, selectedRobot} from "./robots/robots.js";
 
 
-// `kinds`: after which messages a view is drawn anew; `worked`: what changes when the bridge begins or ends a work.
+// `kinds`: messages after which a view is redrawn; `worked`: called when the bridge begins or ends a task.
 const views = [
   {id: "compare", name: "Compare", show: showCompare, kinds: ["fit"], laboratory: true},
   {id: "learn", name: "Learn", show: showLearn, kinds: ["fit", "questions"], laboratory: true},
@@ -63,7 +63,7 @@ function open() {
   scrollTo(0, 0);
 }
 
-// In a narrow window; the page itself stays where it is.
+// Scrolls the tab strip of a narrow window, not the page.
 function showTab() {
   const strip = at("tabs"), tab = strip.querySelector("[aria-current]");
   if (tab) strip.scrollLeft += tab.getBoundingClientRect().left - strip.getBoundingClientRect().left - (strip.clientWidth - tab.clientWidth) / 2;
@@ -86,10 +86,10 @@ function draw() {
   if (!at("model").hidden) showModel(at("model"));
 }
 
-// A view that needs the answers for this model, while they are being worked out.
+// The view needs answers for this model that the bridge is still computing.
 const awaitsAnswers = () => Boolean(current && current.laboratory && complete && current.kinds.includes("questions") && !state.questions && !state.unfitted);
 
-// What the model before had stays in sight, dimmed and out of reach, until the answers for this one are there.
+// Shows the previous model's answers, dimmed and inert, until those for this model arrive.
 function showEarlier(view) {
   state.questions = state.earlier;
   try {
@@ -113,7 +113,7 @@ function sayWaiting(note) {
   }, 2000);
 }
 
-// What the laboratory tells; questions belong to the fit before them.
+// Messages about the open captures; questions belong to the fit before them.
 const laboratoryKinds = ["set", "ladder", "fit", "unfitted", "questions", "found", "next", "compared"];
 const forget = kinds => kinds.forEach(kind => { state[kind] = null; });
 for (const kind of laboratoryKinds) {

@@ -1,5 +1,4 @@
-// A result put on a robot, as its own calibration would: it counts at once, and is written into its files only when
-// that is confirmed too.
+// Applies a result to a robot: effective immediately, written to its files after a second confirmation.
 import {button, confirmation, element} from "naocal/lib/dom.js";
 import {number} from "naocal/lib/format.js";
 import {act, say, state} from "../core/state.js";
@@ -11,7 +10,7 @@ let confirming = null; // {what, robot}
 
 const olds = keys => (mp, key) => (keys.get(mp) || []).find(one => one.key === key)?.value;
 
-// What is to be set, beside what the robot has: offsets in degrees, mounts in radians, as HULKs' configuration has them.
+// New and old values: offsets [deg], mounts [rad], as in HULKs' configuration.
 function changesOf({compensation: {offsets, mounts}}, had) {
   const change = (mp, key, value) => ({mp, key, value, old: had(mp, key)});
   const keyOf = joint => joint.charAt(0).toLowerCase() + joint.slice(1);
@@ -32,7 +31,7 @@ function table(changes) {
     element("tr", {}, element("th", {scope: "row"}, key.replace("_ext", " camera (rx ry rz)")), cell(old), cell(value)))));
 }
 
-// What had been there before the last result was put on a robot, for as long as this page is open.
+// Values before the last applied result, until this page is closed.
 const before = new Map(); // settings by robot
 
 function put(robot, changes, words) {

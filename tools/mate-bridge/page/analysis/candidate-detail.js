@@ -1,4 +1,4 @@
-// The candidate that is looked at: what it is, what the captures say of it, and every view of one candidate.
+// The selected candidate: its effect, the verdict, and every view of one candidate.
 import {button, element} from "naocal/lib/dom.js";
 import {chance, detectableWords, percent, short, sizeWords, stateName, stateWords, withUnit} from "naocal/lib/format.js";
 import {views} from "naocal/plots/views.js";

@@ -1,6 +1,6 @@
-// Learn: every effect at every place and the evidence for it.
+// Learn: every effect at every place, with its evidence.
 import {button, csv, download, element, empty} from "naocal/lib/dom.js";
-import {short, sizeWords, stateName, waitingWords} from "naocal/lib/format.js";
+import {short, sizeWords, waitingWords} from "naocal/lib/format.js";
 import {brokenLabel, candidateTable, columns, ofState, stateButtons, stateChip} from "naocal/plots/candidate-table.js";
 import {views} from "naocal/plots/views.js";
 import {candidateDetail} from "./candidate-detail.js";
@@ -56,7 +56,7 @@ function table(chosen, candidates, looked, again) {
     chosen.length > shownFirst ? button(shown.all ? "show fewer" : "show all " + chosen.length, () => { shown.all = !shown.all; again(); }) : null);
 }
 
-// The views of all candidates together; those of one stand beside the table.
+// Views of all candidates together; views of one candidate stand beside the table.
 const together = questions => views.filter(({about, ofCandidate}) => about === "candidates" && !ofCandidate).flatMap(({title, show}) => {
   const parts = show(questions, {});
   return parts ? [element("h2", {}, title), ...parts] : [];
@@ -65,7 +65,7 @@ const together = questions => views.filter(({about, ofCandidate}) => about === "
 function save(candidates) {
   const rows = [["effect", "state", "evidence", "sizes", "p", "predicted fall of chi2", "found fall of chi2", "held-out error before [px]", "held-out error after [px]"]];
   for (const one of candidates) {
-    rows.push([one.label, stateName(one.says ?? one.state), one.evidence, one.sizes.map(sizeWords).join("; "), one.pValue, one.predictedDrop, one.realDrop, one.before, one.after]);
+    rows.push([one.label, one.state, one.evidence, one.sizes.map(sizeWords).join("; "), one.pValue, one.predictedDrop, one.realDrop, one.before, one.after]);
   }
   download("candidates.csv", csv(rows), "text/csv");
 }

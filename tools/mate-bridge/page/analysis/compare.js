@@ -54,7 +54,7 @@ function told({sentence, pairs}, choose) {
 
 const groupOf = picture => [picture.set, picture.pose || picture.capture, picture.camera].join("\n");
 
-// Pictures of one pose and camera stand for each other: the worst, and how many there are.
+// Pictures grouped by pose and camera.
 function byPose(pictures) {
   const groups = new Map();
   for (const picture of pictures) {
@@ -71,7 +71,7 @@ function captures(pictures, again) {
     element("div", {class: "grid"}, ...groups.slice(shown.first, shown.first + perPage).map(group => grouped(group, again)))];
 }
 
-// The picture that was looked at last stays in front.
+// The picture last selected of each group stays in front.
 const inFront = new Map(); // by group: which of its pictures
 function grouped(group, again) {
   const key = groupOf(group[0]);

@@ -1,4 +1,4 @@
-// Files: open other captures, compare with some that were not used, and save what the terminal's commands write.
+// Files: opens captures, compares with others, saves the files of the terminal's commands.
 import {button, csvTable, download, element, renew} from "naocal/lib/dom.js";
 import {px} from "naocal/lib/format.js";
 import {on} from "../core/connection.js";
@@ -16,7 +16,7 @@ const kinds = {
   "poses.json": "the poses suggested in Next poses",
 };
 
-export const make = file => act({do: "make", file});
+export const requestFile = file => act({do: "make", file});
 
 on("made", async ({file}) => {
   const answer = await fetch("made/" + file).catch(() => null);
@@ -32,11 +32,11 @@ export function showFiles(parent) {
     ...(open ? [element("h2", {}, "Compare with captures not used for the calibration"), paths("compare", "path of other captures", typedOthers, value => { typedOthers = value; }, list => act({do: "compare", paths: list}), "Compare"),
       ...(compared ? comparison(compared) : []),
       element("h2", {}, "Save"), element("table", {class: "files"}, element("tbody", {}, element("tr", {}, element("td", {}, button("session.html", saveSession)), element("td", {}, "everything this panel shows, as one page")),
-        ...Object.entries(kinds).map(([file, words]) => element("tr", {}, element("td", {}, button(file, () => make(file))), element("td", {}, words)))))]
+        ...Object.entries(kinds).map(([file, words]) => element("tr", {}, element("td", {}, button(file, () => requestFile(file))), element("td", {}, words)))))]
       : [element("h2", {}, "Save"), element("p", {}, button("session.html", saveSession), " everything this panel shows, as one page")]));
 }
 
-// While the bridge works nothing can be opened or compared.
+// Disabled while the bridge is busy.
 export function filesWorked(parent) {
   for (const go of parent.querySelectorAll("form.paths button")) go.disabled = Boolean(state.work);
 }

@@ -1,4 +1,4 @@
-// The model beside every laboratory view: the ladder of errors, what is in the model, undo, and the search.
+// The model beside every analysis view: ladder of errors, effects, undo, search.
 import {button, csv, download, element, renew} from "naocal/lib/dom.js";
 import {errorLadder} from "naocal/plots/error-ladder.js";
 import {act, state} from "../core/state.js";
@@ -12,7 +12,7 @@ export function showModel(parent) {
   renew(parent, element("h2", {}, "Ladder of errors ", button("CSV", () => saveLadder(ladder), {class: "small", "aria-label": "save as CSV: ladder of errors"})), ladderOf(ladder), historyButtons(ladder), modelOf(fit), search());
 }
 
-// As the library draws it; what is not known of a model yet is null.
+// The library's ladder; unknown numbers are null.
 const ladderOf = ({at, rungs}) => errorLadder(rungs.map(({step, rms, heldOut = null, floor = null, alarm = null}) =>
   ({name: step, rms, heldOut, floor, alarm})), {at, choose: rung => act({do: "goTo", rung})});
 
@@ -27,7 +27,7 @@ function historyButtons({at, rungs}) {
     button("Redo", () => act({do: "goTo", rung: at + 1}), {disabled: at + 1 >= rungs.length, title: "r"}));
 }
 
-// What is in the model; what was added stands first, the base below.
+// Effects of the model: added ones first, the base model below.
 function modelOf(fit) {
   const base = fit.labels.filter(label => !fit.with.includes(label));
   const row = label => element("li", {}, element("span", {}, label),
@@ -49,11 +49,11 @@ function modelOf(fit) {
 }
 let openBase = false;
 
-// What was found is still worth reading while only that was added.
+// The search's finding stays valid while only suggested effects were added.
 const stillTrue = ({with: began, suggested}) => began.every(label => state.fit.with.includes(label)) &&
   state.fit.with.every(label => began.includes(label) || suggested.includes(label));
 
-// Everything that is missing, found by the bridge; added only when the person says so.
+// Automatic search; its suggestions are added by hand.
 function search() {
   const searching = Boolean(state.work && state.work.startsWith("searching"));
   const part = element("div", {class: "search"}, element("h2", {}, "Automatic search"), element("p", {class: "controls"},

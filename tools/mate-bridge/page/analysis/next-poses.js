@@ -1,4 +1,4 @@
-// Next: poses that would best tell what these captures leave open, seen, and played on a robot.
+// Next poses: suggested poses, drawn, saved or played on a robot.
 import {button, choice, confirmation, element, empty, renew} from "naocal/lib/dom.js";
 import {on, send} from "../core/connection.js";
 import {act, say, state, valueOf} from "../core/state.js";
@@ -6,7 +6,7 @@ import {begin, runner} from "../robots/controls.js";
 import {running, stateKey} from "../robots/health.js";
 import {selectedRobot, nameOf, needKeys, robots} from "../robots/robots.js";
 import {standingFigure} from "../robots/stance.js";
-import {make as ask} from "./files.js";
+import {requestFile} from "./files.js";
 
 let count = 4, shown = null, confirming = null, asked = 1e6;
 const stands = new Map(); // by number asked for
@@ -42,7 +42,7 @@ function poseFigure(pose, next) {
     (pose.secondsToReach ? ", reached in " + pose.secondsToReach.toFixed(1) + " s" : "")));
 }
 
-// Its calibration would end for these poses.
+// Playing poses would end a running calibration.
 const calibrates = robot => running(valueOf(robot, stateKey)?.phase ?? "idle");
 const playOn = (robot, words, action) => button(words, action, {class: "main", "data-plays": robot, disabled: calibrates(robot),
   title: "not while " + nameOf(robot) + " calibrates"});
@@ -51,12 +51,12 @@ export function refreshPlay() {
   for (const play of /** @type {NodeListOf<HTMLButtonElement>} */ (document.querySelectorAll("[data-plays]"))) play.disabled = calibrates(play.dataset.plays);
 }
 
-// A robot that takes poses by its socket plays them and records what it sees.
+// A connected robot plays the poses and records captures.
 function playing(next, again) {
   const robot = selectedRobot(), entry = robot && robots.get(robot);
   if (entry && entry.mounts.some(({key}) => key === runner)) needKeys(robot, runner);
   const can = entry && entry.connected && (entry.keys.get(runner) || []).some(({key}) => key === "poses"); // not every robot takes them
-  const save = button("Save poses.json", () => ask("poses.json"));
+  const save = button("Save poses.json", () => requestFile("poses.json"));
   if (!can) return [element("p", {class: "controls"}, save, element("span", {class: "soft"}, "Connect a robot in Calibrate to play these poses, or copy the file to it."))];
   if (confirming !== robot) return [element("p", {class: "controls"}, playOn(robot, "Play on " + nameOf(robot) + " …", () => { confirming = robot; again(); }), save)];
   return [confirmation(

@@ -1,4 +1,4 @@
-// Map: every view of what the model leaves over.
+// Map: every view of the remaining misfit.
 import {button, element, empty} from "naocal/lib/dom.js";
 import {waitingWords} from "naocal/lib/format.js";
 import {views} from "naocal/plots/views.js";

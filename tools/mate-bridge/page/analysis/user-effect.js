@@ -1,4 +1,4 @@
-// Custom effect: a correction of a joint's angle typed as an expression, checked by the bridge as it is typed.
+// Custom effect: a correction of a joint's angle as an expression, checked by the bridge while typing.
 import {button, choice, element, renew} from "naocal/lib/dom.js";
 import {on, send} from "../core/connection.js";
 import {act, state} from "../core/state.js";
@@ -24,7 +24,7 @@ function unknownsOf(text) {
 }
 const effectOf = () => ({name: draft.name, at: draft.at, correction: draft.correction, unknowns: unknownsOf(draft.unknowns)});
 
-// Whether that is the draft as it stands.
+// Whether an effect equals the draft.
 function isDraft({name, at, correction, unknowns}) {
   const typed = effectOf(), wanted = Object.entries(typed.unknowns);
   return name === typed.name && at === typed.at && correction === typed.correction && wanted.length === Object.keys(unknowns).length &&

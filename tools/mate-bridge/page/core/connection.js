@@ -1,4 +1,4 @@
-// The live connection to the bridge: comes back by itself, and says how it stands.
+// Live connection to the bridge; reconnects by itself.
 
 const listeners = new Map();
 let socket, pause = 500;
@@ -13,7 +13,7 @@ export function on(kind, listener) {
 
 const dispatch = (message, more) => (listeners.get(message.kind) || []).forEach(listener => listener(message, more));
 
-// False: there is no connection, so nothing was sent.
+// False: not connected, nothing was sent.
 export function send(request) {
   if (!socket || socket.readyState !== WebSocket.OPEN) return false;
   socket.send(JSON.stringify(request));
@@ -33,7 +33,7 @@ export function connect(changed) {
   };
 }
 
-// A picture: one line of JSON, then the file.
+// A binary message: one line of JSON, then the file.
 function received(bytes) {
   const end = bytes.indexOf(10);
   dispatch(JSON.parse(new TextDecoder().decode(bytes.subarray(0, end))), new Blob([bytes.subarray(end + 1)]));

@@ -1,11 +1,11 @@
-// Saves drawings as pictures and as strokes: every figure has two buttons for that.
+// Saves figures as PNG and SVG.
 import {Context} from "svgcanvas";
 import {button, download, element} from "naocal/lib/dom.js";
 import {font, onNewFigure} from "naocal/lib/figure.js";
 
 const fileName = label => label.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "").slice(0, 60);
 
-// As SVG: drawn once more, by what writes down each stroke.
+// SVG of a drawing, drawn again with a recording context.
 export function svgOf(draw, width, height) {
   const context = new Context({width, height, document});
   context.isVector = true;
@@ -15,7 +15,7 @@ export function svgOf(draw, width, height) {
   return context.getSerializedSvg();
 }
 
-// In place of svgcanvas's own, which reads the font out of an inline style: the page's rules forbid those.
+// Replaces svgcanvas's method, which reads the font from an inline style: the page's CSP forbids those.
 /** @this {any} */
 function applyText(text, x, y, action) {
   const parent = this.__closestGroupOrSvg(), [, weight, size, family] = this.font.match(/^(?:(bold) )?([\d.]+px) (.+)$/);
@@ -29,7 +29,7 @@ function applyText(text, x, y, action) {
   parent.append(drawn);
 }
 
-// The two buttons for a drawing; `canvasOf` gives it as a canvas, `sizeOf` as it is to be drawn again.
+// PNG and SVG buttons; `canvasOf` returns the canvas, `sizeOf` the size for drawing again.
 export function saveButtons(label, draw, canvasOf, sizeOf) {
   const name = fileName(label);
   return [button("PNG", () => canvasOf().toBlob(blob => download(name + ".png", blob)), {class: "small", "aria-label": "save as PNG: " + label}),
@@ -39,7 +39,7 @@ export function saveButtons(label, draw, canvasOf, sizeOf) {
     }, {class: "small", "aria-label": "save as SVG: " + label})];
 }
 
-// For a drawing that stands nowhere on the page.
+// For a drawing that is not on the page.
 export const offscreenButtons = (label, draw, {width, height}) => saveButtons(label, draw, () => {
   const canvas = element("canvas", {width: 2 * width, height: 2 * height}), context = canvas.getContext("2d");
   context.scale(2, 2);

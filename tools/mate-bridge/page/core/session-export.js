@@ -1,4 +1,4 @@
-// The session as one HTML file: every view that has something to show, drawings as pictures, tables as they are.
+// The session as one HTML file: every view with content, drawings as pictures.
 import {download, element} from "naocal/lib/dom.js";
 import {notice, state} from "./state.js";
 
@@ -32,7 +32,7 @@ export async function saveSession() {
   }
 }
 
-// A copy that needs no script: canvases and thumbnails are pictures, choices are words, buttons are gone.
+// A copy without scripts: canvases become pictures, choices text; buttons are removed.
 function still(parent) {
   const copy = parent.cloneNode(true), drawn = [...parent.querySelectorAll("canvas")];
   [...copy.querySelectorAll("canvas")].forEach((canvas, i) => canvas.replaceWith(element("img", {src: drawn[i].toDataURL("image/png"),

@@ -1,4 +1,4 @@
-// What the bridge has told, and what views share.
+// Last messages of the bridge, and state shared by views.
 import {send} from "./connection.js";
 
 export const state = {
@@ -17,14 +17,14 @@ export const onNotice = listener => { notify = listener; };
 export const notice = sentence => notify(sentence, "problem");
 export const say = sentence => notify(sentence, "news");
 
-// Asks the bridge; false when it is away, which it says.
+// Sends a request; false, with a notice, if the bridge is not connected.
 export function act(request) {
   const sent = send(request);
   if (!sent) notice("The bridge is not connected: nothing was changed. The panel keeps trying.");
   return sent;
 }
 
-// What a robot last told under each key, and what the bridge worked out of it.
+// Last value of each key of a robot, and results of the bridge about it.
 const known = new Map(); // by robot
 
 export const of = robot => {

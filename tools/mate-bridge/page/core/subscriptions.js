@@ -1,4 +1,4 @@
-// What the views want to be told live: each key is subscribed to while some view shows it.
+// Live subscriptions: each key while some view shows it.
 import {on, send} from "./connection.js";
 
 const wanted = new Map(); // by view: {robot, keys}
@@ -18,7 +18,7 @@ function follow() {
   subscribed = keys;
 }
 
-// A bridge that came back knows nothing; the robots that it has are told right after.
+// A restarted bridge has no subscriptions; it lists its robots right after.
 on("robot", ({connected}) => { if (connected) follow(); });
 const forget = isGone => {
   for (const [view, {robot}] of wanted) if (isGone(robot)) wanted.delete(view);

@@ -1,8 +1,8 @@
-// Light or dark, as the person's system has it or as they chose.
+// Light or dark theme: the system's, or as chosen.
 import {at} from "naocal/lib/dom.js";
 import {readColours} from "naocal/lib/figure.js";
 
-// Remembered as a cookie: other ports of this computer, as the next bridge has one, find it, too.
+// A cookie: shared by all ports of this computer, as the next bridge has another.
 function setTheme(theme) {
   document.documentElement.dataset.theme = theme;
   document.cookie = "naocal-theme=" + theme + "; path=/; max-age=31536000; samesite=strict";

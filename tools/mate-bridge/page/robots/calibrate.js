@@ -1,5 +1,4 @@
-// Calibrate: beside the field. Choose what to calibrate, see each pose before it is played, what the robot does, waits
-// for and sees, stop at any moment, see what it brought, take it back.
+// Calibrate: choice of a calibration, upcoming poses, progress, live pictures, outcome, undo.
 import {element, empty, renew} from "naocal/lib/dom.js";
 import {on, send} from "../core/connection.js";
 import {act, notice, of, valueOf} from "../core/state.js";
@@ -35,7 +34,7 @@ export function leaveCalibrate() {
   restWhenDone();
 }
 
-// While it calibrates, the bridge watches on for the pictures of its captures, whichever view is shown.
+// During a calibration the bridge keeps watching, so that captures keep their pictures whichever view is shown.
 function restWhenDone() {
   if (parentShown || !shownRobot || running(valueOf(shownRobot, stateKey)?.phase ?? "idle")) return;
   send({do: "unwatch", robot: shownRobot});
@@ -82,10 +81,10 @@ function draw() {
   next();
 }
 
-// What was set before the calibration: as the robot tells, else as this page saw it.
+// Values before the calibration: from the robot, else as this page saw them.
 const beforeIn = (told, mount, seen) => told?.before?.[mount] ? Object.entries(told.before[mount]).map(([key, value]) => ({key, value})) : seen;
 
-// Draws a part anew only when what it shows has changed: nothing is taken from under a finger.
+// Redraws a part only when its data change, so that buttons stay under the finger.
 function when(name, shown, made) {
   const words = JSON.stringify(shown);
   if (parts[name].shown === words) return;
@@ -93,7 +92,7 @@ function when(name, shown, made) {
   parts[name].replaceChildren(...made());
 }
 
-// The pose that comes next, worked out by the bridge once it is known.
+// Requests the forward kinematics of the next pose.
 let asked = 0; // number of the last pose that the bridge was asked for
 function next() {
   const state = valueOf(shownRobot, stateKey), told = valueOf(shownRobot, posesKey), known = of(shownRobot), pose = told && state && running(state.phase) && told.poses[told.step];
@@ -171,7 +170,7 @@ function drawSoon() {
   });
 }
 
-// Of every robot that calibrated: for the session's page.
+// For the session's page: every robot that calibrated.
 const calibrated = () => [...robots.keys()].filter(robot => valueOf(robot, stateKey) && valueOf(robot, stateKey).phase !== "idle");
 export const hasCalibration = () => calibrated().length > 0;
 export function calibrationSummary(parent) {
@@ -182,7 +181,7 @@ export function calibrationSummary(parent) {
   }
 }
 
-// The poses of a round, each as the robot will stand in it, before it is played.
+// Upcoming poses of a round.
 
 const waiting = new Map(); // by the number that the bridge was asked with
 
@@ -194,7 +193,7 @@ on("stand", message => {
   pose.drawn.redraw();
 });
 
-// Poses that follow each other under one name are one pose, come into from several sides.
+// Consecutive poses of one name are one pose approached from several sides.
 export function upcomingPoses({round, poses}) {
   waiting.clear();
   const groups = [];

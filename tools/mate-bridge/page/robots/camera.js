@@ -1,5 +1,4 @@
-// A camera's live picture; its place stays as large before and after it comes. Where the bridge found corners, they are
-// drawn over it: rings where they are, crosses where they should be.
+// A camera's live picture with the corners that the bridge found: rings where measured, crosses where predicted.
 import {element} from "naocal/lib/dom.js";
 import {px} from "naocal/lib/format.js";
 import {rms} from "naocal/lib/statistics.js";
@@ -9,7 +8,7 @@ const corners = 700; // how long corners stay in sight [ms]
 
 const made = new Map(); // by place
 
-// The same one for the same place: what it showed last stays when its view is drawn anew.
+// One camera per place: its last picture survives a redraw of the view.
 export function cameraAt(place, label) {
   if (!made.has(place)) made.set(place, new Camera(label));
   return made.get(place);
@@ -68,14 +67,14 @@ class Camera {
   }
 }
 
-// Of a first picture nothing can be said yet.
+// Frame rate; unknown for the first picture.
 function rateOf(times) {
   if (times.length < 2) return "";
   const rate = (1000 * (times.length - 1) / (times[times.length - 1] - times[0])).toFixed(0);
   return ", " + rate + (rate === "1" ? " picture a second" : " pictures a second");
 }
 
-// Which of a robot's pictures are its two cameras'.
+// Keys of all pictures, and those of the top and bottom camera.
 export function cameraKeys(list) {
   const images = list.filter(({isImage}) => isImage).map(({key}) => key);
   const top = images.find(key => /top/i.test(key)), bottom = images.find(key => /bottom/i.test(key));

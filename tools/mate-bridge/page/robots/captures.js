@@ -1,11 +1,11 @@
-// Captures as they are taken: a thumbnail of each picture and what it is worth.
+// Captures of a calibration: a thumbnail and the corners found in each.
 import {element} from "naocal/lib/dom.js";
 import {of, valueOf} from "../core/state.js";
 
 export const capturesKey = "Brain.calibrationCaptures"; // [{number, round, pose, camera, corners, boards}]
 const fewCorners = 6;
 
-// Each capture with the address of its picture, where the bridge saw that one; never another one in its place.
+// Captures with the address of their picture, if the bridge received it.
 export function capturesOf(robot) {
   const {pictures: {series, places}} = of(robot);
   return (valueOf(robot, capturesKey) || []).map((one, i) => ({...one,
@@ -15,7 +15,7 @@ export function capturesOf(robot) {
 export const worth = ({corners, boards}) => corners === null ? "searching for boards"
   : corners < fewCorners ? "no board seen" : corners + " corners on " + (boards.length === 1 ? "board " : "boards ") + boards.join(", ");
 
-// A pose's pictures of one camera stand for each other: the last that there is, and what each is worth.
+// One thumbnail per pose and camera: the last picture, with the corners of each.
 export function thumbnails(robot) {
   const groups = new Map();
   for (const capture of capturesOf(robot)) {

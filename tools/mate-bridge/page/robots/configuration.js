@@ -1,4 +1,4 @@
-// Configuration: every mount's parameters; each is set by itself, and saved only when the person confirms it.
+// Configuration: parameters of every mount; each is set by itself, and saved after a confirmation.
 import {button, element, empty, renew} from "naocal/lib/dom.js";
 import {act, notice} from "../core/state.js";
 import {runner, savingOn} from "./controls.js";
@@ -22,7 +22,7 @@ export function onMessage(message, isShown) {
   else refreshBar(parentShown, () => showKeys(parentShown));
 }
 
-// A robot that does not like a value keeps its own, without a word.
+// A robot rejects a value silently: the answer shows its old one.
 function compare({robot, body}) {
   for (const {key, value} of (body && body.keys) || []) {
     const place = robot + "\n" + body.mountPoint + "\n" + key, sent = changed.get(place);
@@ -99,7 +99,7 @@ function parameter(robot, entry, {key, value}) {
   return row;
 }
 
-// What was set from here and may be saved; the robot saves whatever was set on it by anybody.
+// Lists values set on this page; the robot saves all values set on it, by any client.
 function saving(robot, {connected}) {
   const again = () => showKeys(parentShown), here = [...changed].filter(([place]) => place.startsWith(robot + "\n"));
   if (confirming !== robot) return element("p", {class: "controls"}, button("Save …", () => { confirming = robot; again(); }, {disabled: !connected}));

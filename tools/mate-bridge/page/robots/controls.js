@@ -1,4 +1,4 @@
-// What a person tells the robot: start one of its calibrations, answer what it asks, take back, save, export.
+// Controls of a calibration: start, confirm, undo, save, export, stop.
 import {button, confirmation, element} from "naocal/lib/dom.js";
 import {saveSession} from "../core/session-export.js";
 import {act, of, say, valueOf} from "../core/state.js";
@@ -52,20 +52,20 @@ function choice(kinds, known, connected, changed) {
   }));
 }
 
-// What the robot waits for.
+// The robot's question.
 const ask = (robot, {question, questionNumber}) => element("div", {class: "confirm asks", role: "alert"},
   element("p", {}, element("b", {}, "The robot asks: "), question),
   element("p", {class: "controls"}, button("Confirm", () => set(robot, runner, "confirmed", questionNumber), {class: "main"}),
     element("span", {class: "soft"}, "or press its chest button")));
 
-// Has a robot begin, and end what it does when it loses its panel: no stop would reach it. False: nothing was sent.
+// Starts a run, with a last will that ends it when the connection is lost. False: nothing was sent.
 export function begin(robot, run) {
   of(robot).begun = {sentence: of(robot).values.get("Brain.calibration")?.sentence};
   return set(robot, runner, "run", "") // only a change counts
     && set(robot, "naocal.configuration", "lastWill", [{mp: runner, key: "run", value: ""}]) && set(robot, runner, "run", run);
 }
 
-// The last will ends with what it was made for: once that has run, or was refused.
+// Clears the last will once its run has ended or was refused.
 export function ended(robot, old, now, running) {
   const {begun} = of(robot);
   if (running(now.phase) || !((old && running(old.phase)) || (begun && now.sentence !== begun.sentence))) return;
@@ -79,7 +79,7 @@ function start(robot, entry) {
   begin(robot, of(robot).chosen);
 }
 
-// What a calibration saved can be taken back once, however many were ended since: the robot knows whether there is any.
+// Undo works once per saved calibration; the robot knows whether there is one.
 const canUndo = ({sentence}) => !/saved was taken back/.test(sentence);
 
 export function afterwards({robot, entry, state, isRunning, draw, when}) {
@@ -98,9 +98,9 @@ export function afterwards({robot, entry, state, isRunning, draw, when}) {
     waits("save", robot) && can ? savingOn(robot, ["Results of a calibration are saved already."], asks(null)) : ""]);
 }
 
-// A robot's writing of what was set on it into its own files: always asked for first, and never answered.
+// Saving on a robot: needs a confirmation; HULKs' protocol sends no answer.
 
-// `more`: what else to say; `leave`: takes the question away; `asked`: called once the robot was asked.
+// `more`: further text; `leave`: closes the question; `asked`: called after the request.
 export const savingOn = (robot, more, leave, asked = () => {}) =>
   confirmation(["Write all values set on " + nameOf(robot) + " to its configuration files?", ...more], "Save on " + nameOf(robot), () => {
     if (act({do: "save", robot})) {
@@ -110,8 +110,7 @@ export const savingOn = (robot, more, leave, asked = () => {}) =>
     leave();
   }, leave);
 
-// Stop: one button in the header of every view while a robot can be reached that may move. It acts when it is pressed,
-// not when it is let go, and so does the key s.
+// Stop: button in the header while a connected robot may move. Acts on press, not on release, as does the key s.
 
 const stop = document.getElementById("stop");
 
@@ -125,7 +124,7 @@ export function refreshStop() {
   stop.title = "key s: " + (now.length ? now.map(nameOf).join(", ") + " ends the calibration" : "ends whatever a calibration does") + " and goes back to its stand";
 }
 
-// Whatever runs ends: a value that differs from the one before, then none.
+// Ends every run.
 const press = () => reached().forEach(robot => set(robot, runner, "run", ""));
 
 stop.addEventListener("pointerdown", press);

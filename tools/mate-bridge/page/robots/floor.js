@@ -1,4 +1,4 @@
-// A plan of the floor: the robot's feet, the boards as they were seen, and what each camera sees.
+// Plan of the floor: feet, boards as detected, and the view of each camera.
 import {colours, figure} from "naocal/lib/figure.js";
 
 const ahead = 1.9, behind = 0.3, aside = 1.1; // of what is shown [m]

@@ -1,4 +1,4 @@
-// Battery and temperature of every connected robot, in words that fit beside its name.
+// Battery and temperature of every connected robot, beside its name.
 import {element} from "naocal/lib/dom.js";
 import {state, valueOf} from "../core/state.js";
 import {want} from "../core/subscriptions.js";
@@ -28,7 +28,7 @@ function fill(part, robot) {
     element("span", {class: told.temperature > hot ? "bad" : "", title: "its hottest joint: " + told.joint}, heat + (told.temperature > hot ? " hot: " + told.joint : "")));
 }
 
-// What is followed of every robot, whichever view is shown: how it stands, and whether it moves.
+// Keys subscribed to for every robot, whichever view is shown: state, player, health.
 
 export const stateKey = "Brain.calibration";
 export const playerKey = "Motion.player";

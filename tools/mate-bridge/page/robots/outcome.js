@@ -1,4 +1,4 @@
-// What a calibration brought: the error before and after, each offset with its sigma, and what to beware of.
+// Outcome of a calibration: error before and after, offsets with sigmas, warnings.
 import {ticks} from "naocal/lib/axes.js";
 import {csvTable, element} from "naocal/lib/dom.js";
 import {colours, figure} from "naocal/lib/figure.js";
@@ -23,7 +23,7 @@ export function outcome(state, isRunning, told) {
   return shown;
 }
 
-// Offsets on the robot: as they were and are, with two sigmas where a calibration told them.
+// Joint offsets on the robot before and now, with two sigmas where a calibration determined them.
 export function offsets(told, before, now) {
   if (!now || !now.length) return [];
   const value = (list, joint) => list ? list.find(({key}) => key.toLowerCase() === joint.toLowerCase())?.value : undefined;
@@ -41,7 +41,7 @@ export function offsets(told, before, now) {
     csvTable(table, "offsets")];
 }
 
-// How the cameras sit in the head, beside the drawing, before and now.
+// Camera mounts relative to the drawing, before and now.
 export function cameraMounts(before, now) {
   const rows = (now || []).filter(({key, value}) => key.endsWith("_ext") && Array.isArray(value))
     .map(({key, value}) => ({camera: key.replace("_ext", ""), after: value, before: (before || []).find(one => one.key === key)?.value}))

@@ -1,4 +1,4 @@
-// The robots: connecting, how each stands, and which one is looked at.
+// Robots: connection, state, and which one is selected.
 import {button, confirmation, element, keepingFocus} from "naocal/lib/dom.js";
 import {on} from "../core/connection.js";
 import {act, of, state, valueOf} from "../core/state.js";
@@ -8,26 +8,26 @@ export const robots = state.robots; // by address: {connected, sentence, list, m
 const typedSecrets = new Map(); // by robot, until it is told
 let looked = null, typed = "", leaving = null; // the robot that is to be left while it calibrates
 
-// A bridge that is back says which robots it still has; how each stands follows.
+// A restored bridge lists its robots first; their states follow.
 on("hello", ({robots: there}) => { for (const name of [...robots.keys()]) if (!there.includes(name)) robots.delete(name); });
 
 export function bridgeLost() {
   for (const entry of robots.values()) Object.assign(entry, {connected: false, sentence: "is unreachable: the bridge is away"});
 }
 
-// Its head's name, as its own configuration has it; "" where that is not known.
+// Head name from the robot's configuration; "" if unknown.
 function headName(robot) {
   const name = (robots.get(robot)?.keys.get("tuhhSDK.base") || []).find(({key}) => key === "NaoInfo.headName")?.value;
   return typeof name === "string" ? name : "";
 }
 
-// "Ada (10.1.24.13)": its name, and where it is reached.
+// "Ada (10.1.24.13)": head name and address.
 export function displayName(robot) {
   const name = headName(robot);
   return name && name !== robot ? name + " (" + robot + ")" : robot;
 }
 
-// "Ada", or where it is reached if it has no name of its own.
+// "Ada", or the address where the name is unknown or not unique.
 export function nameOf(robot) {
   const name = headName(robot);
   return name && [...robots.keys()].every(other => other === robot || headName(other) !== name) ? name : robot;
@@ -35,7 +35,7 @@ export function nameOf(robot) {
 
 export const selectedRobot = () => robots.get(looked) ? looked : (robots.keys().next().value ?? null);
 
-// False: nothing that views show has changed; a list that only repeats itself says that the robot is alive.
+// False: no view needs a redraw (a repeated list is a keep-alive).
 export function onMessage(message) {
   const {kind, robot} = message;
   if (["update", "picture", "taken", "scene", "seen", "stand"].includes(kind)) return true;
@@ -65,13 +65,13 @@ export function onMessage(message) {
 
 const keysOf = body => body && Array.isArray(body.keys) ? body.keys.filter(({key}) => typeof key === "string").sort((a, b) => a.key < b.key ? -1 : 1) : [];
 
-// Asks a robot for a mount's keys unless they are known, or were asked for; the bridge waits until the robot lists it.
+// Requests a mount's keys once; the bridge holds the request until the robot lists the mount.
 export function needKeys(robot, mount) {
   const {keys, connected} = robots.get(robot);
   if (connected && !keys.has(mount) && act({do: "keys", robot, mount})) keys.set(mount, null);
 }
 
-// The row on top of every robot view; `changed` draws the view anew.
+// Row of robots above every robot view; `changed` redraws the view.
 export function robotBar(changed) {
   const address = element("input", {type: "text", id: "address", placeholder: "nao21, HOST:PORT or /sockets", "aria-label": "robot to connect to", spellcheck: "false", autocomplete: "off"});
   address.value = typed;
@@ -99,12 +99,12 @@ function leave(robot, changed) {
   changed();
 }
 
-// Only that row: another robot has news.
+// Redraws the row alone: another robot changed.
 export function refreshBar(parent, changed) {
   keepingFocus(parent, () => parent.querySelector(".robots")?.replaceWith(robotBar(changed)));
 }
 
-// A robot that listens beyond its own computer shows nothing before it is told its secret (access.json).
+// A robot on the network lists nothing before it receives its secret (access.json).
 function secretForm(robot) {
   const secret = element("input", {type: "password", id: "secret", oninput: () => typedSecrets.set(robot, secret.value), placeholder: "its secret", "aria-label": "secret of " + robot, autocomplete: "off"});
   secret.value = typedSecrets.get(robot) ?? "";
@@ -116,7 +116,7 @@ function secretForm(robot) {
   }}, secret, element("button", {type: "submit"}, "Send secret"));
 }
 
-// What to say where there is nothing to look at; null where there is.
+// Why there is nothing to show; null if there is.
 /** @returns {[string, string] | null} */
 export function whyNothing() {
   const name = selectedRobot();
@@ -127,7 +127,7 @@ export function whyNothing() {
   return null;
 }
 
-// Whether captures are of a robot: by the ids of head and body that they carry.
+// Compares the head and body ids of captures with a robot's.
 
 const toldBy = (keys, names) => names.map(name => keys.find(({key}) => key === name)?.value).find(value => typeof value === "string" && value);
 
@@ -138,7 +138,7 @@ function stands(keys, part, id) {
   return called === id ? "its" : "unknown"; // who has no name in id_map.json is called by its id
 }
 
-// Sentences for whoever puts a result of these captures on that robot.
+// Text or warning for a person who applies a result of these captures to that robot.
 export function matchRobot({headId, bodyId}, robot) {
   const keys = robots.get(robot)?.keys.get("tuhhSDK.base") || [], name = nameOf(robot);
   const parts = [["head", headId], ["body", bodyId]], how = parts.map(([part, id]) => stands(keys, part, id));

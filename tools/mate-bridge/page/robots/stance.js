@@ -1,7 +1,7 @@
-// A robot as it stands: from its right and from the front; the pose that comes next as an outline over it.
+// Posture of a robot from its right side and from the front; the next pose as an outline over it.
 import {colours, figure} from "naocal/lib/figure.js";
 
-// `now` and `next`: what the bridge works out of angles ({hull: [[from, to, radius]], feet, ..}), or null.
+// `now` and `next`: the bridge's forward kinematics ({hull: [[from, to, radius]], feet, ..}), or null.
 export const standingFigure = (of, label, height = 230) => figure({height, label, className: "standing", draw: (context, width, height) => {
   const {now, next} = of();
   const scale = (height - 26) / 0.62, floor = height - (height > 150 ? 20 : 4);
@@ -25,7 +25,7 @@ export const standingFigure = (of, label, height = 230) => figure({height, label
   return [];
 }});
 
-// Where the head looks.
+// Viewing direction of the head.
 function gaze(context, {gaze: line}, place, colour) {
   if (!line) return;
   context.strokeStyle = colour;
@@ -36,8 +36,8 @@ function gaze(context, {gaze: line}, place, colour) {
   context.stroke();
 }
 
-// Parts as strokes as broad as they are, on a sheet of their own so that overlapping ones do not darken each other; as
-// an outline their inside is taken away again. Vectors know no such sheets.
+// Capsules as thick strokes on a separate canvas, so that overlaps do not darken; an outline erases the inside.
+// SVG has no such canvas.
 function body(context, hull, place, scale, {colour, alpha, outlined}) {
   const own = context.isVector ? context : sheetOver(context);
   if (context.isVector) own.globalAlpha = outlined ? 0.4 : alpha;

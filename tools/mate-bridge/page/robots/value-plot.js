@@ -1,4 +1,4 @@
-// One value over time: which of its numbers are drawn, by name, and saving them.
+// One value over time: choice of its numbers, plot, and export.
 import uPlot from "uplot";
 import {axes} from "naocal/lib/axes.js";
 import {button, csv, download, element} from "naocal/lib/dom.js";
@@ -9,7 +9,7 @@ const shownSeconds = 20, atFirst = 6, tall = 190;
 const chosen = new Map(); // by key: the names of the numbers that a person wants; else the first ones
 
 const unitOf = key => /angles|position/i.test(key) ? " [rad]" : "";
-// Okabe and Ito's colours, told apart by colour-blind people too; beyond them dashes.
+// Okabe and Ito's colour-blind safe palette; dashed from the seventh line on.
 const strokes = () => [colours.blue, colours.orange, colours.pink, colours.good, colours.ink, colours.soft];
 const styleOf = i => ({stroke: strokes()[i % 6], dash: i >= 6 ? [6, 4] : undefined});
 
@@ -32,7 +32,7 @@ export class Plotted {
     return chosen.has(this.key) ? all.filter(name => chosen.get(this.key).has(name)) : all.slice(0, atFirst);
   }
 
-  // What is drawn as a picture or as strokes, and all that is remembered of it as a table.
+  // The plot as PNG or SVG, the whole history as CSV.
   savers() {
     const {key} = this, saver = (kind, save) => button(kind, () => { if (this.history) save(); }, {class: "small", "aria-label": "save as " + kind + ": " + key});
     return [saver("PNG", () => this.plot && this.plot.ctx.canvas.toBlob(blob => download(key + ".png", blob))),
@@ -54,7 +54,7 @@ export class Plotted {
     if (this.plot) this.plot.setData(history.since(shownSeconds, names));
   }
 
-  // The numbers by name: legend and choice at once.
+  // Buttons by number's name: legend and choice.
   showChips(names) {
     const all = this.history.names();
     if (all.length < 2) return this.chips.replaceChildren();
@@ -85,7 +85,7 @@ export class Plotted {
     context.setLineDash([]);
   }
 
-  // A plot that is only dropped would be kept by what it listens to.
+  // Without destroy() the plot's own listeners keep it alive.
   drop() {
     if (this.plot) this.plot.destroy();
     this.plot = null;
@@ -103,12 +103,12 @@ function plotIn(parent, names) {
   return plot;
 }
 
-// HULKs' order, in which robots send one number per joint.
+// HULKs' order of joints.
 const arm = side => ["ShoulderPitch", "ShoulderRoll", "ElbowYaw", "ElbowRoll", "WristYaw", "Hand"].map(name => side + name);
 const leg = side => ["HipYawPitch", "HipRoll", "HipPitch", "KneePitch", "AnklePitch", "AnkleRoll"].map(name => side + name);
 const joints = ["HeadYaw", "HeadPitch", ...arm("L"), ...leg("L"), ...leg("R"), ...arm("R")];
 
-// What one key had over time: its numbers by name, as many entries as `most`.
+// History of one key: its numbers by name, at most about `most` entries.
 export class History {
   constructor(most) {
     this.most = most;
@@ -136,7 +136,7 @@ export class History {
 
   names() { return [...this.series.keys()]; }
 
-  // The last seconds, as uPlot takes them; of many entries every second, third ... one.
+  // The last seconds as uPlot's columns, thinned to at most 600 entries.
   since(seconds, names) {
     const begin = this.times[this.times.length - 1] - seconds, most = 600;
     let first = 0;
@@ -146,19 +146,19 @@ export class History {
     return [part(this.times), ...names.map(name => part(this.series.get(name)))];
   }
 
-  // All of it as a table, names first.
+  // The whole history as rows, header first.
   rows() {
     return [["time [s]", ...this.names().map(name => name || "value")], ...this.times.map((time, i) => [time, ...[...this.series.values()].map(values => values[i])])];
   }
 
-  // The last value for people, shortened.
+  // The last value as shortened text.
   text() {
     const text = JSON.stringify(this.last, (key, value) => typeof value === "number" && !Number.isInteger(value) ? Number(value.toPrecision(6)) : value);
     return text === undefined ? "" : text.length > 400 ? text.slice(0, 400) + " …" : text;
   }
 }
 
-// Every number in a value by its way through it: "[2]", ".x"; truths count as 0 and 1.
+// Numbers of a value by path ("[2]", "a.x"); booleans count as 0 and 1.
 function numbersIn(value, name, found) {
   if (found.size >= 64) return;
   if (typeof value === "number") found.set(name, value);
