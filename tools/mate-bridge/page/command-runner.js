@@ -99,7 +99,7 @@ export function showTools(parent) {
 // Path that the last command wrote and the panel can open.
 function placeWritten(words) {
   const command = commands.find(one => one.words.every((word, i) => words[i] === word)), field = command?.fields.find(({opens}) => opens);
-  return field && (field.flag ? words[words.indexOf(field.flag) + 1] : words[command.words.length]);
+  return command && field && (field.flag ? words[words.indexOf(field.flag) + 1] : words[command.words.length]);
 }
 
 function fieldOf(field) {

@@ -38,7 +38,9 @@ const views = [
   {id: "tools", name: "Tools", show: showTools, kinds: []},
 ];
 const keyed = ["1", "2", "3", "4", "5", "6", "7", "8", "9", "0", "t"]; // the views' keys
-let current, complete = false; // whether everything that a view of the laboratory shows was told
+/** @type {any} */
+let current;
+let complete = false; // whether everything that a view of the laboratory shows was told
 
 function go(id) {
   if (location.hash === "#" + id) open();
@@ -56,7 +58,7 @@ function open() {
   }
   document.title = current.name + " – naocal panel";
   at("model").hidden = !(current.laboratory && state.laboratory);
-  document.querySelector("main").classList.toggle("wide", at("model").hidden);
+  /** @type {HTMLElement} */ (document.querySelector("main")).classList.toggle("wide", at("model").hidden);
   draw();
   if (!arrived) return;
   showTab();

@@ -27,7 +27,7 @@ export function candidateDetail(candidate, questions) {
   if (isTested) parts.push(element("p", {}, button("Add " + candidate.label, () => act({do: "add", label: candidate.label}), {class: "main"})));
   for (const {title, ofCandidate} of views) {
     const shown = ofCandidate?.(candidate, questions, {});
-    if (shown) parts.push(element("h3", {}, title), ...shown);
+    if (shown) parts.push(element("h3", {}, title), ...shown.filter(part => part !== null));
   }
   return parts;
 }

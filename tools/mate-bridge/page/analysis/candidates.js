@@ -6,7 +6,7 @@ import {views} from "naocal/plots/views.js";
 import {candidateDetail} from "./candidate-detail.js";
 import {act, state} from "../core/state.js";
 
-const shown = {state: "", all: false, label: null};
+const shown = {state: "", all: false, label: ""};
 const shownFirst = 15;
 
 export function showLearn(parent) {

@@ -54,7 +54,7 @@ function paths(id, label, value, changed, go, words) {
 
 function comparison({names, rmsPx, medianPx, corners, nominal, byBoard, byCamera, byPose}) {
   const rows = [["board", byBoard], ["camera", byCamera], ["pose", byPose]].flatMap(([kind, group]) => Object.entries(group).map(([name, one]) => [kind + " " + name, one]));
-  const row = ([name, one]) => element("tr", {}, element("th", {scope: "row"}, name), element("td", {class: "number"}, px(one.rmsPx)));
+  const row = (/** @type {any[]} */ [name, one]) => element("tr", {}, element("th", {scope: "row"}, name), element("td", {class: "number"}, px(one.rmsPx)));
   return [element("p", {}, element("b", {}, px(rmsPx) + " rms"), " (median " + px(medianPx) + ") from their predictions over " + corners + " corners of " + names.join(", ") + "; with the drawing alone " + px(nominal.rmsPx) + "."),
     csvTable(element("table", {class: "narrow"}, element("thead", {}, element("tr", {}, element("th", {scope: "col"}, "of"), element("th", {scope: "col", class: "number"}, "rms error"))), element("tbody", {}, ...rows.map(row))), "comparison")];
 }

@@ -25,7 +25,7 @@ export function showNext(parent) {
     element("p", {class: "controls"}, wanted, button("Suggest poses", () => act({do: "propose", count}), {class: "main", disabled: Boolean(state.work)}))];
   if (!next) renew(parent, ...head, empty("No poses suggested yet", "This takes some seconds."));
   else if (!next.poses.length) renew(parent, ...head, empty("There are none to suggest", next.whyNone || "These captures leave no question open."));
-  else renew(parent, ...head, element("p", {}, "Why these: taking pictures in them ", element("b", {}, next.why), "."), ...playing(next, again),
+  else renew(parent, ...head, element("p", {}, "Why these: taking pictures in them ", element("b", {}, next.why), next.growth > 1 ? ". The evidence for or against becomes " + next.growth.toFixed(1) + " times stronger." : "."), ...playing(next, again),
     element("div", {class: "grid"}, ...next.poses.map(pose => poseFigure(pose, next))));
 }
 

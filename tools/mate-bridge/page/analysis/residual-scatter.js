@@ -62,5 +62,4 @@ function readings(fit, horizontal, {joint, points}, camera) {
 
 const unitOf = ({text}, value) => withUnit(short(value), (text.match(/\[(.*)\]/) || ["", ""])[1]);
 
-export const isChosen = picture => Boolean(state.chosen) && state.chosen.set === picture.set && state.chosen.capture === picture.capture &&
-  state.chosen.camera === picture.camera;
+export const isChosen = ({set, capture, camera}) => state.chosen !== null && state.chosen.set === set && state.chosen.capture === capture && state.chosen.camera === camera;

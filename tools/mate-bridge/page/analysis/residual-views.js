@@ -16,12 +16,13 @@ export function showMap(parent, go) {
   const tools = {
     open: index => { // a point that belongs to a picture leads to it
       const {capture, pose} = questions.pictures[index], {set} = questions.poses[pose];
-      state.chosen = state.fit.pictures.find(picture => picture.capture === capture && picture.set === set);
+      state.chosen = state.fit.pictures.find(picture => picture.capture === capture && picture.set === set) ?? null;
       go("compare");
     },
     ownEffect: ({model}) => button("Turn into a custom effect", () => { draftFrom(model.define[0]); go("own"); }, {class: "small"}),
   };
-  const sections = views.filter(({about}) => about === "misfit").map(view => ({...view, parts: view.show(questions, tools)})).filter(({parts}) => parts);
+  const sections = views.filter(({about}) => about === "misfit").map(view => ({...view, parts: (view.show(questions, tools) ?? []).filter(part => part !== null)}))
+    .filter(({parts}) => parts.length);
   parent.replaceChildren(element("h1", {}, title),
     ...(questions.map.length ? [] : [empty("There is no map", "No joint of these captures moved enough for a curve.")]),
     ...sections.flatMap(section => [...(section.title === title ? [] : [element("h2", {}, section.title)]), ...section.parts]));

@@ -55,8 +55,7 @@ export function showUserEffect(parent) {
     pointer.replaceChildren(...(wrongHere ? [" ".repeat(letter), element("mark", {}, "^"), " letter " + (letter + 1)] : [" "]));
   };
   const joints = choice("", [{value: "*", text: "every joint (*)"}, ...state.set.joints.map(value => ({value, text: value}))], draft.at,
-    value => { draft.at = value; check(); }).querySelector("select");
-  joints.id = "own-at";
+    value => { draft.at = value; check(); }, "own-at").querySelector("select");
   const text = element("input", {type: "text", spellcheck: "false", autocomplete: "off"});
   renew(parent,
     element("h1", {}, "Custom effect"),

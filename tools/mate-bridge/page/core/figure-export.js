@@ -1,6 +1,6 @@
 // Saves figures as PNG and SVG.
 import {Context} from "svgcanvas";
-import {button, download, element} from "naocal/lib/dom.js";
+import {button, contextOf, download, element} from "naocal/lib/dom.js";
 import {font, onNewFigure} from "naocal/lib/figure.js";
 
 const fileName = label => label.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "").slice(0, 60);
@@ -41,7 +41,7 @@ export function saveButtons(label, draw, canvasOf, sizeOf) {
 
 // For a drawing that is not on the page.
 export const offscreenButtons = (label, draw, {width, height}) => saveButtons(label, draw, () => {
-  const canvas = element("canvas", {width: 2 * width, height: 2 * height}), context = canvas.getContext("2d");
+  const canvas = element("canvas", {width: 2 * width, height: 2 * height}), context = contextOf(canvas);
   context.scale(2, 2);
   context.font = font;
   draw(context, width, height);
@@ -49,7 +49,7 @@ export const offscreenButtons = (label, draw, {width, height}) => saveButtons(la
 }, () => ({width, height}));
 
 onNewFigure((frame, {draw, label}) => {
-  const canvas = frame.querySelector("canvas");
+  const canvas = /** @type {HTMLCanvasElement} */ (frame.querySelector("canvas"));
   frame.append(element("div", {class: "save"}, ...saveButtons(label, draw, () => canvas,
     () => ({width: frame.clientWidth, height: parseFloat(canvas.style.height)}))));
 });

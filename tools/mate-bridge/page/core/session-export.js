@@ -1,5 +1,5 @@
 // The session as one HTML file: every view with content, drawings as pictures.
-import {download, element} from "naocal/lib/dom.js";
+import {contextOf, download, element} from "naocal/lib/dom.js";
 import {notice, state} from "./state.js";
 
 let views = [];
@@ -26,7 +26,7 @@ export async function saveSession() {
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; img-src data:\">" + element("title", {}, title).outerHTML +
       "<style>" + style + "main { display: block; padding: 1rem 1.4rem; } section { margin-bottom: 3rem; } img.drawing { width: 100%; }</style></head><body>" + page.outerHTML + "</body></html>\n", "text/html");
   } catch (error) {
-    notice("The session could not be written: " + error.message + ".");
+    notice("The session could not be written: " + (error instanceof Error ? error.message : error) + ".");
   } finally {
     stage.remove();
   }
@@ -40,7 +40,7 @@ function still(parent) {
   const pictures = [...parent.querySelectorAll("img")];
   [...copy.querySelectorAll("img[src^='taken/']")].forEach(image => {
     const original = pictures.find(one => one.src === image.src), canvas = element("canvas", {width: original.naturalWidth || 1, height: original.naturalHeight || 1});
-    canvas.getContext("2d").drawImage(original, 0, 0);
+    contextOf(canvas).drawImage(original, 0, 0);
     image.src = canvas.toDataURL("image/jpeg", 0.8);
   });
   const choices = [...parent.querySelectorAll("select")];

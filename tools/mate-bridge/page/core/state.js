@@ -1,15 +1,11 @@
 // Last messages of the bridge, and state shared by views.
 import {send} from "./connection.js";
 
-export const state = {
-  laboratory: false, set: null, ladder: null, fit: null, questions: null, found: null, next: null, compared: null, work: null,
-  earlier: null, // questions as they were answered for the model before
-  unfitted: null, // why there is no fit at all
-  robots: new Map(), // by address: {connected, sentence, list, mounts, keys: Map}
-  /** @type {import("naocal/lib/types.js").Layer} */
-  layer: "reported",
-  chosen: null, // the picture that was clicked on, by capture and set
-};
+/** @type {import("./messages.js").PanelState} */
+export const state = /** @type {any} */ ({
+  laboratory: false, set: null, ladder: null, fit: null, questions: null, earlier: null, unfitted: null, found: null, next: null, compared: null,
+  work: null, robots: new Map(), layer: "reported", chosen: null,
+});
 
 /** @type {(sentence: string, kind: "problem" | "news") => void} */
 let notify = () => {};

@@ -9,7 +9,7 @@ import {afterwards, ended, mountsMount, offsetsMount, runner, steer} from "./con
 import {floorFigure} from "./floor.js";
 import {healthKey, playerKey, refreshHealth, running, stateKey} from "./health.js";
 import {cameraMounts, offsets, outcome, outcomeKey} from "./outcome.js";
-import {displayName, selectedRobot, nameOf, needKeys, refreshBar, robotBar, robots, whyNothing} from "./robots.js";
+import {displayName, entryOf, nameOf, needKeys, refreshBar, robotBar, robots, selectedRobot, whyNothing} from "./robots.js";
 import {standingFigure} from "./stance.js";
 
 const kindsKey = "Brain.calibrationKinds", posesKey = "Brain.calibrationPoses"; // {round, step, poses: [{name, angles}]}
@@ -42,7 +42,7 @@ function restWhenDone() {
 }
 
 function content() {
-  const {list, mounts, connected} = robots.get(shownRobot), {chosen} = cameraKeys(list);
+  const {list, mounts, connected} = entryOf(shownRobot), {chosen} = cameraKeys(list);
   const can = list.some(({key}) => key === stateKey) && mounts.some(({key}) => key === runner);
   cameras = chosen.map((key, i) => key && {key, camera: cameraAt(shownRobot + "\n" + key, (i ? "bottom" : "top") + " camera")}).filter(Boolean);
   want("match", shownRobot, [kindsKey, posesKey, capturesKey, outcomeKey, ...cameras.map(({key}) => key)].filter(key => list.some(one => one.key === key)));
@@ -65,7 +65,7 @@ function content() {
 
 function draw() {
   if (!parentShown || !parts) return;
-  const entry = robots.get(shownRobot), state = valueOf(shownRobot, stateKey), player = valueOf(shownRobot, playerKey);
+  const entry = entryOf(shownRobot), state = valueOf(shownRobot, stateKey), player = valueOf(shownRobot, playerKey);
   const told = valueOf(shownRobot, outcomeKey), isRunning = running(state ? state.phase : "idle");
   const {before, mountsBefore} = of(shownRobot), captures = capturesOf(shownRobot), now = entry.keys.get(offsetsMount), mounts = entry.keys.get(mountsMount);
   steer({robot: shownRobot, entry, state, player, isRunning, kinds: valueOf(shownRobot, kindsKey), draw, when});
@@ -175,7 +175,7 @@ const calibrated = () => [...robots.keys()].filter(robot => valueOf(robot, state
 export const hasCalibration = () => calibrated().length > 0;
 export function calibrationSummary(parent) {
   for (const robot of calibrated()) {
-    const state = valueOf(robot, stateKey), told = valueOf(robot, outcomeKey), {before, mountsBefore, scene} = of(robot), {keys} = robots.get(robot);
+    const state = valueOf(robot, stateKey), told = valueOf(robot, outcomeKey), {before, mountsBefore, scene} = of(robot), {keys} = entryOf(robot);
     parent.append(element("h1", {}, "Calibration of " + displayName(robot)), ...progress(state, null), ...outcome(state, running(state.phase), told),
       ...offsets(told, beforeIn(told, offsetsMount, before), keys.get(offsetsMount)), ...cameraMounts(beforeIn(told, mountsMount, mountsBefore), keys.get(mountsMount)), standingFigure(() => ({now: scene, next: null}), "posture of the robot"), floorFigure(() => scene), ...thumbnails(robot));
   }

@@ -1,5 +1,5 @@
 // A camera's live picture with the corners that the bridge found: rings where measured, crosses where predicted.
-import {element} from "naocal/lib/dom.js";
+import {contextOf, element} from "naocal/lib/dom.js";
 import {px} from "naocal/lib/format.js";
 import {rms} from "naocal/lib/statistics.js";
 import {drawCorner} from "naocal/plots/corners.js";
@@ -38,7 +38,7 @@ class Camera {
     }
     const {canvas, times} = this;
     if (canvas.width !== image.width || canvas.height !== image.height) Object.assign(canvas, {width: image.width, height: image.height});
-    const context = canvas.getContext("2d");
+    const context = contextOf(canvas);
     context.drawImage(image, 0, 0);
     image.close();
     const words = this.drawFound(context, timestamp);

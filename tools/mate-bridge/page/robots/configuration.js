@@ -2,7 +2,7 @@
 import {button, element, empty, renew} from "naocal/lib/dom.js";
 import {act, notice} from "../core/state.js";
 import {runner, savingOn} from "./controls.js";
-import {selectedRobot, nameOf, needKeys, refreshBar, robotBar, robots, whyNothing} from "./robots.js";
+import {entryOf, nameOf, needKeys, refreshBar, robotBar, robots, selectedRobot, whyNothing} from "./robots.js";
 
 let mount = null, parentShown = null, filter = "", confirming = null; // the robot that is to save
 const edits = new Map(); // text by robot, mount and key, until it is set
@@ -35,7 +35,7 @@ function compare({robot, body}) {
 }
 
 function content(robot) {
-  const entry = robots.get(robot);
+  const entry = entryOf(robot);
   if (!entry.mounts.some(({key}) => key === mount)) mount = entry.mounts.length ? entry.mounts[0].key : null;
   if (mount) needKeys(robot, mount);
   return [entry.connected ? element("p", {class: "soft"}, "Changes take effect immediately and last until the robot restarts. Saving writes all changes to the robot's files.")
@@ -94,7 +94,7 @@ function parameter(robot, entry, {key, value}) {
     act({do: "keys", robot, mount: here}); // what the robot took
   }
   input.addEventListener("input", () => { if (input.value === before) edits.delete(place); else edits.set(place, input.value); show(); });
-  input.addEventListener("keydown", (/** @type {KeyboardEvent} */ event) => { if (event.key === "Enter" && !isLong) change(); if (event.key === "Escape") { edits.delete(place); show(); } });
+  input.addEventListener("keydown", (/** @type {any} */ event) => { if (event.key === "Enter" && !isLong) change(); if (event.key === "Escape") { edits.delete(place); show(); } });
   show();
   return row;
 }

@@ -1,5 +1,5 @@
 // Controls of a calibration: start, confirm, undo, save, export, stop.
-import {button, confirmation, element} from "naocal/lib/dom.js";
+import {at, button, confirmation, element} from "naocal/lib/dom.js";
 import {saveSession} from "../core/session-export.js";
 import {act, of, say, valueOf} from "../core/state.js";
 import {running, stateKey} from "./health.js";
@@ -112,7 +112,7 @@ export const savingOn = (robot, more, leave, asked = () => {}) =>
 
 // Stop: button in the header while a connected robot may move. Acts on press, not on release, as does the key s.
 
-const stop = document.getElementById("stop");
+const stop = at("stop");
 
 const reached = () => [...robots].filter(([, {connected, list}]) => connected && list.some(({key}) => key === stateKey)).map(([robot]) => robot);
 const moving = () => reached().filter(robot => running(valueOf(robot, stateKey)?.phase ?? "idle"));

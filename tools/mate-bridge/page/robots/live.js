@@ -2,9 +2,10 @@
 import {choice, element, empty, renew} from "naocal/lib/dom.js";
 import {want} from "../core/subscriptions.js";
 import {cameraAt, cameraKeys} from "./camera.js";
-import {selectedRobot, nameOf, refreshBar, robotBar, robots, whyNothing} from "./robots.js";
+import {entryOf, nameOf, refreshBar, robotBar, robots, selectedRobot, whyNothing} from "./robots.js";
 import {History, Plotted} from "./value-plot.js";
 
+/** @type {{camera: any, key?: string | null}[]} */
 const slots = [{camera: null}, {camera: null}]; // key: of its picture; undefined: not chosen yet, null: none
 const plotted = new Set(); // keys
 let histories = new Map(), figures = new Map(), shownRobot = null, parentShown = null, filter = "";
@@ -38,7 +39,7 @@ function forget() {
 }
 
 function content(robot) {
-  const {list, connected, sentence} = robots.get(robot);
+  const {list, connected, sentence} = entryOf(robot);
   const {images, chosen} = cameraKeys(list), values = list.filter(({isImage}) => !isImage);
   slots.forEach((slot, i) => { if (slot.key === undefined || (slot.key && !images.includes(slot.key))) slot.key = chosen[i]; });
   return [connected ? null : element("p", {class: "bad"}, nameOf(robot) + " " + sentence + ". The panel retries every second; below are its last known values."),
@@ -49,7 +50,7 @@ function content(robot) {
 function cameraOf(slot, images) {
   slot.camera = cameraAt("live\n" + slots.indexOf(slot) + "\n" + shownRobot + "\n" + slot.key, "picture of the robot's camera");
   if (!slot.key) slot.camera.caption.textContent = "no picture chosen";
-  else if (!robots.get(shownRobot).connected && slot.camera.times.length) slot.camera.caption.textContent = "last picture received";
+  else if (!entryOf(shownRobot).connected && slot.camera.times.length) slot.camera.caption.textContent = "last picture received";
   const options = [{value: "", text: "nothing"}, ...images.map(value => ({value, text: value}))];
   return element("figure", {class: "camera"}, choice("Camera", options, slot.key || "", value => { slot.key = value || null; again(); }),
     slot.camera.canvas, slot.camera.caption);
@@ -62,7 +63,7 @@ function keyList(values) {
     box.checked = plotted.has(key);
     box.addEventListener("change", () => {
       if (box.checked) plotted.add(key); else plotted.delete(key);
-      document.querySelector(".plots").replaceWith(plots());
+      document.querySelector(".plots")?.replaceWith(plots());
       follow();
     });
     return element("li", {}, element("label", {}, box, " ", key));

@@ -5,6 +5,8 @@ import {act, of, state, valueOf} from "../core/state.js";
 import {running, stateKey, health} from "./health.js";
 
 export const robots = state.robots; // by address: {connected, sentence, list, mounts, keys: Map by mount}
+/** A listed robot's entry. @param {string} robot @returns {import("../core/messages.js").RobotEntry} */
+export const entryOf = robot => /** @type {any} */ (robots.get(robot));
 const typedSecrets = new Map(); // by robot, until it is told
 let looked = null, typed = "", leaving = null; // the robot that is to be left while it calibrates
 
@@ -41,7 +43,7 @@ export function onMessage(message) {
   if (["update", "picture", "taken", "scene", "seen", "stand"].includes(kind)) return true;
   if (kind === "robotGone") return robots.delete(robot);
   if (!robots.has(robot)) robots.set(robot, {connected: false, sentence: "connecting", list: [], mounts: [], keys: new Map()});
-  const entry = robots.get(robot);
+  const entry = entryOf(robot);
   if (kind === "robot") {
     if (message.connected && !entry.connected) { // what it had before may be true no more
       entry.keys.clear();
@@ -67,7 +69,7 @@ const keysOf = body => body && Array.isArray(body.keys) ? body.keys.filter(({key
 
 // Requests a mount's keys once; the bridge holds the request until the robot lists the mount.
 export function needKeys(robot, mount) {
-  const {keys, connected} = robots.get(robot);
+  const {keys, connected} = entryOf(robot);
   if (connected && !keys.has(mount) && act({do: "keys", robot, mount})) keys.set(mount, null);
 }
 
@@ -86,7 +88,7 @@ export function robotBar(changed) {
     element("span", {class: "soft"}, entry.sentence), health(name),
     button("×", () => leave(name, changed), {class: "small", "aria-label": "disconnect from " + name})));
   const name = selectedRobot();
-  return element("div", {class: "robots"}, ...chips, form, name && robots.get(name).connected && !robots.get(name).list.length ? secretForm(name) : null,
+  return element("div", {class: "robots"}, ...chips, form, name && entryOf(name).connected && !entryOf(name).list.length ? secretForm(name) : null,
     leaving && robots.has(leaving) ? confirmation(leaving + " is calibrating. Without its panel it stops and goes back to its stand. Disconnect?", "Disconnect", () => {
       act({do: "disconnect", robot: leaving});
       leaving = null;
@@ -94,7 +96,7 @@ export function robotBar(changed) {
 }
 
 function leave(robot, changed) {
-  if (!robots.get(robot).connected || !running(valueOf(robot, stateKey)?.phase ?? "idle")) return act({do: "disconnect", robot});
+  if (!entryOf(robot).connected || !running(valueOf(robot, stateKey)?.phase ?? "idle")) return act({do: "disconnect", robot});
   leaving = robot;
   changed();
 }
@@ -121,7 +123,7 @@ function secretForm(robot) {
 export function whyNothing() {
   const name = selectedRobot();
   if (!name) return ["No robot yet", "Type a robot's name or address above: HOST, HOST:PORT with its base port (12440 unless it was changed), or the folder of its UNIX sockets."];
-  const {connected, sentence, list} = robots.get(name);
+  const {connected, sentence, list} = entryOf(name);
   if (connected && !list.length) return [name + " shows nothing yet", "It lists no values. A robot reached over the network requires its secret first: type it above."];
   if (!connected && !list.length) return [name + " is not connected", name + " " + (sentence === "connecting" ? "is being connected …" : sentence + ". The panel retries every second.")];
   return null;

@@ -1,4 +1,5 @@
 // Posture of a robot from its right side and from the front; the next pose as an outline over it.
+import {contextOf} from "naocal/lib/dom.js";
 import {colours, figure} from "naocal/lib/figure.js";
 
 // `now` and `next`: the bridge's forward kinematics ({hull: [[from, to, radius]], feet, ..}), or null.
@@ -69,7 +70,7 @@ function body(context, hull, place, scale, {colour, alpha, outlined}) {
 function sheetOver({canvas}) {
   const sheet = document.createElement("canvas"), ratio = canvas.width / canvas.clientWidth || 1;
   Object.assign(sheet, {width: canvas.width, height: canvas.height});
-  const context = sheet.getContext("2d");
+  const context = contextOf(sheet);
   context.scale(ratio, ratio);
   return context;
 }

@@ -35,7 +35,7 @@ export class Plotted {
   // The plot as PNG or SVG, the whole history as CSV.
   savers() {
     const {key} = this, saver = (kind, save) => button(kind, () => { if (this.history) save(); }, {class: "small", "aria-label": "save as " + kind + ": " + key});
-    return [saver("PNG", () => this.plot && this.plot.ctx.canvas.toBlob(blob => download(key + ".png", blob))),
+    return [saver("PNG", () => this.plot && this.plot.ctx.canvas.toBlob(blob => blob && download(key + ".png", blob))),
       saver("SVG", () => download(key + ".svg", svgOf((context, width, height) => this.drawOn(context, width, height), 900, 320), "image/svg+xml")),
       saver("CSV", () => download(key + ".csv", csv(this.history.rows()), "text/csv"))];
   }

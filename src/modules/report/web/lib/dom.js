@@ -27,6 +27,9 @@ const present = children => children.filter(child => child !== null && child !==
 /** The element of the page with that id. @param {string} id @returns {any} */
 export const at = id => document.getElementById(id);
 
+/** @param {HTMLCanvasElement} canvas */
+export const contextOf = canvas => /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+
 /** @param {string} text */
 export const bold = text => element("b", {}, text);
 

@@ -1,5 +1,5 @@
 // Canvases that redraw themselves and tell what is under the pointer.
-import {element, showTip, hideTip} from "naocal/lib/dom.js";
+import {contextOf, element, showTip, hideTip} from "naocal/lib/dom.js";
 
 /** @import {Target, Draw} from "naocal/lib/types.js" */
 
@@ -61,7 +61,7 @@ export function figure(options) {
   frame.redraw = () => {
     const width = frame.clientWidth, tall = typeof height === "function" ? height(width) : height;
     if (!width) return; // not on the page, or hidden
-    const scale = window.devicePixelRatio || 1, context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+    const scale = window.devicePixelRatio || 1, context = contextOf(canvas);
     canvas.width = Math.round(width * scale);
     canvas.height = Math.round(tall * scale);
     canvas.style.height = tall + "px";

@@ -7,7 +7,7 @@ import {fitting} from "naocal/lib/axes.js";
 
 /** @param {Aliases} aliases */
 export function aliasMatrix(aliases) {
-  const order = classesTogether(aliases), top = 20;
+  const order = classesTogether(aliases), top = 42; // room for the numbers, and above them for buttons [px]
   const highOf = (/** @type {number} */ width) => Math.max(15, Math.min(30, (width - nameWidth(width)) / order.length));
   return figure({height: width => top + order.length * highOf(width), label: "correlation of the first candidates",
     draw: (context, width) => draw(context, width, {...aliases, order, top, high: highOf(width)})});
@@ -45,7 +45,7 @@ function draw(context, width, {candidates, correlations, confusable, order, top,
     context.fillText(fitting(context, candidates[a], left - 34), left - 28, y + high / 2);
     context.fillText(String(row + 1), left - 8, y + high / 2);
     context.textAlign = "center";
-    context.fillText(String(row + 1), left + (row + 0.5) * wide, top / 2);
+    context.fillText(String(row + 1), left + (row + 0.5) * wide, top - 10);
     order.slice(0, row + 1).forEach((b, column) => {
       const x = left + column * wide, alike = correlations[a][b];
       context.fillStyle = colours.panel;
