@@ -144,7 +144,7 @@ TEST_CASE("a page carries its scripts as their files have them") {
     const std::string text = withoutEscapes(address.get<std::string>());
     const std::string source = fileContent(web / name.substr(std::string{"naocal/"}.size()));
     CHECK(text == "data:text/javascript;charset=utf-8," + source + "//# sourceURL=" + name + "\n");
-    const std::string from = " from \"";
+    const std::string from = "} from \"";
     for (std::size_t at = source.find(from); at != source.npos; at = source.find(from, at + 1)) {
       const std::size_t first = at + from.size();
       const std::string imported = source.substr(first, source.find('"', first) - first);

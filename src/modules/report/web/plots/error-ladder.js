@@ -19,7 +19,7 @@ export function errorLadder(rungs, {floorName = "noise floor", at, choose} = {})
       axis(place(rung.floor ?? floor), place(errorOf(rung)), isKnown)];
     return element("li", {}, tipOver(choose ? element("button", {type: "button", class: "rung", "aria-current": i === at ? "step" : null, onclick: () => choose(i)}, ...parts)
       : element("div", {class: "rung"}, ...parts), words(rung, name, floorName, rungs[i - 1])));
-  }), element("li", {class: "rung floor soft"}, element("span", {class: "name"}, floorName), element("span", {class: "number"}, floor ? px3(floor) : "…"), axis(place(floor))));
+  }), element("li", {class: "floor soft"}, element("span", {class: "name"}, floorName), element("span", {class: "number"}, floor ? px3(floor) : "…"), axis(place(floor))));
 }
 
 /** @param {Rung} rung */
