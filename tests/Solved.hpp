@@ -1,8 +1,9 @@
 #pragma once
 
-#include "calibrate/Calibration.hpp"
-#include "calibrate/Comparison.hpp"
+#include "calibration/Calibration.hpp"
+#include "calibration/Prediction.hpp"
 #include "data/CaptureSetFile.hpp"
+#include "estimation/ModelBuilder.hpp"
 #include "io/Files.hpp"
 
 #include <filesystem>

@@ -1,7 +1,8 @@
 #include "brain/CalibrationModel.hpp"
 
+#include "estimation/Model.hpp"
+#include "estimation/ModelBuilder.hpp"
 #include "io/InputError.hpp"
-#include "residuals/Model.hpp"
 
 #include <algorithm>
 

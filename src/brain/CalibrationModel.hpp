@@ -1,7 +1,7 @@
 #pragma once
 
-#include "residuals/Measurements.hpp"
-#include "residuals/ModelFile.hpp"
+#include "estimation/ModelFile.hpp"
+#include "measurements/Measurements.hpp"
 
 #include <filesystem>
 #include <string>

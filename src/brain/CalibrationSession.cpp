@@ -1,10 +1,11 @@
 #include "brain/CalibrationSession.hpp"
 
 #include "brain/CalibrationModel.hpp"
-#include "calibrate/Comparison.hpp"
+#include "calibration/Prediction.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "detect/BoardDetector.hpp"
-#include "diagnose/DiagnosisFile.hpp"
+#include "diagnosis/DiagnosisFile.hpp"
+#include "estimation/ModelBuilder.hpp"
 #include "io/Files.hpp"
 #include "io/GreyImage.hpp"
 #include "io/InputError.hpp"

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "calibrate/ResultFile.hpp"
-#include "calibrate/ShownOffsets.hpp"
+#include "calibration/EffectiveOffsets.hpp"
+#include "calibration/ResultFile.hpp"
 #include "data/Capture.hpp"
+#include "estimation/ModelFile.hpp"
 #include "hardware/CameraFrame.hpp"
-#include "residuals/ModelFile.hpp"
 #include "robot/Robot.hpp"
 
 #include <filesystem>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "brain/CalibrationStep.hpp"
-#include "calibrate/ResultFile.hpp"
-#include "calibrate/ShownOffsets.hpp"
+#include "calibration/EffectiveOffsets.hpp"
+#include "calibration/ResultFile.hpp"
 #include "data/Capture.hpp"
 
 #include <filesystem>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "brain/CalibrationStep.hpp"
-#include "poses/OneFootWays.hpp"
 #include "poses/PoseFile.hpp"
+#include "poses/candidates/SingleSupportPlanner.hpp"
 #include "robot/Robot.hpp"
 
 namespace naocal {

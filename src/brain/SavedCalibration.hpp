@@ -1,7 +1,7 @@
 #pragma once
 
-#include "calibrate/ResultFile.hpp"
-#include "calibrate/ShownOffsets.hpp"
+#include "calibration/EffectiveOffsets.hpp"
+#include "calibration/ResultFile.hpp"
 #include "framework/Configuration.hpp"
 
 namespace naocal {

@@ -1,6 +1,6 @@
 #include "detect/BoardDetector.hpp"
 #include "math/Angles.hpp"
-#include "synthetic/Rendering.hpp"
+#include "simulation/Renderer.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

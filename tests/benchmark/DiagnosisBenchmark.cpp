@@ -1,7 +1,7 @@
-#include "diagnose/Questioned.hpp"
+#include "diagnosis/Questioned.hpp"
 
-#include "diagnose/Diagnosis.hpp"
-#include "residuals/KeptMemory.hpp"
+#include "diagnosis/Diagnosis.hpp"
+#include "math/Parallel.hpp"
 
 #include <benchmark/benchmark.h>
 

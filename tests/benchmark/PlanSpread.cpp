@@ -1,5 +1,6 @@
 #include "poses/PlanSpread.hpp"
 #include "math/Angles.hpp"
+#include "poses/criteria/PlanOptions.hpp"
 
 #include <cstdlib>
 #include <fmt/core.h>

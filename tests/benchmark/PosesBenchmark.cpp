@@ -1,7 +1,7 @@
 #include "RobotV6.hpp"
-#include "poses/PoseCandidates.hpp"
-#include "poses/PoseCriterion.hpp"
-#include "synthetic/SimulationPlan.hpp"
+#include "poses/candidates/PoseSampler.hpp"
+#include "poses/criteria/PoseCriterion.hpp"
+#include "simulation/SimulationPlan.hpp"
 
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>

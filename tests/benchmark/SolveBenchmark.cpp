@@ -1,9 +1,10 @@
 #include "SolveProblems.hpp"
 
-#include "calibrate/Calibration.hpp"
-#include "calibrate/StartingPlacements.hpp"
+#include "calibration/Calibration.hpp"
+#include "calibration/Initialization.hpp"
+#include "estimation/ModelBuilder.hpp"
+#include "estimation/Residuals.hpp"
 #include "math/LevenbergMarquardt.hpp"
-#include "residuals/Residuals.hpp"
 
 #include <algorithm>
 #include <benchmark/benchmark.h>

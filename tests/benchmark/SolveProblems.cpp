@@ -2,7 +2,7 @@
 
 #include "math/Angles.hpp"
 #include "math/RigidTransform.hpp"
-#include "synthetic/HandMadePoses.hpp"
+#include "simulation/HandMadePoses.hpp"
 
 #include <algorithm>
 #include <stdexcept>

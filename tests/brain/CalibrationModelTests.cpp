@@ -1,7 +1,7 @@
 #include "brain/CalibrationModel.hpp"
 
 #include "../RobotV6.hpp"
-#include "../synthetic/HandMadePoses.hpp"
+#include "simulation/HandMadePoses.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,5 @@
 #include "Scenes.hpp"
-#include "synthetic/RenderingFlats.hpp"
-#include "synthetic/RenderingLens.hpp"
+#include "simulation/Renderer.hpp"
 
 #include <catch2/catch.hpp>
 #include <opencv2/aruco/charuco.hpp>

@@ -5,9 +5,9 @@
 #include "data/CaptureSetFile.hpp"
 #include "io/GreyImage.hpp"
 #include "io/InputError.hpp"
-#include "synthetic/Rendering.hpp"
-#include "synthetic/Simulation.hpp"
-#include "synthetic/StandingPoses.hpp"
+#include "simulation/Renderer.hpp"
+#include "simulation/Simulation.hpp"
+#include "simulation/StandingPoses.hpp"
 
 #include <catch2/catch.hpp>
 #include <map>

@@ -2,6 +2,7 @@
 
 #include "../RobotV6.hpp"
 #include "detect/BoardDetector.hpp"
+#include "simulation/SyntheticRobot.hpp"
 
 #include <atomic>
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 #include "../RobotV6.hpp"
 #include "hardware/simulated/SimulatedWorld.hpp"
-#include "synthetic/StandingPoses.hpp"
+#include "simulation/StandingPoses.hpp"
 
 #include <catch2/catch.hpp>
 #include <thread>

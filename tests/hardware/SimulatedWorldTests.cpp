@@ -2,7 +2,7 @@
 
 #include "../RobotV6.hpp"
 #include "detect/BoardDetector.hpp"
-#include "synthetic/StandingPoses.hpp"
+#include "simulation/StandingPoses.hpp"
 
 #include <catch2/catch.hpp>
 #include <thread>

@@ -3,8 +3,8 @@
 #include "TemporaryFolder.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "io/Files.hpp"
-#include "synthetic/Simulation.hpp"
-#include "synthetic/StandingPoses.hpp"
+#include "simulation/Simulation.hpp"
+#include "simulation/StandingPoses.hpp"
 
 #include <catch2/catch.hpp>
 #include <chrono>

@@ -4,8 +4,8 @@
 #include "data/CaptureSetFile.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
-#include "synthetic/Simulation.hpp"
-#include "synthetic/StandingPoses.hpp"
+#include "simulation/Simulation.hpp"
+#include "simulation/StandingPoses.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

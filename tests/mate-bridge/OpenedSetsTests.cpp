@@ -3,10 +3,11 @@
 #include "Laboratory.hpp"
 #include "TemporaryFolder.hpp"
 #include "data/CaptureSetFile.hpp"
+#include "estimation/ModelBuilder.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
-#include "synthetic/Simulation.hpp"
-#include "synthetic/StandingPoses.hpp"
+#include "simulation/Simulation.hpp"
+#include "simulation/StandingPoses.hpp"
 
 #include <catch2/catch.hpp>
 #include <map>

@@ -2,12 +2,12 @@
 
 #include "SimulatedProcess.hpp"
 
-#include "calibrate/ResultFile.hpp"
+#include "calibration/ResultFile.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "math/Angles.hpp"
 #include "math/LinearAlgebra.hpp"
-#include "synthetic/SyntheticBody.hpp"
-#include "synthetic/SyntheticRobot.hpp"
+#include "simulation/SyntheticBody.hpp"
+#include "simulation/SyntheticRobot.hpp"
 
 #include <algorithm>
 #include <cmath>

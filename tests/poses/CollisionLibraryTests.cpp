@@ -1,5 +1,6 @@
 #include "PlainRobot.hpp"
 #include "RobotV6.hpp"
+#include "measurements/Measurements.hpp"
 #include "robot/SelfCollision.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,8 +1,9 @@
 #include "RobotV6.hpp"
-#include "poses/CriteriaComparison.hpp"
-#include "poses/Interaction.hpp"
+#include "poses/PosePlan.hpp"
+#include "poses/criteria/PlanOptions.hpp"
+#include "poses/criteria/ThesisCriterion.hpp"
 #include "robot/Balance.hpp"
-#include "synthetic/SimulationPlan.hpp"
+#include "simulation/SimulationPlan.hpp"
 
 #include <catch2/catch.hpp>
 

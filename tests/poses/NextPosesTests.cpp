@@ -1,10 +1,11 @@
 #include "RobotV6.hpp"
-#include "poses/Discrimination.hpp"
+#include "estimation/Model.hpp"
+#include "estimation/ModelBuilder.hpp"
 #include "poses/NextPoses.hpp"
-#include "poses/OneFootWays.hpp"
-#include "poses/PlannedCaptures.hpp"
-#include "residuals/Carried.hpp"
-#include "synthetic/Simulation.hpp"
+#include "poses/candidates/SingleSupportPlanner.hpp"
+#include "poses/criteria/Discrimination.hpp"
+#include "poses/criteria/PlannedInformation.hpp"
+#include "simulation/Simulation.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 #include "RobotV6.hpp"
-#include "poses/OpenQuestion.hpp"
+#include "poses/criteria/Discrimination.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,9 +1,10 @@
 #pragma once
 
 #include "RobotV6.hpp"
-#include "calibrate/Calibration.hpp"
+#include "calibration/Calibration.hpp"
+#include "estimation/ModelBuilder.hpp"
 #include "poses/PosePlan.hpp"
-#include "synthetic/Simulation.hpp"
+#include "simulation/Simulation.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "QuickPlan.hpp"
 #include "io/InputError.hpp"
-#include "poses/BoardPlaces.hpp"
-#include "poses/Mirror.hpp"
-#include "poses/PoseOrder.hpp"
+#include "poses/candidates/BoardPlacement.hpp"
+#include "poses/candidates/Transitions.hpp"
+#include "poses/criteria/PlanOptions.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,8 @@
-#include "poses/PoseGenerator.hpp"
 #include "RobotV6.hpp"
 #include "io/InputError.hpp"
 #include "math/Polygon.hpp"
 #include "math/SubsetSelection.hpp"
+#include "poses/candidates/PoseSampler.hpp"
 #include "robot/Gravity.hpp"
 
 #include <algorithm>

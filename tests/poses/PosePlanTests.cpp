@@ -3,10 +3,10 @@
 #include "TemporaryFolder.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
-#include "poses/PlanFile.hpp"
-#include "poses/PoseChecks.hpp"
 #include "poses/PoseFile.hpp"
-#include "poses/PoseOrder.hpp"
+#include "poses/candidates/PoseValidity.hpp"
+#include "poses/candidates/Transitions.hpp"
+#include "poses/criteria/PlanOptions.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -2,7 +2,8 @@
 
 #include "RobotV6.hpp"
 #include "poses/PosePlan.hpp"
-#include "synthetic/SimulationPlan.hpp"
+#include "poses/criteria/PlanOptions.hpp"
+#include "simulation/SimulationPlan.hpp"
 
 /// Options of a plan that is found in seconds.
 inline naocal::PlanOptions quickOptions(std::size_t poses, naocal::SupportFoot foot = naocal::SupportFoot::left) {

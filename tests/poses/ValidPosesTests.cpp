@@ -1,6 +1,7 @@
 #include "PlainRobot.hpp"
 #include "QuickPlan.hpp"
-#include "poses/PlanFile.hpp"
+#include "poses/PoseFile.hpp"
+#include "poses/criteria/PlanOptions.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>

@@ -1,10 +1,10 @@
 #include "Browser.hpp"
 #include "Result.hpp"
 
-#include "diagnose/DiagnosisFile.hpp"
-#include "diagnose/OwnEffect.hpp"
+#include "diagnosis/DiagnosisFile.hpp"
+#include "diagnosis/OwnEffect.hpp"
+#include "estimation/ModelFile.hpp"
 #include "io/InputError.hpp"
-#include "residuals/ModelFile.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,11 +1,12 @@
 #pragma once
 
 #include "TemporaryFolder.hpp"
-#include "calibrate/ResultFile.hpp"
+#include "calibration/ResultFile.hpp"
 #include "data/CaptureSetFile.hpp"
+#include "estimation/ModelBuilder.hpp"
 #include "io/Files.hpp"
-#include "report/Report.hpp"
-#include "synthetic/HandMadePoses.hpp"
+#include "report/ReportPage.hpp"
+#include "simulation/HandMadePoses.hpp"
 
 #include <filesystem>
 #include <fmt/format.h>

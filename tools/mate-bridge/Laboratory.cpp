@@ -2,11 +2,11 @@
 
 #include "LaboratoryJson.hpp"
 
-#include "calibrate/ResultFile.hpp"
+#include "calibration/ResultFile.hpp"
+#include "estimation/ModelBuilder.hpp"
+#include "estimation/ModelFile.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
-#include "residuals/Candidates.hpp"
-#include "residuals/ModelFile.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

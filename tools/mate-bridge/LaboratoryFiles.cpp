@@ -2,13 +2,13 @@
 
 #include "PassingFolder.hpp"
 
-#include "calibrate/Comparison.hpp"
-#include "diagnose/DiagnosisFile.hpp"
+#include "calibration/Prediction.hpp"
+#include "diagnosis/DiagnosisFile.hpp"
+#include "estimation/ModelFile.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "poses/PoseFile.hpp"
-#include "report/Report.hpp"
-#include "residuals/ModelFile.hpp"
+#include "report/ReportPage.hpp"
 
 #include <filesystem>
 #include <fmt/format.h>

@@ -1,17 +1,15 @@
 #include "LaboratoryJson.hpp"
 
-#include "calibrate/ShownOffsets.hpp"
-#include "calibrate/Verdict.hpp"
-#include "diagnose/DiagnosisFile.hpp"
-#include "diagnose/TellingSentences.hpp"
-#include "evidence/Drivers.hpp"
+#include "calibration/EffectiveOffsets.hpp"
+#include "calibration/Verdict.hpp"
+#include "diagnosis/DiagnosisFile.hpp"
+#include "diagnosis/views/TellingPairs.hpp"
+#include "inference/DriverBasis.hpp"
 #include "io/Units.hpp"
 #include "math/Angles.hpp"
 #include "math/LinearAlgebra.hpp"
 #include "report/DiagnosisData.hpp"
-#include "report/EstimatesData.hpp"
-#include "report/PictureData.hpp"
-#include "report/Sentences.hpp"
+#include "report/ResultData.hpp"
 
 #include <map>
 #include <nlohmann/json.hpp>

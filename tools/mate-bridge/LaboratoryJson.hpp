@@ -2,7 +2,7 @@
 
 #include "OpenedSets.hpp"
 
-#include "diagnose/Diagnosis.hpp"
+#include "diagnosis/Diagnosis.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

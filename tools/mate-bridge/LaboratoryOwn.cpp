@@ -1,8 +1,9 @@
 #include "Laboratory.hpp"
 
 #include "effects/UserEffect.hpp"
+#include "estimation/ModelBuilder.hpp"
+#include "estimation/ModelFile.hpp"
 #include "io/InputError.hpp"
-#include "residuals/ModelFile.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

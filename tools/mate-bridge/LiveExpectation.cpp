@@ -1,6 +1,6 @@
 #include "LiveExpectation.hpp"
 
-#include "calibrate/Words.hpp"
+#include "calibration/Wording.hpp"
 #include "detect/LensDistortion.hpp"
 #include "effects/Catalogue.hpp"
 #include "robot/Kinematics.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "data/Capture.hpp"
-#include "diagnose/SessionFile.hpp"
+#include "diagnosis/Session.hpp"
 #include "robot/Robot.hpp"
 
 #include <filesystem>

@@ -1,5 +1,7 @@
 #include "Rung.hpp"
 
+#include "estimation/ModelBuilder.hpp"
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "OpenedSets.hpp"
 
-#include "diagnose/SessionFile.hpp"
+#include "diagnosis/Session.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>

@@ -4,7 +4,7 @@
 #include "page/Page.hpp"
 
 #include "io/InputError.hpp"
-#include "residuals/KeptMemory.hpp"
+#include "math/Parallel.hpp"
 
 #include <CLI/CLI.hpp>
 #include <charconv>

@@ -1,9 +1,9 @@
 #include "BlindRun.hpp"
 #include "Subprocess.hpp"
 
+#include "estimation/ModelFile.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
-#include "residuals/ModelFile.hpp"
 #include "robot/Robot.hpp"
 
 #include <chrono>

@@ -2,7 +2,7 @@
 #include "Outputs.hpp"
 #include "Sets.hpp"
 
-#include "calibrate/Comparison.hpp"
+#include "calibration/Prediction.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>

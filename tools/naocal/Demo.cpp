@@ -7,13 +7,14 @@
 
 #include "data/CaptureSetFile.hpp"
 #include "detect/BoardDetector.hpp"
-#include "diagnose/DiagnosisFile.hpp"
+#include "diagnosis/DiagnosisFile.hpp"
+#include "estimation/ModelBuilder.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "io/Units.hpp"
-#include "report/Report.hpp"
-#include "synthetic/Pictures.hpp"
-#include "synthetic/StandingPoses.hpp"
+#include "report/ReportPage.hpp"
+#include "simulation/SimulatedPictures.hpp"
+#include "simulation/StandingPoses.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cmath>

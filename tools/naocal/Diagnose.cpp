@@ -5,11 +5,11 @@
 #include "Progress.hpp"
 #include "Sets.hpp"
 
-#include "diagnose/DiagnosisFile.hpp"
-#include "diagnose/OwnEffect.hpp"
+#include "diagnosis/DiagnosisFile.hpp"
+#include "diagnosis/OwnEffect.hpp"
+#include "estimation/ModelFile.hpp"
 #include "io/InputError.hpp"
 #include "poses/PoseFile.hpp"
-#include "residuals/ModelFile.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

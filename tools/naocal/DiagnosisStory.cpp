@@ -1,6 +1,6 @@
 #include "DiagnosisStory.hpp"
 
-#include "diagnose/Sentences.hpp"
+#include "diagnosis/DiagnosisWording.hpp"
 #include "math/Angles.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "AsAsked.hpp"
 
-#include "diagnose/Diagnosis.hpp"
+#include "diagnosis/Diagnosis.hpp"
 
 namespace naocal {
 

@@ -2,7 +2,7 @@
 #include "Outputs.hpp"
 #include "Sets.hpp"
 
-#include "residuals/ModelFile.hpp"
+#include "estimation/ModelFile.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "Progress.hpp"
 #include "Sets.hpp"
 
-#include "evaluate/NextTrial.hpp"
+#include "evaluation/NextPosesTrial.hpp"
 #include "io/InputError.hpp"
 
 #include <CLI/CLI.hpp>

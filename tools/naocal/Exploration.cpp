@@ -2,8 +2,8 @@
 
 #include "DiagnosisStory.hpp"
 
+#include "estimation/ModelFile.hpp"
 #include "io/InputError.hpp"
-#include "residuals/ModelFile.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -2,8 +2,8 @@
 
 #include "Sets.hpp"
 
-#include "diagnose/Diagnosis.hpp"
-#include "diagnose/SessionFile.hpp"
+#include "diagnosis/Diagnosis.hpp"
+#include "diagnosis/Session.hpp"
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 #include "Commands.hpp"
 #include "Exploration.hpp"
 
+#include "estimation/ModelFile.hpp"
 #include "io/InputError.hpp"
-#include "residuals/ModelFile.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>

@@ -3,7 +3,7 @@
 #include "data/CaptureSetFile.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
-#include "synthetic/Simulation.hpp"
+#include "simulation/Simulation.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

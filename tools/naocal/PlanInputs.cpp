@@ -3,7 +3,8 @@
 #include "data/CaptureSetFile.hpp"
 #include "io/InputError.hpp"
 #include "poses/PoseFile.hpp"
-#include "synthetic/SimulationPlan.hpp"
+#include "poses/criteria/PlanOptions.hpp"
+#include "simulation/SimulationPlan.hpp"
 
 #include <cstdlib>
 #include <fmt/format.h>

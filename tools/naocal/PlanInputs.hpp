@@ -1,6 +1,7 @@
 #pragma once
 
 #include "poses/PosePlan.hpp"
+#include "poses/criteria/PlanOptions.hpp"
 
 #include <map>
 #include <string>

@@ -1,7 +1,7 @@
 #include "PlanStory.hpp"
 
 #include "math/Angles.hpp"
-#include "poses/BoardPlaces.hpp"
+#include "poses/candidates/BoardPlacement.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,8 @@
 #include "Sets.hpp"
 #include "io/InputError.hpp"
 #include "math/Angles.hpp"
-#include "poses/PlanFile.hpp"
+#include "poses/PoseFile.hpp"
+#include "poses/criteria/PlanOptions.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>

@@ -1,7 +1,7 @@
 #include "Commands.hpp"
 #include "Outputs.hpp"
 
-#include "report/Report.hpp"
+#include "report/ReportPage.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "calibrate/ResultFile.hpp"
+#include "calibration/ResultFile.hpp"
 #include "data/Capture.hpp"
 #include "robot/Robot.hpp"
 

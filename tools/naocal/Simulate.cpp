@@ -7,7 +7,7 @@
 #include "data/CaptureSetFile.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
-#include "synthetic/Pictures.hpp"
+#include "simulation/SimulatedPictures.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>

@@ -5,7 +5,7 @@
 #include "io/InputError.hpp"
 #include "math/Angles.hpp"
 #include "poses/PoseFile.hpp"
-#include "synthetic/StandingPoses.hpp"
+#include "simulation/StandingPoses.hpp"
 
 #include <CLI/CLI.hpp>
 #include <charconv>

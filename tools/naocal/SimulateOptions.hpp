@@ -1,7 +1,7 @@
 #pragma once
 
-#include "synthetic/Rendering.hpp"
-#include "synthetic/SimulationPlan.hpp"
+#include "simulation/Renderer.hpp"
+#include "simulation/SimulationPlan.hpp"
 
 #include <string>
 

@@ -3,8 +3,9 @@
 #include "Sets.hpp"
 #include "Story.hpp"
 
-#include "calibrate/Calibration.hpp"
-#include "residuals/ModelFile.hpp"
+#include "calibration/Calibration.hpp"
+#include "estimation/ModelBuilder.hpp"
+#include "estimation/ModelFile.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>

@@ -1,6 +1,6 @@
 #include "Story.hpp"
 
-#include "calibrate/Verdict.hpp"
+#include "calibration/Verdict.hpp"
 #include "io/Units.hpp"
 #include "math/Angles.hpp"
 

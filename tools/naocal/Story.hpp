@@ -1,6 +1,6 @@
 #pragma once
 
-#include "calibrate/Calibration.hpp"
+#include "calibration/Calibration.hpp"
 
 #include <vector>
 

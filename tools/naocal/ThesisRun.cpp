@@ -1,7 +1,7 @@
 #include "ThesisRun.hpp"
 
 #include "Progress.hpp"
-#include "evaluate/ThesisPoses.hpp"
+#include "evaluation/ThesisExperiment.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "evaluate/ThesisEvaluation.hpp"
+#include "evaluation/ThesisTables.hpp"
 
 namespace naocal {
 

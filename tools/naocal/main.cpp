@@ -1,7 +1,7 @@
 #include "Commands.hpp"
 
 #include "io/InputError.hpp"
-#include "residuals/KeptMemory.hpp"
+#include "math/Parallel.hpp"
 
 #include <CLI/CLI.hpp>
 #include <exception>

@@ -2,8 +2,8 @@
 
 #include "data/Capture.hpp"
 #include "math/Angles.hpp"
+#include "math/Sampling.hpp"
 #include "robot/Robot.hpp"
-#include "synthetic/Randomness.hpp"
 
 namespace naocal {
 

@@ -4,6 +4,7 @@
 #include "hardware/simulated/RestingPlane.hpp"
 #include "hardware/simulated/Servo.hpp"
 #include "hardware/simulated/SimulatedPlan.hpp"
+#include "simulation/SyntheticRobot.hpp"
 
 #include <Eigen/Geometry>
 

@@ -2,8 +2,9 @@
 
 #include "hardware/RobotState.hpp"
 #include "hardware/simulated/Servo.hpp"
-#include "synthetic/Rendering.hpp"
-#include "synthetic/SimulationPlan.hpp"
+#include "simulation/Renderer.hpp"
+#include "simulation/RobotErrors.hpp"
+#include "simulation/SimulationPlan.hpp"
 
 namespace naocal {
 

@@ -1,5 +1,5 @@
 #include "hardware/simulated/SimulatedSides.hpp"
-#include "synthetic/Simulation.hpp"
+#include "simulation/Simulation.hpp"
 
 #include <fmt/format.h>
 #include <thread>

@@ -1,10 +1,23 @@
 #pragma once
 
+#include <cassert>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 
 /// Writing JSON again without losing what was read beside the known keys. (Heavy: include in .cpp files only.)
+
 namespace naocal {
+
+/// Finer than any figure shows, and a file that stays small.
+inline double shortened(double value, int digits = 5) {
+  assert(std::isfinite(value));
+  if (value == 0) {
+    return 0;
+  }
+  const double scale = std::pow(10.0, digits - 1 - std::floor(std::log10(std::abs(value))));
+  return std::round(value * scale) / scale;
+}
 
 /// What was read under a key; null when nothing was.
 const nlohmann::json& child(const nlohmann::json& read, const std::string& key);

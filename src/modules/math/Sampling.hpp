@@ -1,8 +1,13 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 #include <memory>
+#include <numbers>
+#include <random>
 #include <span>
+#include <string_view>
 
 namespace naocal {
 
@@ -22,5 +27,43 @@ public:
 /// of its cells, of which there are as many as `count` allows, at least one along every dimension.
 std::unique_ptr<UnitPoints> unitPoints(Sampling sampling, std::uint64_t seed, std::size_t dimensions, std::size_t count,
                                        std::size_t first);
+
+/// A stream of chance, repeatable by its seed and named by its purpose: more noise in the pictures leaves the robot and
+/// its motions as they were.
+class Randomness {
+public:
+  Randomness(std::uint64_t seed, std::string_view purpose) {
+    std::seed_seq sequence{seed & 0xffffffffU, seed >> 32, hash(purpose) & 0xffffffffU, hash(purpose) >> 32};
+    engine_.seed(sequence);
+  }
+
+  /// Uniform in [-range, range].
+  double within(double range) { return range * (2 * unit_(engine_) - 1); }
+  bool chance(double probability) { return unit_(engine_) < probability; }
+  /// Normal, mean 0.
+  double normal(double sigma) { return sigma * normal_(engine_); }
+  /// Student's t with 4 degrees of freedom, scaled to the standard deviation `sigma` (its own is sqrt 2).
+  double heavyTailed(double sigma) { return sigma / std::numbers::sqrt2 * student_(engine_); }
+  /// Uniform over the circle of this radius.
+  Eigen::Vector2d direction(double length) {
+    const double angle = within(std::numbers::pi);
+    return {length * std::cos(angle), length * std::sin(angle)};
+  }
+  std::size_t below(std::size_t count) { return std::uniform_int_distribution<std::size_t>{0, count - 1}(engine_); }
+
+private:
+  static std::uint64_t hash(std::string_view text) { // FNV-1a: the same on every machine
+    std::uint64_t result = 0xcbf29ce484222325;
+    for (const char character : text) {
+      result = (result ^ static_cast<unsigned char>(character)) * 0x100000001b3;
+    }
+    return result;
+  }
+
+  std::mt19937_64 engine_;
+  std::uniform_real_distribution<double> unit_{0, 1};
+  std::normal_distribution<double> normal_{0, 1};
+  std::student_t_distribution<double> student_{4};
+};
 
 } // namespace naocal

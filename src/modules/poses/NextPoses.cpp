@@ -1,8 +1,9 @@
 #include "poses/NextPoses.hpp"
 
-#include "poses/Approach.hpp"
-#include "poses/Discrimination.hpp"
-#include "poses/ReachOnOneFoot.hpp"
+#include "estimation/ModelBuilder.hpp"
+#include "poses/candidates/SingleSupportPlanner.hpp"
+#include "poses/criteria/Discrimination.hpp"
+#include "poses/criteria/PlannedInformation.hpp"
 
 #include <algorithm>
 #include <cmath>

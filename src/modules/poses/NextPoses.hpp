@@ -1,6 +1,6 @@
 #pragma once
 
-#include "poses/PlannedInformation.hpp"
+#include "poses/criteria/PlannedInformation.hpp"
 
 #include <cstdint>
 #include <map>

@@ -1,13 +1,169 @@
 #include "poses/PoseFile.hpp"
 
+#include "data/BoardFile.hpp"
 #include "data/CaptureSetFile.hpp"
-#include "poses/OneFoot.hpp"
-#include "poses/PoseJson.hpp"
-#include "poses/PoseOrder.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+#include "io/JsonReader.hpp"
+#include "measurements/Noise.hpp"
+#include "poses/candidates/SupportLegs.hpp"
+#include "poses/candidates/Transitions.hpp"
+#include "poses/criteria/PlanOptions.hpp"
+#include "poses/criteria/PlannedInformation.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <set>
+#include <sstream>
 
 namespace naocal {
+
+/// `poses` of POSES.json: each with the seconds from the one before it, where these are known.
+nlohmann::json posesOf(const std::vector<ProposedPose>& poses, const std::vector<std::optional<double>>& seconds,
+                       const Robot& robot);
+
+/// Angles by name, fingers at rest.
+nlohmann::json anglesJson(const Eigen::VectorXd& angles, const Robot& robot);
+
+/// Where boards lie on the floor.
+nlohmann::json boardsJson(const std::vector<Board>& boards);
+
+nlohmann::json noiseJson(const Noise& noise);
+
+namespace {
+
+using Json = nlohmann::json;
+
+bool hasFingers(const Joint& wrist) {
+  return wrist.name.ends_with("WristYaw");
+}
+
+std::vector<std::optional<double>> secondsOf(const PosePlan& plan) {
+  std::vector<std::optional<double>> result;
+  for (const auto& way : plan.ways) {
+    result.push_back(way ? std::optional{way->seconds} : std::nullopt);
+  }
+  return result;
+}
+
+Json assumptions(const PlanOptions& options) {
+  return {{"noise", noiseJson(options.noise)},
+          {"samples", 1},
+          {"jointError", options.poses.stability.jointError},
+          {"boards",
+           "placements in the frame of the sole that the robot stands on, on both feet the left one; for poses on both "
+           "feet in turn that of the first pose, the other foot 0.1 m beside it"},
+          {"unknowns", "joint offsets, rotations of both cameras, x, y and yaw of every board"},
+          {"floor", "on both feet the right sole lies on the left one's floor to 1 mm and 0.005 rad"}};
+}
+
+Json boardsWithTolerances(const PosePlan& plan) {
+  Json boards = boardsJson(plan.boards);
+  for (std::size_t i = 0; i < plan.tolerances.size(); ++i) {
+    boards[i]["tolerance"] = {{"shift", plan.tolerances[i].shift}, {"turn", plan.tolerances[i].turn}};
+  }
+  return boards;
+}
+
+/// One foot, or both in turn.
+std::string_view supportOf(const PosePlan& plan) {
+  const bool one = std::all_of(plan.poses.begin(), plan.poses.end(),
+                               [&](const ProposedPose& each) { return each.pose.supportFoot == plan.supportFoot; });
+  return supportFootWords[static_cast<std::size_t>(one ? plan.supportFoot : SupportFoot::both)];
+}
+
+Json comparisonJson(const PosePlan& plan) {
+  Json result = Json::array();
+  for (const CriterionResult& each : plan.comparison) {
+    result.push_back({{"criterion", name(each.criterion)},
+                      {"poses", each.poses},
+                      {"worstSigma", each.worst},
+                      {"meanSigma", each.mean},
+                      {"worstSigmaKnown", each.worstKnown},
+                      {"interaction", {{"cost", each.interaction.cost}, {"count", each.interaction.count}}}});
+    if (each.misfit) {
+      result.back()["misfit"] = *each.misfit;
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+Json planJson(const PosePlan& plan, const Robot& robot) {
+  Json poses = posesOf(plan.poses, secondsOf(plan), robot);
+  for (std::size_t i = 0; i < plan.standing.size(); ++i) {
+    poses[i]["standing"] = plan.standing[i];
+    for (const Eigen::VectorXd& angles : plan.ways[i].value_or(PoseWay{}).via) {
+      poses[i]["via"].push_back(anglesJson(angles, robot));
+    }
+  }
+  Json result = {{"format", "naocal-poses"},
+                 {"version", 1},
+                 {"robot", robot.model},
+                 {"support", supportOf(plan)},
+                 {"candidates",
+                  {{"generated", plan.sieve.generated},
+                   {"reachable", plan.sieve.reachable},
+                   {"collisionFree", plan.sieve.collisionFree},
+                   {"stable", plan.sieve.stable},
+                   {"seeing", plan.sieve.seeing}}},
+                 {"poses", poses},
+                 {"boards", boardsWithTolerances(plan)},
+                 {"predictedSigma", plan.sigma},
+                 {"predictedSigmaKnown", plan.sigmaKnown},
+                 {"predictedSigmaOfRobots", plan.sigmaOfRobots},
+                 {"criterion", name(plan.options.criterion)},
+                 {"interaction", {{"cost", plan.interaction.cost}, {"count", plan.interaction.count}}},
+                 {"assumptions", assumptions(plan.options)}};
+  if (plan.misfit) {
+    result["effects"] = plan.options.effects;
+    result["misfit"] = *plan.misfit;
+  }
+  if (!plan.comparison.empty()) {
+    result["comparison"] = comparisonJson(plan);
+  }
+  return result;
+}
+
+void writePoseFiles(const PosePlan& plan, const Robot& robot, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  const Json poses = posesOf(plan.poses, secondsOf(plan), robot);
+  for (std::size_t i = 0; i < plan.poses.size(); ++i) {
+    std::string text;
+    for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+      text += fmt::format("{:.17g} ", plan.poses[i].pose.angles[static_cast<Eigen::Index>(joint)]);
+      text += hasFingers(robot.joints[joint]) ? "0 " : "";
+    }
+    text.back() = '\n';
+    writeAtomically(folder / (poses[i].at("id").get<std::string>() + ".pose"), text);
+  }
+}
+
+Eigen::VectorXd readAnglesFile(const std::filesystem::path& file, const Robot& robot) {
+  std::istringstream text{fileContent(file)};
+  std::vector<double> numbers;
+  for (double number = 0; text >> number;) {
+    numbers.push_back(number);
+  }
+  const std::size_t wanted = robot.joints.size() + fingers.size();
+  if (!text.eof() || numbers.size() != wanted) {
+    throw InputError{fmt::format("{}: expected {} angles in radians and nothing else, found {} before the end or "
+                                 "something that is no number",
+                                 file.string(), wanted, numbers.size())};
+  }
+  Eigen::VectorXd angles(static_cast<Eigen::Index>(robot.joints.size()));
+  std::size_t next = 0;
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    angles[static_cast<Eigen::Index>(joint)] = numbers[next];
+    next += hasFingers(robot.joints[joint]) ? 2 : 1;
+  }
+  return angles;
+}
 
 namespace {
 
@@ -69,6 +225,153 @@ Json posesJson(const NextPoses& next, const Robot& robot) {
   result["predictedSigma"] = next.predictedSigma;
   result["criterion"] = "discrimination";
   result["assumptions"] = assumptions(next);
+  return result;
+}
+
+namespace {
+
+nlohmann::json perJoint(const Robot& robot, const Eigen::VectorXd& values, bool whole) {
+  nlohmann::json result = nlohmann::json::object();
+  for (const std::string_view name : fingers) {
+    result[std::string{name}] = 0;
+  }
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    const double value = values[static_cast<Eigen::Index>(joint)];
+    result[robot.joints[joint].name] = whole ? nlohmann::json(std::lround(value)) : nlohmann::json(value);
+  }
+  return result;
+}
+
+} // namespace
+
+nlohmann::json anglesJson(const Eigen::VectorXd& angles, const Robot& robot) {
+  return perJoint(robot, angles, false);
+}
+
+nlohmann::json boardsJson(const std::vector<Board>& boards) {
+  nlohmann::json result = nlohmann::json::array();
+  for (const Board& board : boards) {
+    const Placement& place = *board.placement;
+    result.push_back({{"id", board.id}, {"placement", {{"x", place.x}, {"y", place.y}, {"yaw", place.yaw}}}});
+  }
+  return result;
+}
+
+nlohmann::json noiseJson(const Noise& noise) {
+  return {{"pixel", noise.pixel}, {"encoder", noise.encoder}, {"pose", noise.pose}};
+}
+
+nlohmann::json posesOf(const std::vector<ProposedPose>& poses, const std::vector<std::optional<double>>& seconds,
+                       const Robot& robot) {
+  nlohmann::json result = nlohmann::json::array();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const PlannedPose& pose = poses[i].pose;
+    std::set<std::string> boards;
+    for (const Sight& sight : pose.sights) {
+      boards.insert(sight.board);
+    }
+    result.push_back({{"id", fmt::format("{}{:02}", "LRB"[static_cast<std::size_t>(pose.supportFoot)], i)},
+                      {"supportFoot", supportFootWords[static_cast<std::size_t>(pose.supportFoot)]},
+                      {"joints", perJoint(robot, pose.angles, false)},
+                      {"approach", perJoint(robot, poses[i].approach, true)},
+                      {"observes", boards}});
+    if (seconds[i]) {
+      result.back()["secondsToReach"] = *seconds[i];
+    }
+  }
+  return result;
+}
+
+namespace {
+
+/// The joint of a key, which the robot must have; absent: a finger.
+std::optional<Eigen::Index> jointOf(const std::string& name, const JsonPlace& place, const Robot& robot) {
+  if (std::find(fingers.begin(), fingers.end(), name) != fingers.end()) {
+    return std::nullopt;
+  }
+  const auto joint = robot.jointIndex(name);
+  if (!joint) {
+    place.refuse(fmt::format("a joint of the {}", robot.model), fmt::format("\"{}\"", name));
+  }
+  return static_cast<Eigen::Index>(*joint);
+}
+
+Eigen::VectorXd anglesFrom(const JsonPlace& joints, const Robot& robot) {
+  constexpr double rounding = 1e-6; // [rad]
+  Eigen::VectorXd angles = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(robot.joints.size()), std::nan(""));
+  for (const auto& [name, place] : joints.members()) {
+    const double angle = place.number(angleRange);
+    if (const auto joint = jointOf(name, place, robot)) {
+      angles[*joint] = angle;
+    }
+  }
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    const Joint& drawn = robot.joints[joint];
+    const double angle = angles[static_cast<Eigen::Index>(joint)];
+    if (std::isnan(angle)) {
+      joints.refuse(fmt::format("an angle for each joint of the {}", robot.model), fmt::format("no {}", drawn.name));
+    }
+    const AngleRange limits = limitsAt(robot, joint, angles);
+    if (angle < limits.lower - rounding || angle > limits.upper + rounding) {
+      joints.at(drawn.name)
+          .refuse(fmt::format("an angle from {:.4f} to {:.4f} radians, as the joint can take it", limits.lower,
+                              limits.upper));
+    }
+    if (angle != angles[static_cast<Eigen::Index>(drawn.motor)]) {
+      joints.at(drawn.name)
+          .refuse(fmt::format("the angle of {}: one motor drives both", robot.joints[drawn.motor].name));
+    }
+  }
+  return angles;
+}
+
+PlayablePose poseFrom(const JsonPlace& place, const Robot& robot) {
+  PlayablePose pose;
+  pose.id = place.at("id").text();
+  pose.supportFoot = static_cast<SupportFoot>(place.at("supportFoot").oneOf({"left", "right", "both"}));
+  pose.angles = anglesFrom(place.at("joints"), robot);
+  pose.approach = Eigen::VectorXd::Zero(pose.angles.size());
+  if (const auto approach = place.find("approach")) {
+    for (const auto& [name, direction] : approach->members()) {
+      const int sign = direction.integer(-1, 1);
+      if (const auto joint = jointOf(name, direction, robot)) {
+        pose.approach[*joint] = sign;
+      }
+    }
+  }
+  return pose;
+}
+
+} // namespace
+
+PoseFile readPoseFile(const std::filesystem::path& file, const Robot& robot) {
+  const nlohmann::json document = parseJson(fileContent(file), file.string());
+  const JsonPlace all{document, file.string()};
+  all.at("format").oneOf({"naocal-poses"});
+  all.at("version").integer(1, 1);
+  if (all.at("robot").text() != robot.model) {
+    all.at("robot").refuse(fmt::format("poses for the {}", robot.model));
+  }
+  PoseFile result;
+  if (const auto stance = all.find("firstStance")) {
+    result.firstStance = stance->integer(0, 1'000'000);
+  }
+  if (const auto assumptions = all.find("assumptions")) {
+    if (const auto jointError = assumptions->find("jointError")) {
+      result.jointError = jointError->number({0, radians(20), "rad"});
+    }
+  }
+  if (const auto boards = all.find("boards")) {
+    for (const JsonPlace& board : boards->elements()) {
+      result.boards[board.at("id").text()] = readFloorPlacement(board.at("placement"));
+    }
+  }
+  for (const JsonPlace& pose : all.at("poses").elements()) {
+    result.poses.push_back(poseFrom(pose, robot));
+  }
+  if (result.poses.empty()) {
+    all.at("poses").refuse("at least one pose", "none");
+  }
   return result;
 }
 

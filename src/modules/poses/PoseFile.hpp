@@ -2,6 +2,7 @@
 
 #include "data/Capture.hpp"
 #include "poses/NextPoses.hpp"
+#include "poses/PosePlan.hpp"
 #include "robot/Robot.hpp"
 
 #include <array>
@@ -12,6 +13,16 @@
 #include <vector>
 
 namespace naocal {
+
+/// POSES.json of a plan.
+nlohmann::json planJson(const PosePlan& plan, const Robot& robot);
+
+/// Writes each pose to `<folder>/<id>.pose`, as HULKs' robots read them: 26 angles in radians, joints in the drawing's
+/// order, fingers behind their wrists.
+void writePoseFiles(const PosePlan& plan, const Robot& robot, const std::filesystem::path& folder);
+
+/// Reads such a file: angles per joint of the drawing [rad]. Throws InputError for one that does not hold 26 angles.
+Eigen::VectorXd readAnglesFile(const std::filesystem::path& file, const Robot& robot);
 
 /// Joints of a NAO that no drawing holds: fingers. Files name them, at rest.
 inline constexpr std::array<std::string_view, 2> fingers{"LHand", "RHand"};

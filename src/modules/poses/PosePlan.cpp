@@ -1,14 +1,162 @@
 #include "poses/PosePlan.hpp"
 
 #include "io/InputError.hpp"
-#include "poses/BoardPlaces.hpp"
-#include "poses/Mirror.hpp"
-#include "poses/MirroredPlan.hpp"
-#include "poses/PlanSearch.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "math/Parallel.hpp"
+#include "poses/PlanOptimizer.hpp"
+#include "poses/candidates/BoardPlacement.hpp"
+#include "poses/candidates/PoseValidity.hpp"
+#include "poses/criteria/PlanOptions.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 
 namespace naocal {
+
+/// Adds the mirror image of every pose, taken on the other foot among the same boards, which lie symmetrically
+/// (PlanOptions::mirrored): the feet side by side when the support changes. Sigmas are those of each foot's poses by
+/// themselves, the better one for the head. Throws InputError where a mirror image is no valid pose.
+void addMirrored(PosePlan& plan, const Robot& robot, const std::map<std::string, CameraIntrinsics>& cameras);
+
+namespace {
+
+/// The largest size up to `most` at which all is well, in twentieths; assumes that it gets worse all the way.
+template <typename Well> double largest(double most, const Well& well) {
+  constexpr int steps = 20;
+  int step = 0;
+  while (step < steps && well(most * (step + 1) / steps)) {
+    ++step;
+  }
+  return most * step / steps;
+}
+
+} // namespace
+
+std::vector<BoardTolerance> boardTolerances(const Robot& robot, const std::vector<Board>& boards,
+                                            const std::map<std::string, CameraIntrinsics>& cameras,
+                                            const PlanOptions& options, const std::vector<SievedPose>& poses) {
+  constexpr double growth = 1.1, farthest = 0.3, mostTurned = std::numbers::pi / 4; // [1], [m], [rad]
+  PlanOptions drawn = options;
+  drawn.wornRobots = 0;
+  const auto worst = [&](const std::vector<Board>& laid) { // absent: a pose sees none
+    const PlanScore score{robot, laid, cameras, drawn};
+    const std::vector<Eigen::MatrixXd> parts = score.parts(poses);
+    const bool blind = std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.isZero(); });
+    return blind ? std::nullopt : std::optional{score.worstSigma(score.sum(poses))};
+  };
+  const double allowed = growth * worst(boards).value_or(0);
+  std::vector<BoardTolerance> result(boards.size());
+  inParallel(boards.size(), [&](std::size_t i) {
+    const auto well = [&](double x, double y, double yaw) {
+      std::vector<Board> laid = boards;
+      laid[i].placement->x += x;
+      laid[i].placement->y += y;
+      laid[i].placement->yaw += yaw;
+      const auto sigma = worst(laid);
+      return sigma && *sigma <= allowed;
+    };
+    result[i].shift = farthest;
+    for (int direction = 0; direction < 8; ++direction) {
+      const double angle = direction * std::numbers::pi / 4;
+      result[i].shift = largest(result[i].shift,
+                                [&](double size) { return well(size * std::cos(angle), size * std::sin(angle), 0); });
+    }
+    result[i].turn = largest(mostTurned, [&](double size) { return well(0, 0, size) && well(0, 0, -size); });
+  });
+  return result;
+}
+
+namespace {
+
+double largest(const std::map<std::string, double>& sigmas) {
+  double result = 0;
+  for (const auto& [joint, sigma] : sigmas) {
+    result = std::max(result, sigma);
+  }
+  return result;
+}
+
+double rootMeanSquare(const std::map<std::string, double>& sigmas) {
+  double sum = 0;
+  for (const auto& [joint, sigma] : sigmas) {
+    sum += sigma * sigma;
+  }
+  return std::sqrt(sum / static_cast<double>(sigmas.size()));
+}
+
+} // namespace
+
+std::vector<CriterionResult> compareCriteria(const Robot& robot, const std::vector<Board>& boards,
+                                             const std::map<std::string, CameraIntrinsics>& cameras,
+                                             const PlanOptions& options, const std::vector<SievedPose>& candidates) {
+  std::vector<CriterionResult> result;
+  for (std::size_t criterion = 0; criterion < static_cast<std::size_t>(Criterion::time); ++criterion) {
+    if (static_cast<Criterion>(criterion) == Criterion::discriminate && options.effects.empty()) {
+      continue;
+    }
+    PlanOptions own = options;
+    own.wornRobots = 0;
+    own.criterion = static_cast<Criterion>(criterion);
+    const PlanScore score{robot, boards, cameras, own};
+    for (const std::size_t count : {3, 5, 8}) {
+      const std::vector<SievedPose> poses = score.best(candidates, count);
+      const std::map<std::string, double> unknown = score.sigmas(poses, false);
+      result.push_back({own.criterion, poses.size(), largest(unknown), rootMeanSquare(unknown),
+                        largest(score.sigmas(poses, true)), score.interaction(poses), score.misfit(poses)});
+    }
+  }
+  return result;
+}
+
+namespace {
+
+/// What was told by one foot's poses, and what the other's add.
+void take(std::map<std::string, double>& sigmas, const std::map<std::string, double>& more) {
+  for (const auto& [joint, sigma] : more) {
+    const auto known = sigmas.try_emplace(joint, sigma).first;
+    known->second = std::min(known->second, sigma);
+  }
+}
+
+} // namespace
+
+void addMirrored(PosePlan& plan, const Robot& robot, const std::map<std::string, CameraIntrinsics>& cameras) {
+  PlanOptions options = plan.options;
+  const bool left = options.poses.supportFoot == SupportFoot::left;
+  options.poses.supportFoot = left ? SupportFoot::right : SupportFoot::left;
+  std::vector<Board> boards = plan.boards; // seen from the other sole
+  for (Board& board : boards) {
+    board.placement->y += left ? betweenFeet : -betweenFeet;
+  }
+  const PlanScore score{robot, boards, cameras, options};
+  const PoseChecks checks{robot, options.poses};
+  std::vector<SievedPose> images;
+  const std::size_t count = plan.poses.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    SievedPose image{score.scene().drawn(), {}, plan.standing[i]};
+    image.belief.values.head(at(robot.joints.size())) = mirrored(robot, plan.poses[i].pose.angles);
+    const Posture torsoFromLink = posture(robot, image.belief);
+    if (checks.touchesItself(torsoFromLink) || !stands(robot, torsoFromLink, options.poses.supportFoot, {0.01, 0.01})) {
+      throw InputError{fmt::format("pose {}: its mirror image is not valid; plan the other foot by itself", i)};
+    }
+    plan.poses.push_back({{options.poses.supportFoot, image.belief.values.head(at(robot.joints.size())),
+                           score.scene().sights(image.belief, torsoFromLink)},
+                          Eigen::VectorXd::Zero(at(robot.joints.size()))});
+    plan.standing.push_back(plan.standing[i]);
+    plan.ways.push_back(plan.ways[i]);
+    if (plan.ways.back()) {
+      for (Eigen::VectorXd& angles : plan.ways.back()->via) {
+        angles = mirrored(robot, angles);
+      }
+    }
+    images.push_back(std::move(image));
+  }
+  take(plan.sigma, score.sigmas(images, false));
+  take(plan.sigmaKnown, score.sigmas(images, true));
+  take(plan.sigmaOfRobots, score.sigmasOfRobots(images));
+}
 
 namespace {
 

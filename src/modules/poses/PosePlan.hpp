@@ -1,9 +1,9 @@
 #pragma once
 
-#include "poses/BoardTolerance.hpp"
-#include "poses/CriteriaComparison.hpp"
-#include "poses/PlannedCaptures.hpp"
-#include "poses/PoseWays.hpp"
+#include "poses/PlanOptimizer.hpp"
+#include "poses/candidates/Transitions.hpp"
+#include "poses/criteria/PlanOptions.hpp"
+#include "poses/criteria/PlannedInformation.hpp"
 
 #include <map>
 #include <optional>
@@ -11,6 +11,36 @@
 #include <vector>
 
 namespace naocal {
+
+/// How far a board may be off its place, the others at theirs, before a pose sees no board any more or the worst
+/// offset's sigma grows by a tenth.
+struct BoardTolerance {
+  double shift = 0; // in any of eight directions [m], at most 0.3
+  double turn = 0;  // either way [rad], at most 45 degrees
+};
+
+/// Per board.
+std::vector<BoardTolerance> boardTolerances(const Robot& robot, const std::vector<Board>& boards,
+                                            const std::map<std::string, CameraIntrinsics>& cameras,
+                                            const PlanOptions& options, const std::vector<SievedPose>& poses);
+
+/// What a criterion's selection of poses is worth.
+struct CriterionResult {
+  Criterion criterion = Criterion::worst;
+  std::size_t poses = 0;
+  double worst = 0,
+         mean = 0;       // sigma of a joint's offset, cameras and boards unknown; mean: root of the mean square [rad]
+  double worstKnown = 0; // the same with cameras and boards known [rad]
+  Interaction interaction;
+  std::optional<double> misfit; // by which they tell PlanOptions::effects apart (chi2)
+};
+
+/// Every criterion's (`discriminate` where there are effects to tell apart) selection of 3, 5 and 8 poses among the
+/// same candidates, with the boards where they are; nothing is refined. Fewer where there are not as many candidates,
+/// or the thesis's chain ends.
+std::vector<CriterionResult> compareCriteria(const Robot& robot, const std::vector<Board>& boards,
+                                             const std::map<std::string, CameraIntrinsics>& cameras,
+                                             const PlanOptions& options, const std::vector<SievedPose>& candidates);
 
 /// Poses to take, and where to lay the boards.
 struct PosePlan {

@@ -1,14 +1,227 @@
 #include "report/DiagnosisData.hpp"
 
+#include "estimation/ModelFile.hpp"
+#include "io/JsonReader.hpp"
 #include "io/Units.hpp"
-#include "report/DiagnosisCurves.hpp"
-#include "report/DiagnosisSentences.hpp"
-#include "report/FiguresData.hpp"
+#include "math/Angles.hpp"
+#include "report/ResultData.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace naocal {
+
+/// How much alike the first candidates are, which of them the captures cannot tell apart, and that in words; null where
+/// the diagnosis does not say.
+nlohmann::json aliasesData(const JsonPlace& diagnosis);
+
+/// A curve of a joint's deflection over a driver, in degrees, with the model file that proposes it as an effect beside
+/// those that are `suggested`: it is what they leave.
+nlohmann::json curveJson(const JsonPlace& curve, const nlohmann::json& suggested);
+
+/// The cells of the joint x driver map, where the diagnosis has one.
+nlohmann::json mapJson(const JsonPlace& diagnosis);
+
+/// The verdicts that a diagnosis can have, and what it can say of a candidate, as its file writes them.
+const std::vector<std::string_view>& verdicts();
+const std::vector<std::string_view>& candidateStates();
+
+/// The verdict in a few plain words.
+std::string verdictHeadline(const JsonPlace& diagnosis);
+
+/// What makes the floor under the errors: noise, and the scatter of joints where the last model needs some.
+std::string floorName(const JsonPlace& diagnosis);
+
+/// What the verdict rests on: the error on poses not seen, the alarm, the lack of fit, scatter.
+std::vector<Fact> diagnosisFacts(const JsonPlace& diagnosis);
+
+/// Adds what the figures of a diagnosis show beside its candidates, in units that people read: which captures belong to
+/// each pose, the cameras, how much alike the first candidates are. What the file does not have stays empty or null.
+void addFigures(const JsonPlace& diagnosis, nlohmann::json& data);
+
+/// Adds to a candidate its added-variable plot, a point (pose or null, signature, residual) for each pose, and what it
+/// would look like. What the file does not have is null. `figures`: as `addFigures` made it.
+void addFigures(const JsonPlace& entry, const nlohmann::json& figures, nlohmann::json& candidate);
+
+/// Adds what a diagnosis's models leave over ("given", and "last" where something was added), in units that people
+/// read: per joint the deflections that would explain it, and what stays within the pictures; and the drivers that were
+/// recorded. What the file does not have stays empty or null. `data` has the pictures.
+void addLeft(const JsonPlace& diagnosis, nlohmann::json& data);
+
+using nlohmann::json;
+
+namespace {
+
+constexpr Range share{0, 1, ""};
+
+/// How much alike the first candidates are, as the file has it.
+struct Aliases {
+  std::vector<std::string> candidates;
+  std::vector<std::vector<double>> alike;
+
+  /// The pair that is most alike, of all or of those with one candidate.
+  std::pair<std::size_t, std::size_t> closest(std::optional<std::size_t> with = {}) const {
+    std::pair<std::size_t, std::size_t> best{0, 1};
+    double most = -1;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      for (std::size_t j = 0; j < candidates.size(); ++j) {
+        if ((with ? i == *with && j != i : i < j) && alike[i][j] > most) {
+          most = alike[i][j];
+          best = {i, j};
+        }
+      }
+    }
+    return best;
+  }
+};
+
+/// Of the pairs that cannot be told the one that takes most.
+std::string confusedSentence(const std::vector<JsonPlace>& confusable) {
+  const auto times = [](const JsonPlace& pair) { return pair.at("timesTheData").number(anyNumber); };
+  const JsonPlace& hardest =
+      *std::max_element(confusable.begin(), confusable.end(),
+                        [&](const JsonPlace& a, const JsonPlace& b) { return times(a) < times(b); });
+  return fmt::format("These captures cannot tell {} from {} (correlation {:.4g}{}): {}.", hardest.at("taken").text(),
+                     hardest.at("other").text(), hardest.at("correlation").number(share),
+                     confusable.size() > 1 ? fmt::format("; the hardest of {} such pairs", confusable.size()) : "",
+                     times(hardest) > 1
+                         ? fmt::format("they would need {:.2g} times as much data of this kind, or poses "
+                                       "in which the two differ more",
+                                       times(hardest))
+                         : "both happen to explain them almost as well; further captures will tell");
+}
+
+/// What the matrix means, in words. `taken`: what was added to the model.
+std::string aliasSentence(const Aliases& aliases, const std::vector<JsonPlace>& confusable,
+                          const std::vector<std::string>& taken) {
+  if (!confusable.empty()) {
+    return confusedSentence(confusable);
+  }
+  if (aliases.candidates.size() < 2) {
+    return {};
+  }
+  for (std::size_t i = 0; i < aliases.candidates.size(); ++i) {
+    if (std::find(taken.begin(), taken.end(), aliases.candidates[i]) != taken.end()) {
+      const std::size_t other = aliases.closest(i).second;
+      return fmt::format("These captures tell {} from all others here; most alike is {} (correlation {:.4g}).",
+                         aliases.candidates[i], aliases.candidates[other], aliases.alike[i][other]);
+    }
+  }
+  const auto [one, other] = aliases.closest();
+  const double most = aliases.alike[one][other];
+  return fmt::format(
+      "Most alike are {} and {} (correlation {:.4g}): were one of them there, these poses would {} which.",
+      aliases.candidates[one], aliases.candidates[other], most, most > 0.9 ? "hardly tell" : "tell");
+}
+
+std::vector<std::string> textsOf(const JsonPlace& list) {
+  std::vector<std::string> result;
+  for (const JsonPlace& text : list.elements()) {
+    result.push_back(text.text());
+  }
+  return result;
+}
+
+} // namespace
+
+json aliasesData(const JsonPlace& diagnosis) {
+  const auto matrix = diagnosis.find("aliases");
+  if (!matrix) {
+    return nullptr;
+  }
+  const std::vector<std::string> candidates = textsOf(matrix->at("candidates"));
+  Aliases aliases{candidates, {}};
+  for (const JsonPlace& row : matrix->at("correlations").elements()) {
+    aliases.alike.push_back(row.numbers(candidates.size(), share, "one per candidate"));
+  }
+  if (aliases.alike.size() != candidates.size()) {
+    matrix->at("correlations").refuse("one row per candidate");
+  }
+  const std::vector<JsonPlace> confusable = matrix->at("confusable").elements();
+  json pairs = json::array();
+  for (const JsonPlace& pair : confusable) {
+    pairs.push_back({pair.at("taken").text(), pair.at("other").text()});
+  }
+  return {{"candidates", candidates},
+          {"correlations", aliases.alike},
+          {"confusable", pairs},
+          {"sentence", aliasSentence(aliases, confusable, textsOf(diagnosis.at("suggested")))}};
+}
+
+using nlohmann::json;
+
+namespace {
+
+/// The unit of a driver by its name in expressions: "rad" for "q" and "LHipPitch", "Nm" for "tau_LHipPitch".
+std::string driverUnit(const std::string& driver) {
+  static const std::map<std::string, std::string> own{
+      {"tau", "Nm"}, {"approach", "1"}, {"T", "°C"}, {"qd", "rad/s"}, {"t", "s"}};
+  const auto known = own.find(driver);
+  return known != own.end() ? known->second : driver.starts_with("tau_") ? "Nm" : "rad";
+}
+
+/// The curve's proposed expression as a model file, beside what else was suggested.
+json modelFile(const JsonPlace& effect, std::vector<std::string> with) {
+  with.push_back(fmt::format("{}@{}", effect.at("name").text(), effect.at("at").text()));
+  return modelJson(with, {}, json::array({effect.value()}));
+}
+
+} // namespace
+
+json curveJson(const JsonPlace& curve, const json& suggested) {
+  const std::string joint = curve.at("at").text(), driver = curve.at("driver").text();
+  const auto about = curve.find("about");
+  const auto valueUnit = curve.find("unit");
+  const auto [shown, size] = shownUnit(valueUnit ? valueUnit->text() : "rad"); // of what varies
+  const bool within = shown != "°"; // pictures: a board's shape or a lens, over places there
+  const auto [unit, scale] = shownUnit(within ? (shown == "px" ? "px" : "m") : driverUnit(driver));
+  const auto effect = curve.find("effect"); // only joints' curves are written as one
+  json points = json::array();
+  for (const JsonPlace& point : curve.at("curve").elements()) {
+    const std::vector<double> values = point.numbers(3, anyNumber, "driver, deflection, standard error");
+    points.push_back({scale * values[0], size * values[1], size * values[2]});
+  }
+  if (points.size() < 2) {
+    curve.at("curve").refuse("at least two points");
+  }
+  return {{"joint", joint},
+          {"driver", driver},
+          {"what", curve.at("what").text()},
+          {"unit", unit},
+          {"points", points},
+          {"valueUnit", shown},
+          {"amplitude", size * curve.at("amplitude").number(anyNumber)},
+          {"evidence", curve.at("evidence").number(anyNumber)},
+          {"expression", effect ? curve.at("expression").text() : ""},
+          {"title", shown == "mm"   ? fmt::format("corners of board {} off along {}", joint, about->text())
+                    : shown == "px" ? fmt::format("errors of camera {} along {}", joint, about->text())
+                    : about         ? fmt::format("turn of camera {} about its {} axis", joint, about->text())
+                                    : fmt::format("deflection of {}", joint)},
+          {"model", effect ? modelFile(*effect, suggested.get<std::vector<std::string>>()) : json(nullptr)}};
+}
+
+json mapJson(const JsonPlace& diagnosis) {
+  json cells = json::array();
+  const auto map = diagnosis.find("map");
+  for (const JsonPlace& cell : map ? map->elements() : std::vector<JsonPlace>{}) {
+    const std::string joint = cell.at("at").text(), driver = cell.at("driver").text();
+    cells.push_back({{"joint", joint},
+                     {"driver", driver == "q"     ? joint
+                                : driver == "tau" ? "tau_" + joint
+                                                  : driver},
+                     {"evidence", cell.at("evidence").number(anyNumber)},
+                     {"pValue", cell.at("pValue").number({0, 1, ""})}});
+  }
+  return cells;
+}
 
 using nlohmann::json;
 
@@ -120,6 +333,306 @@ json diagnosisData(const JsonPlace& diagnosis) {
     data["facts"].push_back({{"figure", figure}, {"sentence", sentence}});
   }
   return data;
+}
+
+namespace {
+
+constexpr Range probability{0, 1, ""};
+constexpr Range pixels{0, 1e9, "px"};
+
+/// By which the last model's joints deflect at random from pose to pose [rad].
+double scatterOf(const JsonPlace& diagnosis) {
+  return diagnosis.at("poseScatter").number({0, 10, "rad"});
+}
+
+std::string chance(double p) {
+  return p < 0.001 ? "p < 0.001" : fmt::format("p = {:.2g}", p);
+}
+
+Fact heldOutFact(const std::vector<JsonPlace>& all, const std::string& floor) {
+  const std::string noise = fmt::format("{}: {:.2f} px", floor, all.back().at("noiseFloorPx").number(pixels));
+  if (all.front().at("heldOutPx").value().is_null()) {
+    return {fmt::format("{:.2f} px", all.front().at("rmsPx").number(pixels)),
+            "error of the fit (of one pose: none is left to hold out); " + noise + "."};
+  }
+  const double before = all.front().at("heldOutPx").number(pixels), after = all.back().at("heldOutPx").number(pixels);
+  if (all.size() == 1) {
+    return {fmt::format("{:.2f} px", before), "held-out error: on poses that the fit has not seen; " + noise + "."};
+  }
+  return {fmt::format("{:.2f} → {:.2f} px", before, after),
+          "held-out error: on poses that neither the fit nor the choice of effects has seen, before and after adding "
+          "what is suggested; " +
+              noise + "."};
+}
+
+/// `found`: something that these candidates are not, within pictures.
+Fact alarmFact(double alarm, bool found) {
+  if (alarm <= 0.05) {
+    return {chance(alarm), "is the chance that noise alone looks this convincing."};
+  }
+  return {chance(alarm), std::string{"is the chance that noise alone looks this convincing: "} +
+                             (found ? "no reason to add a candidate. The finding above rests on a test of its own."
+                                    : "no reason to add anything.")};
+}
+
+Fact lackOfFitFact(const JsonPlace& lackOfFit) {
+  return {fmt::format("{:.2f}", lackOfFit.at("statistic").number({0, 1e15, ""})),
+          "is the lack of fit of the base model, chi² per degree of freedom: noise alone makes 1."};
+}
+
+} // namespace
+
+const std::vector<std::string_view>& verdicts() {
+  static const std::vector<std::string_view> all{"adequate", "effect-missing", "unknown-effect",
+                                                 "scatter",  "inconclusive",   "bad-captures"};
+  return all;
+}
+
+const std::vector<std::string_view>& candidateStates() {
+  static const std::vector<std::string_view> all{"present",      "aliased",  "trivial", "absent",
+                                                 "inconclusive", "absorbed", "no-data"};
+  return all;
+}
+
+std::string verdictHeadline(const JsonPlace& diagnosis) {
+  static const std::vector<std::string> headlines{"The model explains these captures.",
+                                                  "An effect is missing in the model.",
+                                                  "Something that no known effect explains is at work.",
+                                                  "Joints scatter at random.",
+                                                  "Undecided: the model does not fit, but no single cause stands out.",
+                                                  "Something is wrong with the captures or the set-up."};
+  return headlines[diagnosis.at("verdict").oneOf(verdicts())];
+}
+
+std::string floorName(const JsonPlace& diagnosis) {
+  return scatterOf(diagnosis) > 0 ? "noise floor with joint scatter" : "noise floor";
+}
+
+std::vector<Fact> diagnosisFacts(const JsonPlace& diagnosis) {
+  const std::vector<JsonPlace> steps = diagnosis.at("steps").elements();
+  if (steps.empty()) { // nothing could be fitted
+    return {};
+  }
+  const double scatter = scatterOf(diagnosis);
+  std::vector<Fact> facts{
+      heldOutFact(steps, floorName(diagnosis)),
+      alarmFact(diagnosis.at("alarm").number(probability),
+                diagnosis.at("verdict").text() == "unknown-effect" || diagnosis.at("verdict").text() == "bad-captures"),
+      lackOfFitFact(diagnosis.at("lackOfFit"))};
+  if (scatter > 0) {
+    facts.push_back({fmt::format("{:.3f}°", degrees(scatter)),
+                     "by which joints deflect at random from pose to pose (1 sigma) beyond what the model explains."});
+  }
+  return facts;
+}
+
+using nlohmann::json;
+
+namespace {
+
+std::vector<JsonPlace> elementsOf(const JsonPlace& object, const std::string& key) {
+  const auto list = object.find(key);
+  return list ? list->elements() : std::vector<JsonPlace>{};
+}
+
+/// One of the entries of a list of the page.
+int placeIn(const json& list, const JsonPlace& place) {
+  return place.integer(0, static_cast<int>(list.size()) - 1);
+}
+
+/// Pictures (capture, camera, pose), poses (set, name, pictures) and cameras (width, height).
+void addTaken(const JsonPlace& diagnosis, json& data) {
+  data["pictures"] = data["poses"] = json::array();
+  data["cameras"] = json::object();
+  for (const JsonPlace& picture : elementsOf(diagnosis, "pictures")) {
+    data["pictures"].push_back(
+        {{"capture", picture.at("capture").integer(0, largestNumber)}, {"camera", picture.at("camera").text()}});
+  }
+  for (const JsonPlace& pose : elementsOf(diagnosis, "poses")) {
+    json pictures = json::array();
+    for (const JsonPlace& picture : pose.at("pictures").elements()) {
+      pictures.push_back(placeIn(data["pictures"], picture));
+      data["pictures"][pictures.back().get<std::size_t>()]["pose"] = data["poses"].size();
+    }
+    const JsonPlace name = pose.at("name");
+    data["poses"].push_back({{"set", pose.at("set").text()},
+                             {"name", name.value() == "" ? "–" : name.text()},
+                             {"pictures", std::move(pictures)}});
+  }
+  if (const auto cameras = diagnosis.find("cameras")) {
+    for (const auto& [name, camera] : cameras->members()) {
+      data["cameras"][name] = {{"width", camera.at("width").integer(1, 100000)},
+                               {"height", camera.at("height").integer(1, 100000)}};
+    }
+  }
+}
+
+json addedVariableData(const JsonPlace& candidate, const json& figures) {
+  const auto view = candidate.find("addedVariable");
+  if (!view) {
+    return nullptr;
+  }
+  const auto [unit, scale] = shownUnit(view->at("unit").text());
+  json points = json::array();
+  for (const JsonPlace& point : view->at("points").elements()) {
+    const JsonPlace pose = point.at("pose");
+    points.push_back({pose.value().is_null() ? json(nullptr) : json(placeIn(figures["poses"], pose)),
+                      point.at("signature").number(anyNumber) / scale, point.at("residual").number(anyNumber)});
+  }
+  return {{"of", view->at("of").text()},
+          {"unit", unit},
+          {"slope", scale * view->at("slope").number(anyNumber)},
+          {"sigma", scale * view->at("sigma").number(anyNumber)},
+          {"like", view->at("like").text()},
+          {"points", points}};
+}
+
+json imprintData(const JsonPlace& candidate, const json& figures) {
+  const auto view = candidate.find("imprint");
+  if (!view) {
+    return nullptr;
+  }
+  json sizes = json::array(), pictures = json::array();
+  for (const auto& [name, size] : view->at("size").members()) {
+    const auto [unit, scale] = shownUnit(size.at("unit").text());
+    sizes.push_back({{"name", name}, {"value", scale * size.at("value").number(anyNumber)}, {"unit", unit}});
+  }
+  for (const JsonPlace& picture : view->at("pictures").elements()) {
+    json corners = json::array();
+    for (const JsonPlace& corner : picture.at("corners").elements()) {
+      corners.push_back(corner.numbers(6, anyNumber, "u, v, shift before, shift after refitting"));
+    }
+    pictures.push_back({{"picture", placeIn(figures["pictures"], picture.at("picture"))},
+                        {"before", picture.at("rmsPxBefore").number(anyNumber)},
+                        {"after", picture.at("rmsPxAfter").number(anyNumber)},
+                        {"corners", std::move(corners)}});
+  }
+  return {{"found", view->at("found").boolean()},
+          {"sizes", std::move(sizes)},
+          {"before", view->at("rmsPxBefore").number(anyNumber)},
+          {"after", view->at("rmsPxAfter").number(anyNumber)},
+          {"imitator", view->at("imitator").text()},
+          {"pictures", std::move(pictures)}};
+}
+
+} // namespace
+
+void addFigures(const JsonPlace& diagnosis, json& data) {
+  addTaken(diagnosis, data);
+  data["aliases"] = aliasesData(diagnosis);
+  addLeft(diagnosis, data);
+}
+
+void addFigures(const JsonPlace& entry, const json& figures, json& candidate) {
+  candidate["added"] = addedVariableData(entry, figures);
+  candidate["imprint"] = imprintData(entry, figures);
+}
+
+using nlohmann::json;
+
+namespace {
+
+constexpr Range shiftPx{-1e9, 1e9, "px"};
+
+std::size_t pictureAt(const JsonPlace& place, const json& data) {
+  return static_cast<std::size_t>(place.integer(0, static_cast<int>(data["pictures"].size()) - 1));
+}
+
+/// A driver, its value at each picture; `joint` where it can only drive that one.
+json driverData(const JsonPlace& driver, std::size_t pictures) {
+  const auto [unit, scale] = shownUnit(driver.at("unit").text());
+  json values = json::array();
+  for (const double value : driver.at("values").numbers(pictures, anyNumber, "one per picture")) {
+    values.push_back(scale * value);
+  }
+  const auto joint = driver.find("at");
+  return {{"what", driver.at("what").text()},
+          {"unit", unit},
+          {"joint", joint ? joint->text() : ""},
+          {"values", std::move(values)}};
+}
+
+/// Per joint a list of (pictures, deflection and its standard error in degrees).
+json whatIfData(const JsonPlace& list, const json& data) {
+  json result = json::array();
+  for (const JsonPlace& joint : list.elements()) {
+    json points = json::array();
+    for (const JsonPlace& point : joint.at("points").elements()) {
+      json pictures = json::array();
+      for (const JsonPlace& picture : point.at("pictures").elements()) {
+        pictures.push_back(pictureAt(picture, data));
+      }
+      if (pictures.empty()) {
+        point.at("pictures").refuse("at least one picture");
+      }
+      points.push_back({std::move(pictures), degrees(point.at("deflection").number(anyNumber)),
+                        degrees(point.at("sigma").number(anyNumber))});
+    }
+    result.push_back({{"joint", joint.at("joint").text()}, {"points", std::move(points)}});
+  }
+  return result;
+}
+
+/// Cells (camera, u, v, du, dv, sigma, corners, worst picture) and boards (picture, board, distance, rms).
+json withinData(const JsonPlace& within, const json& data) {
+  json cells = json::array(), boards = json::array();
+  for (const JsonPlace& cell : within.at("cells").elements()) {
+    cells.push_back({{"camera", cell.at("camera").text()},
+                     {"corners", cell.at("corners").integer(1, largestNumber)},
+                     {"worst", pictureAt(cell.at("worstPicture"), data)}});
+    for (const char* number : {"u", "v", "du", "dv", "sigma"}) {
+      cells.back()[number] = cell.at(number).number(shiftPx);
+    }
+  }
+  for (const JsonPlace& board : within.at("boards").elements()) {
+    boards.push_back({{"picture", pictureAt(board.at("picture"), data)},
+                      {"board", board.at("board").text()},
+                      {"distance", board.at("distance").number({0, 1e6, "m"})},
+                      {"rms", board.at("rmsPx").number(shiftPx)}});
+  }
+  return {{"noise", within.at("noisePx").number(shiftPx)}, {"cells", std::move(cells)}, {"boards", std::move(boards)}};
+}
+
+/// Boards (name, p) with corners (place and id, off and sigma in millimetres).
+json shapeData(const JsonPlace& list) {
+  constexpr Range metres{-1e3, 1e3, "m"};
+  constexpr double millimetre = 1e-3;
+  json result = json::array();
+  for (const JsonPlace& shape : list.elements()) {
+    json corners = json::array();
+    for (const JsonPlace& corner : shape.at("corners").elements()) {
+      json shown{{"id", corner.at("id").integer(0, largestNumber)},
+                 {"place", corner.at("place").numbers(3, metres, "x, y and z")}};
+      for (const char* name : {"off", "sigma"}) {
+        for (const double value : corner.at(name).numbers(3, metres, "x, y and z")) {
+          shown[name].push_back(value / millimetre);
+        }
+      }
+      corners.push_back(std::move(shown));
+    }
+    result.push_back({{"board", shape.at("board").text()},
+                      {"p", shape.at("p").number({0, 1, ""})},
+                      {"corners", std::move(corners)}});
+  }
+  return result;
+}
+
+} // namespace
+
+void addLeft(const JsonPlace& diagnosis, json& data) {
+  data["drivers"] = json::array();
+  data["left"] = json::object();
+  if (const auto recorded = diagnosis.find("recorded")) {
+    for (const JsonPlace& driver : recorded->elements()) {
+      data["drivers"].push_back(driverData(driver, data["pictures"].size()));
+    }
+  }
+  const auto left = diagnosis.find("left");
+  for (const auto& [model, over] : left ? left->members() : std::vector<std::pair<std::string, JsonPlace>>{}) {
+    data["left"][model] = {{"whatIf", whatIfData(over.at("whatIf"), data)},
+                           {"within", withinData(over.at("withinPictures"), data)},
+                           {"shapes", shapeData(over.at("boardShapes"))}};
+  }
 }
 
 } // namespace naocal

@@ -2,8 +2,8 @@
 
 #include "detect/BoardDetector.hpp"
 #include "hardware/nao/VideoCameras.hpp"
-#include "synthetic/Rendering.hpp"
-#include "synthetic/SimulationPlan.hpp"
+#include "simulation/Renderer.hpp"
+#include "simulation/SimulationPlan.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstdlib>

@@ -1,0 +1,61 @@
+#include "calibration/EffectiveOffsets.hpp"
+
+#include "estimation/DriverState.hpp"
+#include "estimation/EffectJacobian.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "measurements/Measurements.hpp"
+
+#include <cmath>
+#include <map>
+
+namespace naocal {
+
+namespace {
+
+/// A sum over pictures of drawn - believed, and its gradient.
+struct Sum {
+  double value = 0;
+  Eigen::VectorXd gradient;
+  int count = 0;
+};
+
+} // namespace
+
+std::vector<ShownOffset> shownOffsets(const Measurements& measurements, const Model& model,
+                                      const CalibrationResult& result) {
+  const Robot& robot = measurements.robot;
+  std::map<std::size_t, Sum> sums; // by motor
+  for (const Picture& picture : measurements.pictures) {
+    if (picture.sightings.empty()) {
+      continue;
+    }
+    const Belief belief = believed(measurements, model, picture, result.unknowns);
+    const std::vector<Slope> all = slopes(measurements, model, picture, result.unknowns);
+    for (const std::size_t joint : jointsBetween(robot, picture)) {
+      Sum& sum = sums.try_emplace(robot.joints[joint].motor, Sum{0, Eigen::VectorXd::Zero(result.unknowns.size()), 0})
+                     .first->second;
+      sum.value += picture.drawn.angle(joint) - belief.angle(joint);
+      ++sum.count;
+      for (const Slope& slope : all) {
+        sum.gradient[at(slope.unknown)] -= slope.quantity == measurements.quantities.angle(joint) ? slope.value : 0;
+      }
+    }
+  }
+  std::vector<ShownOffset> offsets;
+  for (const Term& term : model.terms()) {
+    if (const auto found = sums.find(term.at); term.effect.name == "jointOffset" && found != sums.end()) {
+      const Sum& sum = found->second;
+      offsets.push_back({term.place, sum.value / sum.count,
+                         std::sqrt(sum.gradient.dot(result.covariance * sum.gradient)) / sum.count,
+                         result.estimates[term.first].learned});
+    }
+  }
+  return offsets;
+}
+
+bool isLearned(const ShownOffset& offset) {
+  constexpr double hardly = 0.5;
+  return offset.learned >= hardly;
+}
+
+} // namespace naocal

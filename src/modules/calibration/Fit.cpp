@@ -1,0 +1,261 @@
+#include "calibration/Fit.hpp"
+
+#include "calibration/Initialization.hpp"
+#include "inference/NoiseLevels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <random>
+
+namespace naocal {
+
+namespace {
+
+/// Joints and cameras in turns, placements along with both, until a whole round changes nothing (the thesis's way).
+std::optional<FitMinimum> alternated(Residuals& residuals, Residuals::State state) {
+  const auto ofJoint = [](const Term& term) {
+    return term.effect.place == Place::motor || term.effect.place == Place::joint;
+  };
+  std::vector<bool> joints(residuals.model().unknownCount(), true), others = joints;
+  for (const Term& term : residuals.model().terms()) {
+    for (std::size_t i = term.first; i < term.first + term.effect.unknowns.size(); ++i) {
+      joints[i] = term.isPlacement || ofJoint(term);
+      others[i] = term.isPlacement || !ofJoint(term);
+    }
+  }
+  std::optional<FitMinimum> minimum;
+  int iterations = 0;
+  double before = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < 200; ++round) {
+    residuals.freeOnly(round % 2 == 0 ? joints : others);
+    minimum = levenbergMarquardt(residuals, std::move(state));
+    if (!minimum) {
+      return std::nullopt;
+    }
+    state = minimum->state;
+    iterations += minimum->iterations;
+    minimum->converged = before - minimum->linear.cost < 1e-6;
+    if (round % 2 == 1) {
+      if (minimum->converged) {
+        break;
+      }
+      before = minimum->linear.cost;
+    }
+  }
+  residuals.freeOnly(std::vector<bool>(residuals.model().unknownCount(), true));
+  minimum->linear = *residuals.linearised(minimum->state);
+  minimum->iterations = iterations;
+  return minimum;
+}
+
+/// Physics drawn from its priors (never beyond two sigma), placements found anew from the pictures.
+Eigen::VectorXd randomStart(const Measurements& measurements, const Model& model, std::mt19937_64& random) {
+  Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.unknownCount()));
+  std::uniform_real_distribution<double> uniform{-1, 1};
+  for (const Term& term : model.terms()) {
+    for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement; ++i) {
+      unknowns[static_cast<Eigen::Index>(term.first + i)] = uniform(random) * term.effect.unknowns[i].sigma;
+    }
+  }
+  return alignedUnknowns(measurements, model, unknowns);
+}
+
+/// Which part of all corners lies within `distance` noise levels of its prediction, where all are good (Rayleigh).
+struct Quantile {
+  double share, distance;
+};
+constexpr Quantile medianCorner{0.5, 1.17741}, farCorner{0.9, 2.14597};
+
+/// Noise per axis of which this part of all corners would lie as near as it does [px].
+double spreadOf(const std::vector<SightingResidual>& sightings, const Quantile& quantile) {
+  std::vector<double> distances;
+  for (const SightingResidual& sighting : sightings) {
+    for (Eigen::Index i = 0; i < sighting.weight.size(); ++i) {
+      const double distance = sighting.residual.col(i).norm();
+      distances.push_back(std::isfinite(distance) ? distance : std::numeric_limits<double>::infinity());
+    }
+  }
+  const auto there =
+      distances.begin() + static_cast<std::ptrdiff_t>(quantile.share * static_cast<double>(distances.size()));
+  std::nth_element(distances.begin(), there, distances.end());
+  return *there / quantile.distance;
+}
+
+double lossScale(const std::vector<SightingResidual>& sightings, double pixelNoise) {
+  constexpr double harmless = 0.3; // [px]: what corners of printed boards scatter by; however small the noise is here
+  return std::max({1.0, spreadOf(sightings, medianCorner) / pixelNoise, harmless / pixelNoise});
+}
+
+/// rms distance of all corners from where the joints' readings put them [px].
+double rmsAsReported(const Measurements& measurements, const Model& model, const Fit& fit) {
+  const Residuals residuals{measurements, model, fit.noise, fit.loss};
+  double squares = 0, count = 0;
+  for (const SightingResidual& sighting : residuals.sightings(residuals.start(fit.minimum.state.unknowns))) {
+    squares += sighting.residual.squaredNorm();
+    count += static_cast<double>(sighting.residual.cols());
+  }
+  return std::sqrt(squares / count);
+}
+
+/// By how much a corner lies off where the joints' readings put it beyond what noise does: a variance per axis [px^2],
+/// of all but the farthest tenth. 0: within a fifth of the noise. Absent where one lies behind its camera.
+std::optional<double> misfitOf(const Residuals& residuals, const Residuals::State& state) {
+  constexpr double sound = 1.2;
+  const double spread = spreadOf(residuals.sightings(residuals.start(state.unknowns)), farCorner);
+  if (!std::isfinite(spread)) {
+    return std::nullopt;
+  }
+  const double floor = noiseFloorPx(residuals.rows(state).value(), residuals.noise()) / std::numbers::sqrt2;
+  return spread < sound * floor ? 0 : spread * spread - floor * floor;
+}
+
+/// The same unknowns under another noise and loss; deflections come to rest there. Absent where that puts a corner
+/// behind its camera.
+std::optional<Fit> restated(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss,
+                            const Fit& from) {
+  Residuals residuals{measurements, model, noise, loss};
+  residuals.freeOnly(std::vector<bool>(model.unknownCount(), false));
+  auto minimum = levenbergMarquardt(residuals, residuals.start(from.minimum.state.unknowns));
+  if (!minimum) {
+    return std::nullopt;
+  }
+  residuals.freeOnly(std::vector<bool>(model.unknownCount(), true));
+  auto linear = residuals.linearised(minimum->state);
+  if (!linear) {
+    return std::nullopt;
+  }
+  minimum->linear = *std::move(linear);
+  minimum->iterations = from.minimum.iterations;
+  minimum->converged = from.minimum.converged;
+  return Fit{noise, loss, *std::move(minimum), from.restartsChanged};
+}
+
+} // namespace
+
+InputError behindTheCamera() {
+  return InputError{
+      "the search ends where a corner that was seen lies behind the camera: these captures do not belong together; "
+      "check joints' signs, cameras' names and the boards"};
+}
+
+Fit firstFit(const Measurements& measurements, const Model& model, const Noise& noise,
+             const CalibrationOptions& options) {
+  if (measurements.cornerCount == 0) {
+    throw InputError{
+        "these captures show no corner that a camera could learn from: run 'naocal detect', or check which "
+        "boards, links and support feet the file names"};
+  }
+  const bool goesOn = options.start && options.loss && options.robust && options.restarts == 0;
+  Fit fit{noise, goesOn ? *options.loss : Loss{}, {}};
+  Residuals residuals{measurements, model, noise, fit.loss};
+  std::optional<FitMinimum> best;
+  std::mt19937_64 random{options.seed};
+  for (int attempt = 0; attempt <= options.restarts; ++attempt) {
+    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.unknownCount()));
+    const Eigen::VectorXd start = attempt > 0     ? randomStart(measurements, model, random)
+                                  : options.start ? *options.start
+                                                  : alignedUnknowns(measurements, model, zero);
+    auto minimum = options.alternate ? alternated(residuals, residuals.start(start))
+                                     : levenbergMarquardt(residuals, residuals.start(start), {.smallestFall = roughly});
+    if (minimum && (!best || minimum->linear.cost < best->linear.cost - 1e-3)) {
+      fit.restartsChanged |= attempt > 0;
+      best = std::move(minimum);
+    }
+  }
+  if (!best) {
+    throw InputError{
+        "the search cannot start: with the drawing's geometry a corner that was seen lies behind the camera; "
+        "check the robot's model, the cameras' names and the boards' placements in the file"};
+  }
+  fit.minimum = *std::move(best);
+  return fit;
+}
+
+Fit refit(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss, Fit from,
+          double smallestFall) {
+  const Residuals residuals{measurements, model, noise, loss};
+  Residuals::State start = residuals.start(from.minimum.state.unknowns);
+  if (from.noise.encoder == noise.encoder && from.noise.pose == noise.pose && from.noise.stance == noise.stance &&
+      from.noise.reapproach == noise.reapproach) {
+    start.deflections = from.minimum.state.deflections;
+  } else {
+    // deflections are counted in units of their spread: find them anew, by one quadratic step from the same unknowns
+    const Residuals quadratic{measurements, model, noise};
+    if (const auto linear = quadratic.linearised(start)) {
+      start = quadratic.moved(start, *linear, Eigen::VectorXd::Zero(from.minimum.state.unknowns.size()));
+    }
+  }
+  auto minimum = levenbergMarquardt(residuals, std::move(start), {.smallestFall = smallestFall});
+  if (!minimum) { // the quadratic step went astray where the old minimum was possible: start from no deflection
+    minimum =
+        levenbergMarquardt(residuals, residuals.start(from.minimum.state.unknowns), {.smallestFall = smallestFall});
+  }
+  if (!minimum) {
+    throw behindTheCamera();
+  }
+  minimum->iterations += from.minimum.iterations;
+  return {noise, loss, *std::move(minimum), from.restartsChanged};
+}
+
+Fit nearlyFitted(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss,
+                 const Eigen::VectorXd& unknowns) {
+  Fit from{
+      Noise{.pixel = noise.pixel, .encoder = -1, .pose = -1}, loss, {}}; // other levels: deflections are found anew
+  from.minimum.state.unknowns = unknowns;
+  return refit(measurements, model, noise, loss, std::move(from), nearly);
+}
+
+Fit robustFit(const Measurements& measurements, const Model& model, const Noise& noise, Fit from) {
+  for (int round = 0; round < 6; ++round) {
+    const Residuals here{measurements, model, from.noise, from.loss};
+    const double scale = lossScale(here.sightings(from.minimum.state), noise.pixel);
+    if (round > 0 && std::abs(scale - from.loss.scale) < 0.02 * scale) {
+      break;
+    }
+    from = refit(measurements, model, noise, Loss{scale}, std::move(from), roughly);
+  }
+  return from;
+}
+
+bool hasLostWeight(const SightingResidual& sighting) {
+  return sighting.weight.size() > 1 && 2 * (sighting.weight.array() < trusted).count() > sighting.weight.size();
+}
+
+Fit inFull(const Measurements& measurements, const Model& model, Fit from) {
+  const Residuals residuals{measurements, model, from.noise, from.loss};
+  const std::vector<SightingResidual> sightings = residuals.sightings(from.minimum.state);
+  if (std::none_of(sightings.begin(), sightings.end(), hasLostWeight)) {
+    return from;
+  }
+  const double distance = spreadOf(residuals.sightings(residuals.start(from.minimum.state.unknowns)), farCorner);
+  const Noise noise = from.noise;
+  const Loss farther{std::max(from.loss.scale, distance / noise.pixel)};
+  return std::isfinite(distance) ? refit(measurements, model, noise, farther, std::move(from)) : from;
+}
+
+Fit weighedByMisfit(const Measurements& measurements, const Model& model, const Fit& from) {
+  constexpr int rounds = 2;
+  constexpr double nearer = 0.9; // of the error: else the weights that are right for noise stay
+  Fit fit = from;
+  for (int round = 0; round < rounds; ++round) {
+    const std::optional<double> misfit = misfitOf({measurements, model, fit.noise, fit.loss}, fit.minimum.state);
+    if (!misfit || *misfit == 0) {
+      break;
+    }
+    Noise wide = fit.noise;
+    wide.pixel = std::hypot(fit.noise.pixel, std::sqrt(*misfit));
+    const Loss same{fit.loss.scale * fit.noise.pixel / wide.pixel}; // [px]
+    auto there = restated(measurements, model, fit.noise, fit.loss, refit(measurements, model, wide, same, fit));
+    if (!there) {
+      break;
+    }
+    fit = *std::move(there);
+  }
+  const double before = rmsAsReported(measurements, model, from), after = rmsAsReported(measurements, model, fit);
+  return after < nearer * before || !std::isfinite(before) ? fit : from;
+}
+
+} // namespace naocal

@@ -1,0 +1,370 @@
+#include "calibration/Initialization.hpp"
+
+#include "camera/BoardPose.hpp"
+#include "estimation/DriverState.hpp"
+#include "estimation/EffectJacobian.hpp"
+#include "estimation/NormalEquations.hpp"
+#include "math/Angles.hpp"
+#include "math/LevenbergMarquardt.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "measurements/Measurements.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace naocal {
+
+/// A gentler problem than that of the corners, for the way from far away: every board's pose in the camera, as its
+/// corners alone show it, against where the chain puts it. It knows no horizon and no "behind the camera".
+///
+///   residual = (log(R_chain R_seen^T), c_chain - c_seen), c the middle of the corners,
+///
+/// weighted by how well the corners tell it, but never better than 0.1 rad and a tenth of the depth, with a Huber loss.
+/// A problem for `levenbergMarquardt`; of each pose the first reading in every stance takes part.
+class BoardAlignment {
+public:
+  BoardAlignment(const Measurements& measurements, const Model& model);
+
+  struct Linear {
+    double cost = 0;
+    Eigen::VectorXd gradient;
+    Eigen::MatrixXd hessian;
+  };
+  bool linearise(const Eigen::VectorXd& unknowns, Linear& sums) const;
+  Eigen::VectorXd moved(const Eigen::VectorXd& unknowns, const Linear&, const Eigen::VectorXd& step) const {
+    return unknowns + step;
+  }
+  const Eigen::VectorXd& scales() const { return sigmas_; }
+  /// Boards whose pose in the camera could be told.
+  std::size_t size() const { return seen_.size(); }
+  /// Whether one of them is this target.
+  bool knows(std::size_t target) const;
+
+private:
+  struct Seen {
+    const Picture* picture;
+    const Sighting* sighting;
+    std::vector<Slope> slopes;
+    RigidTransform opticalFromBoard;
+    Eigen::Vector3d middle;             // of the corners, in the board's frame [m]
+    Eigen::Matrix<double, 6, 6> weight; // of the residual: an inverse covariance
+  };
+  void addReading(const Reading& reading);
+  void addSeen(const Picture& picture, const Sighting& sighting, const std::vector<Slope>& slopes);
+  void add(const Seen& seen, const Eigen::VectorXd& unknowns, Linear& sums) const;
+
+  const Measurements& measurements_;
+  const Model& model_;
+  Eigen::VectorXd sigmas_;
+  std::vector<Seen> seen_;
+};
+
+namespace {
+
+constexpr double angleScale = 0.1;    // [rad]
+constexpr double distanceScale = 0.1; // of the depth
+constexpr double huber = 2;           // in units of those
+constexpr double cornerNoise = 1;     // [px]: generous, false corners and a wrong lens included
+
+Eigen::Vector3d rotationVector(const Eigen::Matrix3d& rotation) {
+  const Eigen::AngleAxisd turn{rotation};
+  return turn.angle() * turn.axis();
+}
+
+Eigen::Vector3d middleOf(const CornerBlocks& corners) {
+  Eigen::Vector3d total = Eigen::Vector3d::Zero();
+  double count = 0;
+  for (const CornerBlock& block : corners) {
+    total += Eigen::Vector3d{sum(block.x * block.present), sum(block.y * block.present), sum(block.z * block.present)};
+    count += sum(block.present);
+  }
+  return total / count;
+}
+
+/// A board's pose in the camera improved on its corners (Gauss-Newton), and the information that they hold about its
+/// motion (omega, v). Absent where the corners do not fit any pose.
+struct SeenPose {
+  RigidTransform opticalFromBoard;
+  Eigen::Matrix<double, 6, 6> information;
+};
+std::optional<SeenPose> seenPose(const Sighting& sighting, const Belief& belief) {
+  const auto start = boardPose(sighting.corners, belief.lens());
+  if (!start) {
+    return std::nullopt;
+  }
+  Attitude attitude;
+  attitude.opticalFromBoard = *start;
+  ProjectedBlocks projected;
+  PictureGram sums;
+  for (int i = 0; i < 10; ++i) {
+    if (!sighting.view.project(attitude, belief, sighting.corners, projected)) {
+      return std::nullopt;
+    }
+    sums.clear();
+    sums.add(sighting.corners, projected, {}, cornerNoise, {}, {});
+    const Eigen::VectorXd step = -sums.gram().ldlt().solve(sums.gradient());
+    const Eigen::Vector3d omega = step.head<3>(), v = step.tail<3>();
+    attitude.opticalFromBoard = RigidTransform{rotationAbout(omega), v} * attitude.opticalFromBoard;
+  }
+  const bool fits = std::isfinite(sums.squares()) && sums.squares() < 25 * sums.corners() * cornerNoise * cornerNoise;
+  return fits ? std::optional{SeenPose{attitude.opticalFromBoard, sums.gram() / (cornerNoise * cornerNoise)}}
+              : std::nullopt;
+}
+
+} // namespace
+
+BoardAlignment::BoardAlignment(const Measurements& measurements, const Model& model)
+    : measurements_{measurements}, model_{model}, sigmas_{model.sigmas()} {
+  for (const PoseGroup& pose : measurements.poses) {
+    std::set<std::size_t> stances;
+    for (const Reading& reading : pose.readings) {
+      if (stances.insert(measurements.pictures[reading.pictures.front()].stance).second) {
+        addReading(reading);
+      }
+    }
+  }
+}
+
+void BoardAlignment::addReading(const Reading& reading) {
+  for (std::size_t index : reading.pictures) {
+    const Picture& picture = measurements_.pictures[index];
+    const std::vector<Slope> all = slopes(measurements_, model_, picture, Eigen::VectorXd::Zero(sigmas_.size()));
+    for (const Sighting& sighting : picture.sightings) {
+      addSeen(picture, sighting, all);
+    }
+  }
+}
+
+void BoardAlignment::addSeen(const Picture& picture, const Sighting& sighting, const std::vector<Slope>& slopes) {
+  const auto pose = seenPose(sighting, picture.drawn);
+  if (!pose) {
+    return;
+  }
+  const Eigen::Vector3d middle = middleOf(sighting.corners), middleInOptical = pose->opticalFromBoard * middle;
+  Eigen::Matrix<double, 6, 6> middleFromOrigin = Eigen::Matrix<double, 6, 6>::Identity(); // omega x m + v
+  middleFromOrigin.bottomLeftCorner<3, 3>() = -crossMatrix(middleInOptical);
+  Eigen::Matrix<double, 6, 6> information = pose->information;
+  information.diagonal().array() += 1e-6 * information.diagonal().maxCoeff();
+  Eigen::Matrix<double, 6, 6> covariance = middleFromOrigin * information.inverse() * middleFromOrigin.transpose();
+  covariance.diagonal().head<3>().array() += std::pow(angleScale, 2);
+  covariance.diagonal().tail<3>().array() += std::pow(distanceScale * middleInOptical.z(), 2);
+  seen_.push_back({&picture, &sighting, slopes, pose->opticalFromBoard, middle, covariance.inverse()});
+}
+
+bool BoardAlignment::knows(std::size_t target) const {
+  return std::any_of(seen_.begin(), seen_.end(),
+                     [&](const Seen& seen) { return seen.sighting->view.board() == target; });
+}
+
+void BoardAlignment::add(const Seen& seen, const Eigen::VectorXd& unknowns, Linear& sums) const {
+  const View& view = seen.sighting->view;
+  const Belief belief = believed(measurements_, model_, *seen.picture, unknowns);
+  Posture torsoFromLink;
+  posture(measurements_.robot, belief, view.links(), torsoFromLink);
+  const Attitude attitude = view.attitude(measurements_.robot, belief, torsoFromLink);
+  const RigidTransform& chain = attitude.opticalFromBoard;
+  const Eigen::Vector3d middle = chain * seen.middle, middleSeen = seen.opticalFromBoard * seen.middle;
+  Eigen::Matrix<double, 6, 1> residual;
+  residual << rotationVector(chain.rotation * seen.opticalFromBoard.rotation.transpose()), middle - middleSeen;
+
+  std::vector<std::size_t> quantities;
+  for (const Slope& slope : seen.slopes) {
+    quantities.push_back(slope.quantity);
+  }
+  std::vector<std::size_t> extras;
+  for (std::size_t quantity : quantities) {
+    const auto extra = view.extra(quantity);
+    if (extra && std::find(extras.begin(), extras.end(), *extra) == extras.end()) {
+      extras.push_back(*extra);
+    }
+  }
+  Eigen::MatrixXd columns(at(6 + extras.size()), at(quantities.size()));
+  view.motion(measurements_.robot, attitude, belief, torsoFromLink, quantities, extras, columns);
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(6, unknowns.size());
+  for (std::size_t i = 0; i < seen.slopes.size(); ++i) {
+    const Eigen::Vector3d omega = columns.col(at(i)).head<3>(), v = columns.col(at(i)).segment<3>(3);
+    Eigen::Matrix<double, 6, 1> change;
+    change << omega, omega.cross(middle) + v;
+    jacobian.col(at(seen.slopes[i].unknown)) += seen.slopes[i].value * change;
+  }
+  const double size = std::sqrt(residual.dot(seen.weight * residual));
+  const double weight = size <= huber ? 1 : huber / size;
+  sums.cost += size <= huber ? 0.5 * size * size : huber * (size - 0.5 * huber);
+  const Eigen::MatrixXd weighted = weight * jacobian.transpose() * seen.weight;
+  sums.gradient += weighted * residual;
+  sums.hessian += weighted * jacobian;
+}
+
+bool BoardAlignment::linearise(const Eigen::VectorXd& unknowns, Linear& sums) const {
+  const Eigen::VectorXd information = sigmas_.cwiseAbs2().cwiseInverse();
+  sums = {0.5 * unknowns.cwiseAbs2().dot(information), information.cwiseProduct(unknowns), information.asDiagonal()};
+  for (const Seen& seen : seen_) {
+    add(seen, unknowns, sums);
+  }
+  return true;
+}
+
+namespace {
+
+/// A frame on the floor: x, y [m], yaw [rad] in its parent.
+using OnFloor = Eigen::Vector3d;
+
+OnFloor composed(const OnFloor& a, const OnFloor& b) {
+  const double c = std::cos(a.z()), s = std::sin(a.z());
+  return {a.x() + c * b.x() - s * b.y(), a.y() + s * b.x() + c * b.y(), wrapped(a.z() + b.z())};
+}
+
+OnFloor inverted(const OnFloor& a) {
+  const double c = std::cos(a.z()), s = std::sin(a.z());
+  return {-c * a.x() - s * a.y(), s * a.x() - c * a.y(), -a.z()};
+}
+
+/// The member nearest to all others: robust against a few wild ones.
+OnFloor medoid(const std::vector<OnFloor>& all) {
+  const auto distance = [](const OnFloor& a, const OnFloor& b) {
+    return (a - b).head<2>().norm() + 0.5 * std::abs(wrapped(a.z() - b.z()));
+  };
+  double least = std::numeric_limits<double>::infinity();
+  OnFloor best = all.front();
+  for (const OnFloor& candidate : all) {
+    const double sum = std::accumulate(all.begin(), all.end(), 0.0,
+                                       [&](double s, const OnFloor& other) { return s + distance(candidate, other); });
+    if (sum < least) {
+      least = sum;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+/// Where a sighting puts its board in the support sole's frame: by the board's pose in the camera, or, with too few
+/// corners for one, where the ray through the first corner meets the floor (unturned, at most 2 m away).
+OnFloor soleFromBoard(const Measurements& measurements, const Belief& belief, const Sighting& sighting) {
+  Posture torsoFromLink;
+  posture(measurements.robot, belief, sighting.view.links(), torsoFromLink);
+  const Attitude attitude = sighting.view.attitude(measurements.robot, belief, torsoFromLink);
+  const RigidTransform soleFromOptical = attitude.opticalFromTarget.inverse();
+  if (const auto opticalFromBoard = boardPose(sighting.corners, belief.lens())) {
+    const RigidTransform pose = soleFromOptical * *opticalFromBoard;
+    return {pose.translation.x(), pose.translation.y(), std::atan2(pose.rotation(1, 0), pose.rotation(0, 0))};
+  }
+  constexpr double farthest = 2; // [m]
+  const CornerBlock& corner = sighting.corners.front();
+  const auto lens = belief.lens();
+  const Eigen::Vector3d ray = soleFromOptical.rotation *
+                              Eigen::Vector3d{(corner.u[0] - lens[2]) / lens[0], (corner.v[0] - lens[3]) / lens[1], 1};
+  const double down = -ray.z() / soleFromOptical.translation.z(); // 1 / (how far along the ray the floor is)
+  const double reach = std::min(1 / std::max(down, 1e-9), farthest / ray.head<2>().norm());
+  const Eigen::Vector3d hit = soleFromOptical.translation + reach * ray;
+  return {hit.x() - corner.x[0], hit.y() - corner.y[0], 0};
+}
+
+using Placements = std::vector<std::optional<OnFloor>>;
+
+/// Carries placements along the sightings until nothing new is reached. A group of stances and boards that touches
+/// nothing known starts at its first stance.
+void spread(const std::map<std::pair<std::size_t, std::size_t>, OnFloor>& seen, Placements& boards,
+            Placements& stances) {
+  for (bool all = false; !all;) {
+    bool moved = false;
+    for (const auto& [key, soleFromThatBoard] : seen) {
+      auto& board = boards[key.second];
+      auto& stance = stances[key.first];
+      if (stance && !board) {
+        board = composed(*stance, soleFromThatBoard);
+        moved = true;
+      } else if (board && !stance) {
+        stance = composed(*board, inverted(soleFromThatBoard));
+        moved = true;
+      }
+    }
+    const auto lost =
+        std::find_if(seen.begin(), seen.end(), [&](const auto& entry) { return !stances[entry.first.first]; });
+    all = !moved && lost == seen.end();
+    if (!moved && lost != seen.end()) {
+      stances[lost->first.first] = OnFloor::Zero();
+    }
+  }
+}
+
+} // namespace
+
+Eigen::VectorXd startingUnknowns(const Measurements& measurements, const Model& model,
+                                 const Eigen::VectorXd& unknowns) {
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<OnFloor>> sightings, glimpses; // by (stance, board)
+  Placements boards(measurements.targets.size()), stances(measurements.standings.size());
+  std::optional<Belief> any;
+  for (const Picture& picture : measurements.pictures) {
+    const Belief belief = believed(measurements, model, picture, unknowns);
+    any = picture.drawn;
+    if (!measurements.standings[picture.stance].unknown) {
+      const auto ground = picture.drawn.ground();
+      stances[picture.stance] = OnFloor{ground[0], ground[1], ground[5]};
+    }
+    for (const Sighting& sighting : picture.sightings) {
+      if (measurements.targets[sighting.view.board()].onFloor) {
+        (boardPose(sighting.corners, belief.lens()) ? sightings : glimpses)[{picture.stance, sighting.view.board()}]
+            .push_back(soleFromBoard(measurements, belief, sighting));
+      }
+    }
+  }
+  std::map<std::pair<std::size_t, std::size_t>, OnFloor> seen;
+  sightings.merge(glimpses); // what was seen well at least once is not asked from glimpses
+  for (const auto& [key, placements] : sightings) {
+    seen[key] = medoid(placements);
+  }
+  for (std::size_t board = 0; any && board < measurements.targets.size(); ++board) {
+    const Target& target = measurements.targets[board];
+    if (target.onFloor && (!target.unknown || target.board.hasGuess)) {
+      const auto placement = any->boardPlacement(board);
+      boards[board] = OnFloor{placement[0], placement[1], placement[5]};
+    }
+  }
+  spread(seen, boards, stances);
+  Eigen::VectorXd result = unknowns;
+  for (const Term& term : model.terms()) {
+    if (!term.isPlacement) {
+      continue;
+    }
+    const bool isBoard = term.effect.place == Place::board;
+    if (isBoard && (!measurements.targets[term.at].onFloor || measurements.targets[term.at].board.hasGuess)) {
+      continue; // starts at its guess
+    }
+    const auto& placement = isBoard ? boards[term.at] : stances[term.at];
+    if (!placement) {
+      continue;
+    }
+    result.segment<3>(static_cast<Eigen::Index>(term.first)) = *placement; // unknowns x, y, yaw from a start at zero
+  }
+  return result;
+}
+
+Eigen::VectorXd alignedUnknowns(const Measurements& measurements, const Model& model, const Eigen::VectorXd& unknowns) {
+  const Eigen::VectorXd start = startingUnknowns(measurements, model, unknowns);
+  const BoardAlignment alignment{measurements, model};
+  if (alignment.size() == 0) {
+    return start;
+  }
+  Eigen::VectorXd aligned =
+      levenbergMarquardt(alignment, start, {.maxIterations = 30, .smallestFall = 1e-3}).value().state;
+  const Eigen::VectorXd placedAnew = startingUnknowns(measurements, model, aligned);
+  for (const Term& term : model.terms()) {
+    if (term.isPlacement && term.effect.place == Place::board && !alignment.knows(term.at)) {
+      const auto first = static_cast<Eigen::Index>(term.first),
+                 count = static_cast<Eigen::Index>(term.effect.unknowns.size());
+      aligned.segment(first, count) = placedAnew.segment(first, count);
+    }
+  }
+  return aligned;
+}
+
+} // namespace naocal

@@ -1,0 +1,321 @@
+#include "calibration/ModelUncertainty.hpp"
+
+#include "calibration/Uncertainty.hpp"
+#include "estimation/Model.hpp"
+#include "estimation/ModelBuilder.hpp"
+#include "inference/DriverBasis.hpp"
+#include "inference/Evidence.hpp"
+#include "io/InputError.hpp"
+#include "math/LinearAlgebra.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <utility>
+
+namespace naocal {
+
+namespace {
+
+/// Whether the wide prior is the likelier one. `value`, `variance`: under the narrow one, in units of its sigma.
+///   -2 ln likelihood(w) = ln(1 + w^2 V) - s^2 / (V + w^-2),   V the data's information, s their score at zero
+bool isWide(double value, double variance) {
+  const auto& [narrow, wide] = plausibleWidths;
+  const double information = std::max(0.0, 1 / variance - 1), score = value / variance;
+  const auto cost = [&](const PlausibleWidth& prior) {
+    const double square = prior.width * prior.width;
+    return std::log1p(square * information) - score * score / (information + 1 / square) - 2 * std::log(prior.odds);
+  };
+  return cost(wide) < cost(narrow);
+}
+
+} // namespace
+
+std::optional<Model> withPriorsFor(const Model& model, const Eigen::VectorXd& unknowns,
+                                   const Eigen::VectorXd& variances) {
+  Model result;
+  bool widened = false;
+  for (Term term : model.terms()) {
+    const bool added = term.asked && !term.isPlacement && !term.effect.base;
+    for (std::size_t i = 0; added && i < term.effect.unknowns.size(); ++i) {
+      double& sigma = term.effect.unknowns[i].sigma;
+      if (isWide(unknowns[at(term.first + i)] / sigma, variances[at(term.first + i)] / (sigma * sigma))) {
+        sigma *= plausibleWidths[1].width;
+        widened = true;
+      }
+    }
+    result.add(std::move(term));
+  }
+  return widened ? std::optional{std::move(result)} : std::nullopt;
+}
+
+namespace {
+
+FittedPoint pointOf(const Fit& fit) {
+  return {fit.minimum.state, fit.noise, fit.loss};
+}
+
+/// The effects of an explanation that have a name.
+std::vector<Term> namedEffects(const WideModel& wide, const WindowModel& explanation) {
+  std::vector<Term> result;
+  for (const WindowMember& member : explanation.members) {
+    if (member.group < wide.candidates().size()) {
+      result.push_back(wide.candidates()[member.group]);
+    }
+  }
+  std::sort(result.begin(), result.end(), [](const Term& a, const Term& b) { return a.label() < b.label(); });
+  return result;
+}
+
+/// It deflects a joint, as noise does.
+bool isOfJoint(const Term& term) {
+  return term.effect.place == Place::motor || term.effect.place == Place::joint;
+}
+
+bool areSame(const std::vector<Term>& a, const std::vector<Term>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const Term& one, const Term& other) { return one.label() == other.label(); });
+}
+
+/// `first`, then those candidates that are not among them: so that a model's effects are the first candidates.
+std::vector<Term> inFront(const std::vector<Term>& first, const std::vector<Term>& candidates) {
+  std::vector<Term> result = first;
+  for (const Term& term : candidates) {
+    if (std::none_of(first.begin(), first.end(), [&](const Term& one) { return one.label() == term.label(); })) {
+      result.push_back(term);
+    }
+  }
+  return result;
+}
+
+/// The effects that a person added to the base model: another one may be there in their place.
+std::vector<Term> addedTo(const Model& model) {
+  std::vector<Term> result;
+  std::copy_if(model.terms().begin(), model.terms().end(), std::back_inserter(result),
+               [](const Term& term) { return !term.effect.base && !term.isPlacement && term.asked; });
+  std::sort(result.begin(), result.end(), [](const Term& a, const Term& b) { return a.label() < b.label(); });
+  return result;
+}
+
+Model without(const Model& model, const std::vector<Term>& effects) {
+  Model result;
+  for (const Term& term : model.terms()) {
+    if (std::none_of(effects.begin(), effects.end(), [&](const Term& one) { return one.label() == term.label(); })) {
+      result.add(term);
+    }
+  }
+  return result;
+}
+
+/// Places of a model's unknowns among another's, of those that it has: (place in `model`, place in `other`).
+std::vector<std::pair<Eigen::Index, Eigen::Index>> shared(const Model& model, const Model& other) {
+  std::vector<std::pair<Eigen::Index, Eigen::Index>> result;
+  for (const Term& own : model.terms()) {
+    for (const Term& term : other.terms()) {
+      for (std::size_t i = 0; own.label() == term.label() && i < own.effect.unknowns.size(); ++i) {
+        result.emplace_back(at(own.first + i), at(term.first + i));
+      }
+    }
+  }
+  return result;
+}
+
+/// What a linear explanation, of `own` and effects, says of a larger model's unknowns: a start for its fit. `along`:
+/// the larger model without the effects.
+Eigen::VectorXd startOf(const Model& larger, const Model& own, const Model& along, const WideModel& wide,
+                        const WindowModel& explanation, const std::vector<Term>& effects) {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(at(larger.unknownCount()));
+  result.head(at(along.unknownCount())) = carried(own, explanation.unknowns, along);
+  Eigen::Index next = at(along.unknownCount());
+  for (const Term& effect : effects) {
+    Eigen::Index column = 0;
+    for (const WindowMember& member : explanation.members) {
+      if (member.group < wide.candidates().size() && wide.candidates()[member.group].label() == effect.label()) {
+        result.segment(next, member.count) = explanation.sizes.segment(column, member.count);
+      }
+      column += member.count;
+    }
+    next += at(effect.effect.unknowns.size());
+  }
+  return result;
+}
+
+/// What a group of columns is called: "elasticity@LKneePitch", or of a curve "LKneePitch over q".
+std::string nameOf(const WideModel& wide, std::size_t group) {
+  if (group < wide.candidates().size()) {
+    return wide.candidates()[group].label();
+  }
+  const std::size_t curve = group - wide.candidates().size();
+  if (curve < wide.mounts().size()) {
+    return wide.mounts()[curve].term.place;
+  }
+  const DriverCell& cell = wide.map().cells[curve - wide.mounts().size()];
+  return wide.jointName(cell.motor) + " over " + nameAt(wide.map().drivers[cell.driver], cell.motor);
+}
+
+/// The search of the likeliest explanation.
+class Search {
+public:
+  Search(const Measurements& measurements, const Model& model, const std::optional<Repeated>& repeats,
+         const CalibrationOptions& options)
+      : measurements_{measurements}, added_{addedTo(model)}, base_{without(model, added_)}, repeats_{repeats},
+        options_{options}, candidates_{testableTerms(measurements, model, options.effects)} {}
+
+  const std::vector<Term>& added() const { return added_; }
+  const Model& base() const { return base_; }
+
+  /// The joints' levels under the widest model about a fit of `own` and these effects.
+  NoiseLevels levelsAt(const Model& own, const std::vector<Term>& effects, const Fit& fit, const Noise& noise) const {
+    if (!repeats_) {
+      return {noise, {}};
+    }
+    const WideModel wide{measurements_, own, inFront(effects, candidates_), pointOf(fit), false};
+    return noiseLevels(wide.problem(), noise, *repeats_);
+  }
+  /// Near enough to linearise at.
+  Fit near(const Model& model, const Noise& noise, Fit from) const {
+    const Loss loss = from.loss;
+    return options_.robust ? robustFit(measurements_, model, noise, std::move(from))
+                           : refit(measurements_, model, noise, loss, std::move(from), roughly);
+  }
+  /// To the last digit.
+  Fit fitted(const Model& model, const Noise& noise, Fit from) const {
+    from = near(model, noise, std::move(from));
+    const Loss loss = from.loss;
+    return refit(measurements_, model, noise, loss, std::move(from));
+  }
+  WideModel wideAt(const Model& own, const std::vector<Term>& effects, const Fit& fit) const {
+    return {measurements_, own, inFront(effects, candidates_), pointOf(fit), true};
+  }
+  void ask(const WideModel& wide, Explained& explained) const {
+    const Evidence evidence = evidenceOf(wide.problem(), explained.levels.noise, options_.draws, options_.drawSeed);
+    explained.pValue = evidence.pValue;
+    explained.matters = evidence.matters;
+  }
+
+  /// One step: the effects of the window's likeliest explanation, fitted. False: they are those already in the fit, or
+  /// from far the linear explanation leads astray.
+  bool goOn(const WideModel& wide, const Model& own, Explained& explained) const {
+    const WindowModel& likeliest = explained.window.models.front();
+    const std::vector<Term> effects = namedEffects(wide, likeliest);
+    if (areSame(effects, explained.effects)) {
+      return false;
+    }
+    const Model along = withWeighingOffsets(measurements_, base_, effects);
+    const Model larger = with(along, effects);
+    Fit from{Noise{.encoder = -1}, explained.largerFit.loss, {}, explained.largerFit.restartsChanged};
+    from.minimum.state.unknowns = startOf(larger, own, along, wide, likeliest, effects);
+    const Noise& noise = explained.levels.noise;
+    try {
+      from = near(larger, noise, refit(measurements_, larger, noise, from.loss, std::move(from), roughly));
+    } catch (const InputError&) {
+      return false;
+    }
+    explained.effects = effects;
+    explained.larger = larger;
+    explained.levels = levelsAt(along, effects, from, noise);
+    explained.largerFit = near(larger, explained.levels.noise, std::move(from));
+    return true;
+  }
+
+  /// The model as it was asked for, with what was added behind the rest, and its fit.
+  void startAt(const Model& model, const Fit& fit, Explained& explained) const {
+    explained.effects = added_;
+    explained.larger = with(withWeighingOffsets(measurements_, base_, added_), added_);
+    Fit from = fit;
+    from.minimum.state.unknowns = carried(model, fit.minimum.state.unknowns, explained.larger);
+    explained.largerFit = near(explained.larger, explained.levels.noise, std::move(from));
+  }
+
+private:
+  static Model with(Model model, const std::vector<Term>& effects) {
+    for (const Term& effect : effects) {
+      model.add(effect);
+    }
+    return model;
+  }
+
+  const Measurements& measurements_;
+  std::vector<Term> added_;
+  Model base_; // without them
+  const std::optional<Repeated>& repeats_;
+  const CalibrationOptions& options_;
+  std::vector<Term> candidates_;
+};
+
+} // namespace
+
+Explained explain(const Measurements& measurements, const Model& model, const Fit& fit, const Noise& noise,
+                  const std::optional<Repeated>& repeats, const CalibrationOptions& options) {
+  const Search search{measurements, model, repeats, options};
+  Explained result{search.levelsAt(model, {}, fit, noise), fit, {}, model, fit, model, {}, {}};
+  result.fit = result.largerFit = search.fitted(model, result.levels.noise, fit);
+  if (!search.added().empty()) {
+    search.startAt(model, result.fit, result);
+  }
+  constexpr int rounds = 3;
+  for (int round = 0; round <= rounds; ++round) {
+    result.own = withWeighingOffsets(measurements, search.base(), result.effects);
+    const WideModel wide = search.wideAt(result.own, result.effects, result.largerFit);
+    result.window = modelWindow(wide, result.levels.noise, search.added().size());
+    result.names.clear();
+    for (std::size_t group = 0; group < wide.problem().groups.size(); ++group) {
+      result.names.push_back(nameOf(wide, group));
+    }
+    if (round == 0 && search.added().empty()) {
+      search.ask(wide, result);
+    }
+    if (round == rounds || !search.goOn(wide, result.own, result)) {
+      break;
+    }
+  }
+  if (!areSame(result.effects, search.added())) { // something is missing, and levels have changed
+    result.fit = inFull(measurements, model, search.fitted(model, result.levels.noise, std::move(result.fit)));
+    const bool scatters = result.levels.noise.pose >= suspectScatter;
+    if (!scatters && std::any_of(result.effects.begin(), result.effects.end(), std::not_fn(isOfJoint))) {
+      result.fit = weighedByMisfit(measurements, model, result.fit);
+    }
+    search.ask(search.wideAt(model, {}, result.fit), result);
+  } else if (!search.added().empty()) {
+    search.ask(search.wideAt(model, {}, result.fit), result);
+  }
+  return result;
+}
+
+void describe(const Explained& explained, const Model& model, CalibrationResult& result) {
+  const ModelWindow& window = explained.window;
+  const Eigen::VectorXd widening = levelWidening(explained.fit.minimum.linear, model.sigmas(), explained.levels);
+  for (const auto& [i, own] : shared(model, explained.own)) {
+    const double mean = window.mean[own];
+    const auto [low, high] = window.interval(own);
+    result.estimates[static_cast<std::size_t>(i)].averaged =
+        Averaged{.value = mean,
+                 .sigma = std::sqrt(window.variance[own]) * widening[i],
+                 .low = mean + (low - mean) * widening[i],
+                 .high = mean + (high - mean) * widening[i]};
+  }
+  constexpr double worthNaming = 0.01;
+  const std::vector<Term> added = addedTo(model);
+  for (const WindowModel& one : window.models) {
+    if (one.weight <= worthNaming) {
+      continue;
+    }
+    Explanation explanation{{}, {}, one.weight};
+    for (const WindowMember& member : one.members) {
+      explanation.effects.push_back(explained.names[member.group]);
+    }
+    for (const Term& term : added) {
+      if (std::erase(explanation.effects, term.label()) == 0) {
+        explanation.without.push_back(term.label());
+      }
+    }
+    result.explanations.push_back(std::move(explanation));
+  }
+  result.misfitLeft = window.misfit;
+  result.scatter = explained.levels.scatter;
+  result.pValue = explained.pValue;
+  result.matters = explained.matters;
+}
+
+} // namespace naocal

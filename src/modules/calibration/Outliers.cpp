@@ -1,0 +1,122 @@
+#include "calibration/Outliers.hpp"
+
+#include "calibration/Fit.hpp"
+#include "inference/Thresholds.hpp"
+#include "math/Statistics.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace naocal {
+
+std::vector<Doubt> doubts(const Measurements& measurements, const CalibrationResult& result) {
+  std::vector<Doubt> all;
+  for (const SightingResidual& seen : result.sightings) {
+    const Sighting& sighting = measurements.pictures[seen.picture].sightings[seen.sighting];
+    Doubt doubt{seen.picture, seen.sighting, {}, false, 0};
+    double squares = 0;
+    for (Eigen::Index i = 0; i < seen.weight.size(); ++i) {
+      if (seen.weight[i] < trusted) {
+        doubt.corners.push_back(sighting.ids[static_cast<std::size_t>(i)]);
+        squares += seen.residual.col(i).squaredNorm();
+      }
+    }
+    if (!doubt.corners.empty()) {
+      doubt.distance = std::sqrt(squares / static_cast<double>(doubt.corners.size()));
+      doubt.whole = hasLostWeight(seen);
+      all.push_back(std::move(doubt));
+    }
+  }
+  return all;
+}
+
+Accidents::Accidents(const Measurements& measurements, const std::vector<Doubt>& doubts) {
+  for (const Picture& picture : measurements.pictures) {
+    all += picture.sightings.size();
+  }
+  for (const Doubt& doubt : doubts) {
+    moved += doubt.whole ? 1 : 0;
+  }
+}
+
+std::size_t Accidents::mostSetAside() const {
+  constexpr double share = 0.1;
+  return static_cast<std::size_t>(std::ceil(share * static_cast<double>(all)));
+}
+
+namespace {
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+/// Fills the statistic and the distance of one sighting. `deflections`: its pose's, of whose state the sums are [rad].
+void test(Move& move, const SightingMotion& motion, const PoseSystem& pose, const Eliminated& part,
+          const DeflectionRoot& root, const Eigen::VectorXd& deflections, double pixelNoise,
+          const Eigen::LLT<Eigen::MatrixXd>& hessian) {
+  const auto unknowns = static_cast<Eigen::Index>(pose.unknowns.size()), joints = deflections.size();
+  const double information = 1 / (pixelNoise * pixelNoise);
+  const Eigen::MatrixXd byDeflections = motion.cross.rightCols(joints);
+  Vector6 score = information * (motion.gradient - byDeflections * deflections);
+  Matrix6 kept = information * motion.gram;
+  Eigen::MatrixXd byUnknowns = information * motion.cross.leftCols(unknowns);
+  if (joints > 0) {
+    Eigen::MatrixXd half = information * (root.transpose() * byDeflections.transpose());
+    part.inner.matrixL().solveInPlace(half);
+    score -= half.transpose() * part.half.rightCols<1>();
+    kept -= half.transpose() * half;
+    byUnknowns -= half.transpose() * part.half.leftCols(unknowns);
+  }
+  Eigen::MatrixXd scattered = Eigen::MatrixXd::Zero(hessian.rows(), 6);
+  for (Eigen::Index i = 0; i < unknowns; ++i) {
+    scattered.row(static_cast<Eigen::Index>(pose.unknowns[static_cast<std::size_t>(i)])) =
+        byUnknowns.col(i).transpose();
+  }
+  hessian.matrixL().solveInPlace(scattered);
+  kept -= scattered.transpose() * scattered;
+  constexpr double absorbed = 1e-6; // share of its information that a motion keeps where the fit absorbs it
+  kept.diagonal() += absorbed * information * motion.gram.diagonal();
+  const Vector6 best = kept.ldlt().solve(score);
+  move.chi2 = score.dot(best);
+  move.distance = std::sqrt(best.dot(motion.gram * best));
+}
+
+} // namespace
+
+std::vector<Move> moves(const Measurements& measurements, const Model& model, const Fit& fit) {
+  const Residuals residuals{measurements, model, fit.noise, fit.loss};
+  const Residuals::Linear& linear = fit.minimum.linear;
+  const Eigen::LLT<Eigen::MatrixXd> hessian{linear.hessian};
+  std::vector<Move> result;
+  const auto motions = residuals.sightingMotions(fit.minimum.state);
+  for (const SightingMotion& motion : motions.value()) {
+    const PoseSystem& pose = linear.poses[motion.pose];
+    const DeflectionRoot root = deflectionRoot(pose, fit.noise);
+    test(result.emplace_back(Move{motion.picture, motion.sighting}), motion, pose, linear.eliminated[motion.pose], root,
+         root * fit.minimum.state.deflections[motion.pose], fit.noise.pixel, hessian);
+    result.back().distance /=
+        std::sqrt(static_cast<double>(measurements.pictures[motion.picture].sightings[motion.sighting].ids.size()));
+  }
+  return result;
+}
+
+std::optional<Move> mostMoved(const Measurements& measurements, const Model& model, const Fit& fit, double misfit) {
+  std::vector<Move> all = moves(measurements, model, fit);
+  const auto count = static_cast<double>(all.size());
+  std::erase_if(all, [](const Move& move) { return move.distance < threshold::negligiblePx; });
+  const auto most =
+      std::max_element(all.begin(), all.end(), [](const Move& a, const Move& b) { return a.chi2 < b.chi2; });
+  if (most == all.end()) {
+    return std::nullopt;
+  }
+  const double p = chiSquaredTail(std::max(0.0, most->chi2 / misfit), 6);
+  return p * count < threshold::movedBoardAlarm ? std::optional{*most} : std::nullopt;
+}
+
+void setAside(Measurements& measurements, const Move& move) {
+  for (CornerBlock& block : measurements.pictures[move.picture].sightings[move.sighting].corners) {
+    block.present = Lane{};
+  }
+}
+
+} // namespace naocal

@@ -1,0 +1,212 @@
+#include "calibration/Prediction.hpp"
+
+#include "calibration/Initialization.hpp"
+#include "estimation/ModelBuilder.hpp"
+#include "estimation/ModelFile.hpp"
+#include "io/InputError.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+namespace {
+
+/// As they are seen: nothing of them is put down to the joints.
+std::vector<SightingResidual> plainResiduals(const Measurements& measurements, const Prediction& prediction) {
+  Residuals residuals{measurements, prediction.model, Noise{.pixel = 0.3, .encoder = 0, .pose = 0}};
+  return residuals.sightings(predicted(residuals, prediction).state);
+}
+
+Distances distances(std::vector<double> all) {
+  Distances result{0, 0, all.size()};
+  if (all.empty()) {
+    return result;
+  }
+  for (double distance : all) {
+    result.rmsPx += distance * distance;
+  }
+  result.rmsPx = std::sqrt(result.rmsPx / static_cast<double>(all.size()));
+  std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2), all.end());
+  result.medianPx = all[all.size() / 2];
+  return result;
+}
+
+std::map<std::string, Distances> distances(const std::map<std::string, std::vector<double>>& groups) {
+  std::map<std::string, Distances> result;
+  for (const auto& [name, all] : groups) {
+    result[name] = distances(all);
+  }
+  return result;
+}
+
+} // namespace
+
+Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot,
+                   bool samePlace) {
+  const Measurements measurements = measurementsOf(sets, robot, samePlace);
+  if (measurements.cornerCount == 0) {
+    throw InputError{"these captures show no corner to compare with"};
+  }
+  const Prediction prediction = predictionOf(result, measurements, samePlace);
+  Comparison comparison;
+  comparison.ignored = prediction.ignored;
+  std::vector<double> all, nominal;
+  std::map<std::string, std::vector<double>> byBoard, byCamera, byPose;
+  for (const SightingResidual& seen : plainResiduals(measurements, prediction)) {
+    const Picture& picture = measurements.pictures[seen.picture];
+    for (Eigen::Index i = 0; i < seen.residual.cols(); ++i) {
+      const double distance = seen.residual.col(i).norm();
+      all.push_back(distance);
+      byBoard[measurements.targets[picture.sightings[seen.sighting].view.board()].name].push_back(distance);
+      byCamera[measurements.robot.cameras[picture.camera].name].push_back(distance);
+      byPose[sets[picture.set].captures[picture.capture].pose].push_back(distance);
+    }
+  }
+  const Prediction drawn = predictionOf(prediction.model, StoredResult{}, measurements, samePlace);
+  for (const SightingResidual& seen : plainResiduals(measurements, drawn)) {
+    for (Eigen::Index i = 0; i < seen.residual.cols(); ++i) {
+      nominal.push_back(seen.residual.col(i).norm());
+    }
+  }
+  comparison.all = distances(all);
+  comparison.nominal = distances(nominal);
+  comparison.byBoard = distances(byBoard);
+  comparison.byCamera = distances(byCamera);
+  comparison.byPose = distances(byPose);
+  return comparison;
+}
+
+double weightedError(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot,
+                     bool samePlace, const Noise& noise) {
+  const Measurements measurements = measurementsOf(sets, robot, samePlace);
+  const Prediction from = predictionOf(result, measurements, samePlace);
+  Residuals quadratic{measurements, from.model, noise}, robust{measurements, from.model, noise, Loss{.scale = 1}};
+  // where the joints rest is found first: before that, all corners of a pose look false
+  const FitMinimum minimum = predicted(robust, from, predicted(quadratic, from).state);
+  double chi2 = 0; // without what the result's own numbers cost
+  for (const Eliminated& pose : minimum.linear.eliminated) {
+    chi2 += 2 * pose.cost;
+  }
+  return noise.pixel * std::sqrt(chi2 / static_cast<double>(measurements.cornerCount));
+}
+
+nlohmann::json comparisonJson(const Comparison& comparison) {
+  const auto one = [](const Distances& distances) {
+    return nlohmann::json{{"rmsPx", distances.rmsPx}, {"medianPx", distances.medianPx}, {"corners", distances.corners}};
+  };
+  const auto many = [&](const std::map<std::string, Distances>& groups) {
+    nlohmann::json result = nlohmann::json::object();
+    for (const auto& [name, distances] : groups) {
+      result[name] = one(distances);
+    }
+    return result;
+  };
+  nlohmann::json result = one(comparison.all);
+  result["format"] = "naocal-compare";
+  result["version"] = 1;
+  result["nominal"] = one(comparison.nominal);
+  result["byBoard"] = many(comparison.byBoard);
+  result["byCamera"] = many(comparison.byCamera);
+  result["byPose"] = many(comparison.byPose);
+  result["ignored"] = comparison.ignored;
+  return result;
+}
+
+namespace {
+
+/// The model of a result on other captures: its terms as far as they are touched there, and the placements.
+Model modelOf(const StoredResult& result, const Measurements& measurements, std::vector<std::string>& ignored) {
+  const std::vector<Effect> effects =
+      effectsWith(nlohmann::json::parse(result.definitions), "model.define", measurements.robot);
+  const Model base = makeModel(measurements);
+  std::vector<std::string> with, without;
+  for (const Term& term : base.terms()) {
+    if (!term.isPlacement && std::find(result.terms.begin(), result.terms.end(), term.label()) == result.terms.end()) {
+      without.push_back(term.label());
+    }
+  }
+  for (const std::string& term : result.terms) {
+    try {
+      makeModel(measurements, {term}, {}, effects);
+      with.push_back(term);
+    } catch (const InputError&) {
+      ignored.push_back(term);
+    }
+  }
+  Model model = makeModel(measurements, with, without, effects);
+  std::erase_if(ignored, [&](const std::string& label) { // offsets that come along with effects of weight
+    return std::any_of(model.terms().begin(), model.terms().end(),
+                       [&](const Term& term) { return term.label() == label; });
+  });
+  return model;
+}
+
+/// A placement's unknowns, so that start + unknowns = `placement`.
+void placeAt(const Term& term, const Eigen::Matrix<double, 6, 1>& start, const Placement& placement,
+             Eigen::VectorXd& unknowns) {
+  const std::map<std::string, std::pair<int, double>> numbers{
+      {"x", {0, placement.x}},       {"y", {1, placement.y}},         {"z", {2, placement.z}},
+      {"roll", {3, placement.roll}}, {"pitch", {4, placement.pitch}}, {"yaw", {5, placement.yaw}}};
+  for (std::size_t i = 0; i < term.effect.unknowns.size(); ++i) {
+    const auto& [number, value] = numbers.at(term.effect.unknowns[i].name);
+    unknowns[static_cast<Eigen::Index>(term.first + i)] = value - start[number];
+  }
+}
+
+} // namespace
+
+Prediction predictionOf(const Model& model, const StoredResult& result, const Measurements& measurements,
+                        bool samePlace) {
+  const auto count = static_cast<Eigen::Index>(model.unknownCount());
+  Prediction all{model, Eigen::VectorXd::Zero(count), std::vector<bool>(model.unknownCount(), false), {}};
+  const std::vector<std::string> names = model.names();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto value = result.values.find(names[i]);
+    all.unknowns[static_cast<Eigen::Index>(i)] = value == result.values.end() ? 0 : value->second;
+  }
+  all.unknowns = startingUnknowns(measurements, model, all.unknowns);
+  for (const Term& term : model.terms()) {
+    if (!term.isPlacement) {
+      continue;
+    }
+    const bool isBoard = term.effect.place == Place::board;
+    const bool onFloor = !isBoard || measurements.targets[term.at].onFloor;
+    const auto& known = isBoard ? result.boards : result.stances;
+    const auto placement = known.find(term.place);
+    if (placement != known.end() && (samePlace || !onFloor)) {
+      const Belief& drawn = measurements.pictures.front().drawn;
+      const Eigen::Matrix<double, 6, 1> start =
+          isBoard ? Eigen::Matrix<double, 6, 1>{drawn.boardPlacement(term.at)} : Eigen::Matrix<double, 6, 1>::Zero();
+      placeAt(term, start, placement->second, all.unknowns);
+    } else {
+      std::fill_n(all.free.begin() + static_cast<std::ptrdiff_t>(term.first), term.effect.unknowns.size(), onFloor);
+    }
+  }
+  return all;
+}
+
+Prediction predictionOf(const StoredResult& result, const Measurements& measurements, bool samePlace) {
+  std::vector<std::string> ignored;
+  Prediction prediction = predictionOf(modelOf(result, measurements, ignored), result, measurements, samePlace);
+  prediction.ignored = std::move(ignored);
+  return prediction;
+}
+
+FitMinimum predicted(Residuals& residuals, const Prediction& prediction, const Residuals::State& start) {
+  residuals.freeOnly(prediction.free);
+  auto minimum = levenbergMarquardt(residuals, start);
+  if (!minimum) {
+    throw InputError{
+        "these captures cannot be predicted: a corner that was seen would lie behind the camera; is it the "
+        "robot that the result was made for?"};
+  }
+  return *std::move(minimum);
+}
+
+FitMinimum predicted(Residuals& residuals, const Prediction& prediction) {
+  return predicted(residuals, prediction, residuals.start(prediction.unknowns));
+}
+
+} // namespace naocal

@@ -1,0 +1,328 @@
+#include "calibration/ResultFile.hpp"
+
+#include "calibration/Calibration.hpp"
+#include "calibration/Verdict.hpp"
+#include "estimation/DriverState.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+namespace naocal {
+
+/// What of the captures does not fit the rest: set, capture, board, corners and how far off [px].
+nlohmann::json doubtfulJson(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                            const CalibrationResult& result);
+
+/// Every corner: measured; predicted with the joints' readings as they are; fitted, where the readings are moved as
+/// far as their noise allows; and how far it counted.
+nlohmann::json sightingsJson(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                             const CalibrationResult& result);
+
+/// The cameras' image sizes, by set and name.
+nlohmann::json camerasJson(const std::vector<CaptureSet>& sets);
+
+using nlohmann::json;
+
+namespace {
+
+json pointsJson(const Eigen::Matrix2Xd& points) {
+  json list = json::array();
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    list.push_back({points(0, i), points(1, i)});
+  }
+  return list;
+}
+
+} // namespace
+
+json doubtfulJson(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                  const CalibrationResult& result) {
+  json list = json::array();
+  for (const Doubt& doubt : result.doubts) {
+    const Picture& picture = measurements.pictures[doubt.picture];
+    const CaptureSet& set = sets[picture.set];
+    list.push_back({{"set", set.name},
+                    {"capture", set.captures[picture.capture].id},
+                    {"board", measurements.targets[picture.sightings[doubt.sighting].view.board()].name},
+                    {"corners", doubt.corners},
+                    {"whole", doubt.whole},
+                    {"distancePx", doubt.distance}});
+  }
+  return list;
+}
+
+json sightingsJson(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                   const CalibrationResult& result) {
+  json list = json::array();
+  for (std::size_t i = 0; i < result.sightings.size(); ++i) {
+    const SightingResidual& seen = result.sightings[i];
+    const Picture& picture = measurements.pictures[seen.picture];
+    const Sighting& sighting = picture.sightings[seen.sighting];
+    const Capture& capture = sets[picture.set].captures[picture.capture];
+    list.push_back({{"set", sets[picture.set].name},
+                    {"capture", capture.id},
+                    {"pose", capture.pose},
+                    {"repeat", capture.repeat},
+                    {"time", capture.time.count()},
+                    {"camera", capture.camera},
+                    {"image", capture.image},
+                    {"board", measurements.targets[sighting.view.board()].name},
+                    {"ids", sighting.ids},
+                    {"measured", pointsJson(seen.predicted + seen.residual)},
+                    {"predicted", pointsJson(result.asReported[i].predicted)},
+                    {"fitted", pointsJson(seen.predicted)},
+                    {"weight", std::vector<double>(seen.weight.begin(), seen.weight.end())}});
+  }
+  return list;
+}
+
+json camerasJson(const std::vector<CaptureSet>& sets) {
+  json cameras;
+  for (const CaptureSet& set : sets) {
+    for (const auto& [name, camera] : set.cameras) {
+      cameras[set.name][name] = {{"width", camera.width}, {"height", camera.height}};
+    }
+  }
+  return cameras;
+}
+
+using nlohmann::json;
+
+namespace {
+
+Placement placementFrom(const json& value) {
+  return {value.value("x", 0.0),    value.value("y", 0.0),     value.value("z", 0.0),
+          value.value("roll", 0.0), value.value("pitch", 0.0), value.value("yaw", 0.0)};
+}
+
+Noise noiseFrom(const json& entry, const std::filesystem::path& file) {
+  const Noise usual;
+  const Noise noise{.pixel = entry.value("pixel", usual.pixel),
+                    .encoder = entry.value("encoder", usual.encoder),
+                    .pose = entry.value("pose", usual.pose),
+                    .stance = entry.value("stance", usual.stance),
+                    .reapproach = entry.value("reapproach", usual.reapproach),
+                    .pixelAlike = entry.value("pixelAlike", usual.pixelAlike)};
+  if (!(noise.pixel > 0 && noise.encoder >= 0 && noise.pose >= 0 && noise.stance >= 0 && noise.reapproach >= 0 &&
+        noise.pixelAlike >= 0)) {
+    throw InputError{fmt::format("{}: noise: expected a positive pixel and no negative numbers, found {}",
+                                 file.string(), entry.dump())};
+  }
+  return noise;
+}
+
+} // namespace
+
+StoredResult readResult(const std::filesystem::path& file) {
+  try {
+    const json all = json::parse(fileContent(file));
+    if (all.value("format", "") != "naocal-result" || all.value("version", 0) != 1) {
+      throw InputError{
+          fmt::format("{}: format: expected \"naocal-result\" version 1, as 'naocal solve' writes it, found {} "
+                      "version {}",
+                      file.string(), all.value("format", "none"), all.value("version", 0))};
+    }
+    StoredResult result;
+    result.usable = all.at("usable").get<bool>();
+    if (all.contains("model") && all["model"].contains("define")) {
+      result.definitions = all["model"]["define"].dump();
+    }
+    result.noise = noiseFrom(all.value("noise", json::object()), file);
+    for (const json& effect : all.at("effects")) {
+      const std::string label = effect.at("effect").get<std::string>() + "@" + effect.at("at").get<std::string>();
+      result.terms.push_back(label);
+      for (const auto& [name, unknown] : effect.at("unknowns").items()) {
+        result.values[label + "." + name] = unknown.at("value").get<double>();
+      }
+    }
+    for (const auto& [name, placement] : all.at("placements").at("boards").items()) {
+      result.boards[name] = placementFrom(placement);
+    }
+    for (const auto& [name, placement] : all.at("placements").at("stances").items()) {
+      result.stances[name] = placementFrom(placement);
+    }
+    return result;
+  } catch (const json::exception& error) {
+    throw InputError{fmt::format("{}: not a result file as 'naocal solve' writes it: {}", file.string(), error.what())};
+  }
+}
+
+using nlohmann::json;
+
+namespace {
+
+/// "LKneePitch" for jointOffset@LKneePitch.o; everything else keeps its full name.
+std::string shortName(const std::string& unknown) {
+  constexpr std::string_view offset = "jointOffset@";
+  return unknown.starts_with(offset) ? unknown.substr(offset.size(), unknown.rfind('.') - offset.size()) : unknown;
+}
+
+json effectsJson(const Model& model, const CalibrationResult& result) {
+  json effects = json::array();
+  for (const Term& term : model.terms()) {
+    if (term.isPlacement) {
+      continue;
+    }
+    json unknowns;
+    for (std::size_t i = 0; i < term.effect.unknowns.size(); ++i) {
+      const Estimate& estimate = result.estimates[term.first + i];
+      unknowns[term.effect.unknowns[i].name] = {
+          {"value", estimate.value},
+          {"sigma", estimate.sigma},
+          {"unit", term.effect.unknowns[i].unit},
+          {"learned", estimate.learned},
+          {"interval95", {estimate.value - estimate.halfWidth, estimate.value + estimate.halfWidth}},
+          {"degreesOfFreedom", estimate.freedom}};
+      if (const auto& averaged = estimate.averaged) {
+        unknowns[term.effect.unknowns[i].name]["averaged"] = {
+            {"value", averaged->value}, {"sigma", averaged->sigma}, {"interval", {averaged->low, averaged->high}}};
+      }
+    }
+    effects.push_back({{"effect", term.effect.name}, {"at", term.place}, {"unknowns", std::move(unknowns)}});
+  }
+  return effects;
+}
+
+json placementJson(const Eigen::Matrix<double, 6, 1>& p, bool onFloor) {
+  if (onFloor) {
+    return {{"x", p[0]}, {"y", p[1]}, {"yaw", p[5]}};
+  }
+  return {{"x", p[0]}, {"y", p[1]}, {"z", p[2]}, {"roll", p[3]}, {"pitch", p[4]}, {"yaw", p[5]}};
+}
+
+json placementsJson(const Measurements& measurements, const Model& model, const CalibrationResult& result) {
+  json boards = json::object(), stances = json::object();
+  for (const Picture& picture : measurements.pictures) {
+    const Belief belief = believed(measurements, model, picture, result.unknowns);
+    for (const Sighting& sighting : picture.sightings) {
+      const Target& target = measurements.targets[sighting.view.board()];
+      boards[target.name] = placementJson(belief.boardPlacement(sighting.view.board()), target.onFloor);
+      if (target.onFloor) {
+        stances[measurements.standings[picture.stance].name] = placementJson(belief.ground(), true);
+      }
+    }
+  }
+  return {{"boards", std::move(boards)}, {"stances", std::move(stances)}};
+}
+
+/// Standard errors of the estimated placements, by "boardPlacement@A".
+json placementSigmasJson(const Model& model, const CalibrationResult& result) {
+  json sigmas = json::object();
+  for (const Term& term : model.terms()) {
+    for (std::size_t i = 0; i < term.effect.unknowns.size() && term.isPlacement; ++i) {
+      sigmas[term.label()][term.effect.unknowns[i].name] = result.estimates[term.first + i].sigma;
+    }
+  }
+  return sigmas;
+}
+
+json weakJson(const CalibrationResult& result) {
+  json weak = json::array();
+  for (const WeakDirection& direction : result.weak) {
+    json parts;
+    for (const auto& [name, share] : direction.parts) {
+      parts[shortName(name)] = share;
+    }
+    weak.push_back({{"direction", std::move(parts)},
+                    {"sigma", direction.sigma},
+                    {"unit", direction.unit},
+                    {"sentence", direction.sentence}});
+  }
+  return weak;
+}
+
+/// What could be missing, and how likely each explanation is.
+json explanationsJson(const CalibrationResult& result) {
+  json list = json::array();
+  for (const Explanation& explanation : result.explanations) {
+    list.push_back({{"effects", explanation.effects}, {"weight", explanation.weight}});
+    if (!explanation.without.empty()) {
+      list.back()["without"] = explanation.without;
+    }
+  }
+  return list;
+}
+
+/// Of the encoders in use, the root mean square [rad].
+double jitterOf(const Measurements& measurements) {
+  double squares = 0;
+  for (const std::size_t joint : measurements.joints) {
+    squares += measurements.jitter[joint] * measurements.jitter[joint];
+  }
+  return std::sqrt(squares / std::max<double>(1, static_cast<double>(measurements.joints.size())));
+}
+
+/// The person's own effects in the model, each once, so that whoever reads the result can predict with them.
+json definitions(const Model& model) {
+  json list = json::array();
+  for (const Term& term : model.terms()) {
+    if (!term.effect.definition.empty()) {
+      json definition = json::parse(term.effect.definition);
+      if (std::find(list.begin(), list.end(), definition) == list.end()) {
+        list.push_back(std::move(definition));
+      }
+    }
+  }
+  return list;
+}
+
+} // namespace
+
+json resultJson(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& model,
+                const CalibrationResult& result, const ResultInputs& inputs) {
+  std::vector<std::string> terms;
+  for (const Term& term : model.terms()) {
+    if (!term.isPlacement) {
+      terms.push_back(term.label());
+    }
+  }
+  return {{"format", "naocal-result"},
+          {"version", 1},
+          {"converged", result.converged},
+          {"verdict", nameOf(result.verdict)},
+          {"usable", result.usable},
+          {"sentence", result.sentence},
+          {"warnings", sentences(result.warnings)},
+          {"rmsPx", result.rmsPx},
+          {"medianPx", result.medianPx},
+          {"noiseFloorPx", result.noiseFloorPx},
+          {"chi2", result.chi2},
+          {"dof", result.dof},
+          {"pValue", result.pValue},
+          {"sigmaScale", result.sigmaScale},
+          {"misfit", result.misfit},
+          {"misfitLeft", result.misfitLeft},
+          {"explanations", explanationsJson(result)},
+          {"corners", measurements.cornerCount},
+          {"captures", measurements.pictures.size()},
+          {"noise",
+           {{"pixel", result.noise.pixel},
+            {"encoder", result.noise.encoder},
+            {"pose", result.noise.pose},
+            {"stance", result.noise.stance},
+            {"reapproach", result.noise.reapproach},
+            {"pixelAlike", result.noise.pixelAlike},
+            {"jitter", jitterOf(measurements)},
+            {"source", result.noiseSource}}},
+          {"effects", effectsJson(model, result)},
+          {"placements", placementsJson(measurements, model, result)},
+          {"placementSigmas", placementSigmasJson(model, result)},
+          {"weak", weakJson(result)},
+          {"doubtful", doubtfulJson(sets, measurements, result)},
+          {"floorErrorAt2m", result.floorErrorAt2m},
+          {"iterations", result.iterations},
+          {"restarts", {{"tried", result.restartsTried}, {"changedTheAnswer", result.restartsChanged}}},
+          {"seconds", result.seconds},
+          {"inputs", {{"sets", inputs.sets}, {"sha256", inputs.sha256}}},
+          {"model", {{"robot", measurements.robot.model}, {"terms", std::move(terms)}, {"define", definitions(model)}}},
+          {"cameras", camerasJson(sets)},
+          {"sightings", sightingsJson(sets, measurements, result)}};
+}
+
+} // namespace naocal

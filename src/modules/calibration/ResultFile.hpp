@@ -1,0 +1,37 @@
+#pragma once
+
+#include "calibration/Calibration.hpp"
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// Where a result came from.
+struct ResultInputs {
+  std::vector<std::string> sets;   // folders, as given
+  std::vector<std::string> sha256; // of their captures.json
+};
+
+/// RESULT.json: estimates with their uncertainty, what was assumed, and every corner's prediction for reports.
+nlohmann::json resultJson(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& model,
+                          const CalibrationResult& result, const ResultInputs& inputs);
+
+/// What a result file says about robot and scene, without its uncertainty.
+struct StoredResult {
+  std::vector<std::string> terms;           // "jointOffset@LKneePitch"
+  std::map<std::string, double> values;     // "jointOffset@LKneePitch.o" -> value [the unknown's unit]
+  std::map<std::string, Placement> boards;  // by name
+  std::map<std::string, Placement> stances; // by name
+  std::string definitions = "[]";           // the person's own effects among them: a list of JSON
+  Noise noise;                              // that it was found with
+  bool usable = false;
+};
+
+/// Reads a result file. Throws InputError with file, place, what was expected and found.
+StoredResult readResult(const std::filesystem::path& file);
+
+} // namespace naocal

@@ -1,0 +1,283 @@
+#include "calibration/Uncertainty.hpp"
+
+#include "calibration/Wording.hpp"
+#include "estimation/DriverState.hpp"
+#include "inference/NoiseLevels.hpp"
+#include "inference/PoseMisfit.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "math/Parallel.hpp"
+#include "math/Statistics.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+
+namespace naocal {
+
+namespace {
+
+/// The error with the legs as in one picture; absent where it sees no floor board or the point lies behind.
+std::optional<double> errorIn(const Picture& picture, const Measurements& measurements, const Model& model,
+                              const CalibrationResult& result) {
+  const auto sighting = std::find_if(picture.sightings.begin(), picture.sightings.end(),
+                                     [&](const Sighting& s) { return measurements.targets[s.view.board()].onFloor; });
+  if (sighting == picture.sightings.end()) {
+    return std::nullopt;
+  }
+  Belief belief = believed(measurements, model, picture, result.unknowns);
+  const std::size_t board = sighting->view.board();
+  belief.ground().setZero();
+  belief.boardPlacement(board) << 2, 0, 0, 0, 0, 0;
+  for (std::size_t joint : sighting->view.joints()) {
+    const std::size_t link = measurements.robot.joints[joint].link;
+    const std::size_t head = measurements.robot.cameras[picture.camera].link;
+    const auto towardsHead = linksTowards(measurements.robot, {head});
+    if (std::find(towardsHead.begin(), towardsHead.end(), link) != towardsHead.end()) {
+      belief.angle(joint) = 0;
+    }
+  }
+  Posture torsoFromLink;
+  posture(measurements.robot, belief, sighting->view.links(), torsoFromLink);
+  const Attitude attitude = sighting->view.attitude(measurements.robot, belief, torsoFromLink);
+  const Eigen::Vector3d point = attitude.opticalFromBoard.translation;
+  if (point.z() < 0.1) {
+    return std::nullopt;
+  }
+  const std::vector<Slope> all = slopes(measurements, model, picture, result.unknowns);
+  std::vector<std::size_t> quantities;
+  std::vector<Slope> physical;
+  for (const Slope& slope : all) {
+    if (slope.quantity < measurements.quantities.lens()) {
+      physical.push_back(slope);
+      quantities.push_back(slope.quantity);
+    }
+  }
+  Eigen::MatrixXd columns(6, at(quantities.size()));
+  sighting->view.motion(measurements.robot, attitude, belief, torsoFromLink, quantities, {}, columns);
+  const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
+  Eigen::MatrixXd slip = Eigen::MatrixXd::Zero(2, result.unknowns.size());
+  for (std::size_t i = 0; i < physical.size(); ++i) {
+    const Eigen::Vector3d omega = columns.col(at(i)).head<3>();
+    const Eigen::Vector3d motion = omega.cross(point) + columns.col(at(i)).tail<3>();
+    // the ray stays, the floor moved: where it meets the floor now, in the floor's own axes
+    const Eigen::Vector3d shift = point * (motion.dot(normal) / point.dot(normal)) - motion;
+    slip.col(at(physical[i].unknown)) +=
+        physical[i].value * (attitude.opticalFromWorld.rotation.transpose() * shift).head<2>();
+  }
+  return std::sqrt((slip * result.covariance * slip.transpose()).trace());
+}
+
+} // namespace
+
+double floorErrorAt2m(const Measurements& measurements, const Model& model, const CalibrationResult& result) {
+  std::vector<double> errors;
+  for (const Picture& picture : measurements.pictures) {
+    if (const auto error = errorIn(picture, measurements, model, result)) {
+      errors.push_back(*error);
+    }
+  }
+  if (errors.empty()) {
+    return 0;
+  }
+  std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2), errors.end());
+  return errors[errors.size() / 2];
+}
+
+namespace {
+
+Eigen::MatrixXd inverse(const Eigen::MatrixXd& information) {
+  return information.ldlt().solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
+}
+
+/// Each unknown's variance, averaged over the noise levels that are possible, and how far it varies over them.
+struct Spread {
+  Eigen::VectorXd variance;       // mean over levels of the variance there and of the estimate's own move
+  Eigen::VectorXd relativeSpread; // Var(variance) / variance^2
+};
+
+/// `moves`: whether the estimate's own move counts.
+Spread spreadOver(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& sigmas,
+                  const std::vector<NoiseLevels::Level>& levels, double misfit, bool moves) {
+  Spread result{Eigen::VectorXd::Zero(sigmas.size()), Eigen::VectorXd::Zero(sigmas.size())};
+  for (const NoiseLevels::Level& level : levels) {
+    const LinearMinimum there = linearMinimum(linear, unknowns, sigmas, level.noise);
+    Eigen::VectorXd variance = misfit * there.covariance.diagonal();
+    if (moves) {
+      variance += there.step.cwiseAbs2();
+    }
+    result.variance += level.weight * variance;
+    result.relativeSpread += level.weight * variance.cwiseAbs2();
+  }
+  result.relativeSpread = (result.relativeSpread.cwiseQuotient(result.variance.cwiseAbs2()).array() - 1).max(0);
+  return result;
+}
+
+std::vector<NoiseLevels::Level> levelsOf(const NoiseLevels& levels) {
+  return levels.levels.empty() ? std::vector<NoiseLevels::Level>{{levels.noise, 1}} : levels.levels;
+}
+
+/// A normal distribution of uncertain variance, as the Student's t of the same variance and kurtosis:
+/// nu = 4 + 2 / (relative variance of the variance).
+Estimate estimate(double value, double variance, double relativeSpread, double priorSigma) {
+  const double freedom = std::min(4 + 2 / std::max(relativeSpread, 1e-9), 1e6);
+  const double sigma = std::sqrt(variance);
+  return {.value = value,
+          .sigma = sigma,
+          .halfWidth = studentHalfWidth(freedom) * sigma * std::sqrt((freedom - 2) / freedom),
+          .freedom = freedom,
+          .learned = std::max(0.0, 1 - sigma / priorSigma)};
+}
+
+/// Distances of corners from where the joints' readings put them, with no deflection taken out.
+void measureDistances(const Residuals& residuals, const Fit& fit, CalibrationResult& result) {
+  std::vector<double> distances;
+  double squares = 0;
+  result.asReported = residuals.sightings(residuals.start(result.unknowns));
+  for (const SightingResidual& sighting : result.asReported) {
+    for (Eigen::Index i = 0; i < sighting.residual.cols(); ++i) {
+      distances.push_back(sighting.residual.col(i).norm());
+      squares += sighting.residual.col(i).squaredNorm();
+    }
+  }
+  if (!std::isfinite(squares)) { // deflected as fitted, none was
+    throw behindTheCamera();
+  }
+  result.rmsPx = std::sqrt(squares / static_cast<double>(distances.size()));
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  result.medianPx = *middle;
+  result.sightings = residuals.sightings(fit.minimum.state);
+}
+
+} // namespace
+
+CalibrationResult uncertain(const Measurements& measurements, const Model& model, const Fit& fit,
+                            const NoiseLevels& levels) {
+  CalibrationResult result;
+  result.converged = fit.minimum.converged;
+  result.iterations = fit.minimum.iterations;
+  result.restartsChanged = fit.restartsChanged;
+  result.state = fit.minimum.state;
+  result.unknowns = fit.minimum.state.unknowns;
+  result.noise = fit.noise;
+  result.loss = fit.loss;
+  const Eigen::VectorXd sigmas = model.sigmas();
+  const Residuals::Linear& linear = fit.minimum.linear;
+  result.covariance = inverse(linear.hessian);
+  double numbers = 0;
+  for (std::size_t pose = 0; pose < linear.poses.size(); ++pose) {
+    result.chi2 += 2 * linear.eliminated[pose].cost;
+    numbers += linear.poses[pose].freedom;
+  }
+  result.dof = numbers - (1 - result.covariance.diagonal().cwiseQuotient(sigmas.cwiseAbs2()).array()).sum();
+  const DriverColumns none{.blocks = std::vector<std::vector<DriverColumns::Block>>(linear.poses.size())};
+  const Residuals residuals{measurements, model, fit.noise, fit.loss};
+  const std::vector<PoseRows> rows = residuals.rows(fit.minimum.state).value(); // as it was linearised there
+  const PoseMisfit misfit = poseMisfit({rows, none, result.unknowns, sigmas, 0}, fit.noise);
+  result.misfit = std::max({1.0, misfit.chi2 / misfit.freedom, result.chi2 / std::max(1.0, result.dof)});
+  result.sigmaScale = std::sqrt(result.misfit);
+  result.covariance *= result.misfit;
+  measureDistances(residuals, fit, result);
+  result.noiseFloorPx = noiseFloorPx(rows, fit.noise);
+  const Spread spread = spreadOver(linear, result.unknowns, sigmas, levelsOf(levels), result.misfit, true);
+  for (Eigen::Index i = 0; i < sigmas.size(); ++i) {
+    result.estimates.push_back(estimate(result.unknowns[i], spread.variance[i], spread.relativeSpread[i], sigmas[i]));
+  }
+  return result;
+}
+
+Eigen::VectorXd levelWidening(const Residuals::Linear& linear, const Eigen::VectorXd& sigmas,
+                              const NoiseLevels& levels) {
+  const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(sigmas.size());
+  const Eigen::VectorXd variance = linearMinimum(linear, nothing, sigmas, levels.noise).covariance.diagonal();
+  const Spread spread = spreadOver(linear, nothing, sigmas, levelsOf(levels), 1, false);
+  Eigen::VectorXd result(sigmas.size());
+  for (Eigen::Index i = 0; i < sigmas.size(); ++i) {
+    const Estimate wide = estimate(0, spread.variance[i], spread.relativeSpread[i], sigmas[i]);
+    result[i] = wide.halfWidth / (1.96 * std::sqrt(variance[i]));
+  }
+  return result;
+}
+
+LinearMinimum linearMinimum(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns,
+                            const Eigen::VectorXd& sigmas, const Noise& noise) {
+  const Eigen::VectorXd information = sigmas.cwiseAbs2().cwiseInverse();
+  Eigen::MatrixXd hessian = information.asDiagonal();
+  Eigen::VectorXd gradient = information.cwiseProduct(unknowns);
+  std::vector<Eliminated> parts(linear.poses.size());
+  inParallel(parts.size(), [&](std::size_t i) {
+    eliminate(linear.poses[i], noise, deflectionRoot(linear.poses[i], noise), parts[i]);
+  });
+  for (std::size_t pose = 0; pose < parts.size(); ++pose) {
+    const std::vector<std::size_t>& seen = linear.poses[pose].unknowns;
+    gradient(seen) += parts[pose].unknownGradient;
+    hessian(seen, seen) += parts[pose].hessian;
+  }
+  const Eigen::LLT<Eigen::MatrixXd> factor{hessian};
+  return {-factor.solve(gradient), factor.solve(Eigen::MatrixXd::Identity(hessian.rows(), hessian.cols()))};
+}
+
+std::vector<WeakDirection> weakDirections(const Model& model, const CalibrationResult& result) {
+  constexpr double wide = 0.3;   // of the prior's sigma
+  constexpr double shared = 0.4; // smallest share worth naming, of the largest
+  std::vector<std::size_t> physical;
+  std::vector<std::string> spoken;
+  for (const Term& term : model.terms()) {
+    for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement && term.asked; ++i) {
+      physical.push_back(term.first + i);
+      spoken.push_back(inWords(term, i));
+    }
+  }
+  const Eigen::VectorXd sigmas = model.sigmas();
+  Eigen::MatrixXd relative(at(physical.size()), at(physical.size()));
+  for (std::size_t i = 0; i < physical.size(); ++i) {
+    for (std::size_t j = 0; j < physical.size(); ++j) {
+      relative(at(i), at(j)) =
+          result.covariance(at(physical[i]), at(physical[j])) / (sigmas[at(physical[i])] * sigmas[at(physical[j])]);
+    }
+  }
+  const SymmetricEigen eigen = symmetricEigen(relative);
+  const std::vector<std::string> names = model.names();
+  std::vector<WeakDirection> weak;
+  for (Eigen::Index k = relative.rows() - 1; k >= 0; --k) {
+    WeakDirection direction;
+    direction.sigma = std::sqrt(std::max(0.0, eigen.values[k]));
+    if (direction.sigma < wide) {
+      break;
+    }
+    std::vector<std::string> words;
+    Eigen::VectorXd turn = Eigen::VectorXd::Zero(sigmas.size()); // the direction in radians
+    direction.unit = "rad";
+    const double least = shared * eigen.vectors.col(k).cwiseAbs().maxCoeff();
+    for (std::size_t i = 0; i < physical.size(); ++i) {
+      const double share = eigen.vectors(at(i), k);
+      if (std::abs(share) >= least) {
+        const std::size_t unknown = physical[i];
+        direction.parts.emplace_back(names[unknown], share);
+        words.push_back(spoken[i]);
+        turn[at(unknown)] = share * sigmas[at(unknown)];
+        if (model.units()[unknown] != "rad") {
+          direction.unit = "prior sigmas";
+        }
+      }
+    }
+    if (direction.unit == "rad") {
+      turn.normalize();
+      direction.sigma = std::sqrt(turn.dot(result.covariance * turn));
+      for (auto& [name, share] : direction.parts) {
+        share = turn[std::find(names.begin(), names.end(), name) - names.begin()];
+      }
+    }
+    direction.sentence = words.size() == 1
+                             ? fmt::format("these captures hardly tell {}", words.front())
+                             : fmt::format("{} can be traded against each other: these captures hardly tell them apart",
+                                           enumerated(words));
+    weak.push_back(std::move(direction));
+  }
+  return weak;
+}
+
+} // namespace naocal

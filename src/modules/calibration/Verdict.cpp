@@ -1,0 +1,155 @@
+#include "calibration/Verdict.hpp"
+
+#include "calibration/Outliers.hpp"
+#include "calibration/Uncertainty.hpp"
+#include "calibration/Wording.hpp"
+#include "inference/Thresholds.hpp"
+#include "math/Angles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace naocal {
+
+namespace {
+
+/// Whether what the captures show is explained, and where it is not, whether the offsets hold all the same.
+ResultVerdict explained(const Model& model, const CalibrationResult& result, bool missing) {
+  constexpr double widest = radians(0.5); // [rad]: half of an offset's 95 % interval
+  const bool fits = result.misfitLeft < threshold::misfit || result.rmsPx < result.noiseFloorPx;
+  if (!missing && fits && result.noise.pose < suspectScatter) {
+    return ResultVerdict::good;
+  }
+  bool holds = result.misfitLeft < threshold::bearableMisfit;
+  for (const Term& term : model.terms()) {
+    if (term.effect.name == "jointOffset" && term.asked) {
+      const auto [low, high] = result.estimates[term.first].interval();
+      holds = holds && high - low < 2 * widest;
+    }
+  }
+  return holds ? ResultVerdict::causeMissing : ResultVerdict::doNotUse;
+}
+
+std::string words(const Accidents& accidents) {
+  return fmt::format("{} of {} boards in pictures {} not lie where the others put {}", accidents.moved, accidents.all,
+                     accidents.moved == 1 ? "does" : "do", accidents.moved == 1 ? "it" : "them");
+}
+
+/// Of all corners but those of boards that moved [px].
+double rmsWithoutMoved(const CalibrationResult& result) {
+  double squares = 0, corners = 0;
+  for (const SightingResidual& sighting : result.asReported) {
+    const bool moved = std::any_of(result.doubts.begin(), result.doubts.end(), [&](const Doubt& doubt) {
+      return doubt.whole && doubt.picture == sighting.picture && doubt.sighting == sighting.sighting;
+    });
+    if (!moved) {
+      squares += sighting.residual.squaredNorm();
+      corners += static_cast<double>(sighting.residual.cols());
+    }
+  }
+  return std::sqrt(squares / std::max(1.0, corners));
+}
+
+/// "the error is 4.49 px, the noise floor 0.65 px"
+std::string sizes(const CalibrationResult& result, const Accidents& accidents) {
+  return fmt::format("{}the error is {:.2f} px, the noise floor {:.2f} px",
+                     accidents.any() ? words(accidents) + "; without " + (accidents.moved == 1 ? "it " : "them ")
+                                     : std::string{},
+                     accidents.any() ? rmsWithoutMoved(result) : result.rmsPx, result.noiseFloorPx);
+}
+
+/// The verdict in words. `cause`: what is missing, where something is. `firm`: that forbids to use it, if anything.
+std::string sentenceOf(const CalibrationResult& result, const Accidents& accidents, const std::string& cause,
+                       const std::string& firm) {
+  switch (result.verdict) {
+  case ResultVerdict::good:
+    return fmt::format("This calibration is good: the model explains the captures ({}).", sizes(result, accidents));
+  case ResultVerdict::causeMissing:
+    return fmt::format("Usable, but a cause is missing: {}; {}. Offsets hold whatever it is. Find it with 'naocal "
+                       "diagnose'.",
+                       sizes(result, accidents), cause);
+  case ResultVerdict::doNotUse:
+    return firm.empty() ? fmt::format("Do not use this calibration yet: {}; {}, and offsets depend on it. Find it with "
+                                      "'naocal diagnose'.",
+                                      sizes(result, accidents), cause)
+                        : fmt::format("Do not use this calibration: {}.", firm);
+  }
+  return {};
+}
+
+} // namespace
+
+void judge(const Measurements& measurements, const Model& model, CalibrationResult& result) {
+  constexpr double largestFloorError = 0.05; // [m]
+  using About = Warning::About;
+  const auto warn = [&](About about, std::string sentence) { result.warnings.push_back({about, std::move(sentence)}); };
+  result.weak = weakDirections(model, result);
+  result.floorErrorAt2m = floorErrorAt2m(measurements, model, result);
+  result.usable = result.converged;
+  if (!result.converged) {
+    warn(About::fit, "the search did not converge: try --restarts 20, and check the robot's model and the boards");
+  }
+  for (const Term& term : model.terms()) {
+    const Estimate& estimate = result.estimates[term.first];
+    if (term.effect.name == "jointOffset" && term.asked && estimate.learned < 0.5) {
+      result.usable = false;
+      warn(About::offset, fmt::format("{} cannot be learned from these captures ({:.0f} % learned, ±{:.1f}°): "
+                                      "add poses that move it, or leave it out "
+                                      "with --without {}",
+                                      inWords(term, 0), 100 * estimate.learned, degrees(estimate.sigma), term.label()));
+    }
+  }
+  if (result.floorErrorAt2m > largestFloorError) {
+    result.usable = false;
+    warn(About::floor, fmt::format("a floor point 2 m ahead would be seen {:.0f} mm off (1 sigma); at most {:.0f} mm "
+                                   "is good enough to play: take more poses or more boards",
+                                   1e3 * result.floorErrorAt2m, 1e3 * largestFloorError));
+  }
+  const bool missing = result.pValue <= threshold::alarm && result.matters;
+  const Accidents accidents{measurements, result.doubts};
+  std::string cause = "what is missing is open";
+  if (missing && !result.explanations.empty() && !result.explanations.front().effects.empty()) {
+    const Explanation& likeliest = result.explanations.front();
+    cause = fmt::format("the likeliest is {}{}{} ({:.0f} % of all that was considered)",
+                        fmt::join(likeliest.effects, " and "), likeliest.without.empty() ? "" : " instead of ",
+                        fmt::join(likeliest.without, " and "), 100 * likeliest.weight);
+  }
+  // what is missing comes first: that offsets are not known well enough follows from it
+  const std::string firm =
+      result.usable || (missing && result.converged) ? std::string{} : result.warnings.front().sentence;
+  result.verdict = result.usable ? explained(model, result, missing || accidents.areMany()) : ResultVerdict::doNotUse;
+  result.usable = result.verdict != ResultVerdict::doNotUse;
+  result.sentence = sentenceOf(result, accidents, cause, firm);
+  std::size_t corners = 0;
+  for (const Doubt& doubt : result.doubts) {
+    corners += doubt.corners.size();
+  }
+  if (corners > 0) {
+    warn(About::fit, fmt::format("{} not fit the rest and got little or no weight: listed under doubtful",
+                                 corners == 1 ? std::string{"1 corner does"} : fmt::format("{} corners do", corners)));
+  }
+}
+
+std::string nameOf(ResultVerdict verdict) {
+  switch (verdict) {
+  case ResultVerdict::good:
+    return "good";
+  case ResultVerdict::causeMissing:
+    return "cause-missing";
+  case ResultVerdict::doNotUse:
+    return "do-not-use";
+  }
+  return {};
+}
+
+std::vector<std::string> sentences(const std::vector<Warning>& warnings) {
+  std::vector<std::string> result;
+  for (const Warning& warning : warnings) {
+    result.push_back(warning.sentence);
+  }
+  return result;
+}
+
+} // namespace naocal

@@ -1,0 +1,78 @@
+#include "calibration/Wording.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <map>
+#include <span>
+
+namespace naocal {
+
+namespace {
+
+bool isCapital(char letter) {
+  return std::isupper(static_cast<unsigned char>(letter)) != 0;
+}
+
+/// "focal length" for focalLength.
+std::string apart(const std::string& camelCase) {
+  std::string words;
+  for (const char letter : camelCase) {
+    if (isCapital(letter) && !words.empty()) {
+      words += ' ';
+    }
+    words += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  }
+  return words;
+}
+
+/// "the left knee pitch" for LKneePitch, "the head yaw" for HeadYaw.
+std::string joint(const std::string& name) {
+  const bool sided = name.size() > 1 && isCapital(name[1]);
+  if (sided && (name[0] == 'L' || name[0] == 'R')) {
+    return fmt::format("the {} {}", name[0] == 'L' ? "left" : "right", apart(name.substr(1)));
+  }
+  return "the " + apart(name);
+}
+
+/// What an unknown of this name is about x, y and z, in the axes of cameras and of the floor.
+std::string direction(const std::string& unknown) {
+  static const std::map<std::string, std::string> words{{"rx", "roll"},   {"ry", "pitch"},   {"rz", "yaw"},
+                                                        {"x", "forward"}, {"y", "sideways"}, {"z", "up"}};
+  const auto word = words.find(unknown);
+  return word == words.end() ? unknown : word->second;
+}
+
+} // namespace
+
+std::string inWords(const Term& term, std::size_t unknown) {
+  const std::string& name = term.effect.unknowns[unknown].name;
+  if (term.effect.name == "jointOffset") {
+    return joint(term.place);
+  }
+  if (term.effect.name == "cameraRotation") {
+    return fmt::format("the {} camera's {}", term.place, direction(name));
+  }
+  if (term.effect.name == "cameraTranslation") {
+    return fmt::format("the {} camera's place ({})", term.place, direction(name));
+  }
+  const std::string which = term.effect.unknowns.size() > 1 ? " (" + name + ")" : "";
+  if (term.effect.place == Place::camera) {
+    return fmt::format("the {} camera's {}{}", term.place, apart(term.effect.name), which);
+  }
+  if (term.effect.place == Place::board) { // boardBow, boardScale, ...
+    const bool says = term.effect.name.starts_with("board");
+    return fmt::format("board {}'s {}{}", term.place, apart(term.effect.name.substr(says ? 5 : 0)), which);
+  }
+  return fmt::format("{}'s {}{}", joint(term.place), apart(term.effect.name), which);
+}
+
+std::string enumerated(const std::vector<std::string>& words) {
+  if (words.size() < 2) {
+    return words.empty() ? "" : words.front();
+  }
+  return fmt::format("{} and {}", fmt::join(std::span{words}.first(words.size() - 1), ", "), words.back());
+}
+
+} // namespace naocal

@@ -1,0 +1,264 @@
+#include "diagnosis/DataChecks.hpp"
+
+#include "diagnosis/LikelyEvent.hpp"
+#include "diagnosis/SetUps.hpp"
+#include "estimation/ModelBuilder.hpp"
+#include "inference/Thresholds.hpp"
+#include "io/InputError.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace naocal {
+
+namespace {
+
+/// An effect's first unknown by a fit with it: far from zero the linearised estimate is short of it. Absent where there
+/// is no such fit.
+std::optional<double> fitted(const Term& term, const Measurements& measurements) {
+  try {
+    const Model model = makeModel(measurements, {term.label()});
+    const std::size_t first = model.find(term.label())->first;
+    return calibrate(measurements, model, {.question = false}).unknowns[static_cast<Eigen::Index>(first)];
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+/// rms distance of corners with the likeliest effect in the model [px]. A gain is left out: a sign is one of -2.
+double explainedBy(const Inquiry& inquiry, const Measurements& measurements, const Model& model) {
+  for (const std::size_t candidate : inquiry.candidatesByEvidence()) {
+    const Term& term = inquiry.candidates()[candidate];
+    if (term.effect.name == "encoderGain" || inquiry.ofCandidate(candidate).bayes <= 0) {
+      continue;
+    }
+    try {
+      Model larger = model;
+      larger.add(term);
+      return calibrate(measurements, larger, {.estimateNoise = false, .question = false, .robust = false}).rmsPx;
+    } catch (const InputError&) {
+      break;
+    }
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+/// An effect of a size that no robot has but a wrong set-up does.
+std::optional<Suspicion> setUpFrom(const Inquiry& inquiry, const Measurements& measurements) {
+  constexpr double boardScale = 0.03, mirrored = -1.5;
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < inquiry.candidates().size(); ++i) {
+    if (inquiry.ofCandidate(i).likelihoodRatio > inquiry.ofCandidate(best).likelihoodRatio) {
+      best = i;
+    }
+  }
+  if (inquiry.candidates().empty()) {
+    return std::nullopt;
+  }
+  const Term& term = inquiry.candidates()[best];
+  const GroupEvidence& evidence = inquiry.ofCandidate(best);
+  constexpr double beyondDoubt = 30;
+  if (evidence.likelihoodRatio < beyondDoubt) {
+    return std::nullopt;
+  }
+  if (term.effect.name == "boardScale" && std::abs(evidence.estimate[0]) > boardScale) {
+    const double size = fitted(term, measurements).value_or(evidence.estimate[0]);
+    return Suspicion{{},
+                     fmt::format("the squares of {} are {:.1f} % {} than the file says: measure the print and "
+                                 "correct squareLength",
+                                 term.at == everywhere ? "all boards" : "board " + term.place, 100 * std::abs(size),
+                                 size > 0 ? "larger" : "smaller")};
+  }
+  if (term.effect.name == "encoderGain" && evidence.estimate[0] < mirrored) {
+    return Suspicion{{}, fmt::format("{} seems to turn the other way: its angles have the wrong sign", term.place)};
+  }
+  return std::nullopt;
+}
+
+/// Mirrored, a joint's gain is off by -2, of which the linearised estimate shows a good part.
+bool mayBeMirrored(const Inquiry& inquiry, std::size_t motor) {
+  constexpr double notable = -0.3;
+  for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
+    const Term& term = inquiry.candidates()[i];
+    if (term.effect.name == "encoderGain" && term.at == motor && inquiry.ofCandidate(i).freedom > 0) {
+      const GroupEvidence& gain = inquiry.ofCandidate(i);
+      return gain.estimate[0] - 3 * std::sqrt(gain.covariance(0, 0)) < notable;
+    }
+  }
+  return true;
+}
+
+} // namespace
+
+std::vector<Suspicion> suspicions(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                  const Model& model, const CalibrationResult& fit, const Inquiry& inquiry) {
+  const auto mirrored = [&](std::size_t motor) { return mayBeMirrored(inquiry, motor); };
+  GrossMisfit misfit = GrossMisfit::of(fit, model);
+  if (misfit.rmsPx > threshold::grossPx) {
+    misfit.explainedPx = explainedBy(inquiry, measurements, model);
+  }
+  if (const auto setUp = wrongSetUp(sets, measurements, misfit, mirrored)) {
+    return {*setUp};
+  }
+  std::vector<Suspicion> result = accidents(sets, measurements, model, fit, inquiry);
+  if (result.empty()) { // an accident is far likelier than any effect, if it is named
+    if (const auto setUp = setUpFrom(inquiry, measurements)) {
+      result.push_back(*setUp);
+    }
+  }
+  return result;
+}
+
+std::vector<Suspicion> accidents(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                 const Model& model, const CalibrationResult& fit, const Inquiry& inquiry) {
+  const auto likeliest = likeliestEvent(sets, measurements, model, fit, inquiry);
+  if (!likeliest) {
+    return {};
+  }
+  const auto& [event, odds, why] = *likeliest;
+  if (event.captures.empty()) {
+    return {{.capture = {}, .why = why, .odds = odds, .when = event.from.value()}};
+  }
+  std::vector<Suspicion> result;
+  for (const int id : event.captures) {
+    const std::string said = result.empty() ? why : fmt::format("capture {} was taken with it", id);
+    result.push_back({.capture = id, .why = said, .set = event.set, .odds = odds});
+  }
+  return result;
+}
+
+std::vector<Suspicion> movedBoards(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                   const CalibrationResult& fit) {
+  std::vector<Suspicion> result;
+  for (const Doubt& doubt : fit.doubts) {
+    if (doubt.whole) {
+      const Picture& picture = measurements.pictures[doubt.picture];
+      const int id = sets[picture.set].captures[picture.capture].id;
+      const std::string& board = measurements.targets[picture.sightings[doubt.sighting].view.board()].name;
+      result.push_back(
+          {.capture = id,
+           .why = fmt::format("board {} in capture {} lies {:.0f} px from where all other captures put it: "
+                              "it or the robot was moved for a moment, or the picture is another one",
+                              board, id, doubt.distance),
+           .set = picture.set});
+    }
+  }
+  return result;
+}
+
+namespace {
+
+constexpr std::size_t mostApproaches = 6, mostPoses = 3; // that are worth a look
+
+/// Pictures that were taken together.
+struct Together {
+  std::size_t set = 0;
+  std::string pose;
+  std::set<double> times;
+  std::vector<int> captures; // ids
+  double squares = 0;        // of corners' common errors, times the corners [px^2]
+  double corners = 0;
+
+  double error() const { return corners > 0 ? squares / corners : 0; }
+  Together& operator+=(const Together& other) {
+    set = other.set;
+    pose = other.pose;
+    times.insert(other.times.begin(), other.times.end());
+    captures.insert(captures.end(), other.captures.begin(), other.captures.end());
+    squares += other.squares;
+    corners += other.corners;
+    return *this;
+  }
+};
+
+/// Placement of the floor under the robot, at these moments only: x, y, z [m], roll, pitch, yaw [rad].
+Effect displaced(std::size_t set, std::set<double> times) {
+  constexpr double distance = 0.02, angle = 0.03;
+  Effect effect{.name = "wrongAngles",
+                .what = {},
+                .formula = {},
+                .place = Place::all,
+                .unknowns = {{"x", "m", distance},
+                             {"y", "m", distance},
+                             {"z", "m", distance},
+                             {"roll", "rad", angle},
+                             {"pitch", "rad", angle},
+                             {"yaw", "rad", angle}},
+                .correct = {}};
+  effect.correct = [set, times = std::move(times)](Belief& belief, const Instant& instant, std::size_t,
+                                                   std::span<const double> values) {
+    if (instant.set == set && times.contains(instant.time.count())) {
+      belief.ground() += Eigen::Map<const Eigen::Matrix<double, 6, 1>>{values.data()};
+    }
+  };
+  return effect;
+}
+
+Together alone(const Picture& picture, const Capture& capture, const std::vector<const SightingResidual*>& seen) {
+  Together together{picture.set, capture.pose, {picture.instant.time.count()}, {capture.id}};
+  for (const SightingResidual* sighting : seen) {
+    const auto count = static_cast<double>(sighting->residual.cols());
+    together.squares += count * sighting->residual.rowwise().mean().squaredNorm();
+    together.corners += count;
+  }
+  return together;
+}
+
+/// Those with the largest errors, the worst first.
+std::vector<Together> worst(std::vector<Together> all, std::size_t most) {
+  std::stable_sort(all.begin(), all.end(), [](const Together& a, const Together& b) { return a.error() > b.error(); });
+  all.resize(std::min(most, all.size()));
+  return all;
+}
+
+} // namespace
+
+std::vector<Event> wrongAngles(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                               const CalibrationResult& fit) {
+  std::map<std::size_t, std::vector<const SightingResidual*>> byPicture;
+  for (const SightingResidual& sighting : fit.asReported) {
+    const View& view = measurements.pictures[sighting.picture].sightings[sighting.sighting].view;
+    if (measurements.targets[view.board()].onFloor) {
+      byPicture[sighting.picture].push_back(&sighting);
+    }
+  }
+  std::vector<Together> poses, approaches;
+  for (const PoseGroup& pose : measurements.poses) {
+    std::map<std::vector<std::size_t>, Together> rests; // readings with the same errors are of one approach
+    for (const Reading& reading : pose.readings) {
+      for (const std::size_t index : reading.pictures) {
+        const Picture& picture = measurements.pictures[index];
+        rests[reading.encoderError] += alone(picture, sets[picture.set].captures[picture.capture], byPicture[index]);
+      }
+    }
+    poses.emplace_back();
+    for (const auto& [errors, rest] : rests) {
+      approaches.push_back(rest);
+      poses.back() += rest;
+    }
+  }
+  std::vector<Event> result;
+  const auto offer = [&](const std::vector<Together>& several, const char* what) {
+    for (const Together& one : several) {
+      const std::string ids = fmt::format("{}", fmt::join(one.captures, ", "));
+      const std::string which = one.captures.size() == 1 ? "capture " + ids : "captures " + ids;
+      result.push_back(
+          {.term = {displaced(one.set, one.times), 0, fmt::format("{} of {}", which, sets[one.set].name)},
+           .who = which,
+           .where = " of pose " + one.pose,
+           .set = one.set,
+           .captures = one.captures,
+           .what = fmt::format("{} not belong to the rest: {}", one.captures.size() == 1 ? "does" : "do", what)});
+    }
+  };
+  offer(worst(approaches, mostApproaches), "somebody touched the robot, or its angles are wrong there");
+  offer(worst(poses, mostPoses), "somebody touched the robot, or a joint slipped there");
+  return result;
+}
+
+} // namespace naocal

@@ -1,0 +1,293 @@
+#include "diagnosis/Diagnosis.hpp"
+
+#include "calibration/Outliers.hpp"
+#include "diagnosis/DataChecks.hpp"
+#include "diagnosis/DiagnosisWording.hpp"
+#include "diagnosis/OwnEffect.hpp"
+#include "diagnosis/SetUps.hpp"
+#include "diagnosis/StepwiseSelection.hpp"
+#include "diagnosis/views/DriverCurves.hpp"
+#include "estimation/ModelBuilder.hpp"
+#include "inference/DriverBasis.hpp"
+#include "inference/Thresholds.hpp"
+#include "io/InputError.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <list>
+
+namespace naocal {
+
+/// A model that was questioned, its fit, and what was found.
+struct AskedModel {
+  const Model& model;
+  const CalibrationResult& fit;
+  const Inquiry& inquiry;
+};
+
+/// Adds to a finished diagnosis what its figures show: which captures belong to each pose, how much alike the first
+/// candidates are, what they would look like, and what the models leave over. `given`: the model as given.
+void addFigures(const std::vector<CaptureSet>& sets, const Measurements& measurements, const AskedModel& given,
+                const AskedModel& last, Diagnosis& diagnosis);
+
+namespace {
+
+/// A curve of the map explains the misfit better than `candidate` and than any other effect that has a name, those
+/// aside that pass with time: what does not foretell is not called the cause. The larger the evidence, the further a
+/// curve must be ahead: being free it follows several effects at once, each of which is then named in turn.
+bool isUnknown(const Inquiry& inquiry, std::optional<std::size_t> candidate) {
+  const GroupEvidence& best = inquiry.ofCurve(inquiry.curvesByEvidence().front());
+  const double curve = best.matters() ? best.bayes : 0;
+  double named = candidate ? inquiry.ofCandidate(*candidate).bayes : -threshold::unnamed;
+  for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
+    named = passes(inquiry.candidates()[i].effect) ? named : std::max(named, inquiry.ofCandidate(i).bayes);
+  }
+  return curve > 0 && curve - named > std::max(threshold::unnamed, named * named / threshold::unnamedGrowth);
+}
+
+/// The captures show so much more of a named effect that what they show within pictures may be its consequence, or
+/// stand beside it and be looked at once it is added.
+bool explains(const Inquiry& inquiry, std::optional<std::size_t> candidate, const ImageField& field) {
+  if (!candidate) {
+    return false;
+  }
+  const Term& term = inquiry.candidates()[*candidate];
+  const Place of = field.of == ImageField::Of::camera ? Place::camera : Place::board;
+  const bool samePlace = term.effect.place == of && term.at == field.at;
+  return !samePlace && inquiry.ofCandidate(*candidate).bayes > 2 * field.fit.bayes;
+}
+
+/// The field, unless it is what little an effect leaves that follows its shape but roughly. `most`: of all so far.
+std::optional<ImageField> worthANote(const std::optional<ImageField>& field, double& most) {
+  most = std::max(most, field ? field->fit.bayes : 0);
+  return field && field->fit.bayes < threshold::fieldRemainder * most ? std::nullopt : field;
+}
+
+/// `missing`: an effect that has a name explains the misfit. `unknown`: nothing that has a name does, but a curve.
+Verdict verdictOf(const Diagnosis& diagnosis, double misfitLeft, bool missing, bool unknown) {
+  if (!diagnosis.suspicious.empty()) {
+    return Verdict::badCaptures;
+  }
+  if (unknown) {
+    return Verdict::unknownEffect;
+  }
+  if (missing) {
+    return Verdict::effectMissing;
+  }
+  // corners of precise pictures err together by less than matters: a lens that is not quite round, a detector's bias
+  const bool matters = diagnosis.rmsPx > diagnosis.lackOfFit.noiseFloorPx;
+  if (diagnosis.unexplained || (misfitLeft > threshold::misfit && matters)) {
+    return Verdict::inconclusive;
+  }
+  return diagnosis.fit.scatter > threshold::scatterRatio ? Verdict::scatter : Verdict::adequate;
+}
+
+/// Of captures that nothing was said of yet.
+void addNew(const std::vector<Suspicion>& further, std::vector<Suspicion>& suspicious) {
+  const std::vector<Suspicion> before = suspicious;
+  std::copy_if(further.begin(), further.end(), std::back_inserter(suspicious), [&](const Suspicion& one) {
+    return std::none_of(before.begin(), before.end(),
+                        [&](const Suspicion& other) { return other.capture == one.capture; });
+  });
+}
+
+/// What is left to say where no search can start.
+Diagnosis withoutFit(const std::vector<CaptureSet>& sets, const Measurements& measurements, const InputError& error) {
+  Diagnosis result;
+  result.verdict = Verdict::badCaptures;
+  const auto setUp = wrongSetUp(sets, measurements, {}, [](std::size_t) { return true; });
+  result.suspicious.push_back(setUp.value_or(Suspicion{{}, error.what()}));
+  result.sentence = sentence(result);
+  return result;
+}
+
+/// The loop: question the model, add what is missing, until the alarm falls silent.
+Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& asked,
+                     const DiagnosisOptions& options) {
+  Diagnosis result;
+  Ladder ladder{measurements, asked, options};
+  result.fit = ladder.fit();
+  result.rmsPx = result.fit.rmsPx;
+  bool unknown = false;
+  double most = 0;              // that was striking within pictures
+  std::list<Inquiry> inquiries; // the first of the model as given, and the latest
+  while (true) {
+    if (inquiries.size() > 1) {
+      inquiries.pop_back();
+    }
+    const Inquiry& inquiry =
+        inquiries.emplace_back(measurements, ladder.model(), ladder.fit(), ladder.testable(), options.inquiry);
+    ladder.look(inquiry, result);
+    if (result.steps.size() == 1) {
+      result.suspicious = suspicions(sets, measurements, ladder.model(), ladder.fit(), inquiry);
+      result.alarm = inquiry.evidence().pValue;
+    } else { // what was added may have hidden an accident
+      result.suspicious = accidents(sets, measurements, ladder.model(), ladder.fit(), inquiry);
+    }
+    const std::optional<ImageField> field = worthANote(strikingField(measurements, ladder.model(), ladder.fit()), most);
+    const double level = result.suggested.empty() ? options.alarm : threshold::laterAlarm * options.alarm;
+    const bool striking = inquiry.evidence().pValue <= level && inquiry.evidence().matters;
+    const bool alarm = (striking || field) && result.suspicious.empty();
+    const std::optional<Ladder::Choice> next = alarm ? ladder.best(inquiry) : std::nullopt;
+    const std::optional<std::size_t> candidate = next ? std::optional{next->candidate} : std::nullopt;
+    if (alarm && inquiry.curveCount() > 0) {
+      unknown = isUnknown(inquiry, candidate);
+    }
+    const bool unknownField = alarm && field && !explains(inquiry, candidate, *field) && ladder.stays(*field, inquiry);
+    unknown = unknown || unknownField;
+    const bool grows = options.grow && (!options.goesOn || options.goesOn());
+    if (!grows || !alarm || unknown || !candidate || !ladder.add(inquiry, *next, result)) {
+      if (ladder.takeBack(result)) {
+        unknown = false;
+        continue;
+      }
+      auto [cells, best] = driverMap(inquiry, measurements);
+      result.map = std::move(cells);
+      result.drivers = std::move(best);
+      if (unknownField) {
+        result.drivers.insert(result.drivers.begin(), fieldFinding(*field, measurements));
+      }
+      result.scatter = ladder.fit().noise.pose;
+      const bool lasting =
+          !result.suspicious.empty() && !result.suspicious.front().capture; // else all would seem moved
+      if (!unknown && !lasting && (result.suggested.empty() || !striking)) {
+        addNew(movedBoards(sets, measurements, ladder.withoutMovedBoards()), result.suspicious);
+      }
+      const bool missing = !result.suggested.empty() || (!grows && candidate);
+      result.unexplained = alarm && !candidate && !unknown && !missing;
+      result.verdict = verdictOf(result, ladder.fit().misfit, missing, unknown);
+      result.with = ladder.added();
+      if (unknown && !unknownField && grows) {
+        result.own = ownEffect(result.drivers.front(), measurements, ladder, result, options.inquiry);
+      }
+      const std::vector<std::string> leading = result.suggested.empty() && candidate
+                                                   ? std::vector{inquiry.candidates()[*candidate].label()}
+                                                   : result.suggested;
+      result.ranking = judged(ladder.findings(), inquiry, ladder.model(), ladder.fit(), leading);
+      if (result.own) {
+        result.suggested.push_back(result.own->label);
+        result.steps.push_back(result.own->step);
+      }
+      break;
+    }
+  }
+  result.lastFit = ladder.fit();
+  addFigures(sets, measurements, {asked, result.fit, inquiries.front()},
+             {ladder.model(), result.lastFit, inquiries.back()}, result);
+  result.sentence = sentence(result);
+  return result;
+}
+
+/// Whether an accident is said to have spoiled these captures, and no more than those.
+bool isSpoiled(const Suspicion& suspicion) {
+  return suspicion.capture && suspicion.odds;
+}
+
+/// Without what these captures show.
+Measurements without(const std::vector<Suspicion>& suspicious, const std::vector<CaptureSet>& sets,
+                     Measurements measurements) {
+  for (std::size_t index = 0; index < measurements.pictures.size(); ++index) {
+    const Picture& picture = measurements.pictures[index];
+    const int id = sets[picture.set].captures[picture.capture].id;
+    const bool spoiled = std::any_of(suspicious.begin(), suspicious.end(), [&](const Suspicion& suspicion) {
+      return isSpoiled(suspicion) && suspicion.capture == id && suspicion.set == picture.set;
+    });
+    for (std::size_t sighting = 0; spoiled && sighting < picture.sightings.size(); ++sighting) {
+      setAside(measurements, {index, sighting});
+    }
+  }
+  return measurements;
+}
+
+/// What all captures show of candidates beside the model as given, whatever was set aside later.
+void takeAlone(const std::vector<CandidateFinding>& all, std::vector<CandidateFinding>& left) {
+  for (CandidateFinding& finding : left) {
+    const auto same = std::find_if(all.begin(), all.end(), [&](const CandidateFinding& other) {
+      return other.term.label() == finding.term.label();
+    });
+    if (same != all.end()) {
+      finding.alone = same->alone;
+      finding.evidence = finding.step == 0 && finding.state != State::noData ? same->alone : finding.evidence;
+    }
+  }
+}
+
+/// Questioned again without captures that an accident spoiled: what is missing beside them is told as well.
+Diagnosis questionedWithoutSpoiled(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                   const Model& asked, const DiagnosisOptions& options) {
+  constexpr int most = 4; // accidents
+  Diagnosis result = questioned(sets, measurements, asked, options);
+  std::ptrdiff_t known = 0; // suspicions
+  for (int round = 0; options.grow && round < most; ++round) {
+    if (std::none_of(result.suspicious.begin() + known, result.suspicious.end(), isSpoiled)) {
+      break;
+    }
+    known = std::ssize(result.suspicious);
+    Diagnosis next = questioned(sets, without(result.suspicious, sets, measurements), asked, options);
+    addNew(next.suspicious, result.suspicious);
+    next.suspicious = result.suspicious;
+    next.alarm = result.alarm;
+    takeAlone(result.ranking, next.ranking);
+    next.verdict = Verdict::badCaptures;
+    next.sentence = sentence(next);
+    result = std::move(next);
+  }
+  return result;
+}
+
+} // namespace
+
+Diagnosis diagnose(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                   const DiagnosisOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Model asked = makeModel(measurements, options.with, options.without, options.effects);
+  Diagnosis result;
+  try {
+    result = questionedWithoutSpoiled(sets, measurements, asked, options);
+  } catch (const InputError& error) {
+    if (measurements.cornerCount == 0) {
+      throw;
+    }
+    result = withoutFit(sets, measurements, error);
+  }
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+namespace {
+
+Figures::Left left(const std::vector<CaptureSet>& sets, const Measurements& measurements, const AskedModel& asked) {
+  return {whatIfs(measurements, asked.inquiry), leftover(sets, measurements, asked.model, asked.fit),
+          boardShapes(measurements, asked.model, asked.fit)};
+}
+
+} // namespace
+
+void addFigures(const std::vector<CaptureSet>& sets, const Measurements& measurements, const AskedModel& given,
+                const AskedModel& last, Diagnosis& diagnosis) {
+  constexpr std::size_t compared = 12, shown = 10;
+  diagnosis.figures.taken = takenIn(sets, measurements);
+  std::vector<std::string> labels;
+  std::vector<std::size_t> candidates;
+  std::vector<CandidateFinding*> findings;
+  for (CandidateFinding& finding : diagnosis.ranking) {
+    labels.push_back(finding.term.label());
+    if (const auto candidate = given.inquiry.find(labels.back()); candidate && candidates.size() < shown) {
+      candidates.push_back(*candidate);
+      findings.push_back(&finding);
+    }
+  }
+  diagnosis.figures.aliases = aliasMatrix(given.inquiry, labels, compared);
+  std::vector<Imprint> looks = imprints(measurements, given.model, given.fit, given.inquiry, candidates);
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    findings[i]->imprint = std::move(looks[i]);
+  }
+  diagnosis.figures.recorded = driversOf(measurements, given.model, given.fit.unknowns);
+  diagnosis.figures.given = left(sets, measurements, given);
+  if (!diagnosis.suggested.empty()) {
+    diagnosis.figures.last = left(sets, measurements, last);
+  }
+}
+
+} // namespace naocal

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "diagnosis/Diagnosis.hpp"
+#include "diagnosis/views/Figures.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace naocal {
+
+/// DIAGNOSIS.json: verdict, lack of fit, ranking, ladder, curves, suspicious captures; of each figure at most so many
+/// points.
+nlohmann::json diagnosisJson(const Diagnosis& diagnosis, std::size_t mostPoints = drawable);
+
+} // namespace naocal

@@ -1,0 +1,210 @@
+#include "diagnosis/DiagnosisWording.hpp"
+
+#include "inference/Thresholds.hpp"
+#include "io/Units.hpp"
+#include "math/Angles.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <iterator>
+
+namespace naocal {
+
+namespace {
+
+std::string percent(double p) {
+  return p < 0.01 ? "below 1 %" : fmt::format("{:.0f} %", 100 * p);
+}
+
+std::string missing(const Diagnosis& diagnosis) {
+  const CandidateFinding& first = diagnosis.ranking.front();
+  std::string text = fmt::format("{} is missing ({}).", first.term.label(), sizes(first));
+  if (!first.term.effect.what.empty()) {
+    text += fmt::format(" That is: {}.", first.term.effect.what);
+  }
+  if (!first.equivalent.empty()) {
+    const std::size_t shown = std::min<std::size_t>(3, first.equivalent.size());
+    text += fmt::format(" These captures cannot tell it from {}{}.",
+                        fmt::join(first.equivalent.begin(), first.equivalent.begin() + static_cast<long>(shown), ", "),
+                        first.equivalent.size() > shown ? fmt::format(" and {} more", first.equivalent.size() - shown)
+                                                        : "");
+  }
+  if (diagnosis.suggested.size() > 1) {
+    text += fmt::format(" Further: {}.", fmt::join(diagnosis.suggested.begin() + 1, diagnosis.suggested.end(), ", "));
+  }
+  const Step &before = diagnosis.steps.front(), &after = diagnosis.steps.back();
+  const std::optional<double>& heldOut = diagnosis.suggested.empty() ? before.nextPx : after.heldOutPx;
+  if (before.heldOutPx && heldOut) {
+    text += fmt::format(" The held-out error {} from {:.2f} to {:.2f} px (noise floor: {:.2f} px).",
+                        *heldOut < *before.heldOutPx ? "falls" : "does not fall:", *before.heldOutPx, *heldOut,
+                        after.noiseFloorPx);
+  }
+  return text;
+}
+
+/// The alarm stands, but its best candidate is no likelier there than not.
+std::string hardlyLikely(const Diagnosis& diagnosis) {
+  const CandidateFinding& first = diagnosis.ranking.front();
+  return fmt::format(
+      "Something may be missing (chance that noise alone looks this convincing: {}). The likeliest cause "
+      "is {} ({}), but these captures show too little of it to add it: take more poses.",
+      percent(diagnosis.alarm), first.term.label(), sizes(first));
+}
+
+/// "LKneePitch", and how far: "±0.30°".
+std::pair<std::string, std::string> whereAndHowFar(const DriverFinding& curve) {
+  if (curve.unit == "m") {
+    return {
+        fmt::format("board {}, whose corners do not lie where its file has them (bent, badly printed or not on flat "
+                    "ground?),",
+                    curve.place),
+        fmt::format("{} along its {} axis", howFar(curve), curve.about)};
+  }
+  if (curve.unit == "px") {
+    return {fmt::format("the lens of camera {}", curve.place), fmt::format("{} along {}", howFar(curve), curve.about)};
+  }
+  return {curve.about.empty()
+              ? curve.place
+              : fmt::format("the mount of camera {}, which turns about its {} axis,", curve.place, curve.about),
+          howFar(curve)};
+}
+
+std::string unknown(const Diagnosis& diagnosis) {
+  const DriverFinding& curve = diagnosis.drivers.front();
+  const auto [where, howFar] = whereAndHowFar(curve);
+  std::vector<std::string> named = diagnosis.suggested; // in the catalogue
+  std::string own;
+  if (diagnosis.own) {
+    named.pop_back();
+    own = fmt::format("As an effect of your own, {}, it lowers the held-out error from {:.2f} to {:.2f} px.",
+                      diagnosis.own->label, *std::prev(diagnosis.steps.end(), 2)->heldOutPx,
+                      *diagnosis.own->step.heldOutPx);
+  }
+  return fmt::format("unknown effect: no effect of the catalogue explains the misfit. It sits at {} and varies with {} "
+                     "({}), by about {}{}.{}{}",
+                     where, curve.driver, curve.what, howFar,
+                     curve.expression.empty() ? "" : "; like " + curve.expression,
+                     named.empty() ? "" : fmt::format(" It is left after adding {}.", fmt::join(named, ", ")),
+                     own.empty() ? "" : " " + own);
+}
+
+} // namespace
+
+std::string nameOf(Verdict verdict) {
+  switch (verdict) {
+  case Verdict::adequate:
+    return "adequate";
+  case Verdict::effectMissing:
+    return "effect-missing";
+  case Verdict::unknownEffect:
+    return "unknown-effect";
+  case Verdict::scatter:
+    return "scatter";
+  case Verdict::inconclusive:
+    return "inconclusive";
+  case Verdict::badCaptures:
+    return "bad-captures";
+  }
+  return {};
+}
+
+std::string nameOf(State state) {
+  switch (state) {
+  case State::present:
+    return "present";
+  case State::aliased:
+    return "aliased";
+  case State::trivial:
+    return "trivial";
+  case State::absent:
+    return "absent";
+  case State::inconclusive:
+    return "inconclusive";
+  case State::absorbed:
+    return "absorbed";
+  case State::noData:
+    return "no-data";
+  }
+  return {};
+}
+
+std::string inWords(State state) {
+  switch (state) {
+  case State::present:
+    return "needed";
+  case State::aliased:
+    return "could explain";
+  case State::trivial:
+    return "too small to matter";
+  case State::absent:
+    return "ruled out";
+  case State::inconclusive:
+    return "undecided";
+  case State::absorbed:
+    return "not testable here";
+  case State::noData:
+    return "no data";
+  }
+  return {};
+}
+
+std::string howFar(const DriverFinding& curve) {
+  const auto [unit, scale] = shownUnit(curve.unit);
+  return withUnit(fmt::format("±{:.2f}", scale * curve.amplitude), unit);
+}
+
+bool isTold(const CandidateFinding& finding, std::size_t unknown) {
+  const auto row = static_cast<Eigen::Index>(unknown);
+  return finding.evidence.estimate.size() > row && std::sqrt(finding.evidence.covariance(row, row)) <
+                                                       threshold::untold * finding.term.effect.unknowns[unknown].sigma;
+}
+
+std::string sizes(const CandidateFinding& finding) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < finding.term.effect.unknowns.size(); ++i) {
+    const Unknown& unknown = finding.term.effect.unknowns[i];
+    const auto row = static_cast<Eigen::Index>(i);
+    const double value = finding.evidence.estimate[row], sigma = std::sqrt(finding.evidence.covariance(row, row));
+    if (!isTold(finding, i)) {
+      parts.push_back(unknown.name + " undetermined");
+      continue;
+    }
+    const auto [unit, scale] = shownUnit(unknown.unit);
+    parts.push_back(withUnit(fmt::format("{} = {:.3g} ± {:.1g}", unknown.name, scale * value, scale * sigma), unit));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string sentence(const Diagnosis& diagnosis) {
+  switch (diagnosis.verdict) {
+  case Verdict::badCaptures:
+    return fmt::format(
+        "Something is wrong with the captures or the set-up: {}{}.{}", diagnosis.suspicious.front().why,
+        diagnosis.suspicious.size() > 1 ? fmt::format("; and {} more", diagnosis.suspicious.size() - 1) : "",
+        diagnosis.suggested.empty() ? "" : fmt::format(" Missing besides: {}.", fmt::join(diagnosis.suggested, ", ")));
+  case Verdict::unknownEffect:
+    return "An " + unknown(diagnosis);
+  case Verdict::effectMissing:
+    return missing(diagnosis);
+  case Verdict::scatter:
+    return fmt::format("Joint scatter: joints deflect at random from pose to pose by {:.3f}° (1 sigma), and nothing "
+                       "that was recorded drives it: stiction or a slipping foot. Repeatability limits this robot, "
+                       "not the model.",
+                       degrees(diagnosis.scatter));
+  case Verdict::inconclusive:
+    if (diagnosis.unexplained && !diagnosis.ranking.empty()) {
+      return hardlyLikely(diagnosis);
+    }
+    return fmt::format(
+        "Undecided: the model does not fit (p = {:.1g}), but no single cause stands out. Take more poses.",
+        diagnosis.lackOfFit.pValue);
+  case Verdict::adequate:
+    return fmt::format("The model explains these captures: the error is {:.2f} px, the noise floor {:.2f} px. The best "
+                       "candidate is no more striking than pure noise (as striking in {} of cases).",
+                       diagnosis.rmsPx, diagnosis.lackOfFit.noiseFloorPx, percent(diagnosis.alarm));
+  }
+  return {};
+}
+
+} // namespace naocal

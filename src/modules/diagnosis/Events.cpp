@@ -1,0 +1,271 @@
+#include "diagnosis/Events.hpp"
+
+#include "calibration/Fit.hpp"
+#include "estimation/EffectJacobian.hpp"
+#include "estimation/Model.hpp"
+#include "inference/DriverBasis.hpp"
+#include "io/InputError.hpp"
+#include "math/Angles.hpp"
+#include "math/Parallel.hpp"
+#include "measurements/Measurements.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <iterator>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace naocal {
+
+namespace {
+
+/// First with all corners in full: what has moved has lost its weight.
+FitMinimum fittedFrom(const Eigen::VectorXd& start, const Measurements& measurements, const Model& model,
+                      const CalibrationResult& fit) {
+  Fit full = nearlyFitted(measurements, model, fit.noise, Loss{}, start);
+  return refit(measurements, model, fit.noise, fit.loss, std::move(full), nearly).minimum;
+}
+
+} // namespace
+
+std::vector<std::optional<EventFit>> fitted(const std::vector<Event>& events, const Measurements& measurements,
+                                            const Model& model, const CalibrationResult& fit) {
+  const double without = fittedFrom(fit.unknowns, measurements, model, fit).linear.cost;
+  std::vector<std::optional<EventFit>> result(events.size());
+  inParallel(events.size(), [&](std::size_t i) {
+    Model larger = model;
+    larger.add(events[i].term);
+    try {
+      const FitMinimum minimum = fittedFrom(carried(model, fit.unknowns, larger), measurements, larger, fit);
+      const Term& term = larger.terms().back();
+      result[i] = {2 * (without - minimum.linear.cost),
+                   minimum.state.unknowns.segment(static_cast<Eigen::Index>(term.first), term.sigmas().size())};
+    } catch (const InputError&) { // nothing explains corners behind the camera
+    }
+  });
+  return result;
+}
+
+namespace {
+
+constexpr double millimetres = 1000; // in a metre
+
+/// Sets follow each other in the order in which they were given.
+bool isAfter(const Instant& instant, const Moment& moment) {
+  return instant.set > moment.set || (instant.set == moment.set && instant.time.count() > moment.time);
+}
+
+/// From a moment on a floor placement (x, y, yaw) is another one.
+Effect moved(Place place, const Moment& moment) {
+  Effect effect{.name = place == Place::board ? "boardMoved" : "robotMoved",
+                .what = {},
+                .formula = {},
+                .place = place,
+                .unknowns = {{"x", "m", 0.02}, {"y", "m", 0.02}, {"yaw", "rad", 0.05}},
+                .correct = {}};
+  effect.correct = [place, moment](Belief& belief, const Instant& instant, std::size_t at,
+                                   std::span<const double> values) {
+    if (isAfter(instant, moment)) {
+      auto placement = place == Place::board ? belief.boardPlacement(at) : belief.ground();
+      placement[0] += values[0];
+      placement[1] += values[1];
+      placement[5] += values[2];
+    }
+  };
+  return effect;
+}
+
+/// At these instants a camera looks elsewhere than it should.
+Effect turned(std::string name, std::function<bool(const Instant&)> when) {
+  return {.name = std::move(name),
+          .what = {},
+          .formula = {},
+          .place = Place::camera,
+          .unknowns = {{"rx", "rad", 0.02}, {"ry", "rad", 0.02}, {"rz", "rad", 0.02}},
+          .correct = [when = std::move(when)](Belief& belief, const Instant& instant, std::size_t,
+                                              std::span<const double> values) {
+            if (when(instant)) {
+              belief.mountRotation() += Eigen::Vector3d{values[0], values[1], values[2]};
+            }
+          }};
+}
+
+Effect bad(const Moment& moment) {
+  return turned("badCapture", [moment](const Instant& instant) {
+    return instant.set == moment.set && instant.time.count() == moment.time;
+  });
+}
+
+Effect knocked(const Moment& moment) {
+  return turned("cameraKnocked", [moment](const Instant& instant) { return isAfter(instant, moment); });
+}
+
+/// From a moment on a joint reads more than before: a gear slipped, or its encoder.
+Effect stepped(const Moment& moment) {
+  return {
+      .name = "jointStepped",
+      .what = {},
+      .formula = {},
+      .place = Place::motor,
+      .unknowns = {{"step", "rad", 0.01}},
+      .correct = [moment](Belief& belief, const Instant& instant, std::size_t joint, std::span<const double> values) {
+        if (isAfter(instant, moment)) {
+          belief.angle(joint) -= values[0];
+        }
+      }};
+}
+
+/// When boards, stances or cameras were seen, by set and number.
+using Times = std::map<std::pair<std::size_t, std::size_t>, std::set<double>>;
+
+/// A moment in a gap between two times.
+Moment momentIn(std::size_t set, const std::set<double>& times, double time) {
+  const auto after = times.upper_bound(time);
+  return {set, time, *std::prev(after), *after};
+}
+
+/// What a moment is worth beforehand: in 2 ln of its gap's length, against the mean of `count` gaps in these times.
+double priorOf(const Moment& moment, const std::set<double>& times, std::size_t count) {
+  const double share = (moment.until - moment.since) / (*times.rbegin() - *times.begin());
+  return 2 * std::log(static_cast<double>(count) * share);
+}
+
+std::string inSet(std::size_t set, const std::vector<CaptureSet>& sets) {
+  return sets.size() > 1 ? " of " + sets[set].name : std::string{};
+}
+
+/// Whether there are several of them in the set.
+bool severalIn(std::size_t set, const Times& times) {
+  const auto ofSet = [set](const auto& entry) { return entry.first.first == set; };
+  return std::count_if(times.begin(), times.end(), ofSet) > 1;
+}
+
+/// Boards, stances, cameras and joints' zeros, each moved at this many moments at most.
+std::vector<Event> movesAt(std::size_t most, const std::vector<CaptureSet>& sets, const Measurements& measurements) {
+  std::vector<Event> result;
+  Times boards, stances, cameras, joints;
+  for (const Picture& picture : measurements.pictures) {
+    const double time = picture.instant.time.count();
+    for (const Sighting& sighting : picture.sightings) {
+      if (measurements.targets[sighting.view.board()].onFloor) {
+        boards[{picture.set, sighting.view.board()}].insert(time);
+        stances[{picture.set, picture.stance}].insert(time);
+      }
+      cameras[{picture.set, picture.camera}].insert(time);
+    }
+    for (const std::size_t joint :
+         picture.sightings.empty() ? std::vector<std::size_t>{} : jointsBetween(measurements.robot, picture)) {
+      joints[{picture.set, measurements.robot.joints[joint].motor}].insert(time);
+    }
+  }
+  const auto addMoves = [&](const Times& times, const auto& effect, const auto& name) {
+    for (const auto& [which, seen] : times) {
+      const auto& [set, at] = which;
+      const std::vector<double> moments = momentsBetween(seen, most);
+      for (const double time : moments) {
+        const Moment moment = momentIn(set, seen, time);
+        const std::string who = name(at), where = inSet(set, sets);
+        result.push_back({.term = {effect(moment), at, fmt::format("{} {:.3f}{}", who, time, where)},
+                          .from = moment,
+                          .who = who,
+                          .where = where,
+                          .set = set,
+                          .prior = priorOf(moment, seen, moments.size())});
+      }
+    }
+  };
+  Times movable = boards, knockable = cameras;
+  // of one board alone it is the robot that moves, of one camera alone it may as well be the head
+  std::erase_if(movable, [&](const auto& entry) { return !severalIn(entry.first.first, boards); });
+  std::erase_if(knockable, [&](const auto& entry) { return !severalIn(entry.first.first, cameras); });
+  addMoves(
+      movable, [](const Moment& moment) { return moved(Place::board, moment); },
+      [&](std::size_t at) { return "board " + measurements.targets[at].name; });
+  addMoves(
+      stances, [](const Moment& moment) { return moved(Place::stance, moment); },
+      [&](std::size_t at) { return "the robot in stance " + measurements.standings[at].name; });
+  addMoves(knockable, knocked, [&](std::size_t at) { return "camera " + measurements.robot.cameras[at].name; });
+  addMoves(joints, stepped, [&](std::size_t at) { return measurements.robot.joints[at].name; });
+  return result;
+}
+
+/// Pictures in which something was seen; of more than `most` those with the largest errors.
+std::vector<std::size_t> worstPictures(std::size_t most, const Measurements& measurements,
+                                       const CalibrationResult& fit) {
+  std::vector<double> squares(measurements.pictures.size(), 0), corners = squares;
+  for (const SightingResidual& sighting : fit.asReported) {
+    squares[sighting.picture] += sighting.residual.squaredNorm();
+    corners[sighting.picture] += static_cast<double>(sighting.residual.cols());
+  }
+  std::vector<std::size_t> result;
+  for (std::size_t picture = 0; picture < corners.size(); ++picture) {
+    if (corners[picture] > 0) {
+      result.push_back(picture);
+    }
+  }
+  if (result.size() > most) {
+    const auto worse = [&](std::size_t a, std::size_t b) { return squares[a] * corners[b] > squares[b] * corners[a]; };
+    std::nth_element(result.begin(), result.begin() + static_cast<std::ptrdiff_t>(most), result.end(), worse);
+    result.resize(most);
+    std::sort(result.begin(), result.end());
+  }
+  return result;
+}
+
+} // namespace
+
+bool sameThing(const Event& one, const Event& other) {
+  if (!one.from || !other.from) {
+    return !one.from && !other.from && one.who == other.who && one.where == other.where;
+  }
+  return one.from->set == other.from->set && one.term.at == other.term.at &&
+         one.term.effect.name == other.term.effect.name;
+}
+
+std::string happened(const Event& event, const Eigen::VectorXd& values) {
+  if (!event.from) {
+    return fmt::format("{}{} {}", event.who, event.where, event.what);
+  }
+  const Place place = event.term.effect.place;
+  const std::string how =
+      place == Place::motor    ? fmt::format("{}'s zero changed by {:+.2f}°", event.who, degrees(values[0]))
+      : place == Place::camera ? fmt::format("{} turned by {:.2f}°", event.who, degrees(values.norm()))
+                               : fmt::format("{} moved by {:.0f} mm and {:.1f}°", event.who,
+                                             millimetres * values.head<2>().norm(), degrees(std::abs(values[2])));
+  const auto& [set, time, since, until] = *event.from;
+  return fmt::format("{}, {:.1f} s after the first capture{} (between {:.1f} and {:.1f} s)", how, time, event.where,
+                     since, until);
+}
+
+std::vector<Event> possibleEvents(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                  const CalibrationResult& fit) {
+  constexpr std::size_t most = 16; // per board, stance or camera
+  constexpr std::size_t mostPictures = 128;
+  std::vector<Event> result = movesAt(most, sets, measurements);
+  for (const std::size_t index : worstPictures(mostPictures, measurements, fit)) {
+    const Picture& picture = measurements.pictures[index];
+    const int id = sets[picture.set].captures[picture.capture].id;
+    const std::string name = fmt::format("capture {}", id), where = inSet(picture.set, sets);
+    result.push_back(
+        {.term = {bad({.set = picture.set, .time = picture.instant.time.count()}), picture.camera, name + where},
+         .who = name,
+         .where = where,
+         .captures = {id},
+         .what = "does not belong to the rest: another picture, or other angles"});
+  }
+  return result;
+}
+
+std::vector<Event> atAnyTime(const std::vector<Event>& things, const std::vector<CaptureSet>& sets,
+                             const Measurements& measurements) {
+  constexpr std::size_t most = 128;
+  std::vector<Event> result = movesAt(most, sets, measurements);
+  std::erase_if(result, [&](const Event& event) {
+    return std::none_of(things.begin(), things.end(), [&](const Event& thing) { return sameThing(event, thing); });
+  });
+  return result;
+}
+
+} // namespace naocal

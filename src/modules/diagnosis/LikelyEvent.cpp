@@ -1,0 +1,274 @@
+#include "diagnosis/LikelyEvent.hpp"
+
+#include "diagnosis/DataChecks.hpp"
+#include "diagnosis/Events.hpp"
+#include "diagnosis/StepwiseSelection.hpp"
+#include "inference/NoiseLevels.hpp"
+#include "inference/ScoreTest.hpp"
+#include "inference/Thresholds.hpp"
+#include "io/InputError.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <numeric>
+
+namespace naocal {
+
+namespace {
+
+/// A single bad pose makes all of few poses seem to scatter: without it they would scatter less.
+std::vector<Noise> levelsBelow(const Noise& noise, std::size_t poses) {
+  constexpr std::size_t few = 128; // one of more that stands out by ten times their scatter still does by seven
+  std::vector<Noise> result{noise};
+  if (noise.pose + noise.reapproach > 0 && poses < few) {
+    for (const double part : {0.0, 0.25, 0.5}) {
+      Noise& less = result.emplace_back(noise);
+      less.pose *= part;
+      less.reapproach *= part;
+    }
+  }
+  return result;
+}
+
+/// Per group, its Bayes factor where the level of noise suits it best, against the model at the first level, of which
+/// the evidence is known.
+std::vector<double> bestAtAny(const Inquiry& inquiry, const std::vector<Noise>& levels) {
+  const ScoreProblem& problem = inquiry.problem();
+  const PoseResiduals measured = measuredResiduals(*problem.poses);
+  const auto devianceAt = [&](const Noise& level) {
+    return ModelAlone{problem, level}(measured, problem.priorScore()).deviance[0] + scatterPenalty(level.pose) +
+           scatterPenalty(level.reapproach);
+  };
+  std::vector<double> result;
+  for (const GroupEvidence& group : inquiry.evidence().groups) {
+    result.push_back(group.bayes);
+  }
+  const double first = levels.size() > 1 ? devianceAt(levels.front()) : 0;
+  for (std::size_t level = 1; level < levels.size(); ++level) {
+    const double deviance = devianceAt(levels[level]);
+    const Evidence evidence = evidenceOf(problem, levels[level]);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      result[i] = std::max(result[i], evidence.groups[i].bayes - (deviance - first));
+    }
+  }
+  return result;
+}
+
+/// The best evidence of what an event competes with, at any level. A step at a moment is an event itself here.
+struct Rivals {
+  double lasting = 0; // an effect that is always there
+  double passing = 0; // one that comes and goes, or a curve without a name
+
+  double best() const { return std::max(lasting, passing); }
+};
+
+Rivals rivalsIn(const Inquiry& inquiry, const std::vector<Noise>& levels) {
+  const std::vector<double> all = bestAtAny(inquiry, levels);
+  const std::size_t named = inquiry.candidates().size();
+  Rivals result;
+  for (std::size_t i = 0; i < named; ++i) {
+    double& best = passes(inquiry.candidates()[i].effect) ? result.passing : result.lasting;
+    best = std::max(best, all[i]);
+  }
+  for (std::size_t i = named; i < all.size(); ++i) {
+    if (inquiry.cellOf(i - named).shape != DriverCell::Shape::step) {
+      result.passing = std::max(result.passing, all[i]);
+    }
+  }
+  return result;
+}
+
+/// Events, and what the captures say of each.
+struct Asked {
+  std::vector<Event> events;
+  std::vector<double> bayes;           // at any level, their priors included
+  std::vector<GroupEvidence> evidence; // at the fit's
+  std::vector<std::size_t> order = {}; // the likeliest first
+
+  const Event& event(std::size_t place) const { return events[order[place]]; }
+};
+
+Asked asked(std::vector<Event> events, const Measurements& measurements, const Model& model,
+            const CalibrationResult& fit, const std::vector<Noise>& levels) {
+  std::vector<Term> terms;
+  for (const Event& event : events) {
+    terms.push_back(event.term);
+  }
+  const Inquiry inquiry{measurements, model, fit, terms, {.draws = 0, .map = false}};
+  Asked result{std::move(events), bestAtAny(inquiry, levels), inquiry.evidence().groups};
+  for (std::size_t i = 0; i < result.events.size(); ++i) {
+    result.bayes[i] += result.events[i].prior;
+  }
+  result.order.resize(result.events.size());
+  std::iota(result.order.begin(), result.order.end(), std::size_t{0});
+  std::stable_sort(result.order.begin(), result.order.end(),
+                   [&](std::size_t a, std::size_t b) { return result.bayes[a] > result.bayes[b]; });
+  return result;
+}
+
+/// What chance shows at some of so many events.
+double shownByChance(const Asked& events, const Measurements& measurements) {
+  const std::size_t possible = std::max(events.events.size(), measurements.pictures.size()); // also what is not asked
+  return threshold::veryStrong + 2 * std::log(static_cast<double>(possible));
+}
+
+/// Whether the likeliest is ahead of its rivals, and large enough to matter.
+bool convinces(const Asked& events, const Rivals& rivals) {
+  const std::size_t first = events.order.front();
+  const GroupEvidence& evidence = events.evidence[first];
+  return events.bayes[first] > std::max(rivals.lasting + threshold::veryStrong, rivals.passing + threshold::unnamed) &&
+         (events.events[first].from ? evidence.movedPx > threshold::negligiblePx : evidence.matters());
+}
+
+/// The likeliest few, those that moved at all moments.
+std::vector<Event> atAllMoments(const Asked& coarse, const std::vector<CaptureSet>& sets,
+                                const Measurements& measurements) {
+  constexpr std::size_t most = 8;
+  std::vector<Event> things;
+  for (std::size_t place = 0; place < coarse.order.size() && things.size() < most; ++place) {
+    const Event& event = coarse.event(place);
+    if (std::none_of(things.begin(), things.end(), [&](const Event& one) { return sameThing(one, event); })) {
+      things.push_back(event);
+    }
+  }
+  std::vector<Event> result = atAnyTime(things, sets, measurements);
+  std::copy_if(things.begin(), things.end(), std::back_inserter(result), [](const Event& one) { return !one.from; });
+  return result;
+}
+
+/// An event that was fitted.
+struct Tried {
+  Event event;
+  double bayes = 0; // its evidence, with the fall of chi2 that the fit found
+  Eigen::VectorXd values;
+};
+
+/// Fits of the likeliest, of each thing that may have moved at its best three moments; the best first.
+std::vector<Tried> triedOf(const Asked& events, const Measurements& measurements, const Model& model,
+                           const CalibrationResult& fit) {
+  constexpr std::size_t most = 12, moments = 3;
+  std::vector<std::size_t> chosen;
+  std::vector<Event> some;
+  for (const std::size_t i : events.order) {
+    const Event& event = events.events[i];
+    const auto before = static_cast<std::size_t>(
+        std::count_if(some.begin(), some.end(), [&](const Event& other) { return sameThing(event, other); }));
+    if (some.size() < most && before < moments) {
+      chosen.push_back(i);
+      some.push_back(event);
+    }
+  }
+  const std::vector<std::optional<EventFit>> fits = fitted(some, measurements, model, fit);
+  std::vector<Tried> result;
+  for (std::size_t i = 0; i < some.size(); ++i) {
+    if (fits[i]) {
+      const double gained = fits[i]->fall - events.evidence[chosen[i]].likelihoodRatio;
+      result.push_back({some[i], events.bayes[chosen[i]] + gained, fits[i]->values});
+    }
+  }
+  std::stable_sort(result.begin(), result.end(), [](const Tried& a, const Tried& b) { return a.bayes > b.bayes; });
+  return result;
+}
+
+/// An event with all the moments at which it would be hardly less likely.
+Event widened(Event event, const Asked& fine) {
+  double best = -std::numeric_limits<double>::infinity();
+  const auto ofThis = [&](const auto& look) {
+    for (std::size_t i = 0; i < fine.events.size(); ++i) {
+      if (sameThing(fine.events[i], event)) {
+        look(*fine.events[i].from, fine.bayes[i]);
+      }
+    }
+  };
+  ofThis([&](const Moment& moment, double bayes) { best = moment.time == event.from->time ? bayes : best; });
+  ofThis([&](const Moment& moment, double bayes) {
+    if (bayes > best - threshold::equallyLikely) {
+      event.from->since = std::min(event.from->since, moment.since);
+      event.from->until = std::max(event.from->until, moment.until);
+    }
+  });
+  return event;
+}
+
+/// ", unless it was board B (1 to 3)": each other thing that is hardly less likely.
+std::string whatElse(const std::vector<Tried>& tried) {
+  std::string text;
+  std::vector<const Event*> told{&tried.front().event};
+  for (const Tried& other : tried) {
+    const double behind = tried.front().bayes - other.bayes;
+    const bool is =
+        std::any_of(told.begin(), told.end(), [&](const Event* one) { return sameThing(other.event, *one); });
+    if (behind < threshold::equallyLikely && !is) {
+      const double odds = std::exp(behind / 2);
+      text += fmt::format("{}{} ({})", text.empty() ? ", unless it was " : " or ", other.event.who,
+                          odds < 1.5 ? "as likely" : fmt::format("1 to {:.0f}", odds));
+      told.push_back(&other.event);
+    }
+  }
+  return text;
+}
+
+/// With all corners in full, whichever board they seem to be on. Absent where that puts one behind its camera.
+std::optional<CalibrationResult> withAllCorners(const Measurements& measurements, const Model& model,
+                                                const CalibrationResult& fit) {
+  CalibrationOptions options;
+  options.noise = fit.noise;
+  options.start = fit.unknowns;
+  options.estimateNoise = options.question = options.robust = options.setAside = false;
+  try {
+    return calibrate(measurements, model, options);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<LikelyEvent> likeliestAt(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                       const Model& model, const CalibrationResult& fit, const Inquiry& inquiry) {
+  std::vector<Event> events = possibleEvents(sets, measurements, fit);
+  const std::vector<Event> angles = wrongAngles(sets, measurements, fit);
+  events.insert(events.end(), angles.begin(), angles.end());
+  if (events.empty()) {
+    return std::nullopt;
+  }
+  const std::vector<Noise> levels = levelsBelow(inquiry.noise(), inquiry.poses().size());
+  const Rivals rivals = rivalsIn(inquiry, levels);
+  const Asked coarse = asked(std::move(events), measurements, model, fit, levels);
+  constexpr double within = 0.5; // of what the rivals explain, where the best moments are not among the first few
+  if (coarse.bayes[coarse.order.front()] < std::max(shownByChance(coarse, measurements), within * rivals.best())) {
+    return std::nullopt;
+  }
+  const Asked fine = asked(atAllMoments(coarse, sets, measurements), measurements, model, fit, levels);
+  if (!convinces(fine, rivals)) {
+    return std::nullopt;
+  }
+  const std::vector<Tried> tried = triedOf(fine, measurements, model, fit);
+  if (tried.empty()) {
+    return std::nullopt;
+  }
+  const Tried& best = tried.front();
+  const Event event = best.event.from ? widened(best.event, fine) : best.event;
+  constexpr double mostOdds = 1e12;
+  return LikelyEvent{event, std::min(mostOdds, std::exp((best.bayes - rivals.best()) / 2)),
+                     happened(event, best.values) + whatElse(tried)};
+}
+
+} // namespace
+
+std::optional<LikelyEvent> likeliestEvent(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                          const Model& model, const CalibrationResult& fit, const Inquiry& inquiry) {
+  if (std::none_of(fit.doubts.begin(), fit.doubts.end(), std::mem_fn(&Doubt::whole))) {
+    return likeliestAt(sets, measurements, model, fit, inquiry);
+  }
+  const std::optional<CalibrationResult> all = withAllCorners(measurements, model, fit);
+  if (!all) {
+    return likeliestAt(sets, measurements, model, fit, inquiry);
+  }
+  const Inquiry again{measurements, model, *all, inquiry.candidates(), {.draws = 0}};
+  return likeliestAt(sets, measurements, model, *all, again);
+}
+
+} // namespace naocal

@@ -1,0 +1,109 @@
+#include "diagnosis/Session.hpp"
+
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+#include "io/JsonReader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr Range pixels{0, 1e9, "px"}, chance{0, 1, ""};
+
+Json orNull(const auto& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json rungJson(const Rung& rung) {
+  Json json{{"with", rung.with}, {"without", rung.without},   {"define", Json::parse(rung.definitions)},
+            {"step", rung.step}, {"from", orNull(rung.from)}, {"rmsPx", rung.rmsPx}};
+  if (rung.questioned) {
+    json["heldOutPx"] = orNull(rung.questioned->heldOutPx);
+    json["noiseFloorPx"] = rung.questioned->noiseFloorPx;
+    json["alarm"] = rung.questioned->alarm;
+  }
+  return json;
+}
+
+std::vector<std::string> texts(const std::optional<JsonPlace>& list) {
+  std::vector<std::string> result;
+  if (list) {
+    for (const JsonPlace& one : list->elements()) {
+      result.push_back(one.text());
+    }
+  }
+  return result;
+}
+
+bool isKnown(const std::optional<JsonPlace>& place) {
+  return place && !place->value().is_null();
+}
+
+/// `before`: how many rungs stand before it.
+Rung rungOf(const JsonPlace& place, int before) {
+  Rung rung{.with = texts(place.at("with")), .without = texts(place.find("without"))};
+  if (const auto define = place.find("define")) {
+    define->elements(); // a list; what stands in it is checked with the robot's drawing
+    rung.definitions = define->value().dump();
+  }
+  if (const auto step = place.find("step"); step && step->value() != "") {
+    rung.step = step->text();
+  }
+  if (const auto from = place.find("from"); isKnown(from)) {
+    rung.from = static_cast<std::size_t>(from->integer(0, before - 1));
+  }
+  rung.rmsPx = place.at("rmsPx").number(pixels);
+  if (const auto floor = place.find("noiseFloorPx"); isKnown(floor)) {
+    Step step{.rmsPx = rung.rmsPx, .noiseFloorPx = floor->number(pixels)};
+    step.alarm = place.at("alarm").number(chance);
+    if (const auto heldOut = place.find("heldOutPx"); isKnown(heldOut)) {
+      step.heldOutPx = heldOut->number(pixels);
+    }
+    rung.questioned = std::move(step);
+  }
+  return rung;
+}
+
+} // namespace
+
+nlohmann::json sessionJson(const Session& session) {
+  Json ladder = Json::array();
+  for (const Rung& rung : session.ladder) {
+    ladder.push_back(rungJson(rung));
+  }
+  return {{"format", "naocal-session"},  {"version", 1},
+          {"sets", session.inputs.sets}, {"sha256", session.inputs.sha256},
+          {"ladder", std::move(ladder)}, {"at", session.at}};
+}
+
+Session readSession(const std::filesystem::path& file) {
+  const Json document = parseJson(fileContent(file), file.string());
+  const JsonPlace all{document, file.string()};
+  all.at("format").oneOf({"naocal-session"});
+  all.at("version").integer(1, 1);
+  Session session{.inputs = {texts(all.at("sets")), texts(all.at("sha256"))}};
+  for (const JsonPlace& rung : all.at("ladder").elements()) {
+    session.ladder.push_back(rungOf(rung, static_cast<int>(session.ladder.size())));
+  }
+  if (session.ladder.empty()) {
+    all.at("ladder").refuse("at least the model to begin with");
+  }
+  session.at = static_cast<std::size_t>(all.at("at").integer(0, static_cast<int>(session.ladder.size()) - 1));
+  return session;
+}
+
+void requireSameCaptures(const Session& session, const ResultInputs& inputs, const std::filesystem::path& file) {
+  if (session.inputs.sha256 != inputs.sha256) {
+    throw InputError{fmt::format("{}: expected a session of these captures ({}), found one of others ({}, or they were "
+                                 "changed since); name another file, or open the captures without it",
+                                 file.string(), fmt::join(inputs.sets, ", "), fmt::join(session.inputs.sets, ", "))};
+  }
+}
+
+} // namespace naocal

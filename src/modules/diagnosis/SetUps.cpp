@@ -1,0 +1,249 @@
+#include "diagnosis/SetUps.hpp"
+
+#include "estimation/ModelBuilder.hpp"
+#include "inference/DriverBasis.hpp"
+#include "inference/Thresholds.hpp"
+#include "io/InputError.hpp"
+#include "math/Angles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace naocal {
+
+namespace {
+
+constexpr double mostOffset = radians(15); // of a robot that still stands
+constexpr double some = 0.1;               // of all corners: more than a few pictures that belong elsewhere
+
+/// rms distance of corners when these sets are fitted [px]; absent when they cannot be.
+std::optional<double> misfitOf(const std::vector<CaptureSet>& sets, const Measurements& asTheyAre) {
+  try {
+    const Measurements measurements = measurementsOf(sets, asTheyAre.robot, asTheyAre.samePlace);
+    CalibrationOptions options;
+    options.estimateNoise = options.question = false;
+    options.robust = false;
+    return calibrate(measurements, makeModel(measurements), options).rmsPx;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+std::vector<CaptureSet> mirrored(std::vector<CaptureSet> sets, const std::string& joint) {
+  for (CaptureSet& set : sets) {
+    const auto found = std::find(set.jointNames.begin(), set.jointNames.end(), joint);
+    for (Capture& capture : set.captures) {
+      if (found != set.jointNames.end()) {
+        double& angle = capture.joints.measured[static_cast<std::size_t>(found - set.jointNames.begin())];
+        angle = -angle;
+      }
+    }
+  }
+  return sets;
+}
+
+std::vector<CaptureSet> camerasSwapped(std::vector<CaptureSet> sets) {
+  for (CaptureSet& set : sets) {
+    for (Capture& capture : set.captures) {
+      capture.camera = capture.camera == "top" ? "bottom" : "top";
+    }
+  }
+  return sets;
+}
+
+/// What a person may have moved far between two captures.
+struct MovedThing {
+  std::string who, how;   // "board B", "was put elsewhere"
+  std::set<double> times; // when it was seen, as its set has it [s]
+  std::size_t set = 0;
+  std::function<void(CaptureSet&, double time)> separate; // from then on it is another one
+};
+
+void putDownAnew(CaptureSet& set, int stance, double time) {
+  const auto highest = std::max_element(set.stances.begin(), set.stances.end(),
+                                        [](const Stance& a, const Stance& b) { return a.id < b.id; });
+  const auto found =
+      std::find_if(set.stances.begin(), set.stances.end(), [&](const Stance& one) { return one.id == stance; });
+  Stance anew{.id = highest == set.stances.end() ? stance + 1 : std::max(highest->id, stance) + 1};
+  anew.supportFoot = found == set.stances.end() ? SupportFoot::left : found->supportFoot;
+  for (Capture& capture : set.captures) {
+    if (capture.stance == stance && capture.time.count() > time) {
+      capture.stance = anew.id;
+    }
+  }
+  set.stances.push_back(anew);
+}
+
+void putElsewhere(CaptureSet& set, const std::string& board, double time) {
+  const std::string anew = board + " later";
+  for (Capture& capture : set.captures) {
+    if (!capture.corners || capture.time.count() <= time) {
+      continue;
+    }
+    for (BoardCorners& seen : *capture.corners) {
+      seen.board = seen.board == board ? anew : seen.board;
+    }
+  }
+  Board other = *std::find_if(set.boards.begin(), set.boards.end(), [&](const Board& one) { return one.id == board; });
+  other.id = anew;
+  other.placement.reset();
+  other.hasGuess = false;
+  set.boards.push_back(std::move(other));
+}
+
+/// Stances that captures share, and boards on the floor, of which there are two or more.
+std::vector<MovedThing> movedThings(const std::vector<CaptureSet>& sets) {
+  std::vector<MovedThing> result;
+  for (std::size_t number = 0; number < sets.size(); ++number) {
+    std::map<int, std::set<double>> stances;
+    std::map<std::string, std::set<double>> boards;
+    for (const Capture& capture : sets[number].captures) {
+      for (const BoardCorners& seen : capture.corners.value_or(std::vector<BoardCorners>{})) {
+        stances[capture.stance].insert(capture.time.count());
+        boards[seen.board].insert(capture.time.count());
+      }
+    }
+    for (const auto& [stance, times] : stances) {
+      result.push_back({fmt::format("the robot in stance {}", stance), "was put down anew", times, number,
+                        [id = stance](CaptureSet& set, double time) { putDownAnew(set, id, time); }});
+    }
+    for (const Board& board : sets[number].boards) {
+      if (board.link == "floor" && boards.size() > 1 && boards.contains(board.id)) {
+        result.push_back({"board " + board.id, "was put elsewhere", boards[board.id], number,
+                          [id = board.id](CaptureSet& set, double time) { putElsewhere(set, id, time); }});
+      }
+    }
+  }
+  std::erase_if(result, [](const MovedThing& thing) { return thing.times.size() < 2; });
+  return result;
+}
+
+Seconds firstTime(const CaptureSet& set) {
+  return std::min_element(set.captures.begin(), set.captures.end(),
+                          [](const Capture& a, const Capture& b) { return a.time < b.time; })
+      ->time;
+}
+
+/// The moment of a thing's move that leaves the least: one of sixteen, then the best near it.
+struct BestMoment {
+  Moment moment;
+  double left = std::numeric_limits<double>::infinity(); // rms distance of corners [px]
+};
+BestMoment bestMoment(const MovedThing& thing, const std::vector<CaptureSet>& sets, const Measurements& measurements) {
+  constexpr std::size_t coarse = 16;
+  BestMoment best;
+  const auto consider = [&](const std::vector<double>& moments) {
+    for (const double time : moments) {
+      std::vector<CaptureSet> corrected = sets;
+      thing.separate(corrected[thing.set], time);
+      if (const auto left = misfitOf(corrected, measurements); left && *left < best.left) {
+        const auto after = thing.times.upper_bound(time);
+        best = {{thing.set, time, *std::prev(after), *after}, *left};
+      }
+    }
+  };
+  const std::vector<double> moments = momentsBetween(thing.times, coarse);
+  consider(moments);
+  if (std::isfinite(best.left) && moments.size() == coarse) {
+    const auto here = std::find(moments.begin(), moments.end(), best.moment.time);
+    const double since = here == moments.begin() ? *thing.times.begin() : *std::prev(here);
+    const double until = std::next(here) == moments.end() ? *thing.times.rbegin() : *std::next(here);
+    const std::set<double> around{thing.times.lower_bound(since), thing.times.upper_bound(until)};
+    consider(momentsBetween(around, around.size()));
+  }
+  const double first = firstTime(sets[thing.set]).count();
+  best.moment.time -= first;
+  best.moment.since -= first;
+  best.moment.until -= first;
+  return best;
+}
+
+/// What was moved so far that no linearised event shows it.
+std::optional<Suspicion> movedFar(const std::vector<CaptureSet>& sets, const Measurements& measurements, double least) {
+  constexpr double asGood = 1.05; // of the least misfit: the captures cannot tell which of them it was
+  std::vector<std::pair<MovedThing, BestMoment>> mending;
+  for (const MovedThing& thing : movedThings(sets)) {
+    const BestMoment best = bestMoment(thing, sets, measurements);
+    if (best.left < least) {
+      mending.emplace_back(thing, best);
+    }
+  }
+  if (mending.empty()) {
+    return std::nullopt;
+  }
+  std::stable_sort(mending.begin(), mending.end(),
+                   [](const auto& a, const auto& b) { return a.second.left < b.second.left; });
+  const auto& [thing, best] = mending.front();
+  std::string others;
+  for (std::size_t i = 1; i < mending.size() && mending[i].second.left < asGood * best.left; ++i) {
+    others += fmt::format("{}{}", others.empty() ? ", unless it was " : " or ", mending[i].first.who);
+  }
+  const std::string of = sets.size() > 1 ? " of " + sets[thing.set].name : std::string{};
+  return Suspicion{.why = fmt::format("{} {}, {:.1f} s after the first capture{} (between {:.1f} and {:.1f} s){} (so "
+                                      "corrected the error is {:.1f} px)",
+                                      thing.who, thing.how, best.moment.time, of, best.moment.since, best.moment.until,
+                                      others, best.left),
+                   .when = best.moment};
+}
+
+} // namespace
+
+GrossMisfit GrossMisfit::of(const CalibrationResult& fit, const Model& model) {
+  double all = 0, far = 0;
+  for (const SightingResidual& sighting : fit.asReported) {
+    all += static_cast<double>(sighting.residual.cols());
+    far += static_cast<double>((sighting.residual.colwise().norm().array() > threshold::impossiblePx).count());
+  }
+  const bool absurd = std::any_of(model.terms().begin(), model.terms().end(), [&](const Term& term) {
+    return term.effect.name == "jointOffset" &&
+           std::abs(fit.unknowns[static_cast<Eigen::Index>(term.first)]) > mostOffset;
+  });
+  return {.rmsPx = fit.rmsPx,
+          .farShare = far / std::max(1.0, all),
+          .absurd = absurd || fit.rmsPx > threshold::impossiblePx};
+}
+
+std::optional<Suspicion> wrongSetUp(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                    const GrossMisfit& misfit, const std::function<bool(std::size_t)>& mayBeMirrored) {
+  if (misfit.rmsPx < threshold::grossPx) {
+    return std::nullopt;
+  }
+  std::optional<Suspicion> best;
+  double least = std::min(
+      {threshold::mends * std::min(misfit.rmsPx, threshold::impossiblePx), threshold::soundPx, misfit.explainedPx});
+  const auto consider = [&](const std::vector<CaptureSet>& corrected, const std::string& why) {
+    if (const auto left = misfitOf(corrected, measurements); left && *left < least) {
+      least = *left;
+      best = Suspicion{{}, fmt::format("{} (so corrected the error is {:.1f} px)", why, *left)};
+    }
+  };
+  for (std::size_t joint : measurements.joints) {
+    const std::string& name = measurements.robot.joints[joint].name;
+    if (misfit.absurd || mayBeMirrored(joint)) {
+      consider(mirrored(sets, name), fmt::format("{}'s angles have the wrong sign", name));
+    }
+  }
+  if (sets.front().cameras.size() == 2) {
+    consider(camerasSwapped(sets), "the cameras' names are swapped");
+  }
+  if (!best && misfit.rmsPx > threshold::impossiblePx) {
+    best = movedFar(sets, measurements, least);
+  }
+  if (!best && misfit.rmsPx > threshold::nonsensePx && misfit.farShare > some && std::isfinite(misfit.rmsPx)) {
+    best = Suspicion{{},
+                     fmt::format("predictions are {:.0f} px off and no robot is so wrong: a board of another pattern "
+                                 "(legacyPattern), other boards or another robot than the file says",
+                                 misfit.rmsPx)};
+  }
+  return best;
+}
+
+} // namespace naocal

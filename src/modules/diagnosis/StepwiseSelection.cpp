@@ -1,0 +1,535 @@
+#include "diagnosis/StepwiseSelection.hpp"
+
+#include "calibration/Fit.hpp"
+#include "calibration/ModelUncertainty.hpp"
+#include "diagnosis/SetUps.hpp"
+#include "diagnosis/evidence/Aliasing.hpp"
+#include "diagnosis/evidence/CrossValidation.hpp"
+#include "diagnosis/evidence/Power.hpp"
+#include "estimation/Model.hpp"
+#include "estimation/ModelBuilder.hpp"
+#include "inference/Prequential.hpp"
+#include "inference/Thresholds.hpp"
+#include "io/InputError.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "math/Parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+// How the ladder goes on: what is added, what becomes superfluous.
+
+namespace naocal {
+
+namespace {
+
+CandidateFinding& findingOf(std::vector<CandidateFinding>& findings, const Term& term) {
+  return *std::find_if(findings.begin(), findings.end(),
+                       [&](const CandidateFinding& finding) { return finding.term.label() == term.label(); });
+}
+
+/// What these captures notice of a candidate, from its part in `evidence`.
+void senseFrom(const GroupEvidence& evidence, double criticalP, CandidateFinding& finding) {
+  const Sensitivity sensed = sensitivity(evidence, finding.term.sigmas(), criticalP);
+  finding.power = sensed.power;
+  finding.minimalDetectable = sensed.detectable;
+}
+
+/// Nothing of a plausible size would be noticed.
+bool isBlind(const CandidateFinding& finding) {
+  const Eigen::VectorXd sigmas = finding.term.sigmas();
+  for (Eigen::Index k = 0; k < sigmas.size(); ++k) {
+    if (finding.minimalDetectable[static_cast<std::size_t>(k)] <= 3 * sigmas[k]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// A candidate that the model does not have.
+void judgeLeftOut(const GroupEvidence& evidence, double criticalP, CandidateFinding& finding) {
+  senseFrom(evidence, criticalP, finding);
+  if (finding.state == State::inconclusive) {
+    const bool untestable = evidence.freedom < 1 || isBlind(finding);
+    const bool taken = finding.evidence.bayes > evidence.bayes + 2; // by what was added since
+    const bool striking = evidence.pValue < criticalP;              // but it may be less likely there than not
+    finding.state = untestable && taken              ? State::aliased
+                    : untestable                     ? State::absorbed
+                    : striking && evidence.bayes > 0 ? (evidence.matters() ? State::present : State::trivial)
+                    : !striking && finding.power >= threshold::power ? State::absent
+                                                                     : State::inconclusive;
+  }
+}
+
+/// A candidate that the model has: its size is what the last fit says.
+void judgeAdded(const Term& term, const CalibrationResult& fit, double criticalP, CandidateFinding& finding) {
+  senseFrom(finding.evidence, criticalP, finding);
+  for (std::size_t k = 0; k < term.effect.unknowns.size(); ++k) {
+    const Estimate& estimate = fit.estimates[term.first + k];
+    const auto row = static_cast<Eigen::Index>(k);
+    finding.evidence.estimate[row] = estimate.value;
+    finding.evidence.covariance(row, row) = estimate.sigma * estimate.sigma;
+  }
+  finding.plausible = isPlausible(finding.evidence, finding.term.sigmas());
+}
+
+/// The first few of those left out that explain something: what they cannot be told from.
+void nameEquivalents(const Inquiry& last, std::vector<CandidateFinding>& findings) {
+  constexpr std::size_t few = 10;
+  const std::vector<std::size_t> order = last.candidatesByStanding();
+  for (std::size_t i = 0; i < std::min(few, order.size()) && last.standing(last.ofCandidate(order[i])) > 0; ++i) {
+    CandidateFinding& finding = findingOf(findings, last.candidates()[order[i]]);
+    if (finding.equivalent.empty()) {
+      for (std::size_t other : equivalents(last, order[i])) {
+        finding.equivalent.push_back(last.candidates()[other].label());
+      }
+    }
+  }
+}
+
+} // namespace
+
+std::vector<CandidateFinding> judged(std::vector<CandidateFinding> findings, const Inquiry& last, const Model& model,
+                                     const CalibrationResult& fit, const std::vector<std::string>& suggested) {
+  const double criticalP = last.evidence().criticalP;
+  for (std::size_t i = 0; i < last.candidates().size(); ++i) {
+    judgeLeftOut(last.ofCandidate(i), criticalP, findingOf(findings, last.candidates()[i]));
+  }
+  for (const Term& term : model.terms()) {
+    const auto added = std::find_if(findings.begin(), findings.end(), [&](const CandidateFinding& finding) {
+      return finding.term.label() == term.label();
+    });
+    if (added != findings.end()) {
+      judgeAdded(term, fit, criticalP, *added);
+    }
+  }
+  nameEquivalents(last, findings);
+  const auto tier = [&](const CandidateFinding& finding) { // the first addition leads; what cannot be tested comes last
+    const bool leads = !suggested.empty() && finding.term.label() == suggested.front();
+    const bool shown =
+        finding.state != State::noData && (finding.state != State::absorbed || finding.evidence.bayes > 2);
+    return leads ? 0 : shown ? 1 : 2;
+  };
+  std::stable_sort(findings.begin(), findings.end(), [&](const CandidateFinding& a, const CandidateFinding& b) {
+    return tier(a) != tier(b) ? tier(a) < tier(b) : last.standing(a.evidence) > last.standing(b.evidence);
+  });
+  return findings;
+}
+
+namespace {
+
+/// A calibration; of captures of which an accident leads the search astray, with joints held to their readings and
+/// every corner in full.
+CalibrationResult calibratedOrHeld(const Measurements& measurements, const Model& model, CalibrationOptions options) {
+  try {
+    return calibrate(measurements, model, options);
+  } catch (const InputError&) {
+    options.estimateNoise = options.robust = false;
+    options.noise.pose = options.noise.reapproach = options.noise.stance = 0;
+    return calibrate(measurements, model, options);
+  }
+}
+
+} // namespace
+
+Ladder::Ladder(const Measurements& measurements, const Model& model, const DiagnosisOptions& options)
+    : measurements_{measurements}, options_{options}, candidates_{candidateTerms(measurements, options.effects)},
+      added_{options.with}, model_{model}, fit_{calibrated(model_, options.calibration.start)} {
+  levels_ = fit_.noise;
+  std::erase_if(candidates_, [&](const Term& term) { return model_.find(term.label()) != nullptr; });
+  for (const Term& term : candidates_) {
+    CandidateFinding& finding = findings_.emplace_back(CandidateFinding{.term = term});
+    finding.evidence.bayes = -std::numeric_limits<double>::infinity();
+    if (const auto why = whyUntestable(term.effect, term.at, measurements)) {
+      finding.state = State::noData;
+      finding.why = *why;
+    }
+  }
+}
+
+/// No sighting is set aside: what a missing effect does to a board must not be taken for an accident. Noise levels are
+/// those of the first rung, found under the widest model: all rungs are compared at the same.
+CalibrationResult Ladder::calibrated(const Model& model, std::optional<Eigen::VectorXd> start) const {
+  CalibrationOptions options = options_.calibration;
+  options.start = std::move(start);
+  options.setAside = false;
+  if (levels_) {
+    options.noise = *levels_;
+    options.estimateNoise = options.question = false;
+    if (std::none_of(fit_.doubts.begin(), fit_.doubts.end(), std::mem_fn(&Doubt::whole))) {
+      options.loss = fit_.loss; // else boards that had no weight get it back first
+    }
+  }
+  CalibrationResult result = calibratedOrHeld(measurements_, model, options);
+  std::size_t doubted = 0, elsewhere = 0;
+  for (const Doubt& doubt : result.doubts) {
+    (doubt.whole && doubt.distance > threshold::impossiblePx ? elsewhere : doubted) += doubt.corners.size();
+  }
+  const auto many = [&](std::size_t corners) {
+    return static_cast<double>(corners) > threshold::manyCorners * static_cast<double>(measurements_.cornerCount);
+  };
+  if (many(doubted) || many(elsewhere / 2)) { // so many are not false: the model is, and must see them
+    options.robust = false;
+    result = calibrate(measurements_, model, options);
+  }
+  return result;
+}
+
+CalibrationResult Ladder::withoutMovedBoards() const {
+  CalibrationOptions options = options_.calibration;
+  options.start = fit_.unknowns;
+  return calibrate(measurements_, model_, options);
+}
+
+std::vector<Term> Ladder::testable() const {
+  std::vector<Term> result;
+  for (const CandidateFinding& finding : findings_) {
+    if (finding.state != State::noData && !model_.find(finding.term.label())) {
+      result.push_back(finding.term);
+    }
+  }
+  return result;
+}
+
+CandidateFinding& Ladder::findingOf(const std::string& label) {
+  const auto found = std::find_if(findings_.begin(), findings_.end(),
+                                  [&](const CandidateFinding& finding) { return finding.term.label() == label; });
+  return *found;
+}
+
+void Ladder::look(const Inquiry& inquiry, Diagnosis& diagnosis) {
+  for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
+    CandidateFinding& finding = findingOf(inquiry.candidates()[i]);
+    finding.alone = diagnosis.steps.empty() ? inquiry.ofCandidate(i) : finding.alone;
+    if (inquiry.ofCandidate(i).bayes > finding.evidence.bayes) {
+      finding.evidence = inquiry.ofCandidate(i);
+      finding.step = diagnosis.steps.size();
+      finding.plausible = isPlausible(finding.evidence, finding.term.sigmas());
+    }
+  }
+  std::vector<std::size_t> order = inquiry.candidatesByStanding();
+  order.resize(std::min<std::size_t>(order.size(), 10));
+  std::vector<std::vector<std::size_t>> asked; // each alone, then by two
+  for (const std::size_t candidate : order) {
+    asked.push_back({candidate});
+  }
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      asked.push_back({order[i], order[j]});
+    }
+  }
+  const std::optional<HeldOut> held = heldOut(inquiry, model_, diagnosis.suggested, asked);
+  misleading_ = takenBack_;
+  byTwo_.clear();
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    CandidateFinding& finding = findingOf(inquiry.candidates()[order[i]]);
+    if (held && held->afterPx[i] >= held->beforePx) { // of two that are missing one alone may not help
+      bool helps = false;
+      for (std::size_t k = order.size(); k < asked.size(); ++k) {
+        const bool isAmong = std::find(asked[k].begin(), asked[k].end(), order[i]) != asked[k].end();
+        helps = helps || (isAmong && held->afterPx[k] < held->beforePx);
+      }
+      (helps ? byTwo_ : misleading_).push_back(finding.term.label());
+    }
+    if (finding.step == diagnosis.steps.size()) {
+      if (held) {
+        finding.heldOutBefore = held->beforePx;
+        finding.heldOutAfter = held->afterPx[i];
+      }
+      finding.addedVariable = addedVariable(inquiry, model_, order[i]);
+    }
+  }
+  const LackOfFit misfit = lackOfFit(inquiry);
+  Step step{.dropped = dropped_, .rmsPx = fit_.rmsPx, .noiseFloorPx = misfit.noiseFloorPx};
+  step.chi2 = fit_.chi2;
+  step.dof = fit_.dof;
+  step.alarm = inquiry.evidence().pValue;
+  if (held) {
+    step.heldOutPx = held->chosenPx;
+    step.nextPx = held->nextPx;
+    if (before_ && held->chosenPx < before_->heldOutPx) {
+      before_.reset();
+    }
+  }
+  if (diagnosis.steps.empty()) {
+    diagnosis.lackOfFit = misfit;
+  } else { // an effect that was chosen on all poses is as good as its choice
+    step.added = added_.back();
+    CandidateFinding& added = findingOf(step.added);
+    added.heldOutBefore = diagnosis.steps.back().heldOutPx;
+    added.heldOutAfter = step.heldOutPx;
+  }
+  diagnosis.steps.push_back(std::move(step));
+}
+
+namespace {
+
+/// Where `whole` becomes `part`, if it does.
+const Limit* limitThatIs(const Effect& part, const Effect& whole) {
+  const auto found = std::find_if(whole.limits.begin(), whole.limits.end(),
+                                  [&](const Limit& limit) { return limit.effect == part.name; });
+  return found == whole.limits.end() ? nullptr : &*found;
+}
+
+/// Its unknowns differ from zero by more than so many of their errors (Wald).
+bool isNeeded(const Term& term, const CalibrationResult& fit, double leastZ = 2) {
+  const auto first = static_cast<Eigen::Index>(term.first), count = term.sigmas().size();
+  const Eigen::VectorXd values = fit.unknowns.segment(first, count);
+  const double chi2 = values.dot(fit.covariance.block(first, first, count, count).ldlt().solve(values));
+  return chi2 > leastZ * leastZ * static_cast<double>(count);
+}
+
+} // namespace
+
+bool passes(const Effect& effect) {
+  return std::any_of(effect.needs.begin(), effect.needs.end(),
+                     [](Driver driver) { return driver == Driver::time || driver == Driver::temperature; });
+}
+
+Model Ladder::with(const Term& term) const {
+  std::vector<std::string> labels = added_;
+  labels.push_back(term.label());
+  return makeModel(measurements_, labels, options_.without, options_.effects);
+}
+
+Model Ladder::withSized(const Inquiry& inquiry, std::size_t candidate) const {
+  const Model model = with(inquiry.candidates()[candidate]);
+  const Term* const term = model.find(inquiry.candidates()[candidate].label());
+  if (!term) { // a person left it out
+    return model;
+  }
+  const GroupEvidence& evidence = inquiry.ofCandidate(candidate);
+  const Eigen::ArrayXd information = evidence.covariance.diagonal().array().inverse();
+  const Eigen::ArrayXd posterior = (information + term->sigmas().array().square().inverse()).inverse();
+  Eigen::VectorXd expected = carried(model_, fit_.unknowns, model),
+                  variances = carried(model_, fit_.covariance.diagonal(), model);
+  expected.segment(at(term->first), posterior.size()) = posterior * information * evidence.estimate.array();
+  variances.segment(at(term->first), posterior.size()) = posterior;
+  return withPriorsFor(model, expected, variances).value_or(model);
+}
+
+bool Ladder::foretells(const Inquiry& inquiry, std::size_t candidate) const {
+  if (std::find(misleading_.begin(), misleading_.end(), inquiry.candidates()[candidate].label()) != misleading_.end()) {
+    return false;
+  }
+  if (!passes(inquiry.candidates()[candidate].effect)) {
+    return true;
+  }
+  for (std::size_t cell = 0; cell < inquiry.map().cells.size(); ++cell) {
+    if (inquiry.map().cells[cell].shape == DriverCell::Shape::step &&
+        inquiry.ofCurve(inquiry.mounts().size() + cell).bayes >= inquiry.ofCandidate(candidate).bayes) {
+      return false;
+    }
+  }
+  return prequential(inquiry.problem(), inquiry.noise(), posesInTime(measurements_), candidate).predicts();
+}
+
+Ladder::Nearly Ladder::nearlyFitted(const Model& model, const Eigen::VectorXd& start) const {
+  const FitMinimum minimum = naocal::nearlyFitted(measurements_, model, fit_.noise, fit_.loss, start).minimum;
+  return {minimum.linear.cost, minimum.state.unknowns};
+}
+
+std::optional<Ladder::Choice> Ladder::best(const Inquiry& inquiry) {
+  constexpr std::size_t most = 4;
+  std::vector<std::size_t> order, likely = inquiry.candidatesByEvidence();
+  std::erase_if(likely, [&](std::size_t candidate) { return inquiry.ofCandidate(candidate).bayes <= 0; });
+  // one that is sure and negligible does not stand before one that matters
+  std::stable_partition(likely.begin(), likely.end(), [&](std::size_t candidate) {
+    return !inquiry.evidence().matters || inquiry.ofCandidate(candidate).matters();
+  });
+  const auto lasting = std::find_if(likely.begin(), likely.end(), [&](std::size_t candidate) {
+    return !passes(inquiry.candidates()[candidate].effect);
+  });
+  const double least = lasting == likely.end() ? 0 : inquiry.ofCandidate(*lasting).bayes - threshold::maxEvidenceGap;
+  for (const std::size_t candidate : likely) {
+    const GroupEvidence& here = inquiry.ofCandidate(candidate);
+    const GroupEvidence& first = inquiry.ofCandidate(order.empty() ? candidate : order.front());
+    if (order.size() == most || here.bayes < first.bayes - threshold::veryStrong || here.bayes < least ||
+        (inquiry.evidence().matters && here.matters() != first.matters())) {
+      break;
+    }
+    if (foretells(inquiry, candidate)) {
+      order.push_back(candidate);
+    }
+  }
+  if (order.empty()) {
+    return std::nullopt;
+  }
+  std::vector<Nearly> fits(order.size() + 1); // the last without any of them
+  inParallel(fits.size(), [&](std::size_t i) {
+    const Model model = i < order.size() ? withSized(inquiry, order[i]) : model_;
+    fits[i] = nearlyFitted(model, carried(model_, fit_.unknowns, model));
+  });
+  std::optional<Choice> best;
+  double bestBayes = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const GroupEvidence& evidence = inquiry.ofCandidate(order[i]);
+    const double drop = 2 * (fits.back().cost - fits[i].cost);
+    CandidateFinding& finding = findingOf(inquiry.candidates()[order[i]]);
+    if (finding.evidence.bayes == evidence.bayes) { // it is this rung that its predicted fall is of
+      finding.chi2Drop = drop;
+    }
+    const double bayes =
+        evidence.bayes * drop / evidence.likelihoodRatio; // in the share of its predicted fall that comes true
+    if (bayes > bestBayes) {
+      bestBayes = bayes;
+      best = Choice{order[i], fits[i].unknowns};
+    }
+  }
+  return best;
+}
+
+void Ladder::equivalent(const Term& chosen, const Term& other) {
+  findingOf(chosen).equivalent.push_back(other.label());
+  CandidateFinding& twin = findingOf(other);
+  if (twin.state != State::present) {
+    twin.state = State::aliased;
+    twin.equivalent.push_back(chosen.label());
+  }
+}
+
+void Ladder::compareLimits(const Term& chosen) {
+  for (const Term& other : candidates_) {
+    const std::vector<std::string>& known = findingOf(chosen).equivalent;
+    if (other.at != chosen.at || other.effect.place != chosen.effect.place ||
+        std::find(known.begin(), known.end(), other.label()) != known.end()) {
+      continue;
+    }
+    const Limit* const ofOther = limitThatIs(chosen.effect, other.effect);
+    if (!ofOther && !limitThatIs(other.effect, chosen.effect)) {
+      continue;
+    }
+    std::vector<std::string> labels = added_;
+    std::replace(labels.begin(), labels.end(), chosen.label(), other.label());
+    const Model instead = makeModel(measurements_, labels, options_.without, options_.effects);
+    if (!model_.find(chosen.label()) || !instead.find(other.label())) { // a person left it out
+      continue;
+    }
+    const double cost = nearlyFitted(instead, startInstead(chosen, other, instead)).cost;
+    if (2 * (cost - nearlyFitted(model_, fit_.unknowns).cost) < threshold::maxEvidenceGap) {
+      equivalent(chosen, other);
+    }
+  }
+}
+
+Eigen::VectorXd Ladder::startInstead(const Term& chosen, const Term& other, const Model& instead) const {
+  Eigen::VectorXd start = carried(model_, fit_.unknowns, instead);
+  const Term& from = *model_.find(chosen.label());
+  const Term& to = *instead.find(other.label());
+  const Limit* const limit = limitThatIs(chosen.effect, other.effect);
+  for (std::size_t i = 0; i < to.effect.unknowns.size(); ++i) {
+    const std::string& name = to.effect.unknowns[i].name;
+    double& value = start[at(to.first + i)];
+    for (std::size_t k = 0; k < from.effect.unknowns.size(); ++k) {
+      value = from.effect.unknowns[k].name == name ? fit_.unknowns[at(from.first + k)] : value;
+    }
+    value = limit && limit->unknown == name ? limit->value : value;
+  }
+  return start;
+}
+
+void Ladder::notEquivalent(const std::string& one, const std::string& other) {
+  std::erase(findingOf(one).equivalent, other);
+  std::erase(findingOf(other).equivalent, one);
+}
+
+bool Ladder::add(const Inquiry& inquiry, const Choice& choice, Diagnosis& diagnosis) {
+  const std::size_t most = std::max<std::size_t>(1, measurements_.poses.size() / 4);
+  if (diagnosis.steps.size() > most) {
+    return false;
+  }
+  const Term& term = inquiry.candidates()[choice.candidate];
+  if (!before_ && std::find(byTwo_.begin(), byTwo_.end(), term.label()) != byTwo_.end()) {
+    const std::vector<Step>& steps = diagnosis.steps;
+    before_.emplace(Before{added_, model_, fit_, findings_, diagnosis.suggested, steps.size(),
+                           steps.back().heldOutPx.value_or(0), term.label()});
+  }
+  CandidateFinding& finding = findingOf(term);
+  finding.state = State::present;
+  finding.evidence.bayes = std::max(finding.evidence.bayes, inquiry.ofCandidate(choice.candidate).bayes);
+  for (std::size_t other : equivalents(inquiry, choice.candidate)) {
+    equivalent(term, inquiry.candidates()[other]);
+  }
+  added_.push_back(term.label());
+  diagnosis.suggested.push_back(term.label());
+  refit(choice.start);
+  dropSuperfluous(diagnosis.suggested);
+  compareLimits(term);
+  for (const Term& earlier : model_.terms()) {
+    const auto found = std::find(diagnosis.suggested.begin(), diagnosis.suggested.end() - 1, earlier.label());
+    if (found != diagnosis.suggested.end() - 1 && isNeeded(earlier, fit_, threshold::stillNeeded)) {
+      notEquivalent(earlier.label(), diagnosis.suggested.back());
+    }
+  }
+  return true;
+}
+
+bool Ladder::takeBack(Diagnosis& diagnosis) {
+  if (!before_) {
+    return false;
+  }
+  added_ = std::move(before_->added);
+  model_ = std::move(before_->model);
+  fit_ = std::move(before_->fit);
+  findings_ = std::move(before_->findings);
+  dropped_.clear();
+  diagnosis.suggested = std::move(before_->suggested);
+  diagnosis.steps.resize(before_->steps - 1); // its rung is looked at once more
+  takenBack_.push_back(before_->label);
+  before_.reset();
+  return true;
+}
+
+bool Ladder::stays(const ImageField& field, const Inquiry& inquiry) const {
+  constexpr std::size_t most = 6;
+  const std::vector<std::size_t> order = inquiry.candidatesByEvidence();
+  for (std::size_t i = 0; i < std::min(most, order.size()) && inquiry.ofCandidate(order[i]).bayes > 0; ++i) {
+    const Model larger = with(inquiry.candidates()[order[i]]);
+    const CalibrationResult fit = fitOf(larger);
+    if (again(field, {measurements_, larger, fit}, measurements_).fit.bayes < field.fit.bayes / 2) {
+      return false;
+    }
+  }
+  return true;
+}
+
+CalibrationResult Ladder::fitOf(const Model& larger) const {
+  return calibrated(larger, carried(model_, fit_.unknowns, larger));
+}
+
+void Ladder::refit(const std::optional<Eigen::VectorXd>& start) {
+  const Model changed = makeModel(measurements_, added_, options_.without, options_.effects);
+  fit_ = start ? calibrated(changed, start) : fitOf(changed);
+  model_ = changed;
+}
+
+void Ladder::dropSuperfluous(std::vector<std::string>& suggested) {
+  dropped_.clear();
+  for (const Term& term : model_.terms()) {
+    const bool earlier = std::find(suggested.begin(), suggested.end(), term.label()) < suggested.end() - 1;
+    if (earlier && !isNeeded(term, fit_)) {
+      dropped_.push_back(term.label());
+      findingOf(term).state = State::inconclusive;
+    }
+  }
+  for (CandidateFinding& finding : findings_) {
+    if (finding.state == State::aliased) { // by what is no longer there
+      for (const std::string& label : dropped_) {
+        std::erase(finding.equivalent, label);
+      }
+      finding.state = finding.equivalent.empty() ? State::inconclusive : State::aliased;
+    }
+  }
+  for (const std::string& label : dropped_) {
+    std::erase(added_, label);
+    std::erase(suggested, label);
+  }
+  if (!dropped_.empty()) {
+    refit();
+  }
+}
+
+} // namespace naocal

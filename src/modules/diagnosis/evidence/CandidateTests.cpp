@@ -1,0 +1,57 @@
+#include "diagnosis/evidence/CandidateTests.hpp"
+
+#include "math/LinearAlgebra.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
+
+namespace naocal {
+
+namespace {
+
+std::vector<std::size_t> byBayes(std::span<const GroupEvidence> groups) {
+  std::vector<std::size_t> order(groups.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return groups[a].bayes > groups[b].bayes; });
+  return order;
+}
+
+} // namespace
+
+Inquiry::Inquiry(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
+                 const std::vector<Term>& candidates, const InquiryOptions& options)
+    : noise_{fit.noise}, wide_{measurements, model, candidates, {fit.state, fit.noise, fit.loss}, options.map},
+      evidence_{evidenceOf(wide_.problem(), noise_, options.draws, options.seed)} {}
+
+std::vector<std::size_t> Inquiry::candidatesByEvidence() const {
+  return byBayes({evidence_.groups.data(), candidates().size()});
+}
+
+double Inquiry::standing(const GroupEvidence& evidence) const {
+  const double numbers = 6 * static_cast<double>(poses().size());
+  return std::max(evidence.bayes, evidence.likelihoodRatio - static_cast<double>(evidence.freedom) * std::log(numbers));
+}
+
+std::vector<std::size_t> Inquiry::candidatesByStanding() const {
+  std::vector<std::size_t> order = candidatesByEvidence();
+  std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
+    return standing(ofCandidate(a)) > standing(ofCandidate(b));
+  });
+  return order;
+}
+
+std::vector<std::size_t> Inquiry::curvesByEvidence() const {
+  return byBayes({evidence_.groups.data() + candidates().size(), curveCount()});
+}
+
+std::optional<std::size_t> Inquiry::find(const std::string& label) const {
+  const auto found = std::find_if(candidates().begin(), candidates().end(),
+                                  [&](const Term& candidate) { return candidate.label() == label; });
+  return found == candidates().end() ? std::nullopt
+                                     : std::optional{static_cast<std::size_t>(found - candidates().begin())};
+}
+
+} // namespace naocal

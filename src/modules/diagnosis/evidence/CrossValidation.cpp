@@ -1,0 +1,266 @@
+#include "diagnosis/evidence/CrossValidation.hpp"
+
+#include "diagnosis/evidence/CandidateTests.hpp"
+#include "inference/ScoreProblem.hpp"
+#include "inference/ScoreTest.hpp"
+#include "math/LinearAlgebra.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace naocal {
+
+/// Sums over some poses, of all columns of a linearised problem: whitened ones to learn from, plain ones to measure by.
+struct HeldOutSums {
+  Eigen::MatrixXd hessian, gram;
+  Eigen::VectorXd gradient, plainGradient;
+  double squares = 0, numbers = 0;
+};
+
+/// The sums of all poses, and of each of the five folds (or as many as there are poses), with the unknowns moved by
+/// `step`.
+struct HeldOutParts {
+  HeldOutSums all;
+  std::vector<HeldOutSums> parts;
+};
+HeldOutParts heldOutSums(const Inquiry& inquiry, const Eigen::VectorXd& step);
+
+namespace {
+
+using Columns = std::vector<Eigen::Index>;
+
+/// Of the information that all poses and the prior have about a direction, the least part that the other folds and the
+/// prior must have: where one fold says ten times as sharply where boards or stances lie, it is not predicted, but
+/// asked.
+constexpr double told = 0.01;
+
+/// Columns that are learned from all poses but those of one fold.
+class Fold {
+public:
+  /// `prior`: of every column its information, `start` its unknown where the sums were taken. `given`: the columns that
+  /// are always learned, the first of those in all questions.
+  Fold(const HeldOutSums& all, const HeldOutSums& held, const Eigen::VectorXd& prior, const Eigen::VectorXd& start,
+       const Columns& given)
+      : held_{held}, hessian_{all.hessian - held.hessian}, gradient_{all.gradient - held.gradient}, prior_{prior},
+        pull_{prior.cwiseProduct(start)} {
+    Eigen::MatrixXd whole = all.hessian(given, given);
+    whole.diagonal() += prior(given);
+    const Eigen::LLT<Eigen::MatrixXd> factor{whole};
+    Eigen::MatrixXd rest = hessian_(given, given);
+    rest.diagonal() +=
+        prior(given); // what nothing but the prior tells is told: the fold must not fit it to its own noise
+    rest = factor.matrixL().solve(rest);
+    rest = factor.matrixL().solve(rest.transpose().eval());
+    const SymmetricEigen eigen = symmetricEigen(rest);
+    Eigen::Index untold = 0;
+    while (untold < eigen.values.size() && eigen.values[untold] < told) {
+      ++untold;
+    }
+    untold_ = factor.matrixU().solve(eigen.vectors.leftCols(untold));
+    holding_ = factor.matrixL() * eigen.vectors.leftCols(untold);
+  }
+
+  /// Squares of the fold's errors [px^2] when `columns` are learned from the others; what those do not tell is learned
+  /// from the fold itself.
+  double squaresLeft(const Columns& columns) const {
+    Eigen::MatrixXd hessian = hessian_(columns, columns);
+    hessian.diagonal() += prior_(columns);
+    hessian.topLeftCorner(holding_.rows(), holding_.rows()) += holding_ * holding_.transpose();
+    Eigen::VectorXd step = -hessian.ldlt().solve((gradient_ + pull_)(columns));
+    const Eigen::MatrixXd gram = held_.gram(columns, columns);
+    const Eigen::VectorXd plain = held_.plainGradient(columns);
+    if (untold_.cols() > 0) {
+      const Eigen::Index given = untold_.rows();
+      Eigen::MatrixXd own = untold_.transpose() * gram.topLeftCorner(given, given) * untold_;
+      own.diagonal().array() += 1e-12 * (1 + own.diagonal().array());
+      step.head(given) -= untold_ * own.ldlt().solve(untold_.transpose() * (plain + gram * step).head(given));
+    }
+    return held_.squares + 2 * plain.dot(step) + step.dot(gram * step);
+  }
+
+  /// Adds the group with the largest Bayes factor in the other folds to `columns`, if one beats the model without it.
+  void addBest(const std::vector<Columns>& groups, Columns& columns) const {
+    Eigen::MatrixXd known = hessian_(columns, columns);
+    known.diagonal() += prior_(columns);
+    const Eigen::LLT<Eigen::MatrixXd> factor{known};
+    const Eigen::MatrixXd half = factor.matrixL().solve(hessian_(columns, Eigen::all));
+    const Eigen::VectorXd gradient = gradient_ + pull_;
+    const Eigen::VectorXd left = gradient - half.transpose() * factor.matrixL().solve(gradient(columns));
+    const Columns* best = nullptr;
+    double bestBayes = 0;
+    for (const Columns& group : groups) {
+      if (std::find(columns.begin(), columns.end(), group.front()) != columns.end()) {
+        continue;
+      }
+      const Eigen::MatrixXd part = half(Eigen::all, group);
+      const Eigen::VectorXd plausible = prior_(group).cwiseSqrt().cwiseInverse();
+      const Eigen::VectorXd score = plausible.cwiseProduct(left(group));
+      Eigen::MatrixXd posterior =
+          plausible.asDiagonal() * (hessian_(group, group) - part.transpose() * part) * plausible.asDiagonal();
+      posterior.diagonal().array() += 1;
+      const Eigen::LLT<Eigen::MatrixXd> inner{posterior};
+      const double bayes = score.dot(inner.solve(score)) - 2 * inner.matrixLLT().diagonal().array().log().sum();
+      if (bayes > bestBayes) {
+        bestBayes = bayes;
+        best = &group;
+      }
+    }
+    if (best) {
+      columns.insert(columns.end(), best->begin(), best->end());
+    }
+  }
+
+private:
+  const HeldOutSums& held_;
+  Eigen::MatrixXd hessian_;
+  Eigen::VectorXd gradient_, prior_, pull_;
+  Eigen::MatrixXd untold_, holding_; // directions that the other folds do not tell, of the given columns: D, L L^T D
+};
+
+Columns range(Eigen::Index first, Eigen::Index count) {
+  Columns result(static_cast<std::size_t>(count));
+  std::iota(result.begin(), result.end(), first);
+  return result;
+}
+
+Columns joined(Columns columns, const Columns& more) {
+  columns.insert(columns.end(), more.begin(), more.end());
+  return columns;
+}
+
+/// What may be learned in a fold.
+struct Choices {
+  std::vector<Columns> candidates, chosen; // per candidate; per effect that was chosen on all poses
+  Columns given;                           // all others of the model
+
+  Choices(const Inquiry& inquiry, const Model& model, const std::vector<std::string>& labels) {
+    const Eigen::Index own = inquiry.problem().own();
+    for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
+      const ColumnGroup& group = inquiry.problem().groups[i];
+      candidates.push_back(range(own + group.first, group.count));
+    }
+    for (const Term& term : model.terms()) {
+      const Columns columns = range(at(term.first), at(term.effect.unknowns.size()));
+      const bool isChosen = std::find(labels.begin(), labels.end(), term.label()) != labels.end();
+      isChosen ? chosen.push_back(columns) : void(given = joined(given, columns));
+    }
+  }
+};
+
+} // namespace
+
+std::optional<HeldOut> heldOut(const Inquiry& inquiry, const Model& model, const std::vector<std::string>& chosen,
+                               const std::vector<std::vector<std::size_t>>& added) {
+  const ScoreProblem& problem = inquiry.problem();
+  if (inquiry.poses().size() < 2) {
+    return std::nullopt;
+  }
+  const Choices choices{inquiry, model, chosen};
+  Eigen::VectorXd prior{problem.own() + problem.candidates}, start{Eigen::VectorXd::Zero(prior.size())};
+  prior << problem.sigmas.cwiseAbs2().cwiseInverse(),
+      problem.plausible.head(problem.candidates).cwiseAbs2().cwiseInverse();
+  start.head(problem.own()) = problem.unknowns;
+  Eigen::VectorXd toNone = Eigen::VectorXd::Zero(prior.size()); // of the effects that were chosen
+  for (const Columns& effect : choices.chosen) {
+    toNone(effect) = -start(effect);
+    start(effect).setZero();
+  }
+  const HeldOutParts sums = heldOutSums(inquiry, toNone);
+  std::vector<Columns> groups = choices.candidates;
+  groups.insert(groups.end(), choices.chosen.begin(), choices.chosen.end());
+  Columns asItIs = choices.given;
+  for (const Columns& effect : choices.chosen) {
+    asItIs = joined(asItIs, effect);
+  }
+  HeldOut result;
+  result.afterPx.resize(added.size());
+  for (const HeldOutSums& held : sums.parts) {
+    const Fold fold{sums.all, held, prior, start, choices.given};
+    result.beforePx += fold.squaresLeft(asItIs);
+    for (std::size_t i = 0; i < added.size(); ++i) {
+      Columns larger = asItIs;
+      for (const std::size_t candidate : added[i]) {
+        larger = joined(larger, choices.candidates[candidate]);
+      }
+      result.afterPx[i] += fold.squaresLeft(larger);
+    }
+    Columns columns = choices.given;
+    for (std::size_t i = 0; i < choices.chosen.size(); ++i) {
+      fold.addBest(groups, columns);
+    }
+    result.chosenPx += fold.squaresLeft(columns);
+    fold.addBest(groups, columns);
+    result.nextPx += fold.squaresLeft(columns);
+  }
+  const auto toRms = [&](double& squares) { squares = std::sqrt(2 * std::max(0.0, squares) / sums.all.numbers); };
+  toRms(result.beforePx);
+  toRms(result.chosenPx);
+  toRms(result.nextPx);
+  std::for_each(result.afterPx.begin(), result.afterPx.end(), toRms);
+  return result;
+}
+
+namespace {
+
+constexpr std::size_t folds = 5;
+
+/// Of every `folds`th pose from `first` on.
+HeldOutSums sumsFrom(std::size_t first, std::size_t each, const ModelAlone& alone) {
+  const std::vector<PoseRows>& poses = *alone.problem().poses;
+  const double pixel = alone.noise().pixel;
+  const Eigen::Index size = alone.problem().gram.cols();
+  HeldOutSums result;
+  result.gradient = result.plainGradient = Eigen::VectorXd::Zero(size);
+  GramSum plain{size}, taken{size};
+  for (std::size_t pose = first; pose < poses.size(); pose += each) {
+    const PoseRows& rows = poses[pose];
+    const ModelAlone::Whitener& whitener = alone.whitener(pose);
+    plain.add(rows.unknowns, rows.byUnknowns);
+    taken.add(rows.unknowns, whitener.unknowns);
+    const Eigen::VectorXd gradient = rows.byUnknowns.transpose() * rows.residual;
+    result.plainGradient(rows.unknowns) += gradient;
+    result.gradient(rows.unknowns) +=
+        gradient / (pixel * pixel) - whitener.unknowns.transpose() * (whitener.half * rows.residual) / pixel;
+    result.squares += rows.squares;
+    result.numbers += rows.numbers;
+  }
+  result.gram = plain.taken();
+  result.hessian = result.gram / (pixel * pixel) - taken.taken();
+  return result;
+}
+
+void add(const HeldOutSums& part, HeldOutSums& sums) {
+  sums.hessian += part.hessian;
+  sums.gram += part.gram;
+  sums.gradient += part.gradient;
+  sums.plainGradient += part.plainGradient;
+  sums.squares += part.squares;
+  sums.numbers += part.numbers;
+}
+
+void move(const Eigen::VectorXd& step, HeldOutSums& sums) {
+  const Eigen::VectorXd moved = sums.gram * step;
+  sums.squares += 2 * sums.plainGradient.dot(step) + step.dot(moved);
+  sums.plainGradient += moved;
+  sums.gradient += sums.hessian * step;
+}
+
+} // namespace
+
+HeldOutParts heldOutSums(const Inquiry& inquiry, const Eigen::VectorXd& step) {
+  const ModelAlone alone{inquiry.problem(), inquiry.noise()};
+  const std::size_t parts = std::min(folds, inquiry.poses().size());
+  HeldOutParts result;
+  for (std::size_t part = 0; part < parts; ++part) {
+    HeldOutSums& sums = result.parts.emplace_back(sumsFrom(part, parts, alone));
+    move(step, sums);
+    part == 0 ? void(result.all = sums) : add(sums, result.all);
+  }
+  return result;
+}
+
+} // namespace naocal

@@ -1,0 +1,56 @@
+#include "diagnosis/evidence/Power.hpp"
+#include "inference/Thresholds.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/non_central_chi_squared.hpp>
+#include <cmath>
+#include <limits>
+
+namespace naocal {
+
+namespace {
+
+double criticalChi2(Eigen::Index freedom, double criticalP) {
+  constexpr double leastP = 1e-12; // beyond it the distribution's inverse overflows
+  return quantile(complement(boost::math::chi_squared{static_cast<double>(freedom)}, std::max(criticalP, leastP)));
+}
+
+} // namespace
+
+bool isPlausible(const GroupEvidence& group, const Eigen::VectorXd& sigmas) {
+  return (group.estimate.cwiseAbs().array() <= threshold::implausible * sigmas.array()).all();
+}
+
+double powerAt(double noncentrality, Eigen::Index freedom, double criticalP) {
+  if (freedom < 1) {
+    return 0;
+  }
+  const boost::math::non_central_chi_squared shifted{static_cast<double>(freedom), std::min(noncentrality, 1e4)};
+  return cdf(complement(shifted, criticalChi2(freedom, criticalP)));
+}
+
+double noncentralityFor(double power, Eigen::Index freedom, double criticalP) {
+  return boost::math::non_central_chi_squared::find_non_centrality(static_cast<double>(freedom),
+                                                                   criticalChi2(freedom, criticalP), 1 - power);
+}
+
+Sensitivity sensitivity(const GroupEvidence& group, const Eigen::VectorXd& plausible, double criticalP) {
+  const Eigen::Index count = plausible.size();
+  Sensitivity result{0, std::vector<double>(static_cast<std::size_t>(count), std::numeric_limits<double>::infinity())};
+  if (group.freedom < 1) {
+    return result;
+  }
+  const Eigen::VectorXd information = group.covariance.inverse().diagonal();
+  const double needed = noncentralityFor(0.9, group.freedom, criticalP);
+  double least = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < count; ++i) {
+    least = std::min(least, plausible[i] * plausible[i] * information[i]);
+    result.detectable[static_cast<std::size_t>(i)] = std::sqrt(needed / information[i]);
+  }
+  result.power = powerAt(least, group.freedom, criticalP);
+  return result;
+}
+
+} // namespace naocal

@@ -1,0 +1,109 @@
+#include "diagnosis/views/AddedVariable.hpp"
+
+#include "math/LinearAlgebra.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace naocal {
+
+std::optional<AddedVariable> addedVariable(const Inquiry& inquiry, const Model& model, std::size_t candidate) {
+  const ScoreProblem& problem = inquiry.problem();
+  const GroupEvidence& evidence = inquiry.ofCandidate(candidate);
+  if (evidence.freedom < 1) {
+    return std::nullopt;
+  }
+  const Eigen::VectorXd direction = evidence.estimate.size() == 1 ? Eigen::VectorXd::Ones(1) : evidence.estimate;
+  const CandidateColumn column{inquiry, candidate, direction, inquiry.noise()};
+  const Eigen::Index own = problem.own();
+  Eigen::VectorXd left(own + 1), fitted(own + 1); // e = J left, M r = r + J fitted
+  left << -column.imitation, 1;
+  fitted << column.fitted, 0;
+
+  AddedVariable result;
+  result.like = labelOf(model, column.like);
+  double squares = 0, products = 0;
+  const auto add = [&](std::optional<std::size_t> pose, double square, double product, double sense) {
+    const double signature = std::copysign(std::sqrt(std::max(0.0, square)), sense);
+    result.points.push_back({pose, signature, signature == 0 ? 0 : product / signature});
+    squares += square;
+    products += product;
+  };
+  for (std::size_t i = 0; i < column.poses.size(); ++i) {
+    const CandidateColumn::Pose& pose = column.poses[i];
+    const Eigen::VectorXd e = left(pose.columns), moved = pose.information * e;
+    const auto place = std::find(pose.columns.begin(), pose.columns.end(), column.like);
+    add(i, e.dot(moved), -moved.dot(fitted(pose.columns)) - e.dot(pose.gradient),
+        place == pose.columns.end() ? 1 : moved[place - pose.columns.begin()]);
+  }
+  const Eigen::VectorXd believed = left.head(own), weighted = column.prior.cwiseProduct(believed);
+  add(std::nullopt, believed.dot(weighted), -weighted.dot(problem.unknowns + column.fitted), weighted[column.like]);
+  if (!(squares > 0)) {
+    return std::nullopt;
+  }
+  result.slope = products / squares;
+  result.sigma = 1 / std::sqrt(squares);
+  return result;
+}
+
+namespace {
+
+/// The candidate's unknowns stand `first` and move together along `direction`.
+CandidateColumn::Pose summed(const PoseRows& pose, const Noise& noise, Eigen::Index own, Eigen::Index first,
+                             const Eigen::VectorXd& direction) {
+  CandidateColumn::Pose result;
+  std::vector<Eigen::Index> rows, moving; // of the sums; of `direction`
+  for (std::size_t i = 0; i < pose.unknowns.size(); ++i) {
+    const Eigen::Index unknown = at(pose.unknowns[i]);
+    if (unknown < own) {
+      result.columns.push_back(unknown);
+      rows.push_back(at(i));
+    } else if (unknown >= first && unknown < first + direction.size()) {
+      moving.push_back(unknown - first);
+      rows.push_back(at(i));
+    }
+  }
+  const Eigen::Index kept = at(result.columns.size());
+  result.columns.push_back(own);
+  Eigen::MatrixXd together = Eigen::MatrixXd::Zero(at(rows.size()), kept + 1);
+  together.topLeftCorner(kept, kept).setIdentity();
+  together.col(kept).tail(at(moving.size())) = direction(moving);
+  const PoseRows part{pose, pose.byUnknowns(Eigen::all, rows) * together, pose.byDeflections, pose.residual};
+  Eliminated whitened = eliminated(systemOf(part), noise, deflectionRoot(pose, noise));
+  result.information = std::move(whitened.hessian);
+  result.gradient = std::move(whitened.unknownGradient);
+  return result;
+}
+
+} // namespace
+
+std::string labelOf(const Model& model, Eigen::Index unknown) {
+  const auto& terms = model.terms();
+  const auto term = std::find_if(terms.begin(), terms.end(),
+                                 [&](const Term& one) { return unknown < at(one.first + one.effect.unknowns.size()); });
+  return term->label();
+}
+
+CandidateColumn::CandidateColumn(const Inquiry& inquiry, std::size_t candidate, const Eigen::VectorXd& direction,
+                                 const Noise& noise) {
+  const ScoreProblem& problem = inquiry.problem();
+  const Eigen::Index own = problem.own();
+  prior = problem.sigmas.cwiseAbs2().cwiseInverse();
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(own + 1, own + 1);
+  information.topLeftCorner(own, own) = prior.asDiagonal();
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(own + 1);
+  gradient.head(own) = prior.cwiseProduct(problem.unknowns);
+  for (const PoseRows& pose : inquiry.poses()) {
+    const Pose& sums = poses.emplace_back(summed(pose, noise, own, own + problem.groups[candidate].first, direction));
+    information(sums.columns, sums.columns) += sums.information;
+    gradient(sums.columns) += sums.gradient;
+  }
+  const Eigen::LLT<Eigen::MatrixXd> factor{information.topLeftCorner(own, own)};
+  const Eigen::VectorXd shared = information.col(own).head(own);
+  imitation = factor.solve(shared);
+  fitted = -factor.solve(gradient.head(own));
+  shared.cwiseAbs2().cwiseQuotient(information.diagonal().head(own)).maxCoeff(&like);
+}
+
+} // namespace naocal

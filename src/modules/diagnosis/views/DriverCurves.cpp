@@ -1,0 +1,339 @@
+#include "diagnosis/views/DriverCurves.hpp"
+
+#include "diagnosis/views/BoardShape.hpp"
+#include "diagnosis/views/ImageField.hpp"
+#include "inference/DriverBasis.hpp"
+#include "io/Units.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <functional>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace naocal {
+
+/// Adds to a finding the small expression that follows the misfit of its joint over its driver best: linear, square,
+/// |x|, sign, root, sines and cosines of x to 8x, a step in time, the driver times the joint's torque.
+void express(const Inquiry& inquiry, const Measurements& measurements, const DriverCell& cell, DriverFinding& finding);
+
+namespace {
+
+/// The curve's points over its driver with their errors, from its coefficients; and half of its range. A joint is
+/// approached from below, from nowhere that is known, or from above: there is nothing between.
+void draw(const DriverCell& cell, const Eigen::VectorXd& estimate, const Eigen::MatrixXd& covariance,
+          DriverFinding& finding) {
+  const int points = finding.driver == "approach" ? static_cast<int>(std::lround(cell.most - cell.least)) + 1 : 41;
+  double least = 0, most = 0;
+  for (int i = 0; i < points; ++i) {
+    const double x = std::lerp(cell.least, cell.most, static_cast<double>(i) / (points - 1));
+    const Eigen::RowVectorXd basis = cell.basis(x);
+    const double value = basis.dot(estimate);
+    finding.curve.push_back({x, value, std::sqrt((basis * covariance * basis.transpose())(0, 0))});
+    least = i == 0 ? value : std::min(least, value);
+    most = i == 0 ? value : std::max(most, value);
+  }
+  finding.amplitude = (most - least) / 2;
+}
+
+/// How much of a joint's or mount's scatter from picture to picture a curve explains: its variance over the pictures as
+/// they were taken, against the pose noise.
+double shareOf(const DriverCell& cell, const std::vector<double>& driver, const Eigen::VectorXd& estimate,
+               double left) {
+  double sum = 0, squares = 0;
+  for (const double x : driver) {
+    const double value = cell.basis(x).dot(estimate);
+    sum += value;
+    squares += value * value;
+  }
+  const auto count = static_cast<double>(driver.size());
+  const double variance = squares / count - std::pow(sum / count, 2);
+  return variance > 0 ? variance / (variance + left * left) : 0;
+}
+
+void drawMount(const DriverCell& cell, const std::vector<double>& driver, const GroupEvidence& group, double scatter,
+               DriverFinding& finding) {
+  const std::array<const char*, 3> axes{"x", "y", "z"};
+  finding.amplitude = -1;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const auto own = Eigen::seqN(axis, cell.count, 3);
+    DriverFinding about = finding;
+    about.about = axes[static_cast<std::size_t>(axis)];
+    about.curve.clear();
+    draw(cell, group.estimate(own), group.covariance(own, own), about);
+    about.share = shareOf(cell, driver, group.estimate(own), scatter);
+    if (about.amplitude > finding.amplitude) {
+      finding = about;
+    }
+  }
+}
+
+/// A curve's name, as in a user's effect: a joint or camera, and what it varies with.
+struct CurveName {
+  std::string place, driver;
+};
+
+CurveName curveName(const Inquiry& inquiry, const Measurements& measurements, std::size_t curve) {
+  const std::vector<DriverValues>& drivers = inquiry.map().drivers;
+  if (curve < inquiry.mounts().size()) {
+    const MountCurve& mount = inquiry.mounts()[curve];
+    return {measurements.robot.cameras[mount.camera()].name, drivers[mount.cell.driver].name};
+  }
+  const DriverCell& cell = inquiry.map().cells[curve - inquiry.mounts().size()];
+  return {measurements.robot.joints[cell.motor].name, nameAt(drivers[cell.driver], cell.motor)};
+}
+
+/// A curve as a finding; of a mount, about the axis that turns furthest.
+DriverFinding driverFinding(const Inquiry& inquiry, const Measurements& measurements, std::size_t curve) {
+  const CurveName name = curveName(inquiry, measurements, curve);
+  const GroupEvidence& group = inquiry.ofCurve(curve);
+  DriverFinding result{.place = name.place, .driver = name.driver};
+  result.likelihoodRatio = group.likelihoodRatio;
+  result.bayes = group.bayes;
+  const bool ofMount = curve < inquiry.mounts().size();
+  const DriverCell& cell =
+      ofMount ? inquiry.mounts()[curve].cell : inquiry.map().cells[curve - inquiry.mounts().size()];
+  const DriverValues& driver = inquiry.map().drivers[cell.driver];
+  result.what = driver.what;
+  if (ofMount) {
+    drawMount(cell, driver.atPicture, group, inquiry.noise().pose, result);
+  } else {
+    result.share = shareOf(cell, driver.atPicture, group.estimate, inquiry.noise().pose);
+    draw(cell, group.estimate, group.covariance, result);
+    express(inquiry, measurements, cell, result);
+  }
+  return result;
+}
+
+/// Of each place and driver the curve that explains most, best first.
+std::vector<std::size_t> bestCurves(const Inquiry& inquiry, const Measurements& measurements) {
+  std::vector<std::size_t> result;
+  std::set<std::pair<std::string, std::string>> seen;
+  for (std::size_t curve : inquiry.curvesByEvidence()) {
+    const CurveName name = curveName(inquiry, measurements, curve);
+    if (seen.insert({name.place, name.driver}).second) {
+      result.push_back(curve);
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+DriverMap driverMap(const Inquiry& inquiry, const Measurements& measurements) {
+  DriverMap map;
+  std::vector<std::size_t> best = bestCurves(inquiry, measurements);
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, best.size()); ++i) {
+    map.best.push_back(driverFinding(inquiry, measurements, best[i]));
+  }
+  std::sort(best.begin(), best.end());
+  for (std::size_t curve : best) {
+    const CurveName name = curveName(inquiry, measurements, curve);
+    map.cells.push_back({name.place, name.driver, inquiry.ofCurve(curve).bayes, inquiry.ofCurve(curve).pValue});
+  }
+  return map;
+}
+
+namespace {
+
+/// A field's value at a place: what it varies with (two), and its components with their errors.
+struct FieldPoint {
+  std::array<double, 2> drivers;
+  Eigen::VectorXd value, sigma;
+};
+
+std::vector<FieldPoint> onBoard(const ImageField& field, const Measurements& measurements) {
+  std::vector<FieldPoint> result;
+  for (const BoardShape::Corner& corner : boardShape(field, measurements).corners) {
+    result.push_back({{corner.place.x(), corner.place.y()}, corner.off, corner.sigma});
+  }
+  return result;
+}
+
+/// On a grid over a picture that is as wide as 2 cx.
+std::vector<FieldPoint> inPicture(const FieldFit& fit, const Eigen::Vector2d& middle) {
+  constexpr int across = 9, down = 7;
+  std::vector<FieldPoint> result;
+  for (int column = 0; column < across; ++column) {
+    for (int row = 0; row < down; ++row) {
+      const Eigen::Vector2d at{std::lerp(-1.0, 1.0, column / (across - 1.0)),
+                               std::lerp(-0.75, 0.75, row / (down - 1.0))};
+      const Eigen::Vector2d pixel = middle + middle.x() * at;
+      const Eigen::RowVectorXd basis = monomials(at, lensDegree);
+      FieldPoint point{{pixel.x(), pixel.y()}, Eigen::VectorXd(2), Eigen::VectorXd(2)};
+      for (Eigen::Index component = 0; component < 2; ++component) {
+        const auto own = Eigen::seqN(component * basis.size(), basis.size());
+        point.value[component] = basis.dot(fit.estimate(own));
+        point.sigma[component] = std::sqrt((basis * fit.covariance(own, own) * basis.transpose())(0, 0));
+      }
+      result.push_back(std::move(point));
+    }
+  }
+  return result;
+}
+
+std::vector<FieldPoint> pointsOf(const ImageField& field, const Measurements& measurements) {
+  if (field.of != ImageField::Of::camera) {
+    return onBoard(field, measurements);
+  }
+  const auto seen = std::find_if(measurements.pictures.begin(), measurements.pictures.end(),
+                                 [&](const Picture& picture) { return picture.camera == field.at; });
+  return inPicture(field.fit, seen->drawn.lens().segment<2>(2));
+}
+
+/// The mean of one component over each value of one driver.
+std::vector<std::array<double, 3>> curveOf(const std::vector<FieldPoint>& points, std::size_t driver,
+                                           Eigen::Index component) {
+  struct Mean {
+    double sum = 0, squares = 0, count = 0;
+  };
+  constexpr double alike = 1e4; // drivers that differ by less than a ten-thousandth
+  std::map<long, Mean> means;
+  for (const FieldPoint& point : points) {
+    Mean& mean = means[std::lround(alike * point.drivers[driver])];
+    mean.sum += point.value[component];
+    mean.squares += std::pow(point.sigma[component], 2);
+    mean.count += 1;
+  }
+  std::vector<std::array<double, 3>> curve;
+  for (const auto& [value, mean] : means) {
+    curve.push_back({static_cast<double>(value) / alike, mean.sum / mean.count, std::sqrt(mean.squares) / mean.count});
+  }
+  return curve;
+}
+
+double halfRange(const std::vector<std::array<double, 3>>& curve) {
+  const auto [least, most] =
+      std::minmax_element(curve.begin(), curve.end(), [](const auto& a, const auto& b) { return a[1] < b[1]; });
+  return curve.empty() ? 0 : ((*most)[1] - (*least)[1]) / 2;
+}
+
+} // namespace
+
+DriverFinding fieldFinding(const ImageField& field, const Measurements& measurements) {
+  const bool board = field.of != ImageField::Of::camera;
+  const std::array<const char*, 2> drivers = board ? std::array{"x", "y"} : std::array{"u", "v"};
+  const std::array<const char*, 3> components = board ? std::array{"x", "y", "z"} : std::array{"u", "v", ""};
+  DriverFinding result{.place =
+                           board ? measurements.targets[field.at].name : measurements.robot.cameras[field.at].name};
+  result.unit = board ? "m" : "px";
+  result.bayes = field.fit.bayes;
+  result.share = field.fit.share;
+  result.amplitude = -1;
+  const std::vector<FieldPoint> points = pointsOf(field, measurements);
+  for (std::size_t driver = 0; driver < drivers.size(); ++driver) {
+    for (Eigen::Index component = 0; component < (board ? 3 : 2); ++component) {
+      std::vector<std::array<double, 3>> curve = curveOf(points, driver, component);
+      if (const double amplitude = halfRange(curve); amplitude > result.amplitude) {
+        result.amplitude = amplitude;
+        result.driver = drivers[driver];
+        result.about = components[static_cast<std::size_t>(component)];
+        result.curve = std::move(curve);
+      }
+    }
+  }
+  result.what = board ? "the place on the board" : "the place in the picture";
+  return result;
+}
+
+namespace {
+
+/// Values of the driver transformed, as a driver of its own named by its expression.
+DriverValues shaped(const DriverValues& driver, std::size_t motor, const std::string& expression, const Unit& unit,
+                    const std::function<double(std::size_t)>& value) {
+  DriverValues result{
+      .kind = driver.kind, .joint = driver.joint, .name = expression, .unit = textOf(unit), .motor = motor};
+  for (std::size_t i = 0; i < driver.atPicture.size(); ++i) {
+    result.atPicture.push_back(value(i));
+  }
+  return result;
+}
+
+/// Shapes that physics has, of one driver; those that go together stand side by side.
+std::vector<DriverValues> shapes(const DriverValues& driver, std::size_t motor,
+                                 const std::vector<DriverValues>& drivers) {
+  const std::vector<double>& x = driver.atPicture;
+  const std::string name = nameAt(driver, motor);
+  const Unit number, own = unitOf(driver.unit).value_or(Unit{{"K", 1}}), root = product({}, own, 0.5); // °C counts K
+  std::vector<DriverValues> result;
+  const auto add = [&](const std::string& expression, const Unit& unit,
+                       const std::function<double(std::size_t)>& value) {
+    result.push_back(shaped(driver, motor, expression, unit, value));
+  };
+  add(name, own, [&](std::size_t i) { return x[i]; });
+  add(fmt::format("{}^2", name), product(own, own), [&](std::size_t i) { return x[i] * x[i]; });
+  add(fmt::format("abs({})", name), own, [&](std::size_t i) { return std::abs(x[i]); });
+  add(fmt::format("sign({})", name), number, [&](std::size_t i) { return x[i] > 0 ? 1 : x[i] < 0 ? -1 : 0; });
+  add(fmt::format("sign({0})*sqrt(abs({0}))", name), root,
+      [&](std::size_t i) { return std::copysign(std::sqrt(std::abs(x[i])), x[i]); });
+  add(fmt::format("sqrt(abs({}))", name), root, [&](std::size_t i) { return std::sqrt(std::abs(x[i])); });
+  if (driver.kind == Driver::angle) {
+    for (int k = 1; k <= 8; ++k) {
+      const std::string angle = k == 1 ? name : fmt::format("{}*{}", k, name);
+      add(fmt::format("sin({})", angle), number, [&](std::size_t i) { return std::sin(k * x[i]); });
+      add(fmt::format("cos({})", angle), number, [&](std::size_t i) { return std::cos(k * x[i]); });
+    }
+  }
+  if (driver.kind == Driver::time) {
+    std::vector<double> times = x;
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    for (std::size_t i = 1; i < times.size(); ++i) {
+      const double at = (times[i - 1] + times[i]) / 2;
+      add(fmt::format("({} > {:.6g} ? 1 : 0)", name, at), number, [&, at](std::size_t j) { return x[j] > at ? 1 : 0; });
+    }
+  }
+  for (const DriverValues& other : drivers) {
+    if (other.kind == Driver::torque && other.joint == motor && driver.kind != Driver::torque) {
+      add(fmt::format("{}*tau", name), product(own, {{"Nm", 1}}),
+          [&](std::size_t i) { return x[i] * other.atPicture[i]; });
+    }
+  }
+  return result;
+}
+
+bool isSineOf(const std::string& sine, const std::string& cosine) {
+  return sine.starts_with("sin(") && cosine.starts_with("cos(") && sine.substr(4) == cosine.substr(4);
+}
+
+} // namespace
+
+void express(const Inquiry& inquiry, const Measurements& measurements, const DriverCell& cell, DriverFinding& finding) {
+  const std::vector<DriverValues>& drivers = inquiry.map().drivers;
+  DriverColumns columns =
+      proportionalColumns(measurements, shapes(drivers[cell.driver], cell.motor, drivers), inquiry.poses());
+  const std::vector<DriverCell> single = columns.cells;
+  const auto nameOf = [&](std::size_t i) { return columns.drivers[single[i].driver].name; };
+  for (std::size_t i = 0; i + 1 < single.size(); ++i) {
+    if (isSineOf(nameOf(i), nameOf(i + 1))) {
+      columns.cells.push_back(single[i]);
+      columns.cells.back().count = 2;
+    }
+  }
+  ScoreProblem problem = inquiry.problem();
+  problem.map = &columns;
+  problem.plausible = Eigen::VectorXd::Constant(problem.candidates + columns.count, plausibleCurve);
+  problem.groups.clear();
+  problem.named = 0;
+  for (const DriverCell& shape : columns.cells) {
+    problem.groups.push_back({problem.candidates + shape.first, shape.count});
+  }
+  const Evidence evidence = evidenceOf(problem, inquiry.noise());
+  const auto best = std::max_element(evidence.groups.begin(), evidence.groups.end(),
+                                     [](const auto& a, const auto& b) { return a.bayes < b.bayes; });
+  const DriverCell& shape = columns.cells[static_cast<std::size_t>(best - evidence.groups.begin())];
+  for (std::size_t i = 0; i < single.size(); ++i) {
+    const Eigen::Index column = single[i].first - shape.first;
+    if (column >= 0 && column < shape.count) {
+      const std::string coefficient = finding.coefficients.empty() ? "a" : "b";
+      finding.expression += (finding.expression.empty() ? "" : " + ") + coefficient + "*" + nameOf(i);
+      const Unit unit = product({{"rad", 1}}, *unitOf(columns.drivers[single[i].driver].unit), -1);
+      finding.coefficients.push_back({coefficient, best->estimate[column] / single[i].half, textOf(unit)});
+    }
+  }
+}
+
+} // namespace naocal

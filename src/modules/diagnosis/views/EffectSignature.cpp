@@ -1,0 +1,147 @@
+#include "diagnosis/views/EffectSignature.hpp"
+
+#include "diagnosis/views/AddedVariable.hpp"
+#include "diagnosis/views/ResidualField.hpp"
+#include "estimation/DriverState.hpp"
+#include "math/LinearAlgebra.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+namespace naocal {
+
+namespace {
+
+constexpr Eigen::Index cornersPerPicture = 30, cornersPerCamera = 180; // that are shown
+
+/// The size that was found where that explains something; else that direction, as far as is plausible.
+Eigen::VectorXd shownSize(const GroupEvidence& evidence, const Effect& effect) {
+  Eigen::VectorXd sigmas(evidence.estimate.size());
+  for (Eigen::Index i = 0; i < sigmas.size(); ++i) {
+    sigmas[i] = effect.unknowns[static_cast<std::size_t>(i)].sigma;
+  }
+  const double length = evidence.estimate.cwiseQuotient(sigmas).norm();
+  if (evidence.bayes > 0) {
+    return evidence.estimate;
+  }
+  return length > 0 ? Eigen::VectorXd{evidence.estimate / length} : sigmas;
+}
+
+/// One picture of each pose and camera.
+std::vector<std::size_t> onePerPose(const Measurements& measurements) {
+  std::vector<std::size_t> result;
+  for (const PoseGroup& pose : measurements.poses) {
+    std::set<std::size_t> cameras;
+    for (const Reading& reading : pose.readings) {
+      for (std::size_t picture : reading.pictures) {
+        if (cameras.insert(measurements.pictures[picture].camera).second) {
+          result.push_back(picture);
+        }
+      }
+    }
+  }
+  return result;
+}
+
+Eigen::Matrix2Xd together(const std::vector<SceneBoard>& boards) {
+  Eigen::Index count = 0;
+  for (const SceneBoard& board : boards) {
+    count += board.corners.cols();
+  }
+  Eigen::Matrix2Xd result(2, count);
+  for (const SceneBoard& board : boards) {
+    result.middleCols(result.cols() - count, board.corners.cols()) = board.corners;
+    count -= board.corners.cols();
+  }
+  return result;
+}
+
+double rms(const Eigen::Matrix2Xd& shifts) {
+  return std::sqrt(shifts.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, shifts.cols())));
+}
+
+/// Shifts by an effect from what the model shows, before and after refitting; absent where a corner leaves the world.
+std::optional<Imprint::Seen> shifted(std::size_t picture, const Eigen::Matrix2Xd& flawed, const Eigen::Matrix2Xd& model,
+                                     const Eigen::Matrix2Xd& refitted) {
+  const Eigen::Matrix2Xd before = flawed - model, after = flawed - refitted;
+  if (!before.allFinite() || !after.allFinite()) {
+    return std::nullopt;
+  }
+  Imprint::Seen seen{picture, rms(before), rms(after), {}};
+  std::vector<Eigen::Index> some;
+  const Eigen::Index step = (model.cols() + cornersPerPicture - 1) / cornersPerPicture;
+  for (Eigen::Index i = 0; i < model.cols(); i += step) {
+    some.push_back(i);
+  }
+  seen.corners.resize(6, at(some.size()));
+  seen.corners << model(Eigen::all, some), before(Eigen::all, some), after(Eigen::all, some);
+  return seen;
+}
+
+/// Of all pictures the rms; of each camera those that shift most.
+void summarise(const Measurements& measurements, Imprint& imprint) {
+  double before = 0, after = 0, count = 0;
+  for (const Imprint::Seen& seen : imprint.pictures) {
+    double corners = 0;
+    for (const Sighting& sighting : measurements.pictures[seen.picture].sightings) {
+      corners += static_cast<double>(sighting.ids.size());
+    }
+    before += corners * seen.beforePx * seen.beforePx;
+    after += corners * seen.afterPx * seen.afterPx;
+    count += corners;
+  }
+  imprint.beforePx = std::sqrt(before / std::max(1.0, count));
+  imprint.afterPx = std::sqrt(after / std::max(1.0, count));
+  std::stable_sort(imprint.pictures.begin(), imprint.pictures.end(),
+                   [](const auto& a, const auto& b) { return a.beforePx > b.beforePx; });
+  std::map<std::size_t, Eigen::Index> taken; // per camera
+  std::erase_if(imprint.pictures, [&](const Imprint::Seen& seen) {
+    Eigen::Index& corners = taken[measurements.pictures[seen.picture].camera];
+    corners += seen.corners.cols();
+    return corners > cornersPerCamera;
+  });
+}
+
+} // namespace
+
+std::vector<Imprint> imprints(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
+                              const Inquiry& inquiry, const std::vector<std::size_t>& candidates) {
+  std::vector<Imprint> result;
+  std::vector<Eigen::VectorXd> refitted;
+  for (std::size_t candidate : candidates) {
+    const GroupEvidence& evidence = inquiry.ofCandidate(candidate);
+    Imprint& imprint = result.emplace_back();
+    imprint.found = evidence.bayes > 0;
+    imprint.size = shownSize(evidence, inquiry.candidates()[candidate].effect);
+    const CandidateColumn column{inquiry, candidate, imprint.size, inquiry.noise()};
+    imprint.imitator = labelOf(model, column.like);
+    refitted.push_back(fit.unknowns + column.imitation);
+  }
+  for (std::size_t index : onePerPose(measurements)) {
+    const Picture& picture = measurements.pictures[index];
+    const Instant instant = instantOf(measurements, model, picture, fit.unknowns);
+    const Belief plain = believed(measurements, model, picture, fit.unknowns);
+    const Eigen::Matrix2Xd shown = together(scene(measurements, picture, plain));
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const Term& term = inquiry.candidates()[candidates[i]];
+      Belief flawed = plain;
+      for (std::size_t at : placesOn(term, measurements, picture)) {
+        term.effect.correct(flawed, instant, at, {result[i].size.data(), term.effect.unknowns.size()});
+      }
+      const Belief followed = believed(measurements, model, picture, refitted[i]);
+      if (auto seen = shifted(index, together(scene(measurements, picture, flawed)), shown,
+                              together(scene(measurements, picture, followed)))) {
+        result[i].pictures.push_back(std::move(*seen));
+      }
+    }
+  }
+  for (Imprint& imprint : result) {
+    summarise(measurements, imprint);
+  }
+  return result;
+}
+
+} // namespace naocal

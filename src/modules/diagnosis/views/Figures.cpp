@@ -1,0 +1,35 @@
+#include "diagnosis/views/Figures.hpp"
+
+#include <algorithm>
+
+namespace naocal {
+
+Taken takenIn(const std::vector<CaptureSet>& sets, const Measurements& measurements) {
+  Taken result;
+  for (const auto& joint : measurements.robot.joints) {
+    result.joints.push_back(joint.name);
+  }
+  for (const Target& target : measurements.targets) {
+    result.boards.push_back(target.name);
+  }
+  for (const Picture& picture : measurements.pictures) {
+    const Capture& capture = sets[picture.set].captures[picture.capture];
+    result.pictures.push_back({capture.id, capture.camera});
+    const CameraIntrinsics& lens = sets[picture.set].cameras.at(capture.camera);
+    result.cameras[capture.camera] = {lens.width, lens.height};
+  }
+  for (const PoseGroup& pose : measurements.poses) {
+    Taken::Pose& taken = result.poses.emplace_back();
+    for (const Reading& reading : pose.readings) {
+      taken.pictures.insert(taken.pictures.end(), reading.pictures.begin(), reading.pictures.end());
+    }
+    std::sort(taken.pictures.begin(), taken.pictures.end(),
+              [&](std::size_t a, std::size_t b) { return result.pictures[a].capture < result.pictures[b].capture; });
+    const Picture& first = measurements.pictures[taken.pictures.front()];
+    taken.set = sets[first.set].name;
+    taken.name = sets[first.set].captures[first.capture].pose;
+  }
+  return result;
+}
+
+} // namespace naocal

@@ -1,0 +1,274 @@
+#include "diagnosis/views/ImageField.hpp"
+
+#include "diagnosis/views/ResidualField.hpp"
+#include "estimation/DriverState.hpp"
+#include "inference/Thresholds.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "math/Statistics.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace naocal {
+
+Eigen::RowVectorXd monomials(const Eigen::Vector2d& at, int most) {
+  Eigen::RowVectorXd result((most + 1) * (most + 2) / 2);
+  Eigen::Index k = 0;
+  for (int degree = 0; degree <= most; ++degree) {
+    for (int ofY = 0; ofY <= degree; ++ofY) {
+      result[k++] = std::pow(at.x(), degree - ofY) * std::pow(at.y(), ofY);
+    }
+  }
+  return result;
+}
+
+Sheet::Sheet(const std::vector<Eigen::Vector3d>& points) : points_{points} {
+  for (const Eigen::Vector3d& point : points) {
+    box_.extend(point.head<2>());
+  }
+}
+
+Eigen::RowVectorXd Sheet::basis(std::size_t corner) const {
+  constexpr int degree = 3;
+  const Eigen::Vector2d at = points_[corner].head<2>() - box_.center();
+  return monomials(at / std::max(1e-6, box_.sizes().maxCoeff() / 2), degree);
+}
+
+namespace {
+
+constexpr Eigen::Index leastCorners = 4; // with three, the board's motion explains everything
+constexpr double counts = 0.5;           // weight of a corner that does
+constexpr double leastNoise = 0.01;      // no corner is found better [px]
+
+/// Sums over a pose's repeats of one board in one camera, per corner.
+struct RepeatSums {
+  struct Corner {
+    Eigen::Vector2d error = Eigen::Vector2d::Zero();
+    double weight = 0, share = 0;
+  };
+  std::map<int, Corner> corners;
+
+  void add(const FreedSighting& sighting, const Eigen::MatrixXd& freed) {
+    for (std::size_t i = 0; i < sighting.ids->size(); ++i) {
+      const double weight = sighting.errors->weight[at(i)];
+      Corner& corner = corners[(*sighting.ids)[i]];
+      corner.error += weight * freed.middleRows<2>(at(2 * i));
+      corner.weight += weight;
+      corner.share += weight * sighting.share;
+    }
+  }
+};
+
+/// Squares of the repeats' means, and how many numbers they are beside the boards' motions.
+struct MeanSquares {
+  double sum = 0, freedom = 0, corners = 0;
+
+  void add(const RepeatSums& repeats) {
+    double own = 0;
+    for (const auto& [id, corner] : repeats.corners) {
+      if (corner.share > counts) {
+        sum += corner.share * (corner.error / corner.weight).squaredNorm();
+        own += 1;
+      }
+    }
+    corners += own;
+    freedom += std::max(0.0, 2 * own - 6);
+  }
+};
+
+/// `boards`: of the sighting's picture.
+FreedSighting freedSighting(const SightingResidual& errors, const Picture& picture,
+                            const std::vector<SceneBoard>& boards) {
+  const Sighting& sighting = picture.sightings[errors.sighting];
+  FreedSighting result{
+      .errors = &errors, .ids = &sighting.ids, .camera = picture.camera, .board = sighting.view.board()};
+  result.opticalFromBoard = boards[errors.sighting].opticalFromBoard.rotation;
+  result.weights = errors.weight.replicate(1, 2).transpose().reshaped();
+  result.weighted = result.weights.asDiagonal() * errors.motionRows;
+  result.motion.compute(errors.motionRows.transpose() * result.weighted);
+  return result;
+}
+
+} // namespace
+
+Eigen::MatrixXd FreedSighting::freed(const Eigen::MatrixXd& columns) const {
+  return columns - errors->motionRows * motion.solve(weighted.transpose() * columns);
+}
+
+FreedErrors::FreedErrors(const Measurements& measurements, const Model& model, const CalibrationResult& fit) {
+  const std::vector<std::size_t> poseOf = posesOfPictures(measurements);
+  using Repeats = std::array<std::size_t, 3>; // pose, camera, board
+  std::map<Repeats, std::vector<std::size_t>> repeats;
+  std::map<std::size_t, std::vector<SceneBoard>> scenes; // by picture
+  for (const SightingResidual& errors : fit.sightings) {
+    if (errors.residual.allFinite() && (errors.weight.array() > counts).count() >= leastCorners) {
+      const Picture& picture = measurements.pictures[errors.picture];
+      const auto [boards, fresh] = scenes.try_emplace(errors.picture);
+      if (fresh) {
+        boards->second = scene(measurements, picture, believed(measurements, model, picture, fit.unknowns));
+      }
+      const FreedSighting& added = sightings_.emplace_back(freedSighting(errors, picture, boards->second));
+      repeats[{poseOf[errors.picture], added.camera, added.board}].push_back(sightings_.size() - 1);
+    }
+  }
+  std::size_t number = 0;
+  for (const auto& [key, members] : repeats) {
+    for (std::size_t member : members) {
+      sightings_[member].repeats = number;
+      sightings_[member].share = 1 / static_cast<double>(members.size());
+    }
+    ++number;
+  }
+}
+
+FieldFit FreedErrors::fitted(Eigen::Index count, double plausible,
+                             const std::function<bool(const FreedSighting&)>& chosen,
+                             const std::function<Eigen::MatrixXd(const FreedSighting&)>& columns) const {
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(count, count);
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(count);
+  std::map<std::size_t, RepeatSums> repeats;
+  for (const FreedSighting& sighting : sightings_) {
+    if (chosen(sighting)) {
+      const Eigen::MatrixXd own = columns(sighting), weighted = sighting.weights.asDiagonal() * own;
+      const Eigen::MatrixXd left = sighting.freed(sighting.errors->residual.reshaped());
+      gram += sighting.share * weighted.transpose() * sighting.freed(own);
+      gradient += sighting.share * weighted.transpose() * left;
+      repeats[sighting.repeats].add(sighting, left);
+    }
+  }
+  MeanSquares all;
+  for (const auto& [number, sums] : repeats) {
+    all.add(sums);
+  }
+  const SymmetricEigen ways = symmetricEigen(gram);
+  const Eigen::VectorXd along = ways.vectors.transpose() * gradient;
+  // A first guess of the noise decides which ways the captures tell, to about five times what is plausible.
+  const double guessed = std::max(all.sum / std::max(1.0, all.freedom), leastNoise * leastNoise);
+  const double leastTold = guessed / std::pow(5 * plausible, 2);
+  double explained = 0, freedom = 0; // of the ways that are told
+  for (Eigen::Index i = 0; i < count; ++i) {
+    if (ways.values[i] > leastTold) {
+      explained += along[i] * along[i] / ways.values[i];
+      ++freedom;
+    }
+  }
+  FieldFit result{.estimate = Eigen::VectorXd::Zero(count), .covariance = Eigen::MatrixXd::Zero(count, count)};
+  constexpr double fewest = 10;
+  const double remaining = all.freedom - freedom;
+  if (freedom < 1 || remaining < fewest) {
+    return result;
+  }
+  result.freedom = freedom;
+  const double noise = std::max((all.sum - explained) / remaining, leastNoise * leastNoise);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double told = ways.values[i] / noise;
+    if (ways.values[i] > leastTold) {
+      const double prior = told * plausible * plausible, kept = prior / (1 + prior);
+      const double found = along[i] / ways.values[i];
+      result.estimate += kept * found * ways.vectors.col(i);
+      result.covariance += kept / told * ways.vectors.col(i) * ways.vectors.col(i).transpose();
+      result.bayes += kept * told * found * found - std::log1p(prior);
+    }
+  }
+  result.rmsPx = std::sqrt(std::max(0.0, explained - freedom * noise) / (2 * all.corners));
+  result.share = all.sum > 0 ? std::max(0.0, explained - freedom * noise) / all.sum : 0;
+  result.pValue = fisherTail(explained / freedom / noise, freedom, remaining);
+  return result;
+}
+
+namespace {
+
+constexpr double plausibleShape = 0.001; // of a corner on its board [m]
+constexpr double plausibleLens = 1;      // of a polynomial's coefficient, at the picture's rim [px]
+
+/// Where in the picture a corner is, about -1 to 1 across: (u, v) - (cx, cy), in units of cx. As predicted: measured
+/// places share the noise of the errors that they would explain.
+Eigen::Vector2d place(const Measurements& measurements, const FreedSighting& sighting, Eigen::Index corner) {
+  const auto lens = measurements.pictures[sighting.errors->picture].drawn.lens();
+  return (sighting.errors->predicted.col(corner) - lens.segment<2>(2)) / lens[2];
+}
+
+} // namespace
+
+ImageField cornerField(const FreedErrors& errors, const Measurements& measurements, std::size_t board) {
+  const Eigen::Index count = 3 * at(measurements.targets[board].board.points.size());
+  return {ImageField::Of::corners, board,
+          errors.fitted(
+              count, plausibleShape, [&](const FreedSighting& sighting) { return sighting.board == board; },
+              [&](const FreedSighting& sighting) {
+                Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(sighting.errors->motionRows.rows(), count);
+                for (std::size_t i = 0; i < sighting.ids->size(); ++i) {
+                  columns.block<2, 3>(at(2 * i), 3 * (*sighting.ids)[i]) = sighting.byCorner(i);
+                }
+                return columns;
+              })};
+}
+
+ImageField sheetField(const FreedErrors& errors, const Measurements& measurements, std::size_t board) {
+  const Sheet sheet{measurements.targets[board].board.points};
+  const Eigen::Index terms = sheet.basis(0).size();
+  return {ImageField::Of::sheet, board,
+          errors.fitted(
+              3 * terms, plausibleShape, [&](const FreedSighting& sighting) { return sighting.board == board; },
+              [&](const FreedSighting& sighting) {
+                Eigen::MatrixXd columns(sighting.errors->motionRows.rows(), 3 * terms);
+                for (std::size_t i = 0; i < sighting.ids->size(); ++i) {
+                  const Eigen::RowVectorXd basis = sheet.basis(static_cast<std::size_t>((*sighting.ids)[i]));
+                  const Eigen::Matrix<double, 2, 3> byCorner = sighting.byCorner(i);
+                  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+                    columns.block(at(2 * i), axis * terms, 2, terms) = byCorner.col(axis) * basis;
+                  }
+                }
+                return columns;
+              })};
+}
+
+ImageField cameraField(const FreedErrors& errors, const Measurements& measurements, std::size_t camera) {
+  const Eigen::Index terms = monomials({0, 0}, lensDegree).size();
+  return {ImageField::Of::camera, camera,
+          errors.fitted(
+              2 * terms, plausibleLens, [&](const FreedSighting& sighting) { return sighting.camera == camera; },
+              [&](const FreedSighting& sighting) {
+                const Eigen::Index corners = sighting.errors->residual.cols();
+                Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(2 * corners, 2 * terms);
+                for (Eigen::Index i = 0; i < corners; ++i) {
+                  columns.block(2 * i, 0, 1, terms) = monomials(place(measurements, sighting, i), lensDegree);
+                  columns.block(2 * i + 1, terms, 1, terms) = columns.block(2 * i, 0, 1, terms);
+                }
+                return columns;
+              })};
+}
+
+ImageField again(const ImageField& field, const FreedErrors& errors, const Measurements& measurements) {
+  return field.of == ImageField::Of::corners ? cornerField(errors, measurements, field.at)
+         : field.of == ImageField::Of::sheet ? sheetField(errors, measurements, field.at)
+                                             : cameraField(errors, measurements, field.at);
+}
+
+std::optional<ImageField> strikingField(const Measurements& measurements, const Model& model,
+                                        const CalibrationResult& fit) {
+  constexpr std::size_t fewCorners = 60; // of a board, to be looked at one by one: that takes their cube of time
+  const FreedErrors errors{measurements, model, fit};
+  std::vector<ImageField> fields;
+  for (std::size_t board = 0; board < measurements.targets.size(); ++board) {
+    fields.push_back(sheetField(errors, measurements, board));
+    if (measurements.targets[board].board.points.size() <= fewCorners) {
+      fields.push_back(cornerField(errors, measurements, board));
+    }
+  }
+  for (std::size_t camera = 0; camera < measurements.robot.cameras.size(); ++camera) {
+    fields.push_back(cameraField(errors, measurements, camera));
+  }
+  const double p = threshold::fieldAlarm / static_cast<double>(fields.size());
+  std::erase_if(fields, [&](const ImageField& field) {
+    return field.fit.bayes < threshold::fieldEvidence || field.fit.pValue > p ||
+           field.fit.rmsPx < threshold::negligiblePx;
+  });
+  const auto best = std::max_element(
+      fields.begin(), fields.end(), [](const ImageField& a, const ImageField& b) { return a.fit.bayes < b.fit.bayes; });
+  return best == fields.end() ? std::nullopt : std::optional{*best};
+}
+
+} // namespace naocal

@@ -1,0 +1,171 @@
+#include "diagnosis/views/ResidualField.hpp"
+
+#include "estimation/DriverState.hpp"
+#include "math/LinearAlgebra.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace naocal {
+
+namespace {
+
+constexpr int cellsAcross = 12, cellsDown = 9; // of a picture
+constexpr std::size_t fewest = 5;              // corners of a cell that is shown
+constexpr double trusted = 0.7;                // weight of a corner that counts
+
+/// One picture's sightings, without those that a fit puts behind the camera.
+using Sightings = std::vector<const SightingResidual*>;
+using CellPlace = std::array<std::size_t, 3>; // of a cell: camera, column, row
+
+/// CellSums over the corners of a cell.
+struct CellSums {
+  Leftover::Cell cell;
+  double squares = 0, worst = 0;
+
+  void add(const Eigen::Vector2d& seen, const Eigen::Vector2d& error, std::size_t picture) {
+    cell.u += seen.x();
+    cell.v += seen.y();
+    cell.du += error.x();
+    cell.dv += error.y();
+    squares += error.squaredNorm();
+    ++cell.corners;
+    if (error.norm() > worst) {
+      worst = error.norm();
+      cell.worstPicture = picture;
+    }
+  }
+
+  Leftover::Cell mean() const {
+    Leftover::Cell result = cell;
+    const auto count = static_cast<double>(cell.corners);
+    for (double* sum : {&result.u, &result.v, &result.du, &result.dv}) {
+      *sum /= count;
+    }
+    const double spread = squares / count - result.du * result.du - result.dv * result.dv;
+    result.sigma = std::sqrt(std::max(0.0, spread / 2 / (count - 1)));
+    return result;
+  }
+};
+
+/// Corners that count; with three of them the picture's motion explains everything.
+double trustedCorners(const Sightings& picture) {
+  double count = 0;
+  for (const SightingResidual* sighting : picture) {
+    count += static_cast<double>((sighting->weight.array() >= trusted).count());
+  }
+  return count;
+}
+
+/// The picture's motion that explains most of its residuals.
+Eigen::Matrix<double, 6, 1> motionOf(const Sightings& picture) {
+  Eigen::Matrix<double, 6, 6> gram = Eigen::Matrix<double, 6, 6>::Zero();
+  Eigen::Matrix<double, 6, 1> gradient = Eigen::Matrix<double, 6, 1>::Zero();
+  for (const SightingResidual* sighting : picture) {
+    for (Eigen::Index i = 0; i < sighting->residual.cols(); ++i) {
+      const auto corner = sighting->motionRows.middleRows<2>(2 * i);
+      gram += sighting->weight[i] * corner.transpose() * corner;
+      gradient += sighting->weight[i] * corner.transpose() * sighting->residual.col(i);
+    }
+  }
+  return gram.ldlt().solve(gradient);
+}
+
+/// Predicted - measured of each corner, the picture's motion taken out.
+Eigen::Matrix2Xd freed(const SightingResidual& sighting, const Eigen::Matrix<double, 6, 1>& motion) {
+  const Eigen::VectorXd moved = sighting.motionRows * motion;
+  return moved.reshaped(2, sighting.residual.cols()) - sighting.residual;
+}
+
+std::size_t part(double x, int size, int parts) {
+  return static_cast<std::size_t>(std::clamp(static_cast<int>(x / size * parts), 0, parts - 1));
+}
+
+/// Adds a sighting's trusted corners to their cells; returns how many there are and the sum of their squares [px^2].
+std::pair<double, double> addCorners(const SightingResidual& sighting, const Eigen::Matrix2Xd& errors,
+                                     std::size_t camera, const CameraIntrinsics& lens,
+                                     std::map<CellPlace, CellSums>& cells) {
+  double count = 0, squares = 0;
+  for (Eigen::Index i = 0; i < errors.cols(); ++i) {
+    if (sighting.weight[i] >= trusted) {
+      const Eigen::Vector2d seen = sighting.predicted.col(i) + sighting.residual.col(i);
+      cells[{camera, part(seen.x(), lens.width, cellsAcross), part(seen.y(), lens.height, cellsDown)}].add(
+          seen, errors.col(i), sighting.picture);
+      squares += errors.col(i).squaredNorm();
+      ++count;
+    }
+  }
+  return {count, squares};
+}
+
+} // namespace
+
+Leftover leftover(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& model,
+                  const CalibrationResult& fit) {
+  std::map<std::size_t, Sightings> byPicture;
+  for (const SightingResidual& sighting : fit.sightings) {
+    if (sighting.residual.allFinite()) {
+      byPicture[sighting.picture].push_back(&sighting);
+    }
+  }
+  Leftover result;
+  result.noisePx = fit.noise.pixel;
+  std::map<CellPlace, CellSums> cells;
+  for (const auto& [index, sightings] : byPicture) {
+    const double all = trustedCorners(sightings);
+    if (all <= 3) {
+      continue;
+    }
+    const Picture& picture = measurements.pictures[index];
+    const CaptureSet& set = sets[picture.set];
+    const CameraIntrinsics& lens = set.cameras.at(set.captures[picture.capture].camera);
+    const Eigen::Matrix<double, 6, 1> motion = motionOf(sightings);
+    const std::vector<SceneBoard> boards =
+        scene(measurements, picture, believed(measurements, model, picture, fit.unknowns));
+    for (const SightingResidual* sighting : sightings) {
+      const auto [count, squares] = addCorners(*sighting, freed(*sighting, motion), picture.camera, lens, cells);
+      if (count > 0) { // six of the picture's numbers went into its motion
+        result.boards.push_back({index, picture.sightings[sighting->sighting].view.board(),
+                                 boards[sighting->sighting].distance(),
+                                 std::sqrt(squares / (2 * count) / (1 - 3 / all))});
+      }
+    }
+  }
+  for (const auto& [place, sums] : cells) {
+    if (sums.cell.corners >= fewest) {
+      result.cells.push_back(sums.mean());
+    }
+  }
+  return result;
+}
+
+std::vector<SceneBoard> scene(const Measurements& measurements, const Picture& picture, const Belief& belief) {
+  const Robot& robot = measurements.robot;
+  std::vector<SceneBoard> result;
+  Posture torsoFromLink(robot.links.size());
+  ProjectedBlocks projected;
+  for (const Sighting& sighting : picture.sightings) {
+    posture(robot, belief, sighting.view.links(), torsoFromLink);
+    Attitude attitude = sighting.view.attitude(robot, belief, torsoFromLink);
+    if (belief.rowTime() != 0) {
+      sighting.view.setDrift(robot, belief, torsoFromLink, picture.instant.velocity, attitude);
+    }
+    SceneBoard& board = result.emplace_back();
+    board.opticalFromBoard = attitude.opticalFromBoard;
+    board.corners.setConstant(2, at(sighting.ids.size()), std::numeric_limits<double>::quiet_NaN());
+    if (sighting.view.project(attitude, belief, sighting.corners, projected)) {
+      for (Eigen::Index i = 0; i < board.corners.cols(); ++i) {
+        const ProjectedBlock& block = projected[static_cast<std::size_t>(i / 4)];
+        board.corners.col(i) << block.u[i % 4], block.v[i % 4];
+      }
+    }
+  }
+  return result;
+}
+
+} // namespace naocal

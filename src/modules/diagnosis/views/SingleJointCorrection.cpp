@@ -1,0 +1,56 @@
+#include "diagnosis/views/SingleJointCorrection.hpp"
+
+#include "math/LinearAlgebra.hpp"
+
+#include <cmath>
+
+namespace naocal {
+
+namespace {
+
+/// The pictures of a pose that one of its deflections bends.
+std::vector<std::size_t> bentBy(const PoseGroup& pose, std::size_t motor, std::size_t error) {
+  std::vector<std::size_t> result;
+  for (const Reading& reading : pose.readings) {
+    if (reading.encoderError[motor] == error) {
+      result.insert(result.end(), reading.pictures.begin(), reading.pictures.end());
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+std::vector<WhatIfs> whatIfs(const Measurements& measurements, const Inquiry& inquiry) {
+  return whatIfs(measurements, inquiry.poses(), inquiry.noise());
+}
+
+std::vector<WhatIfs> whatIfs(const Measurements& measurements, const std::vector<PoseRows>& poses, Noise noise) {
+  noise.pose = 0; // what poses scatter by is to be seen, not to be explained away
+  std::vector<WhatIfs> result;
+  for (std::size_t motor : measurements.joints) {
+    result.push_back({motor, {}});
+  }
+  for (std::size_t index = 0; index < measurements.poses.size(); ++index) {
+    PoseRows rows = poses[index];
+    rows.byUnknowns = rows.byDeflections; // the deflections, seen as unknowns
+    const PoseSystem pose = systemOf(rows);
+    const Eliminated whitened = eliminated(pose, noise, deflectionRoot(pose, noise));
+    for (std::size_t i = 0; i < pose.joints.size(); ++i) {
+      const double information = whitened.hessian(at(i), at(i));
+      if (!(information > 0)) {
+        continue; // the pictures do not see this joint
+      }
+      for (WhatIfs& joint : result) {
+        if (joint.motor == pose.joints[i]) {
+          joint.points.push_back({bentBy(measurements.poses[index], pose.joints[i], pose.errors[i]),
+                                  -whitened.unknownGradient[at(i)] / information, 1 / std::sqrt(information),
+                                  pose.deflectionGradient[at(i)], pose.deflectionGram(at(i), at(i))});
+        }
+      }
+    }
+  }
+  return result;
+}
+
+} // namespace naocal

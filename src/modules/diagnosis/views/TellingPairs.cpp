@@ -1,0 +1,332 @@
+#include "diagnosis/views/TellingPairs.hpp"
+
+#include "diagnosis/views/Trend.hpp"
+#include "io/Units.hpp"
+#include "math/Angles.hpp"
+#include "math/LinearAlgebra.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fmt/format.h>
+#include <tuple>
+
+namespace naocal {
+
+namespace {
+
+using Error = TellingPair::Error;
+using Over = TellingPair::Over;
+
+/// A value with the pictures that it belongs to, and what taking a curve's value from it does to the squared errors:
+/// 2 slope t - gram t^2 fewer square pixels.
+struct Value {
+  std::vector<std::size_t> pictures;
+  std::size_t block = 0; // of poses
+  double y = 0, weight = 1;
+  double slope = 0, gram = 0;
+  double column = 0, row = 0; // of a corner [px]
+};
+
+std::vector<std::size_t> blocksOfPictures(const Measurements& measurements) {
+  std::vector<std::size_t> result = posesOfPictures(measurements);
+  for (std::size_t& block : result) {
+    block = Trend::blockOf(block, measurements.poses.size());
+  }
+  return result;
+}
+
+/// Predicted - measured of every corner that counts, as the joints were reported.
+std::vector<Value> cornerErrors(const CalibrationResult& fit, const std::vector<std::size_t>& blocks, Error error) {
+  const Eigen::Index axis = error == Error::right ? 0 : 1;
+  std::vector<Value> result;
+  for (std::size_t i = 0; i < fit.asReported.size(); ++i) {
+    const SightingResidual& seen = fit.asReported[i];
+    for (Eigen::Index corner = 0; corner < seen.residual.cols(); ++corner) {
+      const double weight = fit.sightings[i].weight[corner]; // with the joints moved: only false corners lose theirs
+      const double y = -seen.residual(axis, corner);
+      if (weight > 0 && std::isfinite(y)) {
+        const Eigen::Vector2d place = seen.predicted.col(corner) + seen.residual.col(corner);
+        result.push_back({{seen.picture}, blocks[seen.picture], y, weight, weight * y, weight, place.x(), place.y()});
+      }
+    }
+  }
+  return result;
+}
+
+/// The corners of one picture as one value: what drives them from outside is the same for all.
+std::vector<Value> byPicture(const std::vector<Value>& corners, std::size_t pictures) {
+  std::vector<Value> sums(pictures);
+  for (const Value& corner : corners) {
+    Value& sum = sums[corner.pictures.front()];
+    sum.pictures = corner.pictures;
+    sum.block = corner.block;
+    sum.slope += corner.slope;
+    sum.gram += corner.gram;
+  }
+  std::erase_if(sums, [](const Value& sum) { return sum.pictures.empty(); });
+  for (Value& sum : sums) {
+    sum.y = sum.slope / sum.gram;
+    sum.weight = sum.gram;
+  }
+  return sums;
+}
+
+std::vector<Value> jointErrors(const WhatIfs& joint, const std::vector<std::size_t>& blocks) {
+  std::vector<Value> result;
+  for (const WhatIf& point : joint.points) {
+    result.push_back({point.pictures, blocks[point.pictures.front()], point.deflection, 1 / (point.sigma * point.sigma),
+                      -point.gradient, point.gram});
+  }
+  return result;
+}
+
+/// One pair that can be tried.
+struct Tried {
+  TellingPair pair;
+  const std::vector<Value>* values = nullptr;
+  std::vector<double> x; // per value
+};
+
+Tried tried(TellingPair pair, const std::vector<Value>& values, const std::vector<DriverValues>& drivers) {
+  Tried result{pair, &values, {}};
+  for (const Value& value : values) {
+    result.x.push_back(pair.over == Over::column ? value.column
+                       : pair.over == Over::row  ? value.row
+                                                 : drivers[pair.driver].mean(value.pictures));
+  }
+  return result;
+}
+
+Trend trendOf(const Tried& tried) {
+  std::vector<TrendSample> samples;
+  for (std::size_t i = 0; i < tried.x.size(); ++i) {
+    const Value& value = (*tried.values)[i];
+    samples.push_back({value.block, tried.x[i], value.y, value.weight});
+  }
+  return Trend{samples};
+}
+
+/// What the curve looks like, and the share of `squares` [px^2] that goes with it.
+void describe(const Tried& tried, const Trend& trend, double squares, TellingPair& pair) {
+  const std::vector<double> curve = trend.curve();
+  double explained = 0, lowest = 0, highest = 0;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const Value& value = (*tried.values)[i];
+    // what is the same everywhere is no trend: (y - mean)^2 - (y - mean - t)^2
+    explained += 2 * (value.slope - value.gram * trend.mean()) * curve[i] - value.gram * curve[i] * curve[i];
+    const bool isFirst = i == 0 || tried.x[i] < lowest, isLast = i == 0 || tried.x[i] > highest;
+    const double y = curve[i] + trend.mean();
+    pair.from = isFirst ? y : pair.from;
+    pair.to = isLast ? y : pair.to;
+    lowest = isFirst ? tried.x[i] : lowest;
+    highest = isLast ? tried.x[i] : highest;
+    pair.least = i == 0 ? y : std::min(pair.least, y);
+    pair.most = i == 0 ? y : std::max(pair.most, y);
+  }
+  pair.share = std::max(0.0, explained * (1 - trend.chanceShare()) / squares);
+  pair.hasTwoValues = trend.valueCount() == 2;
+}
+
+/// The next best pair tells something new: another driver, another joint; or the same by corners instead of a joint.
+std::vector<TellingPair> differing(std::vector<TellingPair> pairs) {
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const TellingPair& a, const TellingPair& b) { return a.share > b.share; });
+  std::vector<TellingPair> result;
+  for (const TellingPair& pair : pairs) {
+    const bool isNew = std::none_of(result.begin(), result.end(), [&](const TellingPair& one) {
+      const bool sameOver = one.over == pair.over && (pair.over != Over::driver || one.driver == pair.driver);
+      const bool bothJoints = one.error == Error::joint && pair.error == Error::joint;
+      const bool bothCorners = one.error != Error::joint && pair.error != Error::joint;
+      return (sameOver && (bothJoints || bothCorners)) || (bothJoints && one.motor == pair.motor);
+    });
+    if (isNew) {
+      result.push_back(pair);
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+TellingPairs tellingPairs(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
+                          const std::vector<DriverValues>& drivers, const TellingOptions& options) {
+  const auto rows = Residuals{measurements, model, fit.noise, fit.loss}.rows(fit.state);
+  if (!rows) {
+    return {};
+  }
+  TellingPairs result;
+  result.joints = whatIfs(measurements, *rows, fit.noise);
+  const std::vector<std::size_t> blocks = blocksOfPictures(measurements);
+  const std::vector<Value> right = cornerErrors(fit, blocks, Error::right),
+                           down = cornerErrors(fit, blocks, Error::down);
+  const std::vector<Value> rightOf = byPicture(right, blocks.size()), downOf = byPicture(down, blocks.size());
+  std::vector<std::vector<Value>> joints;
+  double squares = 0;
+  for (const std::vector<Value>* corners : {&right, &down}) {
+    for (const Value& corner : *corners) {
+      squares += corner.weight * corner.y * corner.y;
+    }
+  }
+  for (const WhatIfs& joint : result.joints) {
+    joints.push_back(jointErrors(joint, blocks));
+  }
+
+  std::vector<Tried> all;
+  for (const auto& [error, corners, pictures] :
+       {std::tuple{Error::right, &right, &rightOf}, std::tuple{Error::down, &down, &downOf}}) {
+    for (const Over over : {Over::column, Over::row}) {
+      all.push_back(tried({.error = error, .over = over}, *corners, drivers));
+    }
+    for (std::size_t driver = 0; driver < drivers.size(); ++driver) {
+      all.push_back(tried({.error = error, .driver = driver}, *pictures, drivers));
+    }
+  }
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    for (std::size_t driver = 0; driver < drivers.size(); ++driver) {
+      const std::size_t motor = result.joints[i].motor;
+      if (drivers[driver].motor.value_or(motor) == motor) {
+        all.push_back(tried({.error = Error::joint, .motor = motor, .driver = driver}, joints[i], drivers));
+      }
+    }
+  }
+  std::vector<Trend> trends;
+  for (const Tried& one : all) {
+    trends.push_back(trendOf(one));
+    result.tried += trends.back().isTestable();
+  }
+  const std::vector<double> chances = chancesAmongAll(trends, options.draws, options.seed);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (chances[i] <= options.alarm) {
+      TellingPair& pair = result.pairs.emplace_back(all[i].pair);
+      pair.chance = chances[i];
+      describe(all[i], trends[i], squares, pair);
+    }
+  }
+  result.pairs = differing(std::move(result.pairs));
+  return result;
+}
+
+namespace {
+
+using Error = TellingPair::Error;
+using Over = TellingPair::Over;
+
+std::string errorWords(const TellingPair& pair, const Robot& robot) {
+  switch (pair.error) {
+  case Error::right:
+    return "errors to the right";
+  case Error::down:
+    return "errors down";
+  case Error::joint:
+    break;
+  }
+  return fmt::format("{}'s error that would explain the misfit", robot.joints[pair.motor].name);
+}
+
+const DriverValues* driverOf(const TellingPair& pair, const std::vector<DriverValues>& drivers) {
+  return pair.over == Over::driver ? &drivers[pair.driver] : nullptr;
+}
+
+/// What the error is drawn over.
+std::string overWords(const TellingPair& pair, const std::vector<DriverValues>& drivers, const Robot& robot) {
+  const DriverValues* const driver = driverOf(pair, drivers);
+  return driver != nullptr           ? drivenBy(*driver, robot)
+         : pair.over == Over::column ? "the column in the picture"
+                                     : "the row in the picture";
+}
+
+/// "6.0 px", "-0.41°"; two digits.
+std::string amount(const TellingPair& pair, double value) {
+  const double shown = pair.error == Error::joint ? degrees(value) : value;
+  const double size = std::abs(shown);
+  const int digits = size < 0.0995 ? 3 : size < 0.995 ? 2 : size < 9.95 ? 1 : 0;
+  return (shown < 0 ? "−" : "") +
+         withUnit(fmt::format("{:.{}f}", size, digits), pair.error == Error::joint ? "°" : "px");
+}
+
+/// "go from A to B as the torque on LHipPitch grows"
+std::string change(const TellingPair& pair, const std::vector<DriverValues>& drivers, const Robot& robot) {
+  const bool one = pair.error == Error::joint; // singular
+  const std::string over = overWords(pair, drivers, robot), from = amount(pair, pair.from), to = amount(pair, pair.to);
+  const DriverValues* const driver = driverOf(pair, drivers);
+  if (driver != nullptr && driver->kind == Driver::approach) {
+    return fmt::format("{} {} where {} was approached from below and {} where from above", one ? "is" : "are", to,
+                       robot.joints[driver->joint].name, from); // the last motion was upwards where it is +1
+  }
+  if (pair.hasTwoValues) {
+    return fmt::format("{} {} at the smaller and {} at the larger of two values of {}", one ? "is" : "are", from, to,
+                       over);
+  }
+  constexpr double monotone = 0.8; // of what the curve spans lies between its ends
+  if (std::abs(pair.to - pair.from) < monotone * (pair.most - pair.least)) {
+    return fmt::format("{} between {} and {} with {}", one ? "varies" : "vary", amount(pair, pair.least),
+                       amount(pair, pair.most), over);
+  }
+  const std::string go = one ? "goes" : "go";
+  if (driver == nullptr) {
+    const bool column = pair.over == Over::column;
+    return fmt::format("{} from {} at the {} of the picture to {} at its {}", go, from, column ? "left" : "top", to,
+                       column ? "right" : "bottom");
+  }
+  return driver->kind == Driver::time ? fmt::format("{} from {} to {} over time", go, from, to)
+                                      : fmt::format("{} from {} to {} as {} grows", go, from, to, over);
+}
+
+} // namespace
+
+std::string drivenBy(const DriverValues& driver, const Robot& robot) {
+  const std::string& joint = robot.joints[driver.joint].name;
+  switch (driver.kind) {
+  case Driver::approach:
+    return fmt::format("the direction from which {} was approached", joint);
+  case Driver::temperature:
+    return fmt::format("the temperature of {}", joint);
+  case Driver::velocity:
+    return fmt::format("the speed of {}", joint);
+  default:
+    return driver.what;
+  }
+}
+
+std::string tellingLabel(const TellingPair& pair, const std::vector<DriverValues>& drivers, const Robot& robot) {
+  const std::string error =
+      pair.error == Error::joint ? fmt::format("error of {}", robot.joints[pair.motor].name) : errorWords(pair, robot);
+  return fmt::format("{} over {}", error, overWords(pair, drivers, robot));
+}
+
+std::string tellingSentence(const TellingPair& pair, const std::vector<DriverValues>& drivers, const Robot& robot) {
+  const double small = std::min(std::abs(pair.from), std::abs(pair.to)),
+               large = std::max(std::abs(pair.from), std::abs(pair.to));
+  const DriverValues* const driver = driverOf(pair, drivers);
+  // the smaller side of an error against the larger: beyond the first it turns round, beyond the second "±" says it
+  constexpr double turned = 0.3, even = 0.7;
+  const bool turns =
+      driver != nullptr && driver->kind == Driver::approach && pair.from * pair.to < 0 && small > turned * large;
+  std::string text = errorWords(pair, robot);
+  if (turns) {
+    const std::string size = small > even * large ? "±" + amount(pair, (small + large) / 2)
+                                                  : fmt::format("{} from below, {} from above", amount(pair, pair.to),
+                                                                amount(pair, pair.from));
+    text += fmt::format(" ({}) {} sign with {}", size, pair.error == Error::joint ? "changes" : "change",
+                        overWords(pair, drivers, robot));
+  } else {
+    text += " " + change(pair, drivers, robot);
+  }
+  text[0] = static_cast<char>(std::toupper(text[0]));
+  const double percent = 100 * std::min(1.0, pair.share);
+  return text + (percent < 1 ? ". That is less than 1 % of the squared error."
+                             : fmt::format(". That is {:.0f} % of the squared error.", percent));
+}
+
+std::string tellingSentence(const TellingPairs& telling, const std::vector<DriverValues>& drivers, const Robot& robot) {
+  if (!telling.pairs.empty()) {
+    return tellingSentence(telling.pairs.front(), drivers, robot);
+  }
+  return telling.tried == 0
+             ? "Too few poses to tell a trend from chance."
+             : fmt::format("No trend beyond chance: none of {} pairs of an error and what may drive it stands out.",
+                           telling.tried);
+}
+
+} // namespace naocal

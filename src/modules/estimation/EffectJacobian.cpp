@@ -1,0 +1,285 @@
+#include "estimation/EffectJacobian.hpp"
+
+#include "math/LinearAlgebra.hpp"
+#include "measurements/Measurements.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <functional>
+
+namespace naocal {
+
+namespace {
+
+/// What a correction looks at and that follows the offsets.
+std::vector<Elsewhere> drivers(const Effect& effect, std::size_t place) {
+  std::vector<Elsewhere> looks = effect.elsewhere, result;
+  for (const Driver driver : effect.needs) {
+    looks.push_back({driver, place});
+  }
+  for (const Elsewhere& look : looks) {
+    if (look.driver == Driver::com) {
+      result.push_back({look.driver, 0});
+      result.push_back({look.driver, 1});
+    } else if (look.driver == Driver::angle || look.driver == Driver::torque || look.driver == Driver::torqueGrowth) {
+      result.push_back(look);
+    }
+  }
+  return result;
+}
+
+/// Drivers in general position, so that no correction vanishes by accident.
+Instant generic(const Instant& recorded) {
+  Instant result = recorded;
+  result.q = Eigen::VectorXd::LinSpaced(recorded.q.size(), 0.2, 0.4);
+  result.torque = Eigen::VectorXd::LinSpaced(recorded.q.size(), 0.01, 0.02);
+  result.torqueGrowth = Eigen::VectorXd::LinSpaced(recorded.q.size(), 0.1, 0.2);
+  result.com = {0.02, 0.03};
+  return result;
+}
+
+/// The first place from `first` on where the two differ; their size where there is none.
+Eigen::Index firstDifference(const Eigen::VectorXd& one, const Eigen::VectorXd& other, Eigen::Index first) {
+  constexpr Eigen::Index atOnce = 16;
+  while (first + atOnce <= one.size() &&
+         std::memcmp(one.data() + first, other.data() + first, atOnce * sizeof(double)) == 0) {
+    first += atOnce;
+  }
+  return std::mismatch(one.data() + first, one.data() + one.size(), other.data() + first).first - one.data();
+}
+
+/// Whether a quantity moves something that the picture shows.
+class Visible {
+public:
+  Visible(const Measurements& measurements, const Picture& picture)
+      : quantities_{measurements.quantities}, picture_{picture}, joints_(measurements.robot.joints.size(), 0) {
+    for (const std::size_t joint : jointsBetween(measurements.robot, picture)) {
+      joints_[joint] = 1;
+    }
+  }
+  bool operator()(std::size_t quantity) const {
+    if (quantity < quantities_.axis(0)) {
+      return joints_[quantity] != 0; // an angle has its joint's number
+    }
+    if (quantity < quantities_.length(0)) {
+      return joints_[(quantity - quantities_.axis(0)) / 3] != 0;
+    }
+    if (quantity < quantities_.board(0)) {
+      return true;
+    }
+    const std::size_t board = (quantity - quantities_.board(0)) / (quantities_.board(1) - quantities_.board(0));
+    return std::any_of(picture_.sightings.begin(), picture_.sightings.end(),
+                       [&](const Sighting& sighting) { return sighting.view.board() == board; });
+  }
+
+private:
+  const Quantities& quantities_;
+  const Picture& picture_;
+  std::vector<char> joints_;
+};
+
+} // namespace
+
+PictureSlopes::PictureSlopes(const Measurements& measurements, const Model& model, const Picture& picture) {
+  const Visible visible{measurements, picture};
+  std::optional<Instant> inGeneral; // made where a term varies
+  Belief belief = picture.drawn;
+  std::vector<Varying> varying;
+  for (std::size_t term = 0; term < model.terms().size(); ++term) {
+    for (const std::size_t place : placesOn(model.terms()[term], measurements, picture)) {
+      Varying found = correction(model, picture, term, place, belief, inGeneral);
+      if (std::any_of(found.quantities.begin(), found.quantities.end(), std::cref(visible))) {
+        varying.push_back(std::move(found));
+      }
+    }
+  }
+  std::erase_if(slopes_, [&](const Slope& slope) { return !visible(slope.quantity); });
+  fixedCount_ = slopes_.size();
+  for (Varying& each : varying) {
+    listSlopes(measurements.robot, model, std::move(each));
+  }
+}
+
+/// Lists the slopes of a correction that is fixed; of one that varies, tells what it moves.
+PictureSlopes::Varying PictureSlopes::correction(const Model& model, const Picture& picture, std::size_t term,
+                                                 std::size_t place, Belief& belief, std::optional<Instant>& inGeneral) {
+  const Effect& effect = model.terms()[term].effect;
+  Varying result{term, place, {}, drivers(effect, place), {}};
+  const bool fixed = effect.linear && result.drivers.empty();
+  if (!effect.definition.empty()) { // a user's effect turns its joint, be it nowhere but beyond a dead band
+    result.quantities.push_back(picture.drawn.quantities().angle(place));
+    return result;
+  }
+  if (!fixed && !inGeneral) {
+    inGeneral = generic(picture.instant);
+  }
+  const Instant& instant = fixed ? picture.instant : *inGeneral;
+  const Eigen::VectorXd& drawn = picture.drawn.values;
+  std::vector<double> values(effect.unknowns.size(), 0);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const double step = effect.unknowns[k].sigma;
+    values[k] = step;
+    effect.correct(belief, instant, place, values);
+    values[k] = 0;
+    for (Eigen::Index i = firstDifference(belief.values, drawn, 0); i < drawn.size();
+         i = firstDifference(belief.values, drawn, i + 1)) {
+      const auto quantity = static_cast<std::size_t>(i);
+      const double slope = (belief.values[i] - drawn[i]) / step;
+      belief.values[i] = drawn[i];
+      if (fixed) {
+        slopes_.push_back({quantity, model.terms()[term].first + k, slope});
+      } else if (std::find(result.quantities.begin(), result.quantities.end(), quantity) == result.quantities.end()) {
+        result.quantities.push_back(quantity);
+      }
+    }
+  }
+  return result;
+}
+
+void PictureSlopes::listSlopes(const Robot& robot, const Model& model, Varying varying) {
+  const Term& term = model.terms()[varying.term];
+  for (std::size_t i = 0; i < model.offsets().size(); ++i) {
+    const std::size_t motor = model.terms()[model.offsets()[i]].at;
+    if (std::any_of(varying.drivers.begin(), varying.drivers.end(), [&](const Elsewhere& driver) {
+          return driver.driver != Driver::angle || robot.joints[driver.joint].motor == motor;
+        })) {
+      varying.offsets.push_back(i);
+    }
+  }
+  for (const std::size_t quantity : varying.quantities) {
+    for (std::size_t k = 0; k < term.effect.unknowns.size(); ++k) {
+      slopes_.push_back({quantity, term.first + k, 0});
+    }
+    for (const std::size_t offset : varying.offsets) {
+      slopes_.push_back({quantity, model.terms()[model.offsets()[offset]].first, 0});
+    }
+  }
+  varying_.push_back(std::move(varying));
+}
+
+void PictureSlopes::addFixed(const Eigen::VectorXd& unknowns, Belief& belief) const {
+  for (std::size_t i = 0; i < fixedCount_; ++i) {
+    belief.values[static_cast<Eigen::Index>(slopes_[i].quantity)] +=
+        slopes_[i].value * unknowns[static_cast<Eigen::Index>(slopes_[i].unknown)];
+  }
+}
+
+std::vector<Slope> slopes(const Measurements& measurements, const Model& model, const Picture& picture,
+                          const Eigen::VectorXd& unknowns) {
+  const PictureSlopes all{measurements, model, picture};
+  std::vector<Slope> result = all.list();
+  if (all.vary()) {
+    Driven driven = drivenAt(measurements, model, picture, unknowns);
+    PictureSlopes::Scratch scratch;
+    Belief belief = picture.drawn;
+    std::vector<double> values(result.size() - all.fixedCount());
+    all.addVarying(model, picture, unknowns, driven, scratch, belief, values.data());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      result[all.fixedCount() + i].value = values[i];
+    }
+  }
+  return result;
+}
+
+namespace {
+
+double& driverIn(Instant& instant, const Elsewhere& which) {
+  switch (which.driver) {
+  case Driver::torque:
+    return instant.torque[at(which.joint)];
+  case Driver::torqueGrowth:
+    return instant.torqueGrowth[at(which.joint)];
+  case Driver::com:
+    return instant.com[at(which.joint)];
+  default:
+    return instant.q[at(which.joint)];
+  }
+}
+
+double byOffset(const Driven& driven, const Elsewhere& which, std::size_t offset) {
+  switch (which.driver) {
+  case Driver::torque:
+    return driven.torqueByOffset(at(which.joint), at(offset));
+  case Driver::torqueGrowth:
+    return driven.growthByOffset(at(which.joint), at(offset));
+  case Driver::com:
+    return driven.comByOffset(at(which.joint), at(offset));
+  default:
+    return driven.angleByOffset(at(which.joint), at(offset));
+  }
+}
+
+/// Steps of central differences; the third derivative of tanh(tau / 0.03 Nm) asks for small ones.
+double stepOf(Driver driver) {
+  return driver == Driver::torque ? 3e-6 : driver == Driver::com ? 1e-5 : 1e-4; // [Nm], [m], [rad]
+}
+
+/// One correction by itself: at given values and drivers, how far it moves each of its quantities.
+class Correction {
+public:
+  Correction(const Effect& effect, std::size_t place, const std::vector<std::size_t>& quantities, const Belief& drawn,
+             Belief& scratch)
+      : effect_{effect}, place_{place}, quantities_{quantities}, drawn_{drawn}, scratch_{scratch} {}
+
+  /// Calls `take(i, change)` for the i-th quantity.
+  template <typename Take> void operator()(const Instant& instant, std::span<const double> values, Take take) const {
+    effect_.correct(scratch_, instant, place_, values);
+    for (std::size_t i = 0; i < quantities_.size(); ++i) {
+      double& value = scratch_.values[at(quantities_[i])];
+      const double before = drawn_.values[at(quantities_[i])];
+      take(i, value - before);
+      value = before;
+    }
+  }
+
+private:
+  const Effect& effect_;
+  std::size_t place_;
+  const std::vector<std::size_t>& quantities_;
+  const Belief& drawn_;
+  Belief& scratch_;
+};
+
+} // namespace
+
+void PictureSlopes::addVarying(const Model& model, const Picture& picture, const Eigen::VectorXd& unknowns,
+                               Driven& driven, Scratch& scratch, Belief& belief, double* values) const {
+  scratch.belief = picture.drawn;
+  for (const Varying& varying : varying_) {
+    const Term& term = model.terms()[varying.term];
+    const std::vector<Unknown>& own = term.effect.unknowns;
+    const std::size_t width = own.size() + varying.offsets.size();
+    std::fill_n(values, width * varying.quantities.size(), 0);
+    const Correction correction{term.effect, varying.at, varying.quantities, picture.drawn, scratch.belief};
+    const std::span<const double> here = term.values(unknowns);
+    correction(driven.instant, here,
+               [&](std::size_t i, double change) { belief.values[at(varying.quantities[i])] += change; });
+    scratch.values.assign(here.begin(), here.end());
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      const double step = term.effect.linear ? own[k].sigma : 1e-4 * own[k].sigma;
+      for (const double sign : {1.0, -1.0}) {
+        scratch.values[k] = here[k] + sign * step;
+        correction(driven.instant, scratch.values,
+                   [&](std::size_t i, double change) { values[i * width + k] += sign * change / (2 * step); });
+      }
+      scratch.values[k] = here[k];
+    }
+    for (const Elsewhere& which : varying.drivers) {
+      double& driver = driverIn(driven.instant, which);
+      const double centre = driver, step = stepOf(which.driver);
+      for (const double sign : {1.0, -1.0}) {
+        driver = centre + sign * step;
+        correction(driven.instant, here, [&](std::size_t i, double change) {
+          const double slope = sign * change / (2 * step);
+          for (std::size_t j = 0; j < varying.offsets.size(); ++j) {
+            values[i * width + own.size() + j] += slope * byOffset(driven, which, varying.offsets[j]);
+          }
+        });
+      }
+      driver = centre;
+    }
+    values += width * varying.quantities.size();
+  }
+}
+
+} // namespace naocal

@@ -1,0 +1,132 @@
+#include "estimation/Model.hpp"
+
+#include "estimation/DriverState.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace naocal {
+
+Eigen::VectorXd carried(const Model& from, const Eigen::VectorXd& unknowns, const Model& to) {
+  std::map<std::string, double> values;
+  const std::vector<std::string> names = from.names();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    values[names[i]] = unknowns[static_cast<Eigen::Index>(i)];
+  }
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(to.unknownCount()));
+  const std::vector<std::string> wanted = to.names();
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (const auto found = values.find(wanted[i]); found != values.end()) {
+      result[static_cast<Eigen::Index>(i)] = found->second;
+    }
+  }
+  return result;
+}
+
+void Model::add(Term term) {
+  term.first = unknownCount_;
+  unknownCount_ += term.effect.unknowns.size();
+  if (term.effect.name == "jointOffset") {
+    offsets_.push_back(terms_.size());
+  }
+  terms_.push_back(std::move(term));
+}
+
+Eigen::VectorXd Term::sigmas() const {
+  Eigen::VectorXd result(static_cast<Eigen::Index>(effect.unknowns.size()));
+  for (std::size_t i = 0; i < effect.unknowns.size(); ++i) {
+    result[static_cast<Eigen::Index>(i)] = effect.unknowns[i].sigma;
+  }
+  return result;
+}
+
+const Term* Model::find(const std::string& label) const {
+  const auto found =
+      std::find_if(terms_.begin(), terms_.end(), [&](const Term& term) { return term.label() == label; });
+  return found == terms_.end() ? nullptr : &*found;
+}
+
+Eigen::VectorXd Model::sigmas() const {
+  Eigen::VectorXd result(static_cast<Eigen::Index>(unknownCount_));
+  for (const Term& term : terms_) {
+    result.segment(static_cast<Eigen::Index>(term.first), static_cast<Eigen::Index>(term.effect.unknowns.size())) =
+        term.sigmas();
+  }
+  return result;
+}
+
+std::vector<std::string> Model::names() const {
+  std::vector<std::string> result;
+  for (const Term& term : terms_) {
+    for (const Unknown& unknown : term.effect.unknowns) {
+      result.push_back(term.label() + "." + unknown.name);
+    }
+  }
+  return result;
+}
+
+std::vector<std::string> Model::units() const {
+  std::vector<std::string> result;
+  for (const Term& term : terms_) {
+    for (const Unknown& unknown : term.effect.unknowns) {
+      result.push_back(unknown.unit);
+    }
+  }
+  return result;
+}
+
+bool standsOn(const Sole& sole, SupportFoot foot) {
+  return foot == SupportFoot::right ? sole.name == "right" : foot != SupportFoot::none && sole.name == "left";
+}
+
+std::vector<std::size_t> placesOn(const Term& term, const Measurements& measurements, const Picture& picture) {
+  const Robot& robot = measurements.robot;
+  const auto only = [&](bool concerned) {
+    return concerned ? std::vector<std::size_t>{term.at} : std::vector<std::size_t>{};
+  };
+  std::vector<std::size_t> result;
+  switch (term.effect.place) {
+  case Place::motor:
+    for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+      if (robot.joints[joint].motor == term.at) {
+        result.push_back(joint);
+      }
+    }
+    return result;
+  case Place::board:
+    if (term.at != everywhere) {
+      return only(true);
+    }
+    for (std::size_t board = 0; board < measurements.targets.size(); ++board) {
+      if (measurements.targets[board].board.pattern) {
+        result.push_back(board);
+      }
+    }
+    return result;
+  case Place::camera:
+    return only(term.at == picture.camera);
+  case Place::stance:
+    return only(term.at == picture.stance);
+  case Place::sole:
+    return only(standsOn(robot.soles[term.at], picture.instant.supportFoot));
+  case Place::joint:
+  case Place::length:
+  case Place::all:
+    break;
+  }
+  return only(true);
+}
+
+Belief believed(const Measurements& measurements, const Model& model, const Picture& picture,
+                const Eigen::VectorXd& unknowns) {
+  const Instant instant = instantOf(measurements, model, picture, unknowns);
+  Belief belief = picture.drawn;
+  for (const Term& term : model.terms()) {
+    for (std::size_t at : placesOn(term, measurements, picture)) {
+      term.effect.correct(belief, instant, at, term.values(unknowns));
+    }
+  }
+  return belief;
+}
+
+} // namespace naocal

@@ -1,0 +1,438 @@
+#include "estimation/ModelBuilder.hpp"
+
+#include "estimation/EffectJacobian.hpp"
+#include "estimation/Model.hpp"
+#include "io/InputError.hpp"
+#include "measurements/Measurements.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <set>
+
+namespace naocal {
+
+/// Adds where boards lie and feet stand, as far as pictures depend on it and no survey says it. On the floor: x, y,
+/// yaw; on a link: all six, or three for a single mark. Their widths: the set's own (`placementSigma`), else
+/// "anywhere".
+void addPlacements(const Measurements& measurements, Model& model);
+
+namespace {
+
+using NamedPlaces = std::vector<std::pair<std::size_t, std::string>>;
+
+/// What the pictures with corners touch.
+struct Touched {
+  std::set<std::size_t> motors, joints, cameras, boards, soles, lengths;
+};
+
+void touchLengths(const Robot& robot, const View& view, std::set<std::size_t>& lengths) {
+  for (std::size_t link : view.links()) {
+    for (const Link::Stretch& stretch : robot.links[link].stretches) {
+      lengths.insert(stretch.length);
+    }
+  }
+}
+
+Touched touched(const Measurements& measurements) {
+  const Robot& robot = measurements.robot;
+  Touched result;
+  for (const Picture& picture : measurements.pictures) {
+    if (picture.sightings.empty()) {
+      continue;
+    }
+    result.cameras.insert(picture.camera);
+    for (const std::size_t joint : jointsBetween(robot, picture)) {
+      result.joints.insert(joint);
+      result.motors.insert(robot.joints[joint].motor);
+    }
+    for (const Sighting& sighting : picture.sightings) {
+      const Target& target = measurements.targets[sighting.view.board()];
+      touchLengths(robot, sighting.view, result.lengths);
+      if (target.board.pattern) {
+        result.boards.insert(sighting.view.board());
+      }
+      for (std::size_t sole = 0; target.onFloor && sole < robot.soles.size(); ++sole) {
+        if (standsOn(robot.soles[sole], picture.instant.supportFoot)) {
+          result.soles.insert(sole);
+        }
+      }
+    }
+  }
+  return result;
+}
+
+template <typename List> NamedPlaces named(const std::set<std::size_t>& numbers, const List& list) {
+  NamedPlaces result;
+  for (const std::size_t number : numbers) {
+    result.emplace_back(number, list[number].name);
+  }
+  return result;
+}
+
+NamedPlaces placesOf(const Effect& effect, const Measurements& measurements, const Touched& touched) {
+  const Robot& robot = measurements.robot;
+  switch (effect.place) {
+  case Place::motor: {
+    NamedPlaces result = named(touched.motors, robot.joints);
+    std::erase_if(result, [&](const auto& place) { return effect.only && place.first != *effect.only; });
+    return result;
+  }
+  case Place::joint:
+    return named(touched.joints, robot.joints);
+  case Place::camera:
+    return named(touched.cameras, robot.cameras);
+  case Place::board: {
+    NamedPlaces result = named(touched.boards, measurements.targets);
+    if (effect.shared && result.size() > 1) {
+      result.emplace_back(everywhere, "all");
+    }
+    return result;
+  }
+  case Place::sole:
+    return named(touched.soles, robot.soles);
+  case Place::length:
+    return named(touched.lengths, robot.lengths);
+  case Place::all:
+    return {{0, "all"}};
+  case Place::stance:
+    break;
+  }
+  return {};
+}
+
+/// What an instant does not tell at a joint, in words; nothing where it does.
+const char* missing(const Instant& instant, Driver driver, std::size_t joint, const Robot& robot) {
+  const auto at = static_cast<Eigen::Index>(joint);
+  switch (driver) {
+  case Driver::approach:
+    return std::isnan(instant.approach[at]) ? "approach directions" : nullptr;
+  case Driver::temperature:
+    return std::isnan(instant.temperature[at]) ? "temperatures" : nullptr;
+  case Driver::velocity:
+    return std::isnan(instant.velocity[at]) ? "velocities" : nullptr;
+  case Driver::current:
+    return std::isnan(instant.current[at]) ? "currents" : nullptr;
+  case Driver::imu:
+    return std::isnan(instant.imu.x()) ? "torso angles (imu)" : nullptr;
+  case Driver::torque:
+  case Driver::torqueGrowth:
+    return instant.supportFoot == SupportFoot::both && std::isnan(instant.leftLoad) && carriesSole(robot, joint)
+               ? "shares of the load on both feet (fsr)"
+               : nullptr;
+  case Driver::com:
+    return instant.supportFoot == SupportFoot::none ? "support feet" : nullptr;
+  case Driver::angle:
+  case Driver::time:
+    break;
+  }
+  return nullptr;
+}
+
+} // namespace
+
+std::vector<std::pair<std::size_t, std::string>> placesOf(const Effect& effect, const Measurements& measurements) {
+  return placesOf(effect, measurements, touched(measurements));
+}
+
+std::optional<std::string> whyUntestable(const Effect& effect, std::size_t at, const Measurements& measurements) {
+  if (effect.needs.empty() && effect.elsewhere.empty()) {
+    return std::nullopt;
+  }
+  const Term term{effect, at, ""};
+  std::size_t concerned = 0, without = 0;
+  const char* what = nullptr;
+  for (const Picture& picture : measurements.pictures) {
+    const std::vector<std::size_t> places = placesOn(term, measurements, picture);
+    const bool shares = effect.place == Place::sole && picture.instant.supportFoot == SupportFoot::both;
+    if (picture.sightings.empty() || places.empty() || shares) {
+      continue;
+    }
+    const bool ofJoint = effect.place == Place::motor || effect.place == Place::joint;
+    std::vector<std::size_t> looked = jointsBetween(measurements.robot, picture);
+    std::erase_if(looked, [&](std::size_t joint) {
+      return ofJoint && std::find(places.begin(), places.end(), joint) == places.end();
+    });
+    if (looked.empty()) {
+      continue;
+    }
+    const char* lacks = nullptr;
+    const auto look = [&](Driver driver, std::size_t joint) {
+      lacks = lacks ? lacks : missing(picture.instant, driver, joint, measurements.robot);
+    };
+    for (const std::size_t joint : looked) {
+      for (const Driver driver : effect.needs) {
+        look(driver, joint);
+      }
+    }
+    for (const Elsewhere& other : effect.elsewhere) {
+      look(other.driver, other.joint);
+      const bool recorded = std::binary_search(measurements.recorded.begin(), measurements.recorded.end(),
+                                               measurements.robot.joints[other.joint].motor);
+      lacks = other.driver == Driver::angle && !recorded ? "angles of a joint that it looks at" : lacks;
+    }
+    ++concerned;
+    without += lacks != nullptr;
+    what = lacks ? lacks : what;
+  }
+  if (concerned == 0) {
+    return effect.place == Place::sole ? "no picture was taken on one foot" : "no picture shows it";
+  }
+  const bool whereRecorded = effect.name == "imuTilt"; // each reading is one measurement more
+  if (without == 0 || (whereRecorded && without < concerned)) {
+    return std::nullopt;
+  }
+  return without == concerned ? fmt::format("no {} were recorded", what)
+                              : fmt::format("{} of {} pictures have no {}", without, concerned, what);
+}
+
+std::vector<Term> candidateTerms(const Measurements& measurements, const std::vector<Effect>& effects) {
+  const Touched all = touched(measurements);
+  std::vector<Term> result;
+  for (const Effect& effect : effects) {
+    for (const auto& [at, place] : placesOf(effect, measurements, all)) {
+      result.push_back({effect, at, place});
+    }
+  }
+  return result;
+}
+
+std::vector<Term> testableTerms(const Measurements& measurements, const Model& model,
+                                const std::vector<Effect>& effects) {
+  std::vector<Term> result = candidateTerms(measurements, effects);
+  std::erase_if(result, [&](const Term& term) {
+    return whyUntestable(term.effect, term.at, measurements) ||
+           std::any_of(model.terms().begin(), model.terms().end(),
+                       [&](const Term& own) { return own.label() == term.label(); });
+  });
+  return result;
+}
+
+namespace {
+
+/// Whether `text` fits `pattern`, where '*' stands for any run of characters.
+bool matches(std::string_view pattern, std::string_view text) {
+  if (pattern.empty()) {
+    return text.empty();
+  }
+  if (pattern.front() == '*') {
+    return matches(pattern.substr(1), text) || (!text.empty() && matches(pattern, text.substr(1)));
+  }
+  return !text.empty() && pattern.front() == text.front() && matches(pattern.substr(1), text.substr(1));
+}
+
+[[noreturn]] void refuse(const std::string& wanted, const std::vector<std::string>& known) {
+  throw InputError{fmt::format("'{}' names no effect at a place of these captures; near it are {}", wanted,
+                               fmt::join(nearNames(wanted, known), ", "))};
+}
+
+/// "E@P" with '*', and whether it has named anything yet.
+struct Pattern {
+  std::string given;
+  bool used = false;
+  std::string undriven = ""; // why not, where all that it names lacks its drivers
+
+  /// A motor's effect may be named at either of its joints; '*' does not stand for "all".
+  bool names(const Term& term, const Robot& robot) const {
+    const std::string motors = term.effect.place == Place::motor ? labelFor(given, robot) : given;
+    const bool onePlace = term.effect.place == Place::board && term.at == everywhere;
+    return onePlace ? matches(motors.substr(0, motors.find('@')), term.effect.name) && motors.ends_with("@all")
+                    : matches(motors, term.label());
+  }
+};
+
+/// Whether some pattern names the term.
+bool anyNames(const std::vector<Pattern>& patterns, const Term& term, const Robot& robot) {
+  return std::any_of(patterns.begin(), patterns.end(),
+                     [&](const Pattern& pattern) { return pattern.names(term, robot); });
+}
+
+/// Marks the patterns that name the term: used, or why it cannot be.
+void mark(std::vector<Pattern>& patterns, const Term& term, const Robot& robot,
+          const std::optional<std::string>& undriven = std::nullopt) {
+  for (Pattern& pattern : patterns) {
+    if (pattern.names(term, robot)) {
+      pattern.used |= !undriven;
+      pattern.undriven =
+          undriven ? term.label() + " cannot be estimated from these captures: " + *undriven : pattern.undriven;
+    }
+  }
+}
+
+std::vector<Pattern> patterns(const std::vector<std::string>& given) {
+  std::vector<Pattern> result;
+  for (const std::string& pattern : given) {
+    result.push_back({pattern});
+  }
+  return result;
+}
+
+bool looksAtWeight(const Term& term) {
+  const auto weighs = [](Driver driver) { return driver == Driver::torque || driver == Driver::com; };
+  return std::any_of(term.effect.needs.begin(), term.effect.needs.end(), weighs) ||
+         std::any_of(term.effect.elsewhere.begin(), term.effect.elsewhere.end(),
+                     [&](const Elsewhere& other) { return weighs(other.driver); });
+}
+
+/// The offsets of recorded joints that move nothing but mass: torques near zero depend on them.
+std::vector<Term> weighingOffsets(const Measurements& measurements) {
+  std::vector<Term> result;
+  for (const std::size_t motor : measurements.recorded) {
+    if (!std::binary_search(measurements.joints.begin(), measurements.joints.end(), motor)) {
+      result.push_back({jointOffset(), motor, measurements.robot.joints[motor].name, 0, false, false});
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+std::string labelFor(const std::string& given, const Robot& robot) {
+  const std::size_t split = std::min(given.find('@'), given.size());
+  std::string effect = given.substr(0, split), place = given.substr(split);
+  for (const Effect& known : allEffects()) {
+    effect = !known.alias.empty() && known.alias == effect ? known.name : effect;
+  }
+  if (const auto joint = place.empty() ? std::nullopt : robot.jointIndex(place.substr(1))) {
+    place = '@' + robot.joints[robot.joints[*joint].motor].name;
+  }
+  return effect + place;
+}
+
+Model withWeighingOffsets(const Measurements& measurements, Model model, const std::vector<Term>& further) {
+  const auto& terms = model.terms();
+  if (std::any_of(terms.begin(), terms.end(), looksAtWeight) ||
+      std::none_of(further.begin(), further.end(), looksAtWeight)) {
+    return model;
+  }
+  for (Term& term : weighingOffsets(measurements)) {
+    const bool there =
+        std::any_of(terms.begin(), terms.end(), [&](const Term& own) { return own.label() == term.label(); });
+    if (!there) {
+      model.add(std::move(term));
+    }
+  }
+  return model;
+}
+
+Model makeModel(const Measurements& measurements, const std::vector<std::string>& with,
+                const std::vector<std::string>& without, const std::vector<Effect>& effects) {
+  std::vector<Pattern> added = patterns(with), removed = patterns(without);
+  const Robot& robot = measurements.robot;
+  std::vector<std::string> known;
+  std::vector<Term> chosen;
+  for (Term& term : candidateTerms(measurements, effects)) {
+    known.push_back(term.label());
+    if (anyNames(removed, term, robot)) {
+      mark(removed, term, robot);
+      mark(added, term, robot);
+    } else if (term.effect.base || anyNames(added, term, robot)) {
+      const auto undriven = whyUntestable(term.effect, term.at, measurements);
+      mark(added, term, robot, undriven);
+      if (!undriven) {
+        chosen.push_back(std::move(term));
+      }
+    }
+  }
+  if (std::any_of(chosen.begin(), chosen.end(), looksAtWeight)) {
+    for (Term& term : weighingOffsets(measurements)) {
+      mark(removed, term, robot);
+      if (!anyNames(removed, term, robot)) {
+        chosen.push_back(std::move(term));
+      }
+    }
+  }
+  for (const std::vector<Pattern>& list : {added, removed}) {
+    for (const Pattern& pattern : list) {
+      if (!pattern.used && !pattern.undriven.empty()) {
+        throw InputError{pattern.undriven};
+      }
+      if (!pattern.used) {
+        refuse(pattern.given, known);
+      }
+    }
+  }
+  Model model;
+  for (Term& term : chosen) {
+    model.add(std::move(term));
+  }
+  addPlacements(measurements, model);
+  return model;
+}
+
+namespace {
+
+/// linkFromBoard or worldFromSole is off from its start by `unknowns`, named by the numbers of a placement.
+Effect placementEffect(Place place, const std::vector<std::size_t>& numbers, const std::vector<double>& sigmas) {
+  static const std::vector<Unknown> all{{"x", "m", 0},      {"y", "m", 0},       {"z", "m", 0},
+                                        {"roll", "rad", 0}, {"pitch", "rad", 0}, {"yaw", "rad", 0}};
+  Effect effect{.name = place == Place::board ? "boardPlacement" : "stancePlacement",
+                .what = "where it lies or stands",
+                .formula = "placement = start + (x, y, z, roll, pitch, yaw)",
+                .place = place,
+                .unknowns = {},
+                .correct = {}};
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    effect.unknowns.push_back(all[numbers[i]]);
+    effect.unknowns.back().sigma = sigmas[i];
+  }
+  effect.correct = [place, numbers](Belief& belief, const Instant&, std::size_t at, std::span<const double> values) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const auto number = static_cast<Eigen::Index>(numbers[i]);
+      (place == Place::board ? belief.boardPlacement(at) : belief.ground())[number] += values[i];
+    }
+  };
+  return effect;
+}
+
+constexpr double anywhere = 10;     // [m]: a floor placement without a guess
+constexpr double anyDirection = 10; // [rad]
+
+void addBoardPlacement(const Measurements& measurements, std::size_t index, Model& model) {
+  const Target& target = measurements.targets[index];
+  std::vector<std::size_t> numbers{0, 1, 5};
+  std::vector<double> sigmas{anywhere, anywhere, anyDirection};
+  if (!target.onFloor) {
+    numbers = target.board.points.size() == 1 ? std::vector<std::size_t>{0, 1, 2}
+                                              : std::vector<std::size_t>{0, 1, 2, 3, 4, 5};
+    sigmas = {0.05, 0.05, 0.05, 0.3, 0.3, 0.3};
+  }
+  if (const auto& sigma = target.board.placementSigma) {
+    const double given[6] = {sigma->x, sigma->y, sigma->z, sigma->roll, sigma->pitch, sigma->yaw};
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (given[numbers[i]] > 0) {
+        sigmas[i] = given[numbers[i]];
+      }
+    }
+  }
+  sigmas.resize(numbers.size());
+  model.add({placementEffect(Place::board, numbers, sigmas), index, target.name, 0, true});
+}
+
+} // namespace
+
+void addPlacements(const Measurements& measurements, Model& model) {
+  std::set<std::size_t> seen, stood;
+  for (const Picture& picture : measurements.pictures) {
+    for (const Sighting& sighting : picture.sightings) {
+      seen.insert(sighting.view.board());
+      if (measurements.targets[sighting.view.board()].onFloor) {
+        stood.insert(picture.stance);
+      }
+    }
+  }
+  for (std::size_t target : seen) {
+    if (measurements.targets[target].unknown) {
+      addBoardPlacement(measurements, target, model);
+    }
+  }
+  for (std::size_t standing : stood) {
+    if (measurements.standings[standing].unknown) {
+      model.add({placementEffect(Place::stance, {0, 1, 5}, {anywhere, anywhere, anyDirection}), standing,
+                 measurements.standings[standing].name, 0, true});
+    }
+  }
+}
+
+} // namespace naocal

@@ -1,0 +1,51 @@
+#include "estimation/ModelFile.hpp"
+
+#include "effects/Catalogue.hpp"
+#include "effects/UserEffect.hpp"
+#include "io/Files.hpp"
+#include "io/JsonReader.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+namespace {
+
+std::vector<Effect> withBuiltIn(const std::vector<Effect>& defined) {
+  std::vector<Effect> result = allEffects();
+  result.insert(result.end(), defined.begin(), defined.end());
+  return result;
+}
+
+} // namespace
+
+std::vector<Effect> effectsWith(const nlohmann::json& definitions, const std::string& file, const Robot& robot) {
+  return withBuiltIn(userEffects(JsonPlace{definitions, file}, robot));
+}
+
+nlohmann::json modelJson(const std::vector<std::string>& with, const std::vector<std::string>& without,
+                         nlohmann::json define) {
+  return {
+      {"format", "naocal-model"}, {"version", 1}, {"with", with}, {"without", without}, {"define", std::move(define)}};
+}
+
+ModelFile readModelFile(const std::filesystem::path& file, const Robot& robot) {
+  const nlohmann::json document = parseJson(fileContent(file), file.string());
+  const JsonPlace all{document, file.string()};
+  all.at("format").oneOf({"naocal-model"});
+  all.at("version").integer(1, 1);
+  ModelFile result;
+  for (const auto& [key, list] : {std::pair{"with", &result.with}, std::pair{"without", &result.without}}) {
+    if (const auto terms = all.find(key)) {
+      for (const JsonPlace& term : terms->elements()) {
+        list->push_back(term.text());
+      }
+    }
+  }
+  const auto define = all.find("define");
+  result.effects = withBuiltIn(define ? userEffects(*define, robot) : std::vector<Effect>{});
+  result.definitions = define ? define->value().dump() : "[]";
+  return result;
+}
+
+} // namespace naocal

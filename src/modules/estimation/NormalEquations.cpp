@@ -1,0 +1,290 @@
+#include "estimation/NormalEquations.hpp"
+
+#include <algorithm>
+
+namespace naocal {
+
+void NormalEquations::clear(Eigen::Index columns) {
+  gram_.setZero(columns, columns);
+  gradient_.setZero(columns);
+}
+
+void NormalEquations::add(const PictureGram::Square& gram, const PictureGram::Column& gradient,
+                          const Eigen::MatrixXd& motion, const PreparedPicture::Group& group,
+                          const double* slopeValues) {
+  if (group.extras.empty()) {
+    addRows<6>(gram, gradient, motion, group, slopeValues);
+  } else {
+    addRows<Eigen::Dynamic>(gram, gradient, motion, group, slopeValues);
+  }
+}
+
+/// `Rows` of the motion: six where there are no extras.
+template <int Rows>
+void NormalEquations::addRows(const PictureGram::Square& gram, const PictureGram::Column& gradient,
+                              const Eigen::MatrixXd& motion, const PreparedPicture::Group& group,
+                              const double* slopeValues) {
+  const std::size_t rows = Rows == Eigen::Dynamic ? static_cast<std::size_t>(motion.rows()) : Rows;
+  const std::size_t columns = group.columns.size(), fours = (columns + 3) / 4;
+  moving_.assign(rows * fours, Four{});
+  half_.resize(rows * fours);
+  for (const PreparedPicture::Group::Share& share : group.shares) {
+    Four* const four = &moving_[share.column / 4 * rows];
+    const double slope = slopeValues[share.slope];
+    for (std::size_t row = 0; row < rows; ++row) {
+      four[row].columns[share.column % 4] += slope * motion(row, share.quantity);
+    }
+  }
+  withWidestVectors([&]() __attribute__((always_inline)) {
+    for (std::size_t four = 0; four < fours; ++four) {
+      for (std::size_t i = 0; i < rows; ++i) {
+        Lane sum{};
+        for (std::size_t row = 0; row < rows; ++row) {
+          sum += gram(row, i) * moving_[four * rows + row].lane();
+        }
+        half_[four * rows + i].lane() = sum;
+      }
+    }
+    for (std::size_t column = 0; column < columns; ++column) {
+      const Four* const own = &moving_[column / 4 * rows];
+      const std::size_t lane = column % 4;
+      double* const sums = &gram_(0, group.columns[column]);
+      double sumOfGradient = 0;
+      for (std::size_t row = 0; row < rows; ++row) {
+        sumOfGradient += gradient[row] * own[row].columns[lane];
+      }
+      gradient_[group.columns[column]] += sumOfGradient;
+      for (std::size_t four = 0; four < fours; ++four) {
+        Lane sum{};
+        for (std::size_t row = 0; row < rows; ++row) {
+          sum += own[row].columns[lane] * half_[four * rows + row].lane();
+        }
+        Four taken;
+        taken.lane() = sum;
+        for (std::size_t i = 4 * four; i < std::min(4 * four + 4, columns); ++i) {
+          sums[group.columns[i]] += taken.columns[i % 4];
+        }
+      }
+    }
+  });
+}
+
+namespace {
+
+/// The loss of four corners and its slope, their weight, where the loss is not quadratic.
+void weigh(const Lane& squaredDistance, const Loss& loss, Lane& rho, Lane& weight) {
+  for (int i = 0; i < 4; ++i) {
+    const auto [value, slope] = loss(squaredDistance[i]);
+    rho[i] *= value;
+    weight[i] *= slope;
+  }
+}
+
+} // namespace
+
+void PictureGram::clear(std::size_t extras) {
+  width_ = 6 + extras;
+  std::fill_n(products_, width_ * (width_ + 1) / 2, Lane{});
+  std::fill_n(gradient_, width_, Lane{});
+  squares_ = cost_ = corners_ = freedom_ = Lane{};
+}
+
+void PictureGram::add(const CornerBlocks& corners, const ProjectedBlocks& projected,
+                      const std::vector<ExtraRow>& extraRows, double pixelNoise, const SightingWeight& weight,
+                      const Loss& loss) {
+  const double share = weight.share, freedom = weight.freedom();
+  const double information = share / (pixelNoise * pixelNoise);
+  const std::size_t blocks = corners.size();
+  const bool quadratic = loss.scale == 0;
+  withWidestVectors([ =, this, &corners, &projected, &extraRows, &loss ]() __attribute__((always_inline)) {
+    Lane squares{}, cost{}, counted{};
+    for (std::size_t block = 0; block < blocks; ++block) {
+      const ProjectedBlock& seen = projected[block];
+      const Lane ru = seen.u - corners[block].u, rv = seen.v - corners[block].v;
+      const Lane rr = ru * ru + rv * rv;
+      Lane w = corners[block].present, rho = w;
+      if (quadratic) {
+        rho *= information * rr;
+      } else {
+        weigh(information * rr, loss, rho, w);
+      }
+      counted += w > 0 ? Lane{} + 1 : Lane{};
+      w *= share;
+      squares += w * rr;
+      cost += rho;
+      Lane* product = products_;
+#pragma GCC unroll 6
+      for (std::size_t i = 0; i < 6; ++i) {
+        const Lane wu = w * seen.rowsU[i], wv = w * seen.rowsV[i];
+        gradient_[i] = gradient_[i] + wu * ru + wv * rv;
+#pragma GCC unroll 6
+        for (std::size_t j = 0; j <= i; ++j, ++product) {
+          *product = *product + wu * seen.rowsU[j] + wv * seen.rowsV[j];
+        }
+      }
+      for (std::size_t i = 6; i < width_; ++i) {
+        const ExtraRow& row = extraRows[(i - 6) * blocks + block];
+        const Lane wu = w * row.u, wv = w * row.v;
+        gradient_[i] += wu * ru + wv * rv;
+        for (std::size_t j = 0; j < 6; ++j) {
+          *product++ += wu * seen.rowsU[j] + wv * seen.rowsV[j];
+        }
+        for (std::size_t j = 6; j <= i; ++j) {
+          const ExtraRow& other = extraRows[(j - 6) * blocks + block];
+          *product++ += wu * other.u + wv * other.v;
+        }
+      }
+    }
+    squares_ += squares;
+    cost_ += cost;
+    corners_ += share * counted;
+    freedom_ += freedom * counted;
+  });
+}
+
+PictureGram::Square PictureGram::gram() const {
+  const auto width = static_cast<Eigen::Index>(width_);
+  Square result(width, width);
+  const Lane* product = products_;
+  for (Eigen::Index i = 0; i < width; ++i) {
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      result(i, j) = result(j, i) = sum(*product++);
+    }
+  }
+  return result;
+}
+
+PictureGram::Column PictureGram::gradient() const {
+  Column result(static_cast<Eigen::Index>(width_));
+  for (std::size_t i = 0; i < width_; ++i) {
+    result[static_cast<Eigen::Index>(i)] = sum(gradient_[i]);
+  }
+  return result;
+}
+
+namespace {
+
+/// Numbers below `end`, each once, ascending.
+class Numbers {
+public:
+  explicit Numbers(std::size_t end) : has_(end, 0) {}
+  void add(const std::vector<std::size_t>& numbers) {
+    for (std::size_t number : numbers) {
+      has_[number] = 1;
+    }
+  }
+  std::vector<std::size_t> list() const {
+    std::vector<std::size_t> result;
+    result.reserve(has_.size());
+    for (std::size_t number = 0; number < has_.size(); ++number) {
+      if (has_[number] != 0) {
+        result.push_back(number);
+      }
+    }
+    return result;
+  }
+
+private:
+  std::vector<char> has_;
+};
+
+/// A list of numbers below `end`, each once, in the order they came.
+template <typename Number> class Listed {
+public:
+  Listed(std::size_t end, std::vector<Number>& list) : known_(end, -1), list_{list} {}
+  /// Where it stands in the list, to which it is added where it is new.
+  Eigen::Index of(Number number) {
+    Eigen::Index& place = known_[static_cast<std::size_t>(number)];
+    if (place < 0) {
+      place = static_cast<Eigen::Index>(list_.size());
+      list_.push_back(number);
+    }
+    return place;
+  }
+
+private:
+  std::vector<Eigen::Index> known_;
+  std::vector<Number>& list_;
+};
+
+/// The board whose placement or shape a quantity is, if it is one.
+std::optional<std::size_t> boardOf(const Quantities& quantities, std::size_t quantity) {
+  const std::size_t first = quantities.board(0);
+  return quantity >= first ? std::optional{(quantity - first) / (quantities.board(1) - first)} : std::nullopt;
+}
+
+/// What moves the corners that `view` sees.
+PreparedPicture::Group groupOf(const View& view, const Quantities& quantities, const std::vector<std::size_t>& unknowns,
+                               const PreparedPicture& prepared) {
+  PreparedPicture::Group group;
+  const std::vector<Slope>& slopes = prepared.slopes.list();
+  const std::size_t most = slopes.size() + prepared.joints.size();
+  group.quantities.reserve(most);
+  group.columns.reserve(most);
+  group.shares.reserve(most);
+  const std::vector<std::size_t>& deflections = prepared.deflections;
+  const std::size_t columns =
+      unknowns.size() + (deflections.empty() ? 0 : 1 + *std::max_element(deflections.begin(), deflections.end()));
+  Listed columnPlaces{columns, group.columns};
+  Listed quantityPlaces{quantities.size(), group.quantities};
+  const auto add = [&](Eigen::Index column, std::size_t quantity, std::size_t slope) {
+    const auto board = boardOf(quantities, quantity);
+    if (!board || *board == view.board()) {
+      group.shares.push_back({columnPlaces.of(column), quantityPlaces.of(quantity), slope});
+    }
+  };
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    add(std::lower_bound(unknowns.begin(), unknowns.end(), slopes[i].unknown) - unknowns.begin(), slopes[i].quantity,
+        1 + i);
+  }
+  for (std::size_t i = 0; i < prepared.joints.size(); ++i) {
+    add(static_cast<Eigen::Index>(unknowns.size() + prepared.deflections[i]), quantities.angle(prepared.joints[i]), 0);
+  }
+  for (std::size_t quantity : group.quantities) {
+    if (const auto extra = view.extra(quantity)) {
+      group.extras.push_back(*extra);
+    }
+  }
+  return group;
+}
+
+} // namespace
+
+void prepare(const Measurements& measurements, const Picture& picture, const std::vector<std::size_t>& unknowns,
+             PreparedPicture& prepared) {
+  Numbers links{measurements.robot.links.size()};
+  const std::vector<Slope>& slopes = prepared.slopes.list();
+  prepared.slopeValues = {1};
+  for (const Slope& slope : slopes) {
+    prepared.slopeValues.push_back(slope.value);
+  }
+  const bool boardsMove = std::any_of(slopes.begin(), slopes.end(), [&](const Slope& slope) {
+    return boardOf(measurements.quantities, slope.quantity).has_value();
+  });
+  prepared.groups.clear();
+  for (std::size_t i = 0; i < picture.sightings.size(); ++i) {
+    const View& view = picture.sightings[i].view;
+    links.add(view.links());
+    const auto known = std::find_if(prepared.groups.begin(), prepared.groups.end(), [&](const auto& group) {
+      return !boardsMove && picture.sightings[group.sightings.front()].view.sharesPath(view);
+    });
+    PreparedPicture::Group& group =
+        known != prepared.groups.end()
+            ? *known
+            : prepared.groups.emplace_back(groupOf(view, measurements.quantities, unknowns, prepared));
+    group.sightings.push_back(i);
+  }
+  if (picture.otherSole) {
+    links.add(picture.otherSole->links());
+    prepared.floor = groupOf(*picture.otherSole, measurements.quantities, unknowns, prepared);
+    prepared.floor.extras.clear();
+  }
+  if (prepared.torso) {
+    links.add(prepared.torso->links());
+    prepared.imu = groupOf(*prepared.torso, measurements.quantities, unknowns, prepared);
+    prepared.imu.extras = {extraCount, extraCount + 1}; // roll and pitch of the unit
+  }
+  prepared.links = links.list();
+}
+
+} // namespace naocal

@@ -1,0 +1,605 @@
+#include "estimation/Residuals.hpp"
+
+#include "estimation/Marginalization.hpp"
+#include "estimation/NormalEquations.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "math/Parallel.hpp"
+#include "measurements/FloorContact.hpp"
+#include "measurements/Measurements.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <map>
+#include <utility>
+
+// What the residuals' sums are over: each pose's unknowns and deflections, known before any sum is taken.
+
+namespace naocal {
+
+/// What an evaluation works on. Each thread keeps its own: to allocate it anew takes as long as to project the corners.
+struct Residuals::Workspace {
+  static Workspace& ofThisThread(const Measurements& measurements) {
+    static thread_local Workspace work;
+    work.boards.resize(measurements.targets.size());
+    work.cost = 0;
+    work.drivenPicture = nullptr;
+    return work;
+  }
+
+  /// Most boards lie still from picture to picture.
+  const RigidTransform& linkFromBoard(std::size_t board) {
+    if (boards[board].placement != belief.boardPlacement(board)) {
+      boards[board] = {belief.boardPlacement(board), placed(belief.boardPlacement(board))};
+    }
+    return boards[board].linkFromBoard;
+  }
+
+  /// Pictures of one reading share angles, torques and centre of mass.
+  void drive(const Measurements& measurements, const Model& model, const Picture& picture,
+             const Eigen::VectorXd& unknowns) {
+    const Picture* const last = std::exchange(drivenPicture, &picture);
+    if (!last || last->instant.q != picture.instant.q || last->instant.supportFoot != picture.instant.supportFoot ||
+        picture.instant.supportFoot == SupportFoot::both) {
+      driven = drivenAt(measurements, model, picture, unknowns);
+      return;
+    }
+    Instant instant = picture.instant;
+    instant.q.swap(driven.instant.q);
+    instant.torque.swap(driven.instant.torque);
+    instant.torqueGrowth.swap(driven.instant.torqueGrowth);
+    instant.com = driven.instant.com;
+    driven.instant = std::move(instant);
+  }
+
+  /// Adds a group's sums to those of its pose.
+  void add(const PictureGram::Square& gram, const PictureGram::Column& gradient, const Eigen::MatrixXd& by,
+           const PreparedPicture::Group& group) {
+    if (wantsRows) {
+      rows.add(gram, gradient, by, group, slopes);
+    } else {
+      sums.add(gram, gradient, by, group, slopes);
+    }
+  }
+
+  struct PlacedBoard {
+    Eigen::Matrix<double, 6, 1> placement = Eigen::Matrix<double, 6, 1>::Zero();
+    RigidTransform linkFromBoard;
+  };
+  Belief belief{Quantities{0, 0, 0}};
+  std::vector<PlacedBoard> boards;
+  Posture torsoFromLink;
+  ProjectedBlocks projected;
+  std::vector<ExtraRow> extraRows;
+  PictureGram corners;
+  Eigen::MatrixXd motion;
+  NormalEquations sums; // of a pose,
+  RowEquations rows;    // or these
+  bool wantsRows = false;
+  double cost = 0; // sum of rho
+  Driven driven;
+  const Picture* drivenPicture = nullptr; // the one that `driven` is of
+  PictureSlopes::Scratch scratch;
+  std::vector<double> varyingSlopes;
+  const double* slopes = nullptr; // values of the picture's slopes
+};
+
+/// The other sole's height over the floor and its tilt are zero but for `FloorContact`; in units of pixels, as all sums
+/// are.
+void Residuals::addFloorContact(const Picture& picture, const PreparedPicture& prepared, Workspace& work,
+                                PosePart& part) const {
+  const View& sole = *picture.otherSole;
+  const Attitude attitude = sole.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
+  const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
+  const Eigen::Vector3d scale =
+      noise_.pixel * Eigen::Vector3d{1 / FloorContact::height, 1 / FloorContact::tilt, 1 / FloorContact::tilt};
+  const Eigen::Matrix<double, 3, 6> byMotion = noise_.pixel * floorContactByMotion(normal);
+  const Eigen::Vector3d residual =
+      scale.cwiseProduct(Eigen::Vector3d{-normal.dot(attitude.opticalFromWorld.translation), normal.x(), normal.y()});
+  work.motion.resize(6, at(prepared.floor.quantities.size()));
+  sole.motion(measurements_.robot, attitude, work.belief, work.torsoFromLink, prepared.floor.quantities, {},
+              work.motion);
+  work.add(byMotion.transpose() * byMotion, byMotion.transpose() * residual, work.motion, prepared.floor);
+  work.cost += residual.squaredNorm() / (noise_.pixel * noise_.pixel);
+  part.squares += residual.squaredNorm();
+  part.numbers += 3;
+  part.freedom += 3;
+}
+
+/// The floor's normal in the torso is what the inertial unit says, but for `ImuReading`:
+///   n_imu = (Ry(angleY) Rx(angleX) Ry(pitch) Rx(roll))^T z, roll and pitch the unit's tilt
+/// Its two level components count; d(n) = omega x n.
+void Residuals::addImuReading(const Picture& picture, const PreparedPicture& prepared, Workspace& work,
+                              PosePart& part) const {
+  const View& torso = *prepared.torso;
+  const Quantities& quantities = measurements_.quantities;
+  const Attitude attitude = torso.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
+  const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
+  const double roll = work.belief.imuTilt()[0], pitch = work.belief.imuTilt()[1];
+  const Eigen::Vector2d reading = picture.instant.imu;
+  const Eigen::Vector3d byUnit = (rotationY(reading.y()) * rotationX(reading.x())).row(2); // in the unit's frame
+  const Eigen::Vector3d pitched = rotationY(-pitch) * byUnit, told = rotationX(-roll) * pitched;
+  const double scale = noise_.pixel / ImuReading::angle;
+
+  Eigen::Matrix<double, 2, 8> byMotion = Eigen::Matrix<double, 2, 8>::Zero();
+  byMotion.leftCols<3>() = -crossMatrix(normal).topRows<2>();
+  byMotion.col(6) = Eigen::Vector3d::UnitX().cross(told).head<2>();
+  byMotion.col(7) = (rotationX(-roll) * Eigen::Vector3d::UnitY().cross(pitched)).head<2>();
+  byMotion *= scale;
+  const Eigen::Vector2d residual = scale * (normal - told).head<2>();
+  work.motion.resize(8, at(prepared.imu.quantities.size()));
+  torso.motion(measurements_.robot, attitude, work.belief, work.torsoFromLink, prepared.imu.quantities, {},
+               work.motion);
+  for (std::size_t i = 0; i < prepared.imu.quantities.size(); ++i) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      work.motion(at(6 + k), at(i)) = prepared.imu.quantities[i] == quantities.imuTilt() + k ? 1 : 0;
+    }
+  }
+  work.add(byMotion.transpose() * byMotion, byMotion.transpose() * residual, work.motion, prepared.imu);
+  work.cost += residual.squaredNorm() / (noise_.pixel * noise_.pixel);
+  part.squares += residual.squaredNorm();
+  part.numbers += 2;
+  part.freedom += 2;
+}
+
+namespace {
+
+/// How the torso sees the floor, where the inertial unit's tilt is an unknown and its reading was recorded.
+std::optional<View> torsoOverFloor(const Measurements& measurements, const Model& model, const Picture& picture) {
+  const bool wanted = std::any_of(model.terms().begin(), model.terms().end(),
+                                  [](const Term& term) { return term.effect.name == "imuTilt"; });
+  const bool onFloor = std::any_of(picture.sightings.begin(), picture.sightings.end(), [&](const Sighting& sighting) {
+    return measurements.targets[sighting.view.board()].onFloor;
+  });
+  if (!wanted || !onFloor || picture.instant.imu.hasNaN()) {
+    return std::nullopt;
+  }
+  const bool right = picture.instant.supportFoot == SupportFoot::right;
+  return View::betweenLinks(measurements.robot, measurements.quantities, 0,
+                            measurements.robot.sole(right ? "right" : "left")->link);
+}
+
+} // namespace
+
+Residuals::Residuals(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss)
+    : measurements_{measurements}, model_{model}, noise_{noise}, loss_{loss}, sigmas_{model.sigmas()},
+      free_(model.unknownCount(), true), prepared_(measurements.pictures.size()), columns_(measurements.poses.size()),
+      roots_(measurements.poses.size()) {
+  inParallel(prepared_.size(), [&](std::size_t i) {
+    prepared_[i].slopes = PictureSlopes{measurements, model, measurements.pictures[i]};
+    prepared_[i].torso = torsoOverFloor(measurements, model, measurements.pictures[i]);
+  });
+  inParallel(columns_.size(), [&](std::size_t pose) {
+    columns_[pose] = columnsOf(measurements.poses[pose]);
+    roots_[pose] = deflectionRoot(columns_[pose], noise_);
+    for (const Reading& reading : measurements.poses[pose].readings) {
+      for (std::size_t index : reading.pictures) {
+        prepare(measurements, measurements.pictures[index], columns_[pose].unknowns, prepared_[index]);
+      }
+    }
+  });
+}
+
+/// The unknowns that a pose depends on, and a deflection per joint on its paths and encoder error.
+PosePart Residuals::columnsOf(const PoseGroup& pose) {
+  PosePart part;
+  std::vector<bool> moves(model_.unknownCount(), false);
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> deflections; // of motor and encoder error
+  const bool latent = noise_.encoder > 0 || noise_.pose > 0 || noise_.stance > 0 || noise_.reapproach > 0;
+  for (const Reading& reading : pose.readings) {
+    for (std::size_t index : reading.pictures) {
+      PreparedPicture& picture = prepared_[index];
+      for (const Slope& slope : picture.slopes.list()) {
+        moves[slope.unknown] = true;
+      }
+      if (latent) {
+        picture.joints = jointsBetween(measurements_.robot, measurements_.pictures[index]);
+      }
+      for (std::size_t joint : picture.joints) {
+        deflections[{measurements_.robot.joints[joint].motor, reading.encoderError[joint]}];
+      }
+    }
+  }
+  for (auto& [joint, number] : deflections) {
+    number = part.joints.size();
+    part.joints.push_back(joint.first);
+    part.errors.push_back(joint.second);
+    part.errorScales.push_back(pose.encoderErrors[joint.second].scale);
+    part.stances.push_back(pose.encoderErrors[joint.second].stance);
+  }
+  for (const Reading& reading : pose.readings) {
+    for (std::size_t index : reading.pictures) {
+      for (std::size_t joint : prepared_[index].joints) {
+        prepared_[index].deflections.push_back(
+            deflections.at({measurements_.robot.joints[joint].motor, reading.encoderError[joint]}));
+      }
+    }
+  }
+  for (std::size_t unknown = 0; unknown < moves.size(); ++unknown) {
+    if (moves[unknown]) {
+      part.unknowns.push_back(unknown);
+    }
+  }
+  return part;
+}
+
+namespace {
+
+/// Takes a pose's normal equations apart, expressed at zero deflection.
+void takeSums(const NormalEquations& sums, const Eigen::VectorXd& deflections, PoseSystem& system) {
+  const Eigen::Index unknowns = at(system.unknowns.size()), joints = deflections.size();
+  const Eigen::MatrixXd& gram = sums.gram();
+  system.unknownGram = gram.topLeftCorner(unknowns, unknowns);
+  system.unknownGradient = sums.gradient().head(unknowns);
+  system.cross = gram.topRightCorner(unknowns, joints);
+  system.deflectionGram = gram.bottomRightCorner(joints, joints);
+  system.deflectionGradient = sums.gradient().tail(joints);
+  if (joints == 0) {
+    return;
+  }
+  const Eigen::VectorXd drop = system.deflectionGram * deflections;
+  system.squares += deflections.dot(drop - 2 * system.deflectionGradient);
+  system.deflectionGradient -= drop;
+  system.unknownGradient -= system.cross * deflections;
+}
+
+/// Where a pose's deflections would rest if everything were linear, its unknowns moved `along`.
+Eigen::VectorXd restingDeflections(const Eliminated& part, const Eigen::VectorXd& along = {}) {
+  Eigen::VectorXd result = -part.half.rightCols<1>();
+  result.noalias() -= part.half.leftCols(along.size()) * along;
+  part.inner.matrixU().solveInPlace(result);
+  return result;
+}
+
+} // namespace
+
+/// What is believed at the picture's instant, and the values of its slopes there.
+void Residuals::believe(const Picture& picture, const PreparedPicture& prepared, const Eigen::VectorXd& unknowns,
+                        const Eigen::VectorXd& deflections, Workspace& work) const {
+  work.belief = picture.drawn;
+  prepared.slopes.addFixed(unknowns, work.belief);
+  work.slopes = prepared.slopeValues.data();
+  if (prepared.slopes.vary()) {
+    work.varyingSlopes = prepared.slopeValues;
+    work.slopes = work.varyingSlopes.data();
+    work.drive(measurements_, model_, picture, unknowns);
+    prepared.slopes.addVarying(model_, picture, unknowns, work.driven, work.scratch, work.belief,
+                               work.varyingSlopes.data() + 1 + prepared.slopes.fixedCount());
+  }
+  for (std::size_t i = 0; i < prepared.joints.size(); ++i) {
+    work.belief.angle(prepared.joints[i]) += deflections[at(prepared.deflections[i])];
+  }
+}
+
+/// Adds the sums over a picture's corners to those of its pose. False: a corner is nowhere.
+bool Residuals::addPicture(const Picture& picture, const PreparedPicture& prepared, Workspace& work,
+                           PosePart& part) const {
+  posture(measurements_.robot, work.belief, prepared.links, work.torsoFromLink);
+  if (picture.otherSole) {
+    addFloorContact(picture, prepared, work, part);
+  }
+  if (prepared.torso) {
+    addImuReading(picture, prepared, work, part);
+  }
+  return std::all_of(prepared.groups.begin(), prepared.groups.end(),
+                     [&](const PreparedPicture::Group& group) { return addGroup(picture, group, work, part); });
+}
+
+/// Adds the corners of a sighting to the workspace's sums over corners. False: one of them is nowhere.
+bool Residuals::addCorners(const Sighting& sighting, const std::vector<std::size_t>& extras, Attitude& attitude,
+                           Workspace& work) const {
+  sighting.view.placeBoard(work.linkFromBoard(sighting.view.board()), attitude);
+  if (!sighting.view.project(attitude, work.belief, sighting.corners, work.projected)) {
+    return false;
+  }
+  work.extraRows.clear();
+  for (std::size_t extra : extras) {
+    for (std::size_t block = 0; block < sighting.corners.size(); ++block) {
+      ExtraRow& row = work.extraRows.emplace_back();
+      View::extraRows(extra, attitude, work.belief, sighting.corners[block], work.projected[block], row.u, row.v);
+    }
+  }
+  work.corners.add(sighting.corners, work.projected, work.extraRows, noise_.pixel,
+                   {cornerShare(noise_, sighting.repeats), sighting.repeats}, loss_);
+  return true;
+}
+
+bool Residuals::addGroup(const Picture& picture, const PreparedPicture::Group& group, Workspace& work,
+                         PosePart& part) const {
+  const View& path = picture.sightings[group.sightings.front()].view;
+  Attitude attitude = path.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
+  if (std::find(group.extras.begin(), group.extras.end(), rowTimeExtra) != group.extras.end()) {
+    path.setDrift(measurements_.robot, work.belief, work.torsoFromLink, picture.instant.velocity, attitude);
+  }
+  work.corners.clear(group.extras.size());
+  for (std::size_t index : group.sightings) {
+    if (!addCorners(picture.sightings[index], group.extras, attitude, work)) {
+      return false;
+    }
+  }
+  work.motion.resize(at(6 + group.extras.size()), at(group.quantities.size()));
+  path.motion(measurements_.robot, attitude, work.belief, work.torsoFromLink, group.quantities, group.extras,
+              work.motion);
+  work.add(work.corners.gram(), work.corners.gradient(), work.motion, group);
+  work.cost += work.corners.cost();
+  part.squares += work.corners.squares();
+  part.numbers += 2 * work.corners.corners();
+  part.freedom += 2 * work.corners.freedom();
+  return true;
+}
+
+Residuals::State Residuals::start(const Eigen::VectorXd& unknowns) const {
+  State state{unknowns, {}};
+  for (const PosePart& pose : columns_) {
+    state.deflections.push_back(Eigen::VectorXd::Zero(at(pose.joints.size())));
+  }
+  return state;
+}
+
+/// Adds all of a pose's pictures to the workspace's sums. False: a corner is nowhere.
+bool Residuals::addPose(std::size_t pose, const State& state, const Eigen::VectorXd& deflections, Workspace& work,
+                        PosePart& part) const {
+  part.squares = part.numbers = part.freedom = 0;
+  for (const Reading& reading : measurements_.poses[pose].readings) {
+    for (std::size_t index : reading.pictures) {
+      const Picture& picture = measurements_.pictures[index];
+      const PreparedPicture& ready = prepared_[index];
+      believe(picture, ready, state.unknowns, deflections, work);
+      if (!addPicture(picture, ready, work, part)) {
+        return false;
+      }
+    }
+  }
+  part.loss = work.cost;
+  return true;
+}
+
+/// A pose's sums at these deflections, which are then eliminated. False: one of its corners is nowhere.
+bool Residuals::lineariseAt(std::size_t pose, const State& state, const Eigen::VectorXd& inSigmas, PoseSystem& system,
+                            Eliminated& part) const {
+  Workspace& work = Workspace::ofThisThread(measurements_);
+  const Eigen::VectorXd deflections = roots_[pose] * inSigmas;
+  work.sums.clear(at(system.unknowns.size() + system.joints.size()));
+  work.wantsRows = false;
+  if (!addPose(pose, state, deflections, work, system)) {
+    return false;
+  }
+  takeSums(work.sums, deflections, system);
+  eliminate(system, noise_, roots_[pose], part);
+  return true;
+}
+
+/// Goes on from a pose's sums to where its deflections rest.
+void Residuals::settle(std::size_t pose, State& state, PoseSystem& system, Eliminated& part) const {
+  constexpr int most = 20;
+  constexpr double little = 1e-4; // of the cost, which a step would gain
+  Eigen::VectorXd& here = state.deflections[pose];
+  for (int step = 0; step < most; ++step) {
+    Eigen::VectorXd there = restingDeflections(part);
+    const double gained = 0.5 * (part.inner.matrixU() * (there - here)).squaredNorm();
+    if (!(gained > little)) {
+      return;
+    }
+    PoseSystem onward{columns_[pose], {}, {}, {}, {}, {}};
+    Eliminated onwardPart;
+    if (!lineariseAt(pose, state, there, onward, onwardPart) ||
+        !(onward.loss + there.squaredNorm() < system.loss + here.squaredNorm())) {
+      return;
+    }
+    here.swap(there);
+    system = std::move(onward);
+    part = std::move(onwardPart);
+  }
+}
+
+std::optional<std::vector<PoseRows>> Residuals::rows(const State& state) const {
+  std::vector<PoseRows> result(columns_.size());
+  std::atomic<bool> possible = true;
+  inParallel(columns_.size(), [&](std::size_t pose) {
+    Workspace& work = Workspace::ofThisThread(measurements_);
+    PoseRows& rows = result[pose];
+    static_cast<PosePart&>(rows) = columns_[pose];
+    const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
+    work.rows.clear(at(rows.unknowns.size() + rows.joints.size()));
+    work.wantsRows = true;
+    if (!possible || !addPose(pose, state, deflections, work, rows)) {
+      possible = false;
+      return;
+    }
+    work.rows.take(deflections, rows);
+  });
+  return possible ? std::optional{std::move(result)} : std::nullopt;
+}
+
+/// Poses side by side. False: one of them is impossible.
+template <class AtPose> bool Residuals::linearisePoses(Linear& result, const AtPose& atPose) const {
+  if (result.poses.empty()) {
+    for (const PosePart& columns : columns_) {
+      result.poses.push_back({columns, {}, {}, {}, {}, {}});
+    }
+    result.eliminated.resize(columns_.size());
+  }
+  std::atomic<bool> possible = true;
+  inParallel(columns_.size(), [&](std::size_t pose) {
+    if (possible && !atPose(pose, result.poses[pose], result.eliminated[pose])) {
+      possible = false;
+    }
+  });
+  return possible;
+}
+
+/// Poses in their order, and the priors.
+void Residuals::addUp(const State& state, Linear& result) const {
+  const Eigen::VectorXd inPrior = state.unknowns.cwiseQuotient(sigmas_);
+  result.cost = 0.5 * inPrior.squaredNorm();
+  result.gradient = inPrior.cwiseQuotient(sigmas_);
+  result.hessian = sigmas_.cwiseAbs2().cwiseInverse().asDiagonal();
+  for (std::size_t pose = 0; pose < columns_.size(); ++pose) {
+    const PoseSystem& system = result.poses[pose];
+    const Eliminated& part = result.eliminated[pose];
+    result.cost += 0.5 * (system.loss + state.deflections[pose].squaredNorm());
+    result.gradient(system.unknowns) += part.unknownGradient;
+    result.hessian(system.unknowns, system.unknowns) += part.hessian;
+  }
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    if (!free_[i]) {
+      result.gradient[at(i)] = 0;
+      result.hessian.row(at(i)).setZero();
+      result.hessian.col(at(i)).setZero();
+      result.hessian(at(i), at(i)) = 1;
+    }
+  }
+}
+
+std::optional<Residuals::Linear> Residuals::linearised(const State& state) const {
+  std::optional<Linear> result{std::in_place};
+  const bool possible = linearisePoses(*result, [&](std::size_t pose, PoseSystem& system, Eliminated& part) {
+    return lineariseAt(pose, state, state.deflections[pose], system, part);
+  });
+  if (!possible) {
+    return std::nullopt;
+  }
+  addUp(state, *result);
+  return result;
+}
+
+bool Residuals::linearise(State& state, Linear& result) const {
+  const bool possible = linearisePoses(result, [&](std::size_t pose, PoseSystem& system, Eliminated& part) {
+    if (!lineariseAt(pose, state, state.deflections[pose], system, part)) {
+      return false;
+    }
+    if (!columns_[pose].joints.empty()) {
+      settle(pose, state, system, part);
+    }
+    return true;
+  });
+  if (possible) {
+    addUp(state, result);
+  }
+  return possible;
+}
+
+Residuals::State Residuals::moved(const State& state, const Linear& linear, const Eigen::VectorXd& step) const {
+  State result{state.unknowns + step, {}};
+  for (std::size_t pose = 0; pose < columns_.size(); ++pose) {
+    if (columns_[pose].joints.empty()) {
+      result.deflections.emplace_back();
+      continue;
+    }
+    const Eliminated& part = linear.eliminated[pose];
+    Eigen::VectorXd along = Eigen::VectorXd::Zero(part.half.cols() - 1);
+    for (std::size_t i = 0; i < columns_[pose].unknowns.size(); ++i) {
+      along[at(i)] = step[at(columns_[pose].unknowns[i])];
+    }
+    result.deflections.push_back(restingDeflections(part, along));
+  }
+  return result;
+}
+
+std::optional<std::vector<SightingMotion>> Residuals::sightingMotions(const State& state) const {
+  std::vector<SightingMotion> result;
+  Workspace& work = Workspace::ofThisThread(measurements_);
+  for (std::size_t pose = 0; pose < columns_.size(); ++pose) {
+    const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
+    const Eigen::Index columns = at(columns_[pose].unknowns.size() + columns_[pose].joints.size());
+    for (const Reading& reading : measurements_.poses[pose].readings) {
+      for (std::size_t index : reading.pictures) {
+        const Picture& picture = measurements_.pictures[index];
+        believe(picture, prepared_[index], state.unknowns, deflections, work);
+        posture(measurements_.robot, work.belief, prepared_[index].links, work.torsoFromLink);
+        for (const PreparedPicture::Group& group : prepared_[index].groups) {
+          for (std::size_t sighting : group.sightings) {
+            SightingMotion motion{.picture = index, .sighting = sighting, .pose = pose};
+            motion.cross.setZero(6, columns);
+            if (!addMotion(picture.sightings[sighting], group, work, motion)) {
+              return std::nullopt;
+            }
+            result.push_back(std::move(motion));
+          }
+        }
+      }
+    }
+  }
+  return result;
+}
+
+/// Fills in a sighting's sums. False: a corner is nowhere.
+bool Residuals::addMotion(const Sighting& sighting, const PreparedPicture::Group& group, Workspace& work,
+                          SightingMotion& motion) const {
+  Attitude attitude = sighting.view.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
+  if (std::find(group.extras.begin(), group.extras.end(), rowTimeExtra) != group.extras.end()) {
+    sighting.view.setDrift(measurements_.robot, work.belief, work.torsoFromLink,
+                           measurements_.pictures[motion.picture].instant.velocity, attitude);
+  }
+  work.corners.clear(group.extras.size());
+  if (!addCorners(sighting, group.extras, attitude, work)) {
+    return false;
+  }
+  work.motion.resize(at(6 + group.extras.size()), at(group.quantities.size()));
+  sighting.view.motion(measurements_.robot, attitude, work.belief, work.torsoFromLink, group.quantities, group.extras,
+                       work.motion);
+  const PictureGram::Square gram = work.corners.gram();
+  motion.gram = gram.topLeftCorner<6, 6>();
+  motion.gradient = work.corners.gradient().head<6>();
+  const Eigen::MatrixXd byQuantities = gram.topRows<6>() * work.motion;
+  for (const PreparedPicture::Group::Share& share : group.shares) {
+    motion.cross.col(group.columns[share.column]) += work.slopes[share.slope] * byQuantities.col(share.quantity);
+  }
+  return true;
+}
+
+std::vector<SightingResidual> Residuals::sightings(const State& state) const {
+  std::vector<SightingResidual> result;
+  Workspace& work = Workspace::ofThisThread(measurements_);
+  for (std::size_t pose = 0; pose < columns_.size(); ++pose) {
+    const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
+    for (const Reading& reading : measurements_.poses[pose].readings) {
+      for (std::size_t index : reading.pictures) {
+        const Picture& picture = measurements_.pictures[index];
+        believe(picture, prepared_[index], state.unknowns, deflections, work);
+        posture(measurements_.robot, work.belief, prepared_[index].links, work.torsoFromLink);
+        for (std::size_t i = 0; i < picture.sightings.size(); ++i) {
+          result.push_back(sightingResidual(index, i, work));
+        }
+      }
+    }
+  }
+  return result;
+}
+
+SightingResidual Residuals::sightingResidual(std::size_t picture, std::size_t index, Workspace& work) const {
+  const Sighting& sighting = measurements_.pictures[picture].sightings[index];
+  Attitude attitude = sighting.view.attitude(measurements_.robot, work.belief, work.torsoFromLink);
+  if (work.belief.rowTime() != 0) {
+    sighting.view.setDrift(measurements_.robot, work.belief, work.torsoFromLink,
+                           measurements_.pictures[picture].instant.velocity, attitude);
+  }
+  const Eigen::Index count = at(sighting.ids.size());
+  SightingResidual result{picture,
+                          index,
+                          Eigen::Matrix2Xd(2, count),
+                          Eigen::Matrix2Xd(2, count),
+                          Eigen::VectorXd::Zero(count),
+                          Eigen::MatrixXd::Zero(2 * count, 6)};
+  if (!sighting.view.project(attitude, work.belief, sighting.corners, work.projected)) {
+    result.predicted.setConstant(std::numeric_limits<double>::quiet_NaN());
+    result.residual = result.predicted;
+    return result;
+  }
+  const double information = cornerShare(noise_, sighting.repeats) / (noise_.pixel * noise_.pixel);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const CornerBlock& corner = sighting.corners[static_cast<std::size_t>(i / 4)];
+    const ProjectedBlock& seen = work.projected[static_cast<std::size_t>(i / 4)];
+    result.predicted.col(i) << seen.u[i % 4], seen.v[i % 4];
+    result.residual.col(i) << corner.u[i % 4] - seen.u[i % 4], corner.v[i % 4] - seen.v[i % 4];
+    for (Eigen::Index k = 0; k < 6; ++k) {
+      result.motionRows(2 * i, k) = seen.rowsU[k][i % 4];
+      result.motionRows(2 * i + 1, k) = seen.rowsV[k][i % 4];
+    }
+    result.weight[i] = corner.present[i % 4] * loss_(information * result.residual.col(i).squaredNorm()).weight;
+  }
+  return result;
+}
+
+} // namespace naocal

@@ -1,0 +1,112 @@
+#pragma once
+
+#include "estimation/Marginalization.hpp"
+#include "estimation/Model.hpp"
+#include "estimation/NormalEquations.hpp"
+#include "measurements/Measurements.hpp"
+#include "measurements/Noise.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+namespace naocal {
+
+/// Measurement minus prediction of one sighting's corners, and how far each counts.
+struct SightingResidual {
+  std::size_t picture = 0, sighting = 0;
+  Eigen::Matrix2Xd predicted; // [px]
+  Eigen::Matrix2Xd residual;  // measured - predicted [px]
+  Eigen::VectorXd weight;     // of the loss, 0..1
+  Eigen::MatrixXd motionRows; // d(predicted) by (omega, v) of the board in the optical frame: u0, v0, u1, ... times 6
+};
+
+/// What a sighting alone tells about a rigid motion of its board in the optical frame (omega, v), beside the unknowns
+/// and deflections of its pose. L: `motionRows`, W: the corners' weights; before any noise level is applied.
+struct SightingMotion {
+  std::size_t picture = 0, sighting = 0, pose = 0;
+  Eigen::Matrix<double, 6, 6> gram;               // L^T W L   [px^2 / (rad or m)^2]
+  Eigen::Matrix<double, 6, 1> gradient;           // L^T W r, r = predicted - measured
+  Eigen::Matrix<double, 6, Eigen::Dynamic> cross; // L^T W [J_x J_t]: the pose's unknowns, then its deflections
+};
+
+/// All residuals of a model, whitened, with their derivative: the one place where the model meets the measurements.
+/// A problem for `levenbergMarquardt`.
+class Residuals {
+public:
+  Residuals(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss = {});
+
+  /// The unknowns, and each pose's deflections in units of their standard deviations.
+  struct State {
+    Eigen::VectorXd unknowns;
+    std::vector<Eigen::VectorXd> deflections;
+  };
+  /// Cost (half of chi2, priors and loss included), its gradient and Gauss-Newton Hessian, deflections eliminated.
+  struct Linear {
+    double cost = 0;
+    Eigen::VectorXd gradient;
+    Eigen::MatrixXd hessian;
+    std::vector<PoseSystem> poses;
+    std::vector<Eliminated> eliminated;
+  };
+
+  State start(const Eigen::VectorXd& unknowns) const;
+  /// Absent: the state is impossible. Poses side by side on all cores, summed in their order.
+  std::optional<Linear> linearised(const State& state) const;
+  /// The same where deflections have come to rest at the state's unknowns (variable projection: Golub and Pereyra,
+  /// Inverse Problems 19 (2003) R1), so that the cost follows the unknowns alone: where corners lose their weight the
+  /// gradient by the unknowns tells nothing of what deflections would still gain. False: the state is impossible.
+  /// `result` is empty or was filled by this function before: its memory is used again.
+  bool linearise(State& state, Linear& result) const;
+  /// The same as rows, for a model with many unknowns. Absent: the state is impossible.
+  std::optional<std::vector<PoseRows>> rows(const State& state) const;
+  State moved(const State& state, const Linear& linear, const Eigen::VectorXd& step) const;
+  const Eigen::VectorXd& scales() const { return sigmas_; }
+
+  /// Per sighting what is seen against what was measured at a state.
+  std::vector<SightingResidual> sightings(const State& state) const;
+  /// The same sightings, in an order of their own, against motions of their boards. Absent: the state is impossible.
+  std::optional<std::vector<SightingMotion>> sightingMotions(const State& state) const;
+
+  /// Only these unknowns are free; the others stay where they are (all free by default).
+  void freeOnly(const std::vector<bool>& free) { free_ = free; }
+
+  const Measurements& measurements() const { return measurements_; }
+  const Model& model() const { return model_; }
+  const Noise& noise() const { return noise_; }
+
+private:
+  struct Workspace;
+  bool lineariseAt(std::size_t pose, const State& state, const Eigen::VectorXd& inSigmas, PoseSystem& system,
+                   Eliminated& part) const;
+  void settle(std::size_t pose, State& state, PoseSystem& system, Eliminated& part) const;
+  template <class AtPose> bool linearisePoses(Linear& result, const AtPose& atPose) const;
+  void addUp(const State& state, Linear& result) const;
+  bool addPose(std::size_t pose, const State& state, const Eigen::VectorXd& deflections, Workspace& work,
+               PosePart& part) const;
+  PosePart columnsOf(const PoseGroup& pose);
+  void believe(const Picture& picture, const PreparedPicture& prepared, const Eigen::VectorXd& unknowns,
+               const Eigen::VectorXd& deflections, Workspace& work) const;
+  bool addPicture(const Picture& picture, const PreparedPicture& prepared, Workspace& work, PosePart& part) const;
+  void addFloorContact(const Picture& picture, const PreparedPicture& prepared, Workspace& work, PosePart& part) const;
+  bool addCorners(const Sighting& sighting, const std::vector<std::size_t>& extras, Attitude& attitude,
+                  Workspace& work) const;
+  void addImuReading(const Picture& picture, const PreparedPicture& prepared, Workspace& work, PosePart& part) const;
+  bool addGroup(const Picture& picture, const PreparedPicture::Group& group, Workspace& work, PosePart& part) const;
+  SightingResidual sightingResidual(std::size_t picture, std::size_t index, Workspace& work) const;
+  bool addMotion(const Sighting& sighting, const PreparedPicture::Group& group, Workspace& work,
+                 SightingMotion& motion) const;
+
+  const Measurements& measurements_;
+  const Model& model_;
+  Noise noise_;
+  Loss loss_;
+  Eigen::VectorXd sigmas_;
+  std::vector<bool> free_;
+  std::vector<PreparedPicture> prepared_; // per picture
+  std::vector<PosePart> columns_;         // per pose: nothing summed up
+  std::vector<DeflectionRoot> roots_;     // per pose
+};
+
+} // namespace naocal

@@ -1,0 +1,385 @@
+#include "evaluation/ThesisExperiment.hpp"
+
+#include "estimation/ModelBuilder.hpp"
+#include "io/InputError.hpp"
+#include "math/Angles.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "math/SubsetSelection.hpp"
+#include "poses/candidates/BoardPlacement.hpp"
+#include "poses/candidates/PoseSampler.hpp"
+#include "poses/criteria/PlannedInformation.hpp"
+#include "poses/criteria/ThesisCriterion.hpp"
+#include "robot/Balance.hpp"
+#include "simulation/SimulationPlan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numeric>
+
+namespace naocal {
+
+namespace {
+
+/// Before rounding [rad].
+double angleSigma(AngleNoise noise) {
+  return noise == AngleNoise::radians ? 0.007 : noise == AngleNoise::degrees ? radians(0.007) : 0;
+}
+
+/// Of a gear that sticks, behind the encoder: half the dead zone of a motor [rad].
+const double stiction = radians(0.05);
+
+bool dithered(const ThesisSetting& setting) {
+  return setting.jointNoise == AngleNoise::encoder || setting.jointNoise == AngleNoise::stiction;
+}
+
+} // namespace
+
+Noise thesisNoise(const ThesisSetting& setting, double pixel) {
+  const double noPixelNoise = setting.angleNoise() ? 0.03 : 0.01; // [px]
+  const double rounding =
+      encoderStep / std::sqrt(dithered(setting) ? 6.0 : 12.0); // uniform, or a sum of two uniform ones
+  return {.pixel = setting.pixelNoise() ? pixel : noPixelNoise,
+          .encoder = setting.angleNoise() ? std::hypot(angleSigma(setting.jointNoise), rounding) : 0,
+          .pose = setting.angleNoise() && setting.jointNoise == AngleNoise::stiction ? stiction : 0};
+}
+
+AngleReading angleReading(double commanded, const ThesisSetting& setting, Randomness& chance) {
+  if (!setting.angleNoise()) {
+    return {commanded, commanded};
+  }
+  const double raw = commanded + chance.within(encoderStep / 2);
+  const double noise =
+      dithered(setting) ? chance.within(encoderStep / 2) : chance.normal(angleSigma(setting.jointNoise));
+  const double behind = setting.jointNoise == AngleNoise::stiction ? chance.normal(stiction) : 0;
+  return {raw + behind, encoderStep * std::round((raw + noise) / encoderStep)};
+}
+
+namespace {
+
+const double range = radians(6.5); // of offsets [rad]
+
+/// Attitudes in which a robot stands and sees something.
+std::vector<Eigen::VectorXd> candidatePoses(const Robot& robot, const ThesisScenery& scenery, std::size_t count) {
+  PoseOptions options;
+  options.sight = scenery.limits;
+  const Scene scene{robot, options.supportFoot, scenery.targets, scenery.cameras, options.sight};
+  std::vector<Eigen::VectorXd> poses;
+  for (const Belief& belief : stableAttitudes(robot, scene, options, count)) {
+    poses.emplace_back(belief.values.head(at(robot.joints.size())));
+  }
+  return poses;
+}
+
+std::size_t cornersSeen(const PoseGroup& pose, const Measurements& taken) {
+  std::size_t corners = 0;
+  for (const Reading& reading : pose.readings) {
+    for (const std::size_t picture : reading.pictures) {
+      for (const Sighting& sighting : taken.pictures[picture].sightings) {
+        corners += sighting.ids.size();
+      }
+    }
+  }
+  return corners;
+}
+
+/// What a pose is worth over robots with unknown offsets.
+struct Prospect {
+  Eigen::MatrixXd information; // about the offsets, on average
+  bool sees = true;            // every robot sees enough
+};
+
+std::vector<Prospect> prospects(const ThesisStage& stage, const Model& model, const Noise& noise) {
+  constexpr std::size_t robots = 40, enough = 24;
+  const auto unknowns = at(model.unknownCount());
+  Measurements taken = stage.everything();
+  std::vector<Prospect> result(taken.poses.size(), Prospect{Eigen::MatrixXd::Zero(unknowns, unknowns)});
+  Randomness chance{1, "robots before the thesis's poses"};
+  const auto exact = [](double angle) { return AngleReading{angle, angle}; };
+  for (std::size_t robot = 0; robot < robots; ++robot) {
+    Eigen::VectorXd offsets{unknowns};
+    for (double& offset : offsets) {
+      offset = chance.within(range);
+    }
+    stage.take(offsets, exact, 0, chance, taken);
+    const Residuals residuals{taken, model, noise};
+    const auto linear = residuals.linearised(residuals.start(offsets)).value(); // what is seen lies before the camera
+    for (std::size_t pose = 0; pose < result.size(); ++pose) {
+      PoseInformation told = informationOf(linear.poses[pose], noise);
+      told.hessian /= robots;
+      told.addTo(result[pose].information);
+      result[pose].sees = result[pose].sees && cornersSeen(taken.poses[pose], taken) >= enough;
+    }
+  }
+  return result;
+}
+
+/// The thesis's chain among the usable poses; their numbers.
+std::vector<std::size_t> chainOf(const Robot& robot, const ThesisStage& stage,
+                                 const std::vector<Eigen::VectorXd>& poses, const std::vector<std::size_t>& usable,
+                                 std::size_t count) {
+  const ThesisSelection thesis{
+      robot, supportSole(robot, SupportFoot::left), drawnCameras(640, 480), stage.joints(), {}};
+  std::vector<SievedPose> candidates;
+  for (const std::size_t pose : usable) {
+    candidates.push_back({drawnBelief(robot, Quantities{robot.joints.size(), robot.lengths.size(), 0}), {}});
+    candidates.back().belief.values.head(poses[pose].size()) = poses[pose];
+  }
+  return thesis.chain(candidates, count);
+}
+
+} // namespace
+
+std::vector<ThesisPose> posesOf(const ThesisSetting& setting, const Robot& robot,
+                                const std::vector<Eigen::VectorXd>& chosen) {
+  std::vector<ThesisPose> result;
+  for (std::size_t i = 0; i < setting.poses; ++i) {
+    result.push_back({SupportFoot::left, chosen.at(i)});
+  }
+  for (std::size_t i = 0; setting.bothLegs && i < setting.poses; ++i) {
+    result.push_back({SupportFoot::right, mirrored(robot, chosen.at(i))});
+  }
+  return result;
+}
+
+std::vector<Eigen::VectorXd> thesisPoses(const Robot& robot, ThesisFeature feature, PoseChoice choice,
+                                         std::size_t count) {
+  constexpr std::size_t candidates = 300;
+  const std::vector<Eigen::VectorXd> poses = candidatePoses(robot, thesisScenery(feature), candidates);
+  const ThesisSetting drawn{.feature = feature, .poses = poses.size()};
+  const ThesisStage stage{robot, drawn, posesOf(drawn, robot, poses)};
+  const Model model = unknownsOf(stage, range / std::sqrt(3.0), 0);
+  const std::vector<Prospect> all = prospects(stage, model, Noise{});
+  std::vector<std::size_t> usable;
+  std::vector<Eigen::MatrixXd> informations;
+  for (std::size_t pose = 0; pose < poses.size(); ++pose) {
+    if (all[pose].sees) {
+      usable.push_back(pose);
+      informations.push_back(all[pose].information);
+    }
+  }
+  if (usable.size() < count) {
+    throw InputError{fmt::format("expected {} poses that see the {} despite wrong offsets, found {} in {} stable ones",
+                                 count, word(feature), usable.size(), poses.size())};
+  }
+  const Eigen::MatrixXd prior = model.sigmas().cwiseAbs2().cwiseInverse().asDiagonal();
+  std::vector<Eigen::VectorXd> result;
+  for (const std::size_t chosen : choice == PoseChoice::chain ? chainOf(robot, stage, poses, usable, count)
+                                                              : mostInformative(prior, informations, count)) {
+    result.push_back(poses[usable[chosen]]);
+  }
+  return result;
+}
+
+namespace {
+
+/// Floor points every quarter of a metre up to 4 m away, square metres of them.
+std::vector<Board> floorTiles() {
+  constexpr int perMetre = 4, farthest = 4;
+  std::vector<Board> tiles;
+  for (int x = 0; x < farthest; ++x) {
+    for (int y = -farthest; y < farthest; ++y) {
+      Board tile;
+      tile.id = fmt::format("{}{:+}", x, y);
+      tile.placement = Placement{static_cast<double>(x), static_cast<double>(y)};
+      for (int i = 0; i < perMetre * perMetre; ++i) {
+        const Eigen::Vector3d point{(i % perMetre + 0.5) / perMetre, (i / perMetre + 0.5) / perMetre, 0};
+        if (Eigen::Vector2d{x + point.x(), y + point.y()}.norm() <= farthest) {
+          tile.points.push_back(point);
+        }
+      }
+      if (!tile.points.empty()) {
+        tiles.push_back(tile);
+      }
+    }
+  }
+  return tiles;
+}
+
+} // namespace
+
+ThesisScenery thesisScenery(ThesisFeature feature) {
+  ThesisScenery result{{}, drawnCameras(640, 480), {}};
+  if (feature == ThesisFeature::grid) {
+    result.targets = floorTiles();
+    result.limits.farthest = 4.5; // from the camera, half a metre over the floor
+    result.limits.grazing = radians(5);
+    result.limits.corners = 1;
+    return result;
+  }
+  result.targets = boardsAround();
+  for (Board& board : result.targets) { // seen from the sole
+    board.placement->y -= halfStance;
+  }
+  return result;
+}
+
+Measurements everythingInSight(const Robot& robot, const ThesisScenery& scenery, const ThesisSetting& setting,
+                               const std::vector<ThesisPose>& poses) {
+  CaptureSet set{.name = "thesis", .model = robot.model, .cameras = scenery.cameras, .boards = scenery.targets};
+  set.stances = {{0, SupportFoot::left, Placement{}}, {1, SupportFoot::right, Placement{.y = -betweenFeet}}};
+  for (Board& board : set.boards) {
+    if (setting.unknownPlaces) {
+      board.placementGuess = *board.placement;
+      board.hasGuess = true;
+      board.placement.reset();
+    }
+  }
+  for (const Joint& joint : robot.joints) {
+    set.jointNames.push_back(joint.name);
+  }
+  std::vector<BoardCorners> all;
+  for (const Board& board : scenery.targets) {
+    BoardCorners& corners = all.emplace_back(BoardCorners{board.id, std::vector<int>(board.points.size()), {}});
+    std::iota(corners.ids.begin(), corners.ids.end(), 0);
+    corners.uv.assign(board.points.size(), Eigen::Vector2d::Zero());
+  }
+  for (std::size_t pose = 0; pose < poses.size(); ++pose) {
+    for (std::size_t sample = 0; sample < setting.samples; ++sample) {
+      for (const auto& [camera, lens] : scenery.cameras) {
+        Capture& capture = set.captures.emplace_back();
+        capture.id = static_cast<int>(set.captures.size());
+        capture.pose = fmt::format("P{:04}", pose);
+        capture.repeat = static_cast<int>(sample);
+        capture.repeatKind = RepeatKind::reapproach; // so that each sample's readings have errors of their own
+        capture.camera = camera;
+        capture.supportFoot = poses[pose].foot;
+        capture.stance = poses[pose].foot == SupportFoot::left ? 0 : 1;
+        capture.joints.measured.assign(poses[pose].angles.begin(), poses[pose].angles.end());
+        capture.corners = all;
+      }
+    }
+  }
+  return measurementsOf({set}, robot);
+}
+
+namespace {
+
+/// Which corners of a target are in sight, and where; few ones count as none.
+void findSeen(const Board& target, const Attitude& attitude, const ProjectedBlocks& projected,
+              const CameraIntrinsics& lens, const SightLimits& limits, BoardCorners& seen) {
+  const double height = attitude.opticalFromBoard.inverse().translation.z(); // of the camera over the floor
+  seen.ids.clear();
+  seen.uv.clear();
+  for (std::size_t i = 0; i < target.points.size(); ++i) {
+    const double u = projected[i / 4].u[i % 4], v = projected[i / 4].v[i % 4];
+    if (u < limits.border || u > lens.width - 1 - limits.border || v < limits.border ||
+        v > lens.height - 1 - limits.border) {
+      continue;
+    }
+    const double distance = (attitude.opticalFromBoard * target.points[i]).norm();
+    if (distance >= limits.nearest && distance <= limits.farthest && height >= distance * std::sin(limits.grazing)) {
+      seen.ids.push_back(static_cast<int>(i));
+      seen.uv.emplace_back(u, v);
+    }
+  }
+  if (seen.ids.size() < limits.corners) {
+    seen.ids.clear();
+  }
+}
+
+} // namespace
+
+ThesisStage::ThesisStage(const Robot& robot, const ThesisSetting& setting, const std::vector<ThesisPose>& poses)
+    : scenery_{thesisScenery(setting.feature)}, everything_{everythingInSight(robot, scenery_, setting, poses)} {
+  std::vector<Effect> effects{jointOffset()};
+  if (setting.unknownPlaces) {
+    effects.push_back(cameraRotation());
+  }
+  model_ = makeModel(everything_, {}, {}, effects);
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    const auto motor = std::find(joints().begin(), joints().end(), robot.joints[joint].motor);
+    if (motor != joints().end()) {
+      driven_.emplace_back(joint, motor - joints().begin());
+    }
+  }
+}
+
+std::vector<std::string> ThesisStage::jointNames() const {
+  std::vector<std::string> names;
+  for (const std::size_t joint : joints()) {
+    names.push_back(everything_.robot.joints[joint].name);
+  }
+  return names;
+}
+
+/// Fills `seen` with what its camera shows when the stage's joints truly are at these angles.
+void ThesisStage::look(const Picture& all, const Eigen::VectorXd& angles, const Eigen::VectorXd& truth,
+                       Picture& seen) const {
+  thread_local Posture torsoFromLink;
+  thread_local ProjectedBlocks projected;
+  thread_local BoardCorners corners;
+  const Robot& robot = everything_.robot;
+  Belief real = all.drawn;
+  for (const auto& [joint, i] : driven_) {
+    real.angle(joint) = angles[i];
+  }
+  for (std::size_t term = joints().size(); term < model_.terms().size(); ++term) { // mounts and places
+    const Term& other = model_.terms()[term];
+    for (const std::size_t place : placesOn(other, everything_, all)) {
+      other.effect.correct(real, all.instant, place, other.values(truth));
+    }
+  }
+  posture(robot, real, all.sightings.front().view.links(), torsoFromLink);
+  Attitude attitude = all.sightings.front().view.pathAttitude(robot, real, torsoFromLink);
+  const CameraIntrinsics& lens = scenery_.cameras.at(robot.cameras[all.camera].name);
+  seen.sightings.clear();
+  for (const Sighting& sighting : all.sightings) {
+    sighting.view.placeBoard(placed(real.boardPlacement(sighting.view.board())), attitude);
+    if (!sighting.view.project(attitude, real, sighting.corners, projected)) {
+      continue;
+    }
+    const Board& target = everything_.targets[sighting.view.board()].board;
+    findSeen(target, attitude, projected, lens, scenery_.limits, corners);
+    if (!corners.ids.empty()) {
+      seen.sightings.push_back({sighting.view, cornerBlocks(target, corners), corners.ids});
+    }
+  }
+}
+
+void ThesisStage::take(const Eigen::VectorXd& truth, const std::function<AngleReading(double)>& read, double pixel,
+                       Randomness& chance, Measurements& taken) const {
+  Eigen::VectorXd angles{at(joints().size())}, reported = angles;
+  for (const PoseGroup& pose : everything_.poses) {
+    for (const Reading& each : pose.readings) {
+      const Belief& commanded = everything_.pictures[each.pictures.front()].drawn;
+      for (std::size_t i = 0; i < joints().size(); ++i) {
+        const AngleReading reading = read(commanded.angle(joints()[i]));
+        angles[at(i)] = reading.raw - truth[at(i)];
+        reported[at(i)] = reading.reported;
+      }
+      for (const std::size_t index : each.pictures) {
+        Picture& picture = taken.pictures[index];
+        for (const auto& [joint, i] : driven_) {
+          picture.drawn.angle(joint) = picture.instant.q[at(joint)] = reported[i];
+        }
+        look(everything_.pictures[index], angles, truth, picture);
+      }
+    }
+  }
+  for (Picture& picture : taken.pictures) {
+    for (Sighting& sighting : picture.sightings) {
+      for (CornerBlock& block : sighting.corners) {
+        for (int i = 0; pixel > 0 && i < 4; ++i) {
+          block.u[i] += chance.normal(pixel);
+          block.v[i] += chance.normal(pixel);
+        }
+      }
+    }
+  }
+}
+
+Model unknownsOf(const ThesisStage& stage, double offsetSigma, double mountSigma) {
+  Model result;
+  for (Term term : stage.model().terms()) {
+    for (Unknown& unknown : term.effect.unknowns) {
+      if (!term.isPlacement) {
+        unknown.sigma = term.effect.place == Place::camera ? mountSigma : offsetSigma;
+      }
+    }
+    result.add(std::move(term));
+  }
+  return result;
+}
+
+} // namespace naocal

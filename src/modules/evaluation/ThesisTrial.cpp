@@ -1,0 +1,294 @@
+#include "evaluation/ThesisTrial.hpp"
+
+#include "estimation/Residuals.hpp"
+#include "evaluation/GlobalSearch.hpp"
+#include "evaluation/ThesisExperiment.hpp"
+#include "math/Angles.hpp"
+#include "math/LevenbergMarquardt.hpp"
+#include "math/LinearAlgebra.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace naocal {
+
+/// The pixels of a problem (Residuals) with central differences in place of its derivatives, for levenbergMarquardt.
+/// Without priors and deflections.
+class NumericPixels {
+public:
+  explicit NumericPixels(const Residuals& residuals) : residuals_{residuals} {}
+
+  struct Linear {
+    double cost = 0;
+    Eigen::VectorXd gradient;
+    Eigen::MatrixXd hessian;
+  };
+  bool linearise(const Residuals::State& state, Linear& result) const;
+  Residuals::State moved(const Residuals::State& state, const Linear&, const Eigen::VectorXd& step) const {
+    return residuals_.start(state.unknowns + step);
+  }
+  const Eigen::VectorXd& scales() const { return residuals_.scales(); }
+
+private:
+  std::optional<Eigen::VectorXd> pixels(const Eigen::VectorXd& unknowns) const;
+
+  const Residuals& residuals_;
+};
+
+/// The range of a NAO's offsets in the thesis [rad], either way.
+const double largestOffset = radians(6.5);
+
+/// Where a search ended.
+struct ThesisFound {
+  bool ended = false; // by itself, in a possible state
+  Eigen::VectorXd unknowns;
+  double cost = std::numeric_limits<double>::infinity();
+  double sigma = 0; // the largest of an offset, where costs are halves of chi2
+  bool better(const ThesisFound& other) const { return ended && (!other.ended || cost < other.cost); }
+};
+
+/// The solvers of the evaluation, before one error set.
+class ThesisSearch {
+public:
+  /// `pixels`: plain least squares, `whitened`: with our weights and priors, `flat`: with our weights alone, where only
+  /// pixels are noisy, else nullptr. `offsets`: how many of the unknowns are. `numbers`: that were measured.
+  ThesisSearch(const Residuals& pixels, const Residuals& whitened, const Residuals* flat, std::size_t offsets,
+               double numbers, Randomness& starts)
+      : pixels_{pixels}, whitened_{whitened}, flat_{flat}, offsets_{static_cast<Eigen::Index>(offsets)},
+        numbers_{numbers}, starts_{starts} {}
+
+  ThesisFound found(ThesisSolver solver);
+
+private:
+  template <typename Problem> ThesisFound search(const Problem& problem, const Residuals::State& start) const;
+  ThesisFound fromRandomStarts();
+  ThesisFound ours();
+  ThesisFound byCostsOnly(ThesisSolver solver);
+  Eigen::VectorXd zero() const { return Eigen::VectorXd::Zero(pixels_.scales().size()); }
+  Eigen::VectorXd randomStart();
+
+  const Residuals &pixels_, &whitened_;
+  const Residuals* flat_;
+  Eigen::Index offsets_;
+  double numbers_;
+  Randomness& starts_;
+};
+
+/// Predicted minus measured, all corners.
+std::optional<Eigen::VectorXd> NumericPixels::pixels(const Eigen::VectorXd& unknowns) const {
+  const std::vector<SightingResidual> sightings = residuals_.sightings(residuals_.start(unknowns));
+  Eigen::Index count = 0;
+  for (const SightingResidual& sighting : sightings) {
+    count += sighting.residual.size();
+  }
+  Eigen::VectorXd result(count);
+  Eigen::Index row = 0;
+  for (const SightingResidual& sighting : sightings) {
+    for (const double difference : sighting.residual.reshaped()) {
+      result[row++] = -difference;
+    }
+  }
+  return result.allFinite() ? std::optional{result} : std::nullopt;
+}
+
+bool NumericPixels::linearise(const Residuals::State& state, Linear& result) const {
+  constexpr double step = 1e-5; // [rad]
+  const auto here = pixels(state.unknowns);
+  if (!here) {
+    return false;
+  }
+  Eigen::MatrixXd slopes(here->size(), state.unknowns.size());
+  for (Eigen::Index i = 0; i < state.unknowns.size(); ++i) {
+    const Eigen::VectorXd little = step * Eigen::VectorXd::Unit(state.unknowns.size(), i);
+    const auto above = pixels(state.unknowns + little), below = pixels(state.unknowns - little);
+    if (!above || !below) {
+      return false;
+    }
+    slopes.col(i) = (*above - *below) / (2 * step);
+  }
+  result = {0.5 * here->squaredNorm(), slopes.transpose() * *here, slopes.transpose() * slopes};
+  return true;
+}
+
+Eigen::VectorXd ThesisSearch::randomStart() {
+  Eigen::VectorXd start = zero();
+  for (double& offset : start.head(offsets_)) {
+    offset = starts_.within(largestOffset);
+  }
+  return start;
+}
+
+template <typename Problem>
+ThesisFound ThesisSearch::search(const Problem& problem, const Residuals::State& start) const {
+  constexpr double smallestFall = 1e-6; // a thousandth of the noise, or of a pixel
+  auto minimum = levenbergMarquardt(problem, start, {.smallestFall = smallestFall});
+  if (!minimum) {
+    return {};
+  }
+  const auto count = minimum->linear.hessian.rows();
+  const Eigen::MatrixXd covariance = minimum->linear.hessian.llt().solve(Eigen::MatrixXd::Identity(count, count));
+  return {minimum->converged, std::move(minimum->state.unknowns), minimum->linear.cost,
+          std::sqrt(covariance.diagonal().head(offsets_).maxCoeff())};
+}
+
+/// The best of searches from zero and at random, until three have ended in it; at most fifty (the thesis's number).
+ThesisFound ThesisSearch::fromRandomStarts() {
+  constexpr int most = 50, enough = 3;
+  ThesisFound best = search(pixels_, pixels_.start(zero()));
+  for (int tries = 1, same = best.ended ? 1 : 0; tries < most && same < enough; ++tries) {
+    ThesisFound next = search(pixels_, pixels_.start(randomStart()));
+    if (next.ended && std::abs(next.cost - best.cost) <= 1e-6 * (1 + best.cost)) {
+      ++same;
+    } else if (next.better(best)) {
+      best = std::move(next);
+      same = 1;
+    }
+  }
+  return best;
+}
+
+/// From zero; from random starts as well as long as what is left is more than the noise explains (five sigmas of chi2).
+/// Where only pixels are noisy and the pictures alone tell every offset, the prior does not count in the end.
+ThesisFound ThesisSearch::ours() {
+  constexpr int most = 20;
+  constexpr double needed = 0.01; // of an offset, whose prior has 0.1 [rad]
+  ThesisFound best = search(whitened_, whitened_.start(zero()));
+  const double explained = 0.5 * (numbers_ + 5 * std::sqrt(2 * numbers_));
+  for (int tries = 1; tries < most && !(best.ended && best.cost < explained); ++tries) {
+    if (ThesisFound next = search(whitened_, whitened_.start(randomStart())); next.better(best)) {
+      best = std::move(next);
+    }
+  }
+  if (flat_ && best.ended && best.sigma < needed) {
+    if (ThesisFound last = search(*flat_, flat_->start(best.unknowns)); last.ended) {
+      return last;
+    }
+  }
+  return best;
+}
+
+/// Costs of a swarm's or dlib's search: as many as these can do in about a second.
+ThesisFound ThesisSearch::byCostsOnly(ThesisSolver solver) {
+  constexpr std::size_t swarmCalls = 40'000, dlibCalls = 500;
+  const Cost cost = [this](const Eigen::VectorXd& unknowns) {
+    const auto there = pixels_.linearised(pixels_.start(unknowns));
+    return there ? there->cost : std::numeric_limits<double>::infinity();
+  };
+  ThesisFound result{true, solver == ThesisSolver::dlib
+                               ? dlibMinimum(cost, offsets_, largestOffset, dlibCalls)
+                               : swarmMinimum(cost, offsets_, largestOffset, swarmCalls, starts_.below(1u << 31))};
+  result.cost = cost(result.unknowns);
+  return result;
+}
+
+ThesisFound ThesisSearch::found(ThesisSolver solver) {
+  switch (solver) {
+  case ThesisSolver::plain:
+    break;
+  case ThesisSolver::randomStarts:
+    return fromRandomStarts();
+  case ThesisSolver::ours:
+    return ours();
+  case ThesisSolver::numeric:
+    return search(NumericPixels{pixels_}, pixels_.start(zero()));
+  case ThesisSolver::dlib:
+  case ThesisSolver::swarm:
+    return byCostsOnly(solver);
+  }
+  return search(pixels_, pixels_.start(zero()));
+}
+
+namespace {
+
+const double leastError = radians(1); // of offsets that are large [rad]
+
+/// Flat over the search: ten radians of freedom per offset.
+constexpr double noPrior = 10;
+/// Of mounts and boards, as of simulated robots: each way.
+const double mostTurned = radians(2);               // a camera [rad]
+constexpr double mostShifted = 0.03, mostYaw = 0.1; // a board [m], [rad]
+
+constexpr Noise onePixel{.pixel = 1, .encoder = 0, .pose = 0};
+
+double numbersOf(const Residuals::Linear& linear) {
+  double sum = 0;
+  for (const PoseSystem& pose : linear.poses) {
+    sum += pose.numbers;
+  }
+  return sum;
+}
+
+} // namespace
+
+ThesisStatus ThesisAnswer::status(double tolerance) const {
+  return !solved                                    ? ThesisStatus::solverFailure
+         : rms > rmsTolerance                       ? ThesisStatus::noConvergence
+         : errors.cwiseAbs().maxCoeff() > tolerance ? ThesisStatus::localMinimum
+                                                    : ThesisStatus::success;
+}
+
+ThesisTrial::ThesisTrial(const ThesisStage& stage, const ThesisSetting& setting, double pixel)
+    : stage_{stage}, setting_{setting}, noise_{thesisNoise(setting, pixel)}, plainModel_{unknownsOf(stage, noPrior,
+                                                                                                    noPrior)},
+      ourModel_{unknownsOf(stage, jointOffset().unknowns.front().sigma, cameraRotation().unknowns.front().sigma)},
+      taken_{stage.everything()} {}
+
+void ThesisTrial::draw(std::uint64_t seed, std::size_t number) {
+  const std::string set = fmt::format("thesis set {}", number);
+  Randomness errors{seed, set}, measuring{seed, set + ", measured"};
+  truth_ = Eigen::VectorXd::Zero(at(stage_.model().unknownCount()));
+  for (double& offset : truth_.head(joints())) {
+    do {
+      offset = errors.within(largestOffset);
+    } while (setting_.largeErrors && std::abs(offset) < leastError);
+  }
+  for (const Term& term : stage_.model().terms()) {
+    for (std::size_t i = 0; term.first >= stage_.joints().size() && i < term.effect.unknowns.size(); ++i) {
+      const double most = !term.isPlacement ? mostTurned : term.effect.unknowns[i].unit == "m" ? mostShifted : mostYaw;
+      truth_[at(term.first + i)] = errors.within(most);
+    }
+  }
+  const double pixel = setting_.pixelNoise() ? noise_.pixel : 0;
+  stage_.take(
+      truth_, [&](double angle) { return angleReading(angle, setting_, measuring); }, pixel, measuring, taken_);
+  pixels_.emplace(taken_, plainModel_, onePixel);
+  whitened_.emplace(taken_, ourModel_, noise_);
+  if (!setting_.angleNoise()) {
+    flat_.emplace(taken_, plainModel_, noise_);
+  }
+  const auto atTruth = pixels_->linearised(pixels_->start(truth_)).value(); // what is seen lies before the camera
+  numbers_ = numbersOf(atTruth);
+  rmsAtTruth_ = std::sqrt(2 * atTruth.cost / numbers_);
+  starts_.emplace(seed, set + ", starts");
+  limits_.emplace(seed, set + ", limit");
+}
+
+ThesisAnswer ThesisTrial::answer(ThesisSolver solver) {
+  const ThesisFound found =
+      ThesisSearch{*pixels_, *whitened_, flat_ ? &*flat_ : nullptr, stage_.joints().size(), numbers_, *starts_}.found(
+          solver);
+  const auto there = found.ended ? pixels_->linearised(pixels_->start(found.unknowns)) : std::nullopt;
+  if (!there) {
+    return {};
+  }
+  return {true, std::sqrt(2 * there->cost / numbers_), 2 * rmsAtTruth_ + 1, (found.unknowns - truth_).head(joints())};
+}
+
+std::vector<double> ThesisTrial::limit(std::size_t draws) {
+  std::vector<double> result(draws, 0);
+  if (setting_.noise == ThesisNoise::none) {
+    return result;
+  }
+  const Eigen::LLT<Eigen::MatrixXd> root{whitened_->linearised(whitened_->start(truth_)).value().hessian};
+  for (double& largest : result) {
+    Eigen::VectorXd error{truth_.size()};
+    for (double& number : error) {
+      number = limits_->normal(1);
+    }
+    largest = root.matrixU().solve(error).head(joints()).cwiseAbs().maxCoeff();
+  }
+  return result;
+}
+
+} // namespace naocal

@@ -1,0 +1,377 @@
+#include "inference/DriverBasis.hpp"
+
+#include "estimation/DriverState.hpp"
+#include "math/LinearAlgebra.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
+
+namespace naocal {
+
+Eigen::RowVectorXd legendre(double x, Eigen::Index count) {
+  Eigen::RowVectorXd result(count);
+  double before = 1, here = x; // P_0, P_1
+  for (Eigen::Index n = 1; n <= count; ++n) {
+    result[n - 1] = here;
+    const auto degree = static_cast<double>(n);
+    const double next = ((2 * degree + 1) * x * here - degree * before) / (degree + 1);
+    before = here;
+    here = next;
+  }
+  return result;
+}
+
+Eigen::RowVectorXd DriverCell::basis(double x) const {
+  switch (shape) {
+  case Shape::smooth:
+    return legendre((x - middle) / half, count);
+  case Shape::wave:
+    return Eigen::RowVector2d{std::sin(waves * x), std::cos(waves * x)};
+  case Shape::step:
+    return Eigen::RowVectorXd::Constant(1, x > middle ? 1 : -1);
+  case Shape::root:
+    return Eigen::RowVectorXd::Constant(1, std::copysign(std::sqrt(std::abs(x) / half), x));
+  }
+  return {};
+}
+
+std::set<double> distinctValues(const std::vector<double>& values) {
+  const std::set<double> sorted(values.begin(), values.end());
+  std::set<double> result;
+  for (const double value : sorted) {
+    if (result.empty() || value - *result.rbegin() > leastChange) {
+      result.insert(result.end(), value);
+    }
+  }
+  return result;
+}
+
+DriverCell smoothCell(const std::set<double>& distinct, Eigen::Index degree) {
+  DriverCell cell;
+  cell.least = *distinct.begin();
+  cell.most = *distinct.rbegin();
+  cell.middle = (cell.least + cell.most) / 2;
+  cell.half = cell.most - cell.middle;
+  cell.count = std::min(degree, at(distinct.size()) - 1);
+  return cell;
+}
+
+std::vector<DriverCell> rippleCells() {
+  constexpr int fewest = 2, most = 8;
+  std::vector<DriverCell> result;
+  for (int waves = fewest; waves <= most; ++waves) {
+    DriverCell& cell = result.emplace_back();
+    cell.shape = DriverCell::Shape::wave;
+    cell.waves = waves;
+    cell.count = 2;
+    cell.choices = most - fewest + 1;
+  }
+  return result;
+}
+
+std::vector<DriverCell> stepCells(const std::set<double>& times) {
+  const std::vector<double> moments = momentsBetween(times, 24);
+  std::vector<DriverCell> result;
+  for (double moment : moments) {
+    DriverCell& cell = result.emplace_back();
+    cell.shape = DriverCell::Shape::step;
+    cell.middle = moment;
+    cell.count = 1;
+    cell.choices = moments.size();
+  }
+  return result;
+}
+
+DriverCell rootCell(const std::set<double>& distinct) {
+  DriverCell cell;
+  cell.shape = DriverCell::Shape::root;
+  cell.half = std::max(std::abs(*distinct.begin()), std::abs(*distinct.rbegin()));
+  cell.count = 1;
+  return cell;
+}
+
+std::vector<double> momentsBetween(const std::set<double>& times, std::size_t most) {
+  const std::vector<double> all{times.begin(), times.end()};
+  const std::size_t gaps = all.size() - 1, parts = std::min(gaps, most);
+  std::vector<double> result;
+  for (std::size_t part = 0; part < parts; ++part) {
+    std::size_t widest = part * gaps / parts;
+    for (std::size_t gap = widest; gap < (part + 1) * gaps / parts; ++gap) {
+      widest = all[gap + 1] - all[gap] > all[widest + 1] - all[widest] ? gap : widest;
+    }
+    result.push_back((all[widest] + all[widest + 1]) / 2);
+  }
+  return result;
+}
+
+namespace {
+
+/// A motor's deflections of one pose: where they stand, and the pictures that each of them bends.
+struct Bent {
+  Eigen::Index first = 0;
+  std::vector<std::vector<std::size_t>> pictures;
+};
+
+Bent bentBy(std::size_t motor, const PoseGroup& pose, const PosePart& part) {
+  Bent result;
+  for (std::size_t i = 0; i < part.joints.size(); ++i) {
+    if (part.joints[i] != motor) {
+      continue;
+    }
+    if (result.pictures.empty()) {
+      result.first = at(i);
+    }
+    auto& pictures = result.pictures.emplace_back();
+    for (const Reading& reading : pose.readings) {
+      if (reading.encoderError[motor] == part.errors[i]) {
+        pictures.insert(pictures.end(), reading.pictures.begin(), reading.pictures.end());
+      }
+    }
+  }
+  return result;
+}
+
+/// A driver at each of a motor's deflections, all poses one after the other.
+std::vector<double> valuesAt(const std::vector<Bent>& bent, const DriverValues& driver) {
+  std::vector<double> result;
+  for (const Bent& pose : bent) {
+    for (const auto& pictures : pose.pictures) {
+      result.push_back(driver.mean(pictures));
+    }
+  }
+  return result;
+}
+
+/// All that a motor's deflection may follow over one driver.
+std::vector<DriverCell> allShapes(const DriverValues& driver, std::size_t motor, const std::set<double>& distinct) {
+  constexpr Eigen::Index degree = 4;
+  std::vector<DriverCell> result{smoothCell(distinct, degree)};
+  if (driver.kind == Driver::angle && driver.joint == motor) {
+    const std::vector<DriverCell> waves = rippleCells();
+    result.insert(result.end(), waves.begin(), waves.end());
+  }
+  if (driver.kind == Driver::time) {
+    const std::vector<DriverCell> slips = stepCells(distinct);
+    result.insert(result.end(), slips.begin(), slips.end());
+  }
+  if (driver.kind == Driver::torque && driver.joint == motor) {
+    result.push_back(rootCell(distinct));
+  }
+  return result;
+}
+
+/// The columns of those cells that `shapesOf(driver, motor, distinct values)` makes.
+template <typename ShapesOf>
+DriverColumns columnsOf(const Measurements& measurements, std::vector<DriverValues> drivers,
+                        const std::vector<PoseRows>& poses, const ShapesOf& shapesOf) {
+  DriverColumns result{std::move(drivers), {}, 0, std::vector<std::vector<DriverColumns::Block>>(poses.size())};
+  for (std::size_t motor : measurements.joints) {
+    std::vector<Bent> bent;
+    for (std::size_t pose = 0; pose < poses.size(); ++pose) {
+      bent.push_back(bentBy(motor, measurements.poses[pose], poses[pose]));
+    }
+    const Eigen::Index firstColumn = result.count;
+    const std::size_t firstCell = result.cells.size();
+    std::vector<std::vector<double>> valuesOf; // per cell: of its driver
+    for (std::size_t driver = 0; driver < result.drivers.size(); ++driver) {
+      if (result.drivers[driver].motor.value_or(motor) != motor) {
+        continue;
+      }
+      const std::vector<double> values = valuesAt(bent, result.drivers[driver]);
+      if (std::any_of(values.begin(), values.end(), [](double x) { return !std::isfinite(x); })) {
+        continue;
+      }
+      const std::set<double> distinct = distinctValues(values);
+      if (distinct.size() < 2) {
+        continue;
+      }
+      for (DriverCell cell : shapesOf(result.drivers[driver], motor, distinct)) {
+        cell.motor = motor;
+        cell.driver = driver;
+        cell.least = *distinct.begin();
+        cell.most = *distinct.rbegin();
+        cell.first = result.count;
+        result.count += cell.count;
+        result.cells.push_back(cell);
+        valuesOf.push_back(values);
+      }
+    }
+    std::size_t next = 0;
+    for (std::size_t pose = 0; pose < poses.size(); ++pose) {
+      const std::size_t rows = bent[pose].pictures.size();
+      if (rows == 0 || result.count == firstColumn) {
+        continue;
+      }
+      DriverColumns::Block block{bent[pose].first, firstColumn, Eigen::MatrixXd(at(rows), result.count - firstColumn)};
+      for (std::size_t i = 0; i < valuesOf.size(); ++i) {
+        const DriverCell& cell = result.cells[firstCell + i];
+        for (std::size_t row = 0; row < rows; ++row) {
+          block.values.row(at(row)).segment(cell.first - firstColumn, cell.count) = cell.basis(valuesOf[i][next + row]);
+        }
+      }
+      next += rows;
+      result.blocks[pose].push_back(std::move(block));
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+double DriverValues::mean(const std::vector<std::size_t>& pictures) const {
+  double sum = 0;
+  for (const std::size_t picture : pictures) {
+    sum += atPicture[picture];
+  }
+  return sum / static_cast<double>(pictures.size());
+}
+
+DriverColumns driverColumns(const Measurements& measurements, std::vector<DriverValues> drivers,
+                            const std::vector<PoseRows>& poses) {
+  return columnsOf(measurements, std::move(drivers), poses, allShapes);
+}
+
+DriverColumns proportionalColumns(const Measurements& measurements, std::vector<DriverValues> drivers,
+                                  const std::vector<PoseRows>& poses) {
+  return columnsOf(measurements, std::move(drivers), poses,
+                   [](const auto&, std::size_t, const auto& values) { return std::vector{smoothCell(values, 1)}; });
+}
+
+namespace {
+
+/// Adds a driver unless it was not recorded or is the same everywhere.
+void add(std::vector<DriverValues>& drivers, DriverValues driver, const std::vector<Instant>& instants,
+         const std::function<double(const Instant&)>& value) {
+  for (const Instant& instant : instants) {
+    driver.atPicture.push_back(value(instant));
+  }
+  const auto [least, most] = std::minmax_element(driver.atPicture.begin(), driver.atPicture.end());
+  if (std::all_of(driver.atPicture.begin(), driver.atPicture.end(), [](double x) { return std::isfinite(x); }) &&
+      *most - *least > leastChange) {
+    drivers.push_back(std::move(driver));
+  }
+}
+
+} // namespace
+
+std::vector<DriverValues> driversOf(const Measurements& measurements, const Model& model,
+                                    const Eigen::VectorXd& unknowns) {
+  std::vector<Instant> instants;
+  for (const Picture& picture : measurements.pictures) {
+    instants.push_back(instantOf(measurements, model, picture, unknowns));
+  }
+  std::vector<DriverValues> drivers;
+  for (std::size_t joint : measurements.joints) {
+    const std::string& name = measurements.robot.joints[joint].name;
+    const auto index = static_cast<Eigen::Index>(joint);
+    add(drivers, {.kind = Driver::angle, .joint = joint, .name = name, .unit = "rad", .what = "the angle of " + name},
+        instants, [index](const Instant& instant) { return instant.q[index]; });
+    add(drivers,
+        {.kind = Driver::torque, .joint = joint, .name = "tau_" + name, .unit = "Nm", .what = "the torque on " + name},
+        instants, [index](const Instant& instant) { return instant.torque[index]; });
+    add(drivers,
+        {.kind = Driver::approach,
+         .joint = joint,
+         .name = "approach",
+         .unit = "1",
+         .what = "how it was approached",
+         .motor = joint},
+        instants, [index](const Instant& instant) { return instant.approach[index]; });
+    add(drivers,
+        {.kind = Driver::temperature,
+         .joint = joint,
+         .name = "T",
+         .unit = "°C",
+         .what = "its temperature",
+         .motor = joint},
+        instants, [index](const Instant& instant) { return instant.temperature[index]; });
+    add(drivers,
+        {.kind = Driver::velocity, .joint = joint, .name = "qd", .unit = "rad/s", .what = "its speed", .motor = joint},
+        instants, [index](const Instant& instant) { return instant.velocity[index]; });
+  }
+  add(drivers, {.kind = Driver::time, .name = "t", .unit = "s", .what = "time"}, instants,
+      [](const Instant& instant) { return instant.time.count(); });
+  return drivers;
+}
+
+std::string nameAt(const DriverValues& driver, std::size_t motor) {
+  if (driver.joint == motor && driver.kind == Driver::angle) {
+    return "q";
+  }
+  return driver.joint == motor && driver.kind == Driver::torque ? "tau" : driver.name;
+}
+
+namespace {
+
+constexpr Eigen::Index mostPolynomials = 2;
+
+/// Whether this joint turns the head, and the camera with it.
+bool carries(const Robot& robot, std::size_t joint, std::size_t camera) {
+  std::optional<std::size_t> link = robot.cameras[camera].link;
+  while (link && robot.links[*link].joint != joint) {
+    link = robot.links[*link].parent;
+  }
+  return link.has_value();
+}
+
+bool canDrive(const DriverValues& driver, const Robot& robot, std::size_t camera) {
+  return driver.kind == Driver::time || (driver.kind == Driver::angle && carries(robot, driver.joint, camera));
+}
+
+double valueAt(const Instant& instant, Driver kind, std::size_t joint) {
+  return kind == Driver::time ? instant.time.count() : instant.q[static_cast<Eigen::Index>(joint)];
+}
+
+Effect turning(const DriverValues& driver, const DriverCell& cell) {
+  Effect effect{.name = "mountTurns",
+                .what = {},
+                .formula = {},
+                .place = Place::camera,
+                .unknowns = {},
+                .correct = [kind = driver.kind, joint = driver.joint,
+                            cell](Belief& belief, const Instant& instant, std::size_t, std::span<const double> values) {
+                  const Eigen::RowVectorXd basis = cell.basis(valueAt(instant, kind, joint));
+                  const Eigen::Map<const Eigen::Matrix3Xd> coefficients{values.data(), 3, cell.count};
+                  belief.mountRotation() += coefficients * basis.transpose();
+                }};
+  for (Eigen::Index n = 1; n <= cell.count; ++n) {
+    for (const char* axis : {"x", "y", "z"}) {
+      effect.unknowns.push_back({axis + std::to_string(n), "rad", plausibleCurve});
+    }
+  }
+  return effect;
+}
+
+} // namespace
+
+std::vector<MountCurve> mountCurves(const Measurements& measurements, const std::vector<DriverValues>& drivers) {
+  std::vector<MountCurve> result;
+  for (std::size_t camera = 0; camera < measurements.robot.cameras.size(); ++camera) {
+    for (std::size_t i = 0; i < drivers.size(); ++i) {
+      if (!canDrive(drivers[i], measurements.robot, camera)) {
+        continue;
+      }
+      std::vector<double> values;
+      for (std::size_t picture = 0; picture < measurements.pictures.size(); ++picture) {
+        if (measurements.pictures[picture].camera == camera && !measurements.pictures[picture].sightings.empty()) {
+          values.push_back(drivers[i].atPicture[picture]);
+        }
+      }
+      const std::set<double> distinct = distinctValues(values);
+      if (distinct.size() < 2) {
+        continue;
+      }
+      DriverCell cell = smoothCell(distinct, mostPolynomials);
+      cell.driver = i;
+      result.push_back(
+          {{turning(drivers[i], cell), camera, measurements.robot.cameras[camera].name + " over " + drivers[i].name},
+           cell});
+    }
+  }
+  return result;
+}
+
+} // namespace naocal

@@ -1,0 +1,169 @@
+#include "inference/Evidence.hpp"
+
+#include "inference/Thresholds.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "math/Statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace naocal {
+
+namespace {
+
+double tail(double fall, Eigen::Index freedom) {
+  return freedom < 1 || fall <= 0 ? 1 : chiSquaredTail(fall, static_cast<double>(freedom));
+}
+
+double smallestP(const ScoreProblem& problem, const ScoreTests& tests, const Eigen::VectorXd& ratio) {
+  std::map<std::pair<bool, Eigen::Index>, double> largest; // of groups that are named or not, by their freedom
+  for (std::size_t i = 0; i < problem.groups.size(); ++i) {
+    double& most = largest[{i < problem.named, tests.freedom(i)}];
+    most = std::max(most, ratio[at(i)]);
+  }
+  double result = 1;
+  for (const auto& [kind, most] : largest) {
+    result = std::min(result, (kind.first ? 1 : threshold::curveRarity) * tail(most, kind.second));
+  }
+  return result;
+}
+
+/// At most how often pure noise shows a `smallestP` as small, if no two groups told the same (Bonferroni).
+double mostOften(const ScoreProblem& problem, double smallest) {
+  const auto named = static_cast<double>(problem.named), all = static_cast<double>(problem.groups.size());
+  return smallest * (named + (all - named) / threshold::curveRarity);
+}
+
+/// Of a group; where its first few coefficients may suffice, all degrees as likely: the mean of their Bayes factors.
+double bayesOf(const ColumnGroup& group, const Eigen::MatrixXd& information, const Eigen::VectorXd& score) {
+  const Eigen::Index part = group.part > 0 ? group.part : group.count;
+  std::vector<double> degrees;
+  for (Eigen::Index count = part; count <= group.count; count += part) {
+    degrees.push_back(bayesFactor(information.topLeftCorner(count, count), score.head(count)));
+  }
+  const double most = *std::max_element(degrees.begin(), degrees.end());
+  double mean = 0;
+  for (double degree : degrees) {
+    mean += std::exp((degree - most) / 2) / static_cast<double>(degrees.size());
+  }
+  return most + 2 * std::log(mean) - 2 * std::log(static_cast<double>(group.choices));
+}
+
+/// How far chi2 falls further when an effect is added beside another one.
+double fallBeside(const ScoreProblem& problem, const ScoreTests& tests, const Eigen::VectorXd& scores,
+                  const ColumnGroup& added, const ColumnGroup& other) {
+  const auto fall = [&](const std::vector<Eigen::Index>& columns) {
+    const Eigen::VectorXd plausible = problem.plausible(columns), score = plausible.cwiseProduct(scores(columns));
+    Eigen::MatrixXd scaled = plausible.asDiagonal() * tests.information()(columns, columns) * plausible.asDiagonal();
+    scaled.diagonal().array() += 1e-4; // directions that the own unknowns absorb
+    return score.dot(scaled.ldlt().solve(score));
+  };
+  std::vector<Eigen::Index> columns(static_cast<std::size_t>(other.count));
+  std::iota(columns.begin(), columns.end(), other.first);
+  const double alone = fall(columns);
+  for (Eigen::Index i = 0; i < added.count; ++i) {
+    columns.push_back(added.first + i);
+  }
+  return fall(columns) - alone;
+}
+
+/// Estimates and Bayes factors of the measurements' groups.
+GroupEvidence described(const ScoreProblem& problem, const ScoreTests& tests, std::size_t i,
+                        const Eigen::VectorXd& scores) {
+  const ColumnGroup& columns = problem.groups[i];
+  const Eigen::VectorXd plausible = problem.plausible.segment(columns.first, columns.count);
+  Eigen::MatrixXd scaled = plausible.asDiagonal() * tests.informationOf(i) * plausible.asDiagonal();
+  const Eigen::VectorXd scaledScore = plausible.cwiseProduct(scores.segment(columns.first, columns.count));
+  GroupEvidence group;
+  group.bayes = bayesOf(columns, scaled, scaledScore);
+  scaled.diagonal().array() += 1e-4; // a wide prior instead of none: absorbed directions stay where they are
+  const Eigen::LDLT<Eigen::MatrixXd> wide{scaled};
+  group.keptFraction = tests.keptFraction(i);
+  group.freedom = tests.freedom(i);
+  group.estimate = plausible.cwiseProduct(wide.solve(scaledScore));
+  group.covariance = plausible.asDiagonal() * wide.solve(Eigen::MatrixXd::Identity(columns.count, columns.count)) *
+                     plausible.asDiagonal();
+  if (group.bayes > 0 && columns.first < problem.candidates) {
+    group.movedPx = tests.movedPx(i, group.estimate);
+  }
+  return group;
+}
+
+} // namespace
+
+double bayesFactor(const Eigen::MatrixXd& information, const Eigen::VectorXd& score) {
+  double most = 0, sum = 0;
+  for (const auto& [width, odds] : plausibleWidths) {
+    Eigen::MatrixXd posterior = information;
+    posterior.diagonal().array() += 1 / (width * width);
+    const Eigen::LLT<Eigen::MatrixXd> factor{posterior};
+    const double bayes = score.dot(factor.solve(score)) - 2 * factor.matrixLLT().diagonal().array().log().sum() -
+                         2 * static_cast<double>(score.size()) * std::log(width) + 2 * std::log(odds);
+    const double larger = sum == 0 ? bayes : std::max(most, bayes);
+    sum = sum * std::exp((most - larger) / 2) + std::exp((bayes - larger) / 2);
+    most = larger;
+  }
+  return most + 2 * std::log(sum);
+}
+
+Evidence evidenceOf(const ScoreProblem& problem, const Noise& noise, Eigen::Index draws, std::uint64_t seed) {
+  const PoseResiduals measured = measuredResiduals(*problem.poses);
+  const ModelAlone alone{problem, noise};
+  const ScoreTests tests{alone};
+  const Eigen::MatrixXd own = alone(measured, problem.priorScore()).own;
+  const Eigen::VectorXd scores = tests.projectedScores(measured, own).col(0);
+  const Eigen::VectorXd ratio = tests.falls(measured, own);
+  Evidence result;
+  for (std::size_t i = 0; i < problem.groups.size(); ++i) {
+    GroupEvidence& group = result.groups.emplace_back(described(problem, tests, i, scores));
+    group.likelihoodRatio = ratio[at(i)];
+    group.pValue = tail(ratio[at(i)], tests.freedom(i));
+  }
+  const auto likeliestFrom = [&](std::size_t from) {
+    const auto found =
+        std::max_element(result.groups.begin() + static_cast<std::ptrdiff_t>(from), result.groups.end(),
+                         [](const GroupEvidence& a, const GroupEvidence& b) { return a.bayes < b.bayes; });
+    if (found != result.groups.end()) {
+      found->movedPx = tests.movedPx(static_cast<std::size_t>(found - result.groups.begin()), found->estimate);
+    }
+    return found;
+  };
+  likeliestFrom(problem.named); // a curve
+  const auto likeliest = likeliestFrom(0);
+  if (likeliest != result.groups.end()) {
+    result.matters = likeliest->bayes <= 0 || likeliest->matters();
+    const auto first = static_cast<std::size_t>(likeliest - result.groups.begin());
+    for (std::size_t i = 0; i < problem.named && first < problem.named && !result.matters; ++i) {
+      const GroupEvidence& group = result.groups[i]; // beside one that is sure and negligible
+      const bool likely = i != first && group.bayes > 2 * std::log(static_cast<double>(problem.named));
+      result.matters =
+          likely && group.matters() &&
+          mostOften(problem, tail(fallBeside(problem, tests, scores, problem.groups[i], problem.groups[first]),
+                                  group.freedom)) <= threshold::alarm;
+    }
+  }
+  result.information = tests.information();
+  if (draws == 0) {
+    return result;
+  }
+  const PoseResiduals noiseOnly = drawnResiduals(*problem.poses, noise, draws, seed);
+  const Eigen::MatrixXd drawn = tests.falls(noiseOnly, alone(noiseOnly, Eigen::VectorXd::Zero(problem.own())).own);
+  std::vector<double> smallest;
+  for (Eigen::Index i = 0; i < draws; ++i) {
+    smallest.push_back(smallestP(problem, tests, drawn.col(i)));
+  }
+  std::sort(smallest.begin(), smallest.end());
+  const double seen = smallestP(problem, tests, ratio);
+  const auto as = std::upper_bound(smallest.begin(), smallest.end(), seen) - smallest.begin();
+  result.pValue = (1 + static_cast<double>(as)) / (1 + static_cast<double>(draws));
+  if (as == 0) { // beyond all that was drawn
+    result.pValue = std::min(result.pValue, mostOften(problem, seen));
+  }
+  result.criticalP = smallest[smallest.size() / 20];
+  return result;
+}
+
+} // namespace naocal

@@ -1,0 +1,331 @@
+#include "inference/ModelWindow.hpp"
+
+#include "inference/Evidence.hpp"
+#include "inference/PoseMisfit.hpp"
+#include "inference/Thresholds.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "math/Statistics.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace naocal {
+
+namespace {
+
+constexpr std::size_t mostMembers = 4;
+constexpr double leastWeight = 1e-3; // relative to the likeliest
+
+using Members = std::vector<WindowMember>;
+
+/// The linearised problem at one level of noise: everything that a model's cost and estimates are made of. Sizes and
+/// scores are in units of what is plausible, and about zero sizes.
+class Window {
+public:
+  Window(const WideModel& wide, const Noise& noise, std::size_t expected)
+      : problem_{wide.problem()}, expected_{expected}, alone_{problem_, noise}, tests_{alone_}, misfit_{poseMisfit(
+                                                                                                    problem_, noise)} {
+    const PoseResiduals measured = measuredResiduals(*problem_.poses);
+    const Eigen::MatrixXd own = alone_(measured, problem_.priorScore()).own;
+    score_ = problem_.plausible.cwiseProduct(tests_.projectedScores(measured, own).col(0));
+    const auto& factor = alone_.factor();
+    answers_ = factor.matrixU().solve(tests_.explained()) * problem_.plausible.asDiagonal();
+    alone0_ = problem_.unknowns - factor.matrixU().solve(own).col(0);
+    variances_ = factor.solve(Eigen::MatrixXd::Identity(problem_.own(), problem_.own())).diagonal();
+    moveToZero(wide.sizes());
+    countGroups();
+  }
+
+  /// The model with these members; the likelier of the plausible widths.
+  WindowModel model(const Members& members) {
+    WindowModel result{.members = members};
+    const std::vector<Eigen::Index> columns = columnsOf(members);
+    const auto count = at(columns.size());
+    if (count == 0) {
+      result.unknowns = alone0_;
+      result.variances = variances_;
+      result.chi2 = std::max(0.0, chi2OfNone_);
+      result.freedom = std::max(1.0, misfit_.freedom);
+      return result;
+    }
+    const Eigen::MatrixXd information = informationOf(members, count);
+    const Eigen::VectorXd score = score_(columns);
+    double best = std::numeric_limits<double>::infinity(), sum = 0;
+    Eigen::VectorXd sizes = Eigen::VectorXd::Zero(count);
+    Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(count, count);
+    for (const auto& [width, odds] : plausibleWidths) {
+      Eigen::MatrixXd posterior = information;
+      posterior.diagonal().array() += 1 / (width * width);
+      const Eigen::LLT<Eigen::MatrixXd> factor{posterior};
+      if (factor.info() != Eigen::Success) { // members that are one to the last digit: a model without weight
+        continue;
+      }
+      const Eigen::VectorXd estimate = factor.solve(score);
+      const double cost = 2 * factor.matrixLLT().diagonal().array().log().sum() +
+                          2 * static_cast<double>(count) * std::log(width) - score.dot(estimate) - 2 * std::log(odds);
+      if (cost < best) {
+        sum = sum * std::exp((cost - best) / 2) + 1;
+        best = cost;
+        sizes = estimate;
+        spread = factor.solve(Eigen::MatrixXd::Identity(count, count));
+      } else {
+        sum += std::exp((best - cost) / 2);
+      }
+    }
+    result.cost = best - 2 * std::log(sum) + priorCost(members);
+    const Eigen::MatrixXd answers = answers_(Eigen::all, columns);
+    result.unknowns = alone0_ - answers * sizes;
+    result.variances = variances_ + (answers * spread).cwiseProduct(answers).rowwise().sum();
+    result.sizes = problem_.plausible(columns).cwiseProduct(sizes);
+    result.chi2 = std::max(0.0, chi2OfNone_ - 2 * score.dot(sizes) + sizes.dot(information * sizes));
+    result.freedom = std::max(1.0, misfit_.freedom - information.cwiseProduct(spread).sum());
+    return result;
+  }
+
+  std::size_t groups() const { return problem_.groups.size(); }
+  /// Of how many columns a group may be made of: one choice, or for a smooth curve one per degree.
+  std::vector<WindowMember> choices(std::size_t group) const {
+    const ColumnGroup& columns = problem_.groups[group];
+    std::vector<WindowMember> result;
+    for (Eigen::Index count = columns.part > 0 ? columns.part : columns.count; count <= columns.count;
+         count += std::max<Eigen::Index>(columns.part, columns.count - count + 1)) {
+      result.push_back({group, count});
+    }
+    return result;
+  }
+  double misfitOf(const WindowModel& model) const { return std::max(1.0, model.chi2 / model.freedom); }
+
+private:
+  std::vector<Eigen::Index> columnsOf(const Members& members) const {
+    std::vector<Eigen::Index> columns;
+    for (const WindowMember& member : members) {
+      for (Eigen::Index k = 0; k < member.count; ++k) {
+        columns.push_back(problem_.groups[member.group].first + k);
+      }
+    }
+    return columns;
+  }
+  /// Of a model's columns; only those of all members but the last one are ever looked up among all columns.
+  Eigen::MatrixXd informationOf(const Members& members, Eigen::Index count) {
+    Eigen::MatrixXd result(count, count);
+    Eigen::Index column = 0;
+    for (const WindowMember& member : members) {
+      const ColumnGroup& group = problem_.groups[member.group];
+      const auto plausible = problem_.plausible.segment(group.first, member.count);
+      result.block(column, column, member.count, member.count) =
+          plausible.asDiagonal() * tests_.informationOf(member.group).topLeftCorner(member.count, member.count) *
+          plausible.asDiagonal();
+      Eigen::Index row = 0;
+      for (const WindowMember& earlier : members) {
+        if (row == column) {
+          break;
+        }
+        const Eigen::MatrixXd between = with(earlier).middleRows(group.first, member.count);
+        result.block(column, row, member.count, earlier.count) = between;
+        result.block(row, column, earlier.count, member.count) = between.transpose();
+        row += earlier.count;
+      }
+      column += member.count;
+    }
+    return result;
+  }
+  /// Information of all columns with a member's.
+  Eigen::Ref<const Eigen::MatrixXd> with(const WindowMember& member) {
+    auto [entry, isNew] = known_.try_emplace(member.group);
+    if (isNew) {
+      const ColumnGroup& group = problem_.groups[member.group];
+      entry->second = problem_.plausible.asDiagonal() * tests_.informationWith(member.group, group.count) *
+                      problem_.plausible.segment(group.first, group.count).asDiagonal();
+    }
+    return entry->second.leftCols(member.count);
+  }
+  /// The problem as if linearised at no candidate's size.
+  void moveToZero(const Eigen::VectorXd& sizes) {
+    chi2OfNone_ = misfit_.chi2;
+    for (std::size_t group = 0; group < problem_.named; ++group) {
+      const ColumnGroup& columns = problem_.groups[group];
+      const Eigen::VectorXd own = sizes.segment(columns.first, columns.count);
+      if (own.isZero(0)) {
+        continue;
+      }
+      const Eigen::VectorXd scaled = own.cwiseQuotient(problem_.plausible.segment(columns.first, columns.count));
+      const Eigen::VectorXd pull = with({group, columns.count}) * scaled;
+      chi2OfNone_ += 2 * score_.segment(columns.first, columns.count).dot(scaled) +
+                     scaled.dot(pull.segment(columns.first, columns.count));
+      score_ += pull;
+      alone0_ += answers_.middleCols(columns.first, columns.count) * scaled;
+    }
+  }
+  void countGroups() {
+    named_ = std::max<double>(1, static_cast<double>(problem_.named));
+    curves_ = std::max<double>(1, static_cast<double>(problem_.groups.size() - problem_.named));
+  }
+  /// 2 ln of how unlikely these members are beforehand.
+  double priorCost(const Members& members) const {
+    double cost = 0;
+    std::size_t named = 0;
+    for (const WindowMember& member : members) {
+      const double degrees = static_cast<double>(choices(member.group).size());
+      if (member.group >= problem_.named) {
+        cost += 2 * std::log(curves_ * degrees) + threshold::unnamed;
+      } else if (++named > expected_) {
+        cost += 2 * std::log(named_);
+      }
+    }
+    return cost;
+  }
+
+  const ScoreProblem& problem_;
+  std::size_t expected_;
+  ModelAlone alone_;
+  ScoreTests tests_;
+  PoseMisfit misfit_;
+  Eigen::VectorXd score_, alone0_, variances_;
+  Eigen::MatrixXd answers_; // how the own unknowns give way, negative, per column
+  double chi2OfNone_ = 0, named_ = 1, curves_ = 1;
+  std::map<std::size_t, Eigen::MatrixXd> known_;
+};
+
+bool has(const Members& members, std::size_t group) {
+  return std::any_of(members.begin(), members.end(), [&](const WindowMember& one) { return one.group == group; });
+}
+
+Members without(Members members, std::size_t place) {
+  members.erase(members.begin() + static_cast<std::ptrdiff_t>(place));
+  return members;
+}
+
+/// Each group that `members` lacks, added in the degree that suits it best.
+template <class Visit> void eachAddition(Window& window, const Members& members, const Visit& visit) {
+  for (std::size_t group = 0; group < window.groups(); ++group) {
+    if (has(members, group)) {
+      continue;
+    }
+    std::optional<WindowModel> best;
+    for (const WindowMember& choice : window.choices(group)) {
+      Members larger = members;
+      larger.push_back(choice);
+      WindowModel model = window.model(larger);
+      if (!best || model.cost < best->cost) {
+        best = std::move(model);
+      }
+    }
+    visit(*std::move(best));
+  }
+}
+
+/// Adds what lowers the cost most, then drops what does not raise it.
+WindowModel likeliest(Window& window) {
+  WindowModel best = window.model({});
+  while (best.members.size() < mostMembers) {
+    std::optional<WindowModel> next;
+    eachAddition(window, best.members, [&](WindowModel larger) {
+      if (larger.cost < best.cost && (!next || larger.cost < next->cost)) {
+        next = std::move(larger);
+      }
+    });
+    if (!next) {
+      break;
+    }
+    best = *std::move(next);
+    for (std::size_t i = 0; i + 1 < best.members.size();) {
+      WindowModel smaller = window.model(without(best.members, i));
+      if (smaller.cost <= best.cost) {
+        best = std::move(smaller);
+        i = 0;
+      } else {
+        ++i;
+      }
+    }
+  }
+  return best;
+}
+
+/// The model and all its neighbours.
+std::vector<WindowModel> neighbours(Window& window, const WindowModel& best) {
+  std::vector<WindowModel> result{best};
+  for (std::size_t i = 0; i < best.members.size(); ++i) {
+    const Members smaller = without(best.members, i);
+    result.push_back(window.model(smaller));
+    eachAddition(window, smaller, [&](WindowModel swapped) {
+      if (!has(best.members, swapped.members.back().group)) {
+        result.push_back(std::move(swapped));
+      }
+    });
+  }
+  if (best.members.size() < mostMembers) {
+    eachAddition(window, best.members, [&](WindowModel larger) { result.push_back(std::move(larger)); });
+  }
+  return result;
+}
+
+} // namespace
+
+ModelWindow modelWindow(const WideModel& wide, const Noise& noise, std::size_t expected) {
+  Window window{wide, noise, expected};
+  ModelWindow result;
+  result.models = neighbours(window, likeliest(window));
+  std::sort(result.models.begin(), result.models.end(),
+            [](const WindowModel& a, const WindowModel& b) { return a.cost < b.cost; });
+  const WindowModel& best = result.models.front();
+  result.misfit = window.misfitOf(best);
+  result.freedom = best.freedom;
+  for (WindowModel& model : result.models) {
+    model.weight = std::exp((best.cost - model.cost) / (2 * result.misfit));
+  }
+  std::erase_if(result.models, [](const WindowModel& model) { return model.weight < leastWeight; });
+  const double kept = std::accumulate(result.models.begin(), result.models.end(), 0.0,
+                                      [](double all, const WindowModel& model) { return all + model.weight; });
+  result.mean = result.variance = Eigen::VectorXd::Zero(wide.problem().own());
+  result.groupWeights.assign(wide.problem().groups.size(), 0);
+  for (WindowModel& model : result.models) {
+    model.weight /= kept;
+    result.mean += model.weight * model.unknowns;
+    for (const WindowMember& member : model.members) {
+      result.groupWeights[member.group] += model.weight;
+    }
+  }
+  for (const WindowModel& model : result.models) {
+    result.variance += model.weight * (result.misfit * model.variances + (model.unknowns - result.mean).cwiseAbs2());
+  }
+  return result;
+}
+
+std::array<double, 2> ModelWindow::interval(Eigen::Index unknown) const {
+  const double half = misfit > 1 ? studentHalfWidth(freedom) : studentHalfWidth(1e6);
+  const auto spread = [&](const WindowModel& model) { return std::sqrt(misfit * model.variances[unknown]); };
+  const auto bound = [&](double sign) {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const WindowModel& model : models) {
+      const double own = model.unknowns[unknown] + sign * half * spread(model);
+      least = std::min(least, own);
+      most = std::max(most, own);
+    }
+    const auto excess = [&](double value) {
+      double below = 0;
+      for (const WindowModel& model : models) {
+        const double t = (value - model.unknowns[unknown]) / spread(model);
+        below += model.weight * (misfit > 1 ? studentBelow(t, freedom) : 0.5 * std::erfc(-t / std::numbers::sqrt2));
+      }
+      return below - (sign < 0 ? 0.025 : 0.975);
+    };
+    if (excess(least) >= 0 || excess(most) <= 0) { // a single model
+      return excess(least) >= 0 ? least : most;
+    }
+    std::uintmax_t steps = 50;
+    const auto [low, high] =
+        boost::math::tools::toms748_solve(excess, least, most, boost::math::tools::eps_tolerance<double>(20), steps);
+    return 0.5 * (low + high);
+  };
+  return {bound(-1), bound(1)};
+}
+
+} // namespace naocal

@@ -1,0 +1,83 @@
+#include "inference/WideModel.hpp"
+
+#include "inference/DriverBasis.hpp"
+#include "inference/Thresholds.hpp"
+#include "io/InputError.hpp"
+#include "math/LinearAlgebra.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace naocal {
+
+namespace {
+
+/// The model's priors; of effects beyond the base wide enough for what was found of them: else a curve of the same
+/// shape, which may be larger, would be evident because it relieves them.
+Eigen::VectorXd priorsOf(const Model& model, const Eigen::VectorXd& unknowns) {
+  Eigen::VectorXd sigmas = model.sigmas();
+  for (const Term& term : model.terms()) {
+    if (!term.effect.base) {
+      for (Eigen::Index i = at(term.first); i < at(term.first + term.effect.unknowns.size()); ++i) {
+        sigmas[i] = std::max(sigmas[i], std::abs(unknowns[i]) / threshold::implausible);
+      }
+    }
+  }
+  return sigmas;
+}
+
+/// The rows of a model at its fit; unknowns beyond the state's are zero.
+std::vector<PoseRows> rowsAt(const Measurements& measurements, const Model& model, const FittedPoint& point) {
+  const Residuals residuals{measurements, model, point.noise, point.loss};
+  Residuals::State state = point.state;
+  state.unknowns.conservativeResizeLike(Eigen::VectorXd::Zero(at(model.unknownCount())));
+  auto rows = residuals.rows(state);
+  if (!rows) {
+    throw InputError{"the fit puts a corner that was seen behind the camera: these captures do not belong together"};
+  }
+  return *std::move(rows);
+}
+
+} // namespace
+
+WideModel::WideModel(const Measurements& measurements, const Model& model, std::vector<Term> candidates,
+                     const FittedPoint& point, bool curves)
+    : measurements_{measurements}, candidates_{std::move(candidates)} {
+  const auto own = at(model.unknownCount());
+  const Eigen::VectorXd unknowns = point.state.unknowns.head(own);
+  std::vector<DriverValues> drivers;
+  if (curves) {
+    drivers = driversOf(measurements, model, unknowns);
+    mounts_ = mountCurves(measurements, drivers);
+  }
+  Model extended = model;
+  std::vector<ColumnGroup> groups;
+  const auto extend = [&](const Term& term) {
+    groups.push_back({at(extended.unknownCount()) - own, at(term.effect.unknowns.size())});
+    extended.add(term);
+  };
+  for (const Term& candidate : candidates_) {
+    extend(candidate);
+  }
+  for (const MountCurve& mount : mounts_) {
+    extend(mount.term);
+    groups.back().part = 3;
+  }
+  const Eigen::Index columns = at(extended.unknownCount()) - own;
+  poses_ = rowsAt(measurements, extended, point);
+  map_ = driverColumns(measurements, std::move(drivers), poses_);
+  for (const DriverCell& cell : map_.cells) {
+    const bool nested = cell.shape == DriverCell::Shape::smooth;
+    groups.push_back({columns + cell.first, cell.count, nested ? 1 : 0, cell.choices});
+  }
+  problem_ = {poses_, map_, unknowns, priorsOf(model, unknowns), columns};
+  problem_.groups = std::move(groups);
+  problem_.named = candidates_.size();
+  problem_.plausible.resize(columns + map_.count);
+  problem_.plausible << extended.sigmas().tail(columns), Eigen::VectorXd::Constant(map_.count, plausibleCurve);
+  sizes_ = Eigen::VectorXd::Zero(columns + map_.count);
+  sizes_.head(point.state.unknowns.size() - own) = point.state.unknowns.tail(point.state.unknowns.size() - own);
+}
+
+} // namespace naocal

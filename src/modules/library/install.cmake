@@ -1,0 +1,22 @@
+# Installs the library: `find_package(naocal)` and `naocal::naocal`, with the headers that its interface (naocal.hpp) needs.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(folders math io data robot camera effects measurements estimation inference calibration diagnosis library)
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/naocal)
+foreach(folder IN LISTS folders)
+  set_target_properties(naocal_${folder} PROPERTIES EXPORT_NAME ${folder})
+  list(APPEND libraries naocal_${folder})
+  install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/naocal COMPONENT library FILES_MATCHING PATTERN *.hpp)
+endforeach()
+set_target_properties(naocal_library PROPERTIES EXPORT_NAME naocal)
+set_target_properties(naocal_options PROPERTIES EXPORT_NAME options)
+install(FILES library/naocal.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/naocal COMPONENT library)
+install(TARGETS ${libraries} naocal_options EXPORT naocal COMPONENT library
+  ARCHIVE COMPONENT library
+  INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${CMAKE_INSTALL_INCLUDEDIR}/naocal)
+install(EXPORT naocal NAMESPACE naocal:: FILE naocalTargets.cmake DESTINATION ${package} COMPONENT library)
+configure_package_config_file(library/naocalConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/naocalConfig.cmake INSTALL_DESTINATION ${package})
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/naocalConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/naocalConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/naocalConfigVersion.cmake
+  DESTINATION ${package} COMPONENT library)

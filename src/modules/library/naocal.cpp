@@ -1,0 +1,53 @@
+#include "library/naocal.hpp"
+
+#include "data/CaptureSetFile.hpp"
+#include "diagnosis/DiagnosisFile.hpp"
+#include "estimation/ModelBuilder.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+#include "robot/Robot.hpp"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace naocal {
+
+Captures readCaptures(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& configuration) {
+  if (folders.empty()) {
+    throw InputError{"expected at least one folder with captures.json, found none"};
+  }
+  Captures captures;
+  for (const std::filesystem::path& folder : folders) {
+    captures.sets.push_back(readCaptureSet(folder).set);
+    captures.sources.sets.push_back(std::filesystem::weakly_canonical(folder).string());
+    captures.sources.sha256.push_back(sha256(fileContent(folder / "captures.json")));
+  }
+  const Robot robot = loadRobot(configuration, captures.sets.front().model);
+  captures.measurements = measurementsOf(captures.sets, robot);
+  return captures;
+}
+
+Calibrated calibrate(const Captures& captures, const std::vector<std::string>& effects,
+                     const CalibrationOptions& options) {
+  Model model = makeModel(captures.measurements, effects);
+  CalibrationResult result = calibrate(captures.measurements, model, options);
+  return {std::move(model), std::move(result)};
+}
+
+Diagnosis diagnose(const Captures& captures, const std::vector<std::string>& effects) {
+  DiagnosisOptions options;
+  options.with = effects;
+  return diagnose(captures.sets, captures.measurements, options);
+}
+
+void writeResult(const Captures& captures, const Calibrated& calibrated, const std::filesystem::path& file) {
+  const auto& [model, result] = calibrated;
+  writeAtomically(file,
+                  resultJson(captures.sets, captures.measurements, model, result, captures.sources).dump(1) + "\n");
+}
+
+void writeDiagnosis(const Diagnosis& diagnosis, const std::filesystem::path& file) {
+  writeAtomically(file, diagnosisJson(diagnosis).dump(1) + "\n");
+}
+
+} // namespace naocal

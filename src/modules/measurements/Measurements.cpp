@@ -1,0 +1,490 @@
+#include "measurements/Measurements.hpp"
+
+#include "io/InputError.hpp"
+#include "measurements/EncoderReadings.hpp"
+#include "measurements/FrameRegistry.hpp"
+#include "measurements/Noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <numeric>
+#include <set>
+#include <tuple>
+#include <vector>
+
+namespace naocal {
+
+/// Sorts the pictures into an order of their own, joins those of one reading, and readings of one pose; fills `poses`,
+/// `joints` and `repeats`.
+void groupReadings(const std::vector<CaptureSet>& sets, Measurements& measurements);
+
+/// One capture of one of the sets in terms of the robot's joints, cameras and targets. `measurements` has its robot,
+/// quantities and targets already.
+/// Throws InputError for what the robot cannot have measured (unknown camera, no corners, joint needed but not
+/// recorded).
+Picture recordedPicture(const std::vector<CaptureSet>& sets, std::size_t set, std::size_t capture,
+                        const Measurements& measurements, const Places& places);
+
+namespace {
+
+/// One rest: readings between which nothing moved, as far as they tell.
+struct Rest {
+  int stance = 0, approach = 0;
+  Eigen::VectorXd first;             // angles of its first reading [rad]
+  std::vector<std::size_t> readings; // of the pose
+};
+
+/// How far readings of one rest may differ, per joint [rad]; beyond that the robot moved between them.
+using Tolerance = Eigen::ArrayXd;
+
+/// Before any jitter is known: a degree. Then what jitter leaves out once in a million readings, and a step between.
+constexpr double mostJitter = 12 * encoderStep;
+
+Tolerance toleranceFor(const std::vector<double>& jitter) {
+  const Eigen::Map<const Eigen::ArrayXd> sigmas{jitter.data(), static_cast<Eigen::Index>(jitter.size())};
+  return (1.5 * encoderStep + 7 * sigmas).min(mostJitter); // of a difference of two: 5 times sqrt(2)
+}
+
+/// Groups a pose's pictures: those with the same stance, repeat and measured angles share a reading; readings of one
+/// rest share each joint's encoder error, for as long as the robot rests a joint keeps its rounding error and its
+/// place.
+std::vector<Rest> groupPose(const std::vector<CaptureSet>& sets, const std::vector<std::size_t>& members,
+                            const std::vector<Picture>& pictures, const Tolerance& tolerance, PoseGroup& pose) {
+  std::vector<Rest> rests;
+  std::set<int> stances;
+  std::size_t approaches = 0;
+  const Picture* previous = nullptr;
+  for (std::size_t index : members) {
+    const Picture& picture = pictures[index];
+    const Capture& capture = sets[picture.set].captures[picture.capture];
+    const Capture* last = previous ? &sets[previous->set].captures[previous->capture] : nullptr;
+    const bool sameReading = last && last->stance == capture.stance && last->repeat == capture.repeat &&
+                             previous->instant.q == picture.instant.q;
+    previous = &picture;
+    if (sameReading) {
+      pose.readings.back().pictures.push_back(index);
+      continue;
+    }
+    const bool anew = last && last->repeat != capture.repeat && capture.repeatKind != RepeatKind::rest;
+    pose.repeated |= anew;
+    stances.insert(capture.stance);
+    approaches += !last || anew ? 1 : 0;
+    // Rest after an approach has an error of its own, though the encoder's is that approach's: it stands for what
+    // corners of one picture have in common. Shared, it makes twice as many false alarms where pictures are biased.
+    const int approach = capture.repeatKind == RepeatKind::rest ? -1 : capture.repeat;
+    auto rest = std::find_if(rests.begin(), rests.end(), [&](const Rest& other) {
+      return other.stance == capture.stance && other.approach == approach &&
+             ((other.first - picture.instant.q).array().abs() < tolerance).all();
+    });
+    if (rest == rests.end()) {
+      rests.push_back({capture.stance, approach, picture.instant.q, {}});
+      rest = rests.end() - 1;
+    }
+    rest->readings.push_back(pose.readings.size());
+    pose.readings.push_back({.pictures = {index}, .encoderError = {}});
+  }
+  pose.restood = stances.size() > 1 && approaches > stances.size();
+  return rests;
+}
+
+/// What a joint was read as in one rest, once per reading.
+RestReadings readingsOf(const Rest& rest, std::size_t joint, const PoseGroup& pose,
+                        const std::vector<Picture>& pictures) {
+  std::vector<double> angles;
+  for (const std::size_t reading : rest.readings) {
+    angles.push_back(pictures[pose.readings[reading].pictures.front()].instant.q[static_cast<Eigen::Index>(joint)]);
+  }
+  return RestReadings{angles};
+}
+
+/// Per joint the readings of all rests, pose after pose.
+std::vector<std::vector<RestReadings>> allReadings(const std::vector<std::vector<Rest>>& restsOf,
+                                                   const Measurements& measurements) {
+  const std::size_t joints = measurements.robot.joints.size();
+  std::vector<std::vector<RestReadings>> readings(joints);
+  for (std::size_t pose = 0; pose < measurements.poses.size(); ++pose) {
+    for (const Rest& rest : restsOf[pose]) {
+      for (std::size_t joint = 0; joint < joints; ++joint) {
+        readings[joint].push_back(readingsOf(rest, joint, measurements.poses[pose], measurements.pictures));
+      }
+    }
+  }
+  return readings;
+}
+
+/// The jitter of each joint's encoder. What was not recorded reads zero, always, and tells of no encoder; joints of one
+/// motor share its encoder.
+std::vector<double> jitterOf(std::vector<std::vector<RestReadings>> readings, const Measurements& measurements) {
+  const auto isRecorded = [&](std::size_t joint) {
+    return std::binary_search(measurements.recorded.begin(), measurements.recorded.end(), joint);
+  };
+  for (std::size_t joint = 0; joint < readings.size(); ++joint) {
+    if (!isRecorded(joint)) {
+      readings[joint].clear();
+    }
+  }
+  const std::vector<double> ofMotors = encoderJitter(readings);
+  std::vector<double> result;
+  for (const Joint& joint : measurements.robot.joints) {
+    result.push_back(isRecorded(joint.motor) ? ofMotors[joint.motor] : 0.0);
+  }
+  return result;
+}
+
+/// Gives each joint of each rest its encoder error, and its likeliest place to all pictures of the rest.
+void placeJoints(const std::vector<std::vector<Rest>>& restsOf, const std::vector<std::vector<RestReadings>>& readings,
+                 Measurements& measurements) {
+  const std::size_t joints = measurements.robot.joints.size();
+  const double rounding = encoderStep / std::sqrt(12.0);
+  std::size_t next = 0;
+  for (std::size_t number = 0; number < measurements.poses.size(); ++number) {
+    PoseGroup& pose = measurements.poses[number];
+    for (const Rest& rest : restsOf[number]) {
+      const std::size_t stance = measurements.pictures[pose.readings[rest.readings.front()].pictures.front()].stance;
+      std::vector<std::size_t> errors(joints);
+      std::map<std::size_t, std::size_t> ofMotor;
+      for (std::size_t joint = 0; joint < joints; ++joint) {
+        const auto [entry, isNew] =
+            ofMotor.try_emplace(measurements.robot.joints[joint].motor, pose.encoderErrors.size());
+        errors[joint] = entry->second;
+        const RestReadings& read = readings[joint][next];
+        const RestReadings::Place place = read.place(measurements.jitter[joint]);
+        if (isNew) {
+          pose.encoderErrors.push_back(
+              {measurements.jitter[joint] > 0 ? std::sqrt(place.variance) / rounding : 1, stance});
+        }
+        for (const std::size_t reading : rest.readings) {
+          for (const std::size_t index : pose.readings[reading].pictures) {
+            measurements.pictures[index].instant.q[static_cast<Eigen::Index>(joint)] = place.angle;
+            measurements.pictures[index].drawn.angle(joint) = place.angle;
+          }
+        }
+      }
+      for (const std::size_t reading : rest.readings) {
+        pose.readings[reading].encoderError = errors;
+      }
+      ++next;
+    }
+  }
+}
+
+/// Tells each sighting how many pictures of its rest show the same board to the same camera.
+void countRepeats(const std::vector<Rest>& rests, const PoseGroup& pose, std::vector<Picture>& pictures) {
+  for (const Rest& rest : rests) {
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<Sighting*>> seen; // by camera and board
+    for (const std::size_t reading : rest.readings) {
+      for (const std::size_t index : pose.readings[reading].pictures) {
+        for (Sighting& sighting : pictures[index].sightings) {
+          seen[{pictures[index].camera, sighting.view.board()}].push_back(&sighting);
+        }
+      }
+    }
+    for (const auto& [where, sightings] : seen) {
+      for (Sighting* sighting : sightings) {
+        sighting->repeats = sightings.size();
+      }
+    }
+  }
+}
+
+/// On both feet the right sole lies flat on the floor too: one more measurement, told once per pose.
+void addFloorContact(const Measurements& measurements, Picture& picture) {
+  const Robot& robot = measurements.robot;
+  if (picture.instant.supportFoot == SupportFoot::both) {
+    picture.otherSole =
+        View::betweenLinks(robot, measurements.quantities, robot.sole("right")->link, robot.sole("left")->link);
+  }
+}
+
+} // namespace
+
+void groupReadings(const std::vector<CaptureSet>& sets, Measurements& measurements) {
+  auto& pictures = measurements.pictures;
+  const auto key = [&](const Picture& picture) {
+    const Capture& capture = sets[picture.set].captures[picture.capture];
+    return std::tuple{picture.set,          capture.pose,   capture.stance, capture.repeat,
+                      capture.time.count(), capture.camera, capture.id};
+  };
+  std::stable_sort(pictures.begin(), pictures.end(),
+                   [&](const Picture& a, const Picture& b) { return key(a) < key(b); });
+  std::map<std::pair<std::size_t, std::string>, std::vector<std::size_t>> poses;
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    if (!pictures[i].sightings.empty()) {
+      poses[{pictures[i].set, sets[pictures[i].set].captures[pictures[i].capture].pose}].push_back(i);
+    }
+  }
+  std::vector<std::vector<Rest>> rests; // per pose
+  Tolerance tolerance = Tolerance::Constant(static_cast<Eigen::Index>(measurements.robot.joints.size()), mostJitter);
+  for (int pass = 0; pass < 2; ++pass) { // the first one only to learn how much readings jitter
+    rests.clear();
+    measurements.poses.clear();
+    for (const auto& [name, members] : poses) {
+      PoseGroup& pose = measurements.poses.emplace_back();
+      pose.name = name.second;
+      rests.push_back(groupPose(sets, members, measurements.pictures, tolerance, pose));
+    }
+    measurements.jitter = jitterOf(allReadings(rests, measurements), measurements);
+    tolerance = toleranceFor(measurements.jitter);
+  }
+  placeJoints(rests, allReadings(rests, measurements), measurements);
+  for (std::size_t pose = 0; pose < rests.size(); ++pose) {
+    const std::vector<Reading>& readings = measurements.poses[pose].readings;
+    measurements.repeats |= readings.size() > 1;
+    addFloorContact(measurements, measurements.pictures[readings.front().pictures.front()]);
+    countRepeats(rests[pose], measurements.poses[pose], measurements.pictures);
+  }
+  std::set<std::size_t> motors;
+  const auto use = [&](const View& view) {
+    for (std::size_t joint : view.joints()) {
+      motors.insert(measurements.robot.joints[joint].motor);
+    }
+  };
+  for (const Picture& picture : pictures) {
+    for (const Sighting& sighting : picture.sightings) {
+      use(sighting.view);
+    }
+    if (picture.otherSole) {
+      use(*picture.otherSole);
+    }
+  }
+  measurements.joints.assign(motors.begin(), motors.end());
+}
+
+namespace {
+
+void refuseOtherRobots(const std::vector<CaptureSet>& sets) {
+  const CaptureSet& first = sets.front();
+  for (const CaptureSet& set : sets) {
+    if (set.bodyId != first.bodyId || set.headId != first.headId || set.model != first.model) {
+      throw InputError{fmt::format(
+          "{}: robot: expected the robot of {} (model {}, body {}, head {}), found model {}, body "
+          "{}, head {}; sets given together must be of one robot",
+          set.name, first.name, first.model, first.bodyId, first.headId, set.model, set.bodyId, set.headId)};
+    }
+  }
+}
+
+Seconds earliest(const CaptureSet& set) {
+  Seconds first = Seconds::max();
+  for (const Capture& capture : set.captures) {
+    first = std::min(first, capture.time);
+  }
+  return first;
+}
+
+/// Motors whose angles every capture tells, under the name of one of their joints.
+std::vector<std::size_t> recordedMotors(const std::vector<CaptureSet>& sets, const Robot& robot) {
+  std::map<std::size_t, std::size_t> captures; // motor -> in how many
+  std::size_t all = 0;
+  for (const CaptureSet& set : sets) {
+    for (const Capture& capture : set.captures) {
+      ++all;
+      std::set<std::size_t> motors;
+      for (std::size_t i = 0; i < set.jointNames.size(); ++i) {
+        const auto joint = robot.jointIndex(set.jointNames[i]);
+        if (joint && !std::isnan(capture.joints.measured[i])) {
+          motors.insert(robot.joints[*joint].motor);
+        }
+      }
+      for (const std::size_t motor : motors) {
+        ++captures[motor];
+      }
+    }
+  }
+  std::vector<std::size_t> result;
+  for (const auto& [motor, count] : captures) {
+    if (count == all) {
+      result.push_back(motor);
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+std::vector<std::size_t> posesOfPictures(const Measurements& measurements) {
+  std::vector<std::size_t> result(measurements.pictures.size());
+  for (std::size_t pose = 0; pose < measurements.poses.size(); ++pose) {
+    for (const Reading& reading : measurements.poses[pose].readings) {
+      for (const std::size_t picture : reading.pictures) {
+        result[picture] = pose;
+      }
+    }
+  }
+  return result;
+}
+
+Measurements measurementsOf(const std::vector<CaptureSet>& sets, const Robot& robot, bool samePlace) {
+  refuseOtherRobots(sets);
+  const Places places{sets, robot, samePlace};
+  Measurements result;
+  result.robot = robot;
+  result.samePlace = samePlace;
+  result.quantities = Quantities{robot.joints.size(), robot.lengths.size(), places.targets().size()};
+  result.targets = places.targets();
+  result.standings = places.standings();
+  result.recorded = recordedMotors(sets, robot);
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    const Seconds first = earliest(sets[set]);
+    for (std::size_t capture = 0; capture < sets[set].captures.size(); ++capture) {
+      result.pictures.push_back(recordedPicture(sets, set, capture, result, places));
+      result.pictures.back().instant.time -= first;
+      result.pictures.back().instant.set = set;
+      for (const Sighting& sighting : result.pictures.back().sightings) {
+        result.cornerCount += sighting.ids.size();
+      }
+    }
+  }
+  groupReadings(sets, result);
+  return result;
+}
+
+namespace {
+
+/// Per joint of the robot, what `list` holds for it, or NaN. Joints of one motor have one reading.
+Eigen::VectorXd perJoint(const Robot& robot, const CaptureSet& set, const std::vector<double>& list) {
+  Eigen::VectorXd values = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(robot.joints.size()), Instant::nothing);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (const auto joint = robot.jointIndex(set.jointNames[i])) {
+      values[static_cast<Eigen::Index>(*joint)] = list[i];
+    }
+  }
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    const auto own = static_cast<Eigen::Index>(joint);
+    const auto motor = static_cast<Eigen::Index>(robot.joints[joint].motor);
+    if (own != motor) {
+      if (std::isnan(values[motor])) {
+        values[motor] = values[own];
+      }
+      values[own] = values[motor];
+    }
+  }
+  return values;
+}
+
+/// The left foot's share of the weight, as the force sensors tell.
+double leftLoad(const Capture& capture) {
+  if (!capture.fsr) {
+    return Instant::nothing;
+  }
+  const auto middle = capture.fsr->begin() + 4;
+  const double left = std::accumulate(capture.fsr->begin(), middle, 0.0);
+  const double right = std::accumulate(middle, capture.fsr->end(), 0.0);
+  return left + right > 0 ? left / (left + right) : Instant::nothing;
+}
+
+std::size_t targetLink(const Robot& robot, const Target& target, SupportFoot foot) {
+  return target.onFloor ? robot.sole(foot == SupportFoot::right ? "right" : "left")->link
+                        : *robot.linkIndex(target.board.link);
+}
+
+void addSighting(const CaptureSet& set, const Capture& capture, const BoardCorners& corners, std::size_t targetIndex,
+                 const Measurements& measurements, Picture& result) {
+  const Robot& robot = measurements.robot;
+  const Target& target = measurements.targets[targetIndex];
+  if (corners.ids.empty() || (target.onFloor && capture.supportFoot == SupportFoot::none)) {
+    return; // a hanging robot learns nothing from the floor
+  }
+  View view{robot,          measurements.quantities,
+            result.camera,  targetLink(robot, target, capture.supportFoot),
+            target.onFloor, targetIndex};
+  for (std::size_t joint : view.joints()) {
+    if (std::isnan(result.instant.q[static_cast<Eigen::Index>(joint)])) {
+      throw InputError{fmt::format("{}: capture {}: joints.measured: {} was not recorded but board {} is seen along it",
+                                   set.name, capture.id, robot.joints[joint].name, corners.board)};
+    }
+  }
+  result.sightings.push_back({std::move(view), cornerBlocks(target.board, corners), corners.ids});
+}
+
+/// The readings, or resting angles where there are none.
+void drawAngles(const Robot& robot, Picture& result) {
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    double& angle = result.instant.q[static_cast<Eigen::Index>(joint)];
+    if (std::isnan(angle)) {
+      angle = robot.joints[joint].resting;
+    }
+    result.drawn.angle(joint) = angle;
+  }
+}
+
+/// The file's lens, and placements known or guessed.
+void drawScene(const CameraIntrinsics& camera, const Measurements& measurements, Picture& result) {
+  result.drawn.lens().head<4>() << camera.fx, camera.fy, camera.cx, camera.cy;
+  for (std::size_t i = 0; i < camera.distortion.size(); ++i) {
+    result.drawn.lens()[static_cast<Eigen::Index>(4 + i)] = camera.distortion[i];
+  }
+  const auto numbers = [](const Placement& p) {
+    return (Eigen::Matrix<double, 6, 1>{} << p.x, p.y, p.z, p.roll, p.pitch, p.yaw).finished();
+  };
+  result.drawn.ground() = numbers(measurements.standings[result.stance].placement);
+  for (std::size_t target = 0; target < measurements.targets.size(); ++target) {
+    const Board& board = measurements.targets[target].board;
+    result.drawn.boardPlacement(target) = numbers(board.placement.value_or(board.placementGuess));
+  }
+}
+
+} // namespace
+
+Picture recordedPicture(const std::vector<CaptureSet>& sets, std::size_t setIndex, std::size_t index,
+                        const Measurements& measurements, const Places& places) {
+  const Robot& robot = measurements.robot;
+  const CaptureSet& set = sets[setIndex];
+  const Capture& capture = set.captures[index];
+  if (!capture.corners) {
+    throw InputError{fmt::format("{}: captures[{}] (id {}): no corners yet; run 'naocal detect {}' first", set.name,
+                                 index, capture.id, set.name)};
+  }
+  const auto camera = robot.cameraIndex(capture.camera);
+  if (!camera) {
+    throw InputError{fmt::format("{}: captures[{}].camera: the {} has no camera '{}'", set.name, index, robot.model,
+                                 capture.camera)};
+  }
+  Picture result{.set = setIndex,
+                 .capture = index,
+                 .camera = *camera,
+                 .stance = places.standingIndex(set, capture.stance),
+                 .instant = {.time = capture.time,
+                             .supportFoot = capture.supportFoot,
+                             .q = perJoint(robot, set, capture.joints.measured),
+                             .velocity = perJoint(robot, set, capture.joints.velocity),
+                             .approach = perJoint(robot, set, capture.joints.approach),
+                             .temperature = perJoint(robot, set, capture.joints.temperature),
+                             .current = perJoint(robot, set, capture.joints.current),
+                             .imu = capture.imu.value_or(Eigen::Vector2d::Constant(Instant::nothing)),
+                             .leftLoad = leftLoad(capture)},
+                 .drawn = drawnBelief(robot, measurements.quantities),
+                 .sightings = {}};
+  for (const BoardCorners& corners : *capture.corners) {
+    addSighting(set, capture, corners, places.targetIndex(set, corners.board), measurements, result);
+  }
+  drawAngles(robot, result);
+  drawScene(set.cameras.at(capture.camera), measurements, result);
+  return result;
+}
+
+std::vector<std::size_t> jointsBetween(const Robot& robot, const Picture& picture) {
+  std::vector<char> between(robot.joints.size(), 0);
+  const auto add = [&](const View& view) {
+    for (const std::size_t joint : view.joints()) {
+      between[joint] = 1;
+    }
+  };
+  for (const Sighting& sighting : picture.sightings) {
+    add(sighting.view);
+  }
+  if (picture.otherSole) {
+    add(*picture.otherSole);
+  }
+  std::vector<std::size_t> joints;
+  for (std::size_t joint = 0; joint < between.size(); ++joint) {
+    if (between[joint] != 0) {
+      joints.push_back(joint);
+    }
+  }
+  return joints;
+}
+
+} // namespace naocal

@@ -1,0 +1,337 @@
+#include "poses/PlanOptimizer.hpp"
+
+#include "io/InputError.hpp"
+#include "math/Parallel.hpp"
+#include "poses/candidates/BoardPlacement.hpp"
+#include "poses/candidates/PoseSampler.hpp"
+#include "poses/candidates/Transitions.hpp"
+#include "poses/criteria/EffectPairCriterion.hpp"
+#include "poses/criteria/PlanOptions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace naocal {
+
+void PlanRefinement::refinePoses(PlanDraft& draft) {
+  const PlanScore score{robot_, draft.boards, cameras_, options_};
+  RandomAttitude attitudes{robot_, score.scene(), options_.poses};
+  std::vector<Eigen::MatrixXd> own = score.parts(draft.poses);
+  Eigen::MatrixXd sum = score.sum(draft.poses);
+  double now = score.value(sum, draft.poses);
+  Sieve unused;
+  const std::size_t attempts = options_.refinements * draft.poses.size();
+  for (std::size_t attempt = 0; attempt < attempts; ++attempt) {
+    const std::size_t i = attempt % draft.poses.size();
+    std::vector<double> point = draft.poses[i].point;
+    for (double& number : point) {
+      number = std::clamp(number + step(attempt, attempts), 0.0, 1.0);
+    }
+    auto moved = attitudes.at(point, unused);
+    if (!moved) {
+      continue;
+    }
+    const Eigen::MatrixXd part = score.parts({*moved}).front();
+    const Eigen::MatrixXd with = sum - own[i] + part;
+    std::swap(draft.poses[i], *moved);
+    if (const double there = score.value(with, draft.poses); there < now) {
+      now = there;
+      sum = with;
+      own[i] = part;
+    } else {
+      std::swap(draft.poses[i], *moved);
+    }
+  }
+}
+
+void PlanRefinement::refineBoards(PlanDraft& draft) {
+  const BoardPlaces places{robot_, options_.poses.supportFoot, options_.farthestBoard, options_.gap};
+  const MirroredBoards mirror{draft.boards, middleBetweenFeet(options_.poses.supportFoot)};
+  double now = value(draft);
+  const std::size_t attempts = options_.refinements * draft.boards.size();
+  for (std::size_t attempt = 0; attempt < attempts; ++attempt) {
+    const std::size_t i = attempt % draft.boards.size();
+    const std::vector<Board> before = draft.boards;
+    Placement& place = *draft.boards[i].placement;
+    const double size = 0.3 * step(attempt, attempts); // [m], of a typical move
+    std::normal_distribution<double> move;
+    place.x += size * move(random_);
+    place.y += size * move(random_);
+    place.yaw += 5 * size * move(random_);
+    if (options_.mirrored) {
+      mirror.follow(draft.boards, i);
+    }
+    const bool allowed =
+        places.allow(draft.boards, i) && (!options_.mirrored || places.allow(draft.boards, mirror.mate(i)));
+    if (const double there = allowed ? value(draft) : now; there < now) {
+      now = there;
+    } else {
+      draft.boards = before;
+    }
+  }
+}
+
+double PlanRefinement::value(const PlanDraft& draft) const {
+  const PlanScore score{robot_, draft.boards, cameras_, options_};
+  Eigen::MatrixXd sum = score.known();
+  for (const Eigen::MatrixXd& part : score.parts(draft.poses)) {
+    if (part.leftCols(part.rows()).isZero()) {
+      return std::numeric_limits<double>::infinity(); // a pose that sees nothing
+    }
+    sum += part;
+  }
+  return score.value(sum, draft.poses);
+}
+
+double PlanRefinement::step(std::size_t attempt, std::size_t attempts) {
+  const double width = 0.15 * std::pow(0.05, static_cast<double>(attempt) / static_cast<double>(attempts));
+  return std::normal_distribution<double>{0, width}(random_);
+}
+
+PlanScore::PlanScore(const Robot& robot, const std::vector<Board>& boards,
+                     const std::map<std::string, CameraIntrinsics>& cameras, const PlanOptions& options)
+    : robot_{robot}, cameras_{cameras}, options_{options}, boards_{boards}, scene_{robot, options.poses.supportFoot,
+                                                                                   boards, cameras,
+                                                                                   options.poses.sight},
+      judge_{robot, scene_, scene_.joints(), options.criterion, options.known}, worn_{wornRobots(robot, options.poses,
+                                                                                                 options.wornRobots,
+                                                                                                 1)},
+      known_{judge_.prior().replicate(1, static_cast<Eigen::Index>(worn_.size() + 1))} {
+  for (const Eigen::VectorXd& angles : options.kept) {
+    kept_.push_back({scene_.drawn(), {}, 0});
+    kept_.back().belief.values.head(angles.size()) = angles;
+  }
+  for (const Eigen::MatrixXd& part : parts(kept_)) {
+    known_ += part;
+  }
+}
+
+ThesisSelection PlanScore::thesis() const {
+  return {robot_, supportSole(robot_, options_.poses.supportFoot), cameras_, judge_.joints(), options_.weights};
+}
+
+Interaction PlanScore::interaction(const std::vector<SievedPose>& poses) const {
+  return thesis().interaction(poses);
+}
+
+std::vector<SievedPose> PlanScore::best(const std::vector<SievedPose>& candidates, std::size_t count) const {
+  if (options_.criterion == Criterion::discriminate) {
+    return TellingApart{robot_, boards_, cameras_, options_}.best(kept_, candidates, count);
+  }
+  const std::vector<std::size_t> indices = options_.criterion == Criterion::interaction
+                                               ? thesis().chain(candidates, count)
+                                               : selected(judge_, expected(known_), expectedParts(candidates), count);
+  std::vector<SievedPose> result;
+  for (const std::size_t index : indices) {
+    result.push_back(candidates[index]);
+  }
+  return result;
+}
+
+std::optional<double> PlanScore::misfit(const std::vector<SievedPose>& poses) const {
+  return options_.effects.empty()
+             ? std::nullopt
+             : std::optional{TellingApart{robot_, boards_, cameras_, options_}.misfit(kept_, poses)};
+}
+
+std::vector<Eigen::MatrixXd> PlanScore::partsOfDrawn(const std::vector<SievedPose>& poses) const {
+  std::vector<Eigen::MatrixXd> result = informations(robot_, scene_, poses, options_.noise);
+  for (Eigen::MatrixXd& information : result) {
+    information = judge_.part(information);
+  }
+  return result;
+}
+
+Eigen::MatrixXd PlanScore::expected(const Eigen::MatrixXd& sum) const {
+  Eigen::MatrixXd result = ofRobot(sum, 0);
+  for (std::size_t robot = 1; robot <= worn_.size(); ++robot) {
+    result += ofRobot(sum, robot) / static_cast<double>(worn_.size());
+  }
+  return result;
+}
+
+std::vector<Eigen::MatrixXd> PlanScore::expectedParts(const std::vector<SievedPose>& poses) const {
+  std::vector<Eigen::MatrixXd> result = partsOfDrawn(poses);
+  for (const Eigen::VectorXd& errors : worn_) {
+    const std::vector<Eigen::MatrixXd> own = partsOfDrawn(takenBy(errors, poses));
+    for (std::size_t pose = 0; pose < poses.size(); ++pose) {
+      result[pose] += own[pose] / static_cast<double>(worn_.size());
+    }
+  }
+  return result;
+}
+
+std::vector<Eigen::MatrixXd> PlanScore::parts(const std::vector<SievedPose>& poses) const {
+  std::vector<Eigen::MatrixXd> result = partsOfDrawn(poses);
+  for (std::size_t robot = 0; robot < worn_.size(); ++robot) {
+    const std::vector<Eigen::MatrixXd> own = partsOfDrawn(takenBy(worn_[robot], poses));
+    for (std::size_t pose = 0; pose < poses.size(); ++pose) {
+      if (robot == 0) {
+        result[pose].conservativeResize(Eigen::NoChange, known_.cols());
+      }
+      result[pose].middleCols(static_cast<Eigen::Index>(robot + 1) * known_.rows(), known_.rows()) = own[pose];
+    }
+  }
+  return result;
+}
+
+Eigen::MatrixXd PlanScore::ofRobot(const Eigen::MatrixXd& sum, std::size_t robot) const {
+  return sum.middleCols(static_cast<Eigen::Index>(robot) * sum.rows(), sum.rows());
+}
+
+Eigen::MatrixXd PlanScore::sum(const std::vector<SievedPose>& poses) const {
+  Eigen::MatrixXd result = known_;
+  for (const Eigen::MatrixXd& part : parts(poses)) {
+    result += part;
+  }
+  return result;
+}
+
+double PlanScore::worstSigma(const Eigen::MatrixXd& sum) const {
+  return std::sqrt(judge_.covariance(ofRobot(sum, 0)).diagonal().maxCoeff());
+}
+
+double PlanScore::value(const Eigen::MatrixXd& sum, const std::vector<SievedPose>& poses) const {
+  if (options_.criterion != Criterion::time) {
+    double ofWorn = 0;
+    for (std::size_t robot = 1; robot <= worn_.size(); ++robot) {
+      ofWorn += judge_(ofRobot(sum, robot)) / static_cast<double>(worn_.size());
+    }
+    return judge_(ofRobot(sum, 0)) + ofWorn;
+  }
+  constexpr double farMore = 1e6;
+  const double missing = worstSigma(sum) / options_.sigma;
+  return missing > 1 ? farMore * missing : secondsToPlay(robot_, poses, options_.secondsPerPose);
+}
+
+std::map<std::string, double> PlanScore::sigmas(const std::vector<SievedPose>& poses, bool known) const {
+  const PoseJudge judge{robot_, scene_, judge_.joints(), options_.criterion, known};
+  Eigen::MatrixXd sum = judge.prior();
+  for (const std::vector<SievedPose>* each : {&kept_, &poses}) {
+    for (const Eigen::MatrixXd& information : informations(robot_, scene_, *each, options_.noise)) {
+      sum += judge.part(information);
+    }
+  }
+  return named(judge.covariance(sum).diagonal());
+}
+
+std::map<std::string, double> PlanScore::sigmasOfRobots(const std::vector<SievedPose>& poses) const {
+  constexpr std::size_t robots = 100;
+  std::vector<SievedPose> all = kept_;
+  all.insert(all.end(), poses.begin(), poses.end());
+  Eigen::VectorXd variances = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(judge_.joints().size()));
+  for (const Eigen::VectorXd& errors : wornRobots(robot_, options_.poses, robots, 2)) {
+    Eigen::MatrixXd sum = judge_.prior();
+    for (const Eigen::MatrixXd& part : partsOfDrawn(takenBy(errors, all))) {
+      sum += part;
+    }
+    variances += judge_.covariance(sum).diagonal() / robots;
+  }
+  return named(variances);
+}
+
+std::map<std::string, double> PlanScore::named(const Eigen::VectorXd& variances) const {
+  std::map<std::string, double> result;
+  for (std::size_t i = 0; i < judge_.joints().size(); ++i) {
+    result[robot_.joints[judge_.joints()[i]].name] = std::sqrt(variances[static_cast<Eigen::Index>(i)]);
+  }
+  return result;
+}
+
+namespace {
+
+PlanOptions ofDrawnRobot(PlanOptions options) {
+  options.wornRobots = 0;
+  return options;
+}
+
+} // namespace
+
+PlanDraft PlanSearch::found(const std::vector<Board>& boards, const std::vector<SievedPose>& attitudes) {
+  if (options_.criterion == Criterion::time) {
+    return quickest(boards, attitudes);
+  }
+  if (options_.criterion == Criterion::interaction || options_.criterion == Criterion::discriminate) {
+    return {PlanScore{robot_, boards, cameras_, options_}.best(attitudes, options_.poses.count), boards};
+  }
+  return refinedFromStarts(boards, attitudes);
+}
+
+/// Selected for worn robots too, first refined for the drawn one: refining for worn ones takes many times as long.
+PlanDraft PlanSearch::refinedFromStarts(const std::vector<Board>& boards, const std::vector<SievedPose>& attitudes) {
+  const PlanOptions drawn = ofDrawnRobot(options_);
+  std::vector<PlanDraft> drafts(options_.starts, PlanDraft{{}, boards});
+  inParallel(drafts.size(), [&](std::size_t i) {
+    PlanOptions beginning = options_;
+    beginning.criterion = static_cast<Criterion>(i % static_cast<std::size_t>(Criterion::interaction));
+    drafts[i].poses = PlanScore{robot_, boards, cameras_, beginning}.best(attitudes, options_.poses.count);
+    refine(drafts[i], attitudes, drawn, i);
+  });
+  PlanDraft best = *std::min_element(drafts.begin(), drafts.end(), [&](const PlanDraft& one, const PlanDraft& other) {
+    return value(one, options_) < value(other, options_);
+  });
+  for (std::size_t round = 1; round < options_.rounds; ++round) {
+    refine(best, attitudes, options_, options_.starts + round);
+  }
+  return best;
+}
+
+PlanDraft PlanSearch::quickest(const std::vector<Board>& boards, const std::vector<SievedPose>& attitudes) {
+  constexpr double reached = 1e5; // [s]
+  PlanOptions options = ofDrawnRobot(options_);
+  PlanDraft best;
+  double least = std::numeric_limits<double>::infinity();
+  for (options.poses.count = 2; options.poses.count <= options_.poses.count; ++options.poses.count) {
+    PlanDraft draft{PlanScore{robot_, boards, cameras_, options}.best(attitudes, options.poses.count), boards};
+    refine(draft, attitudes, options, options.poses.count);
+    const double there = value(draft, options);
+    if (there > least && least < reached) {
+      break;
+    }
+    if (there < least) {
+      least = there;
+      best = std::move(draft);
+    }
+  }
+  if (least > reached) {
+    throw InputError{
+        fmt::format("expected at most {} poses to tell every offset to {:.3f} degrees, found {:.3f}; ask for more "
+                    "poses or less",
+                    options_.poses.count, degrees(options_.sigma), worst(best))};
+  }
+  return best;
+}
+
+/// Refines what is drafted, and once more from what is then the best selection.
+void PlanSearch::refine(PlanDraft& draft, std::vector<SievedPose> attitudes, const PlanOptions& options,
+                        std::uint64_t seed) {
+  PlanRefinement refinement{robot_, cameras_, options, options.poses.seed + seed};
+  for (const bool again : {false, true}) {
+    if (again && options.criterion != Criterion::time) {
+      attitudes.insert(attitudes.end(), draft.poses.begin(), draft.poses.end());
+      draft.poses = PlanScore{robot_, draft.boards, cameras_, options}.best(attitudes, options.poses.count);
+    }
+    refinement.refinePoses(draft);
+    if (options.moveBoards) {
+      refinement.refineBoards(draft);
+    }
+  }
+  const std::string found =
+      fmt::format("refined {} poses: the worst offset's sigma is {:.4f} deg", draft.poses.size(), worst(draft));
+  const std::lock_guard lock{telling_};
+  tell_(found);
+}
+
+double PlanSearch::value(const PlanDraft& draft, const PlanOptions& options) const {
+  const PlanScore here{robot_, draft.boards, cameras_, options};
+  return here.value(here.sum(draft.poses), draft.poses);
+}
+
+double PlanSearch::worst(const PlanDraft& draft) const { // [deg]
+  const PlanScore here{robot_, draft.boards, cameras_, options_};
+  return degrees(here.worstSigma(here.sum(draft.poses)));
+}
+
+} // namespace naocal

@@ -1,0 +1,199 @@
+#include "poses/candidates/PlanningScene.hpp"
+
+#include "io/InputError.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "measurements/FloorContact.hpp"
+#include "robot/Balance.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <numeric>
+#include <set>
+
+namespace naocal {
+
+namespace {
+
+/// All corners of a board, to be projected.
+CornerBlocks allCorners(const Board& board) {
+  BoardCorners all{.board = board.id, .ids = std::vector<int>(board.points.size()), .uv = {}};
+  std::iota(all.ids.begin(), all.ids.end(), 0);
+  all.uv.assign(board.points.size(), Eigen::Vector2d::Zero());
+  return cornerBlocks(board, all);
+}
+
+} // namespace
+
+Scene::Scene(const Robot& robot, SupportFoot foot, const std::vector<Board>& boards,
+             const std::map<std::string, CameraIntrinsics>& cameras, const SightLimits& limits)
+    : robot_{robot}, limits_{limits}, boards_{boards},
+      quantities_{robot.joints.size(), robot.lengths.size(), boards.size()}, drawn_{drawnBelief(robot, quantities_)} {
+  for (std::size_t board = 0; board < boards_.size(); ++board) {
+    const auto& placement = boards_[board].placement;
+    if (!placement || boards_[board].link != "floor") {
+      throw InputError{fmt::format("board {}: expected a placement on the floor, found none; poses can only be planned "
+                                   "for boards whose place is about known",
+                                   boards_[board].id)};
+    }
+    drawn_.boardPlacement(board) << placement->x, placement->y, placement->z, placement->roll, placement->pitch,
+        placement->yaw;
+  }
+  const Sole& support = supportSole(robot, foot);
+  if (foot == SupportFoot::both) {
+    otherSole_ = View::betweenLinks(robot, quantities_, otherSole(robot, foot).link, support.link);
+  }
+  for (const auto& [name, lens] : cameras) {
+    const auto camera = robot.cameraIndex(name);
+    if (!camera) {
+      throw InputError{
+          fmt::format("camera {}: expected a camera of the drawing of {}, found none of that name", name, robot.model)};
+    }
+    for (std::size_t board = 0; board < boards_.size(); ++board) {
+      outlooks_.push_back(
+          {*camera, lens, View{robot, quantities_, *camera, support.link, true, board}, allCorners(boards_[board])});
+    }
+  }
+}
+
+Scene::Projection Scene::projection(const Outlook& outlook, Belief& belief, const Posture& torsoFromLink) const {
+  const CameraIntrinsics& lens = outlook.lens;
+  const Board& board = boards_[outlook.view.board()];
+  belief.lens() << lens.fx, lens.fy, lens.cx, lens.cy,
+      Eigen::Map<const Eigen::Matrix<double, 5, 1>>(lens.distortion.data());
+  Projection result;
+  result.attitude = outlook.view.attitude(robot_, belief, torsoFromLink);
+  if (!outlook.view.project(result.attitude, belief, outlook.corners, result.corners)) {
+    return result; // partly behind the camera: too near to be of use
+  }
+  const Eigen::Vector3d cameraInBoard = result.attitude.opticalFromBoard.inverse().translation;
+  for (std::size_t corner = 0; corner < board.points.size(); ++corner) {
+    const auto lane = at(corner % 4);
+    const double u = result.corners[corner / 4].u[lane], v = result.corners[corner / 4].v[lane];
+    const Eigen::Vector3d ray = cameraInBoard - board.points[corner];
+    const double distance = ray.norm();
+    if (u >= limits_.border && u <= lens.width - 1 - limits_.border && v >= limits_.border &&
+        v <= lens.height - 1 - limits_.border && distance >= limits_.nearest && distance <= limits_.farthest &&
+        ray.z() >= distance * std::sin(limits_.grazing)) {
+      result.seen.push_back(static_cast<int>(corner));
+    }
+  }
+  if (result.seen.size() < (limits_.wholeBoards ? board.points.size() : limits_.corners)) {
+    result.seen.clear();
+  }
+  return result;
+}
+
+std::vector<std::size_t> Scene::joints() const {
+  std::set<std::size_t> motors;
+  for (const Outlook& outlook : outlooks_) {
+    for (const std::size_t joint : outlook.view.joints()) {
+      motors.insert(robot_.joints[joint].motor);
+    }
+  }
+  if (otherSole_) {
+    for (const std::size_t joint : otherSole_->joints()) {
+      motors.insert(robot_.joints[joint].motor);
+    }
+  }
+  return {motors.begin(), motors.end()};
+}
+
+std::vector<Sight> Scene::sights(const Belief& belief, const Posture& torsoFromLink) const {
+  std::vector<Sight> sights;
+  Belief own = belief; // each camera has its lens
+  for (const Outlook& outlook : outlooks_) {
+    Projection seen = projection(outlook, own, torsoFromLink);
+    if (!seen.seen.empty()) {
+      sights.push_back({robot_.cameras[outlook.camera].name, boards_[outlook.view.board()].id, std::move(seen.seen)});
+    }
+  }
+  return sights;
+}
+
+namespace {
+
+/// What pixels of the corners seen tell about the picture's six-dimensional motion.
+Eigen::Matrix<double, 6, 6> ofMotion(const ProjectedBlocks& corners, const std::vector<int>& seen) {
+  Eigen::Matrix<double, 6, 6> sum = Eigen::Matrix<double, 6, 6>::Zero();
+  for (const int corner : seen) {
+    const ProjectedBlock& block = corners[static_cast<std::size_t>(corner / 4)];
+    Eigen::Matrix<double, 6, 2> rows;
+    for (int i = 0; i < 6; ++i) {
+      rows.row(i) << block.rowsU[i][corner % 4], block.rowsV[i][corner % 4];
+    }
+    sum += rows * rows.transpose();
+  }
+  return sum;
+}
+
+} // namespace
+
+Eigen::MatrixXd Scene::information(const Belief& belief, const Posture& torsoFromLink, double pixel) const {
+  const std::size_t mounts = robot_.joints.size(), boards = mounts + 3 * robot_.cameras.size();
+  const auto size = at(boards + 3 * boards_.size());
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(size, size);
+  Belief own = belief;
+  for (const Outlook& outlook : outlooks_) {
+    const Projection seen = projection(outlook, own, torsoFromLink);
+    if (seen.seen.empty()) {
+      continue;
+    }
+    std::vector<std::size_t> quantities, unknowns; // what moves the picture, and the unknown behind it
+    const auto add = [&](std::size_t quantity, std::size_t unknown) {
+      quantities.push_back(quantity);
+      unknowns.push_back(unknown);
+    };
+    for (const std::size_t joint : outlook.view.joints()) {
+      add(quantities_.angle(joint), robot_.joints[joint].motor);
+    }
+    const std::size_t board = outlook.view.board();
+    for (const std::size_t i : {0, 1, 2}) {
+      add(quantities_.mountRotation() + i, mounts + 3 * outlook.camera + i);
+      add(quantities_.board(board) + (i < 2 ? i : 5), boards + 3 * board + i);
+    }
+    Eigen::MatrixXd motion(6, at(quantities.size()));
+    outlook.view.motion(robot_, seen.attitude, own, torsoFromLink, quantities, {}, motion);
+    const Eigen::MatrixXd ofQuantities =
+        motion.transpose() * ofMotion(seen.corners, seen.seen) * motion / (pixel * pixel);
+    for (std::size_t a = 0; a < unknowns.size(); ++a) {
+      for (std::size_t b = 0; b < unknowns.size(); ++b) {
+        information(at(unknowns[a]), at(unknowns[b])) += ofQuantities(at(a), at(b));
+      }
+    }
+  }
+  if (otherSole_) {
+    addFloorContact(belief, torsoFromLink, information);
+  }
+  return information;
+}
+
+void Scene::addFloorContact(const Belief& belief, const Posture& torsoFromLink, Eigen::MatrixXd& information) const {
+  const Attitude attitude = otherSole_->pathAttitude(robot_, belief, torsoFromLink);
+  const std::vector<std::size_t>& joints = otherSole_->joints();
+  std::vector<std::size_t> quantities;
+  for (const std::size_t joint : joints) {
+    quantities.push_back(quantities_.angle(joint));
+  }
+  Eigen::MatrixXd motion(6, at(joints.size()));
+  otherSole_->motion(robot_, attitude, belief, torsoFromLink, quantities, {}, motion);
+  const Eigen::MatrixXd slopes = floorContactByMotion(attitude.opticalFromWorld.rotation.col(2)) * motion;
+  const Eigen::MatrixXd told = slopes.transpose() * slopes;
+  for (std::size_t a = 0; a < joints.size(); ++a) {
+    for (std::size_t b = 0; b < joints.size(); ++b) {
+      information(at(robot_.joints[joints[a]].motor), at(robot_.joints[joints[b]].motor)) += told(at(a), at(b));
+    }
+  }
+}
+
+Eigen::MatrixXd Scene::priorInformation() const {
+  // Offsets are uniform within 6.5 degrees and cameras turned by up to 2; boards lie about where they should.
+  const double offset = radians(6.5) / std::sqrt(3.0), mount = radians(2) / std::sqrt(3.0); // [rad]
+  constexpr double board = 0.1;                                                             // [m] and [rad]
+  const auto offsets = at(robot_.joints.size()), mounts = at(3 * robot_.cameras.size());
+  Eigen::VectorXd sigma = Eigen::VectorXd::Constant(offsets + mounts + at(3 * boards_.size()), board);
+  sigma.head(offsets).setConstant(offset);
+  sigma.segment(offsets, mounts).setConstant(mount);
+  return sigma.array().square().inverse().matrix().asDiagonal();
+}
+
+} // namespace naocal

@@ -1,0 +1,87 @@
+#include "poses/candidates/SingleSupportPlanner.hpp"
+
+#include "math/LinearAlgebra.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace naocal {
+
+namespace {
+
+PoseOptions onFoot(SupportFoot foot, double jointError) {
+  PoseOptions options;
+  options.supportFoot = foot;
+  options.stability.jointError = jointError;
+  return options;
+}
+
+/// Legs and head: what is between a sole and a camera.
+bool isCalibrated(const std::string& joint) {
+  return joint.starts_with("Head") || joint.find("Hip") != std::string::npos ||
+         joint.find("Knee") != std::string::npos || joint.find("Ankle") != std::string::npos;
+}
+
+} // namespace
+
+OneFootWays::OneFootWays(const Robot& robot, SupportFoot foot, const Eigen::VectorXd& stand, double jointError)
+    : robot_{robot}, foot_{foot}, options_{onFoot(foot, jointError)}, ways_{robot, options_}, onto_{ontoOneFoot(
+                                                                                                  robot, foot, stand)} {
+}
+
+std::optional<OneFootWays::Way> OneFootWays::safeWay(const Eigen::VectorXd& to) const {
+  for (const int parts : {1, 2, 4, 8}) {
+    auto way = betweenOnOneFoot(robot_, foot_, onto_.back(), to, parts);
+    if (!way) {
+      continue;
+    }
+    way->push_back(to);
+    const Eigen::VectorXd* last = &onto_.back();
+    const bool safe = std::all_of(way->begin(), way->end(), [&](const Eigen::VectorXd& point) {
+      return ways_.seconds(*std::exchange(last, &point), point).has_value();
+    });
+    if (safe) {
+      return way;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<OneFootWays::Approach> OneFootWays::approach(const Eigen::VectorXd& angles, const Eigen::VectorXd& wanted,
+                                                           double distance, std::mt19937_64& random) const {
+  constexpr int tries = 16;
+  Approach result{Eigen::VectorXd::Zero(angles.size()), {}};
+  for (int attempt = 0; attempt < tries; ++attempt) {
+    for (std::size_t joint = 0; joint < robot_.joints.size(); ++joint) {
+      const double side = random() % 2 == 0 ? 1 : -1;
+      result.side[at(joint)] = !isCalibrated(robot_.joints[joint].name) ? 0
+                               : wanted[at(joint)] != 0                 ? wanted[at(joint)]
+                                                                        : side;
+      if (const std::size_t motor = robot_.joints[joint].motor; motor != joint) {
+        result.side[at(joint)] = result.side[at(motor)];
+      }
+    }
+    const Eigen::VectorXd below = angles - distance * result.side, above = angles + distance * result.side;
+    if (!ways_.seconds(below, angles) || !ways_.seconds(angles, above)) {
+      continue;
+    }
+    if (auto way = safeWay(below)) {
+      result.way = std::move(*way);
+      return result;
+    }
+  }
+  return std::nullopt;
+}
+
+bool ReachOnOneFoot::operator()(const ProposedPose& pose) {
+  constexpr double aside = radians(1); // where an approach begins, as robots are configured
+  const SupportFoot foot = pose.pose.supportFoot;
+  if (foot != SupportFoot::left && foot != SupportFoot::right) {
+    return true;
+  }
+  const auto ways = ways_.try_emplace(foot, robot_, foot, bentKnees(robot_), jointError_).first;
+  std::mt19937_64 random{1};
+  return ways->second.approach(pose.pose.angles, pose.approach, aside, random).has_value();
+}
+
+} // namespace naocal

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "poses/candidates/SupportLegs.hpp"
+#include "poses/candidates/Transitions.hpp"
+
+#include <map>
+#include <random>
+
+namespace naocal {
+
+/// Ways of a robot on one foot, all from standing upright on it, so that poses can be taken in any order: 97 of 100
+/// robots with joint errors stand all along, and no part touches another.
+class OneFootWays {
+public:
+  /// `stand`: on both feet [rad]; `jointError`: as of Stability [rad].
+  OneFootWays(const Robot& robot, SupportFoot foot, const Eigen::VectorXd& stand, double jointError);
+
+  /// From the stand onto the foot (ontoOneFoot).
+  const std::vector<Eigen::VectorXd>& onto() const { return onto_; }
+
+  using Way = std::vector<Eigen::VectorXd>; // angles to pass through, the last ones where it leads [rad]
+  struct Approach {
+    Eigen::VectorXd side; // per joint: which way it turns into the pose, -1 or +1; 0: one that is not calibrated
+    Way way;              // from standing upright to where the approach begins
+  };
+  /// Into a pose from `distance` beside it [rad], from where one can go on as far beyond it: each joint from the side
+  /// that is wanted (-1 or +1; 0: drawn at random). Absent where no safe way was found.
+  std::optional<Approach> approach(const Eigen::VectorXd& angles, const Eigen::VectorXd& wanted, double distance,
+                                   std::mt19937_64& random) const;
+
+private:
+  std::optional<Way> safeWay(const Eigen::VectorXd& to) const;
+
+  const Robot& robot_;
+  SupportFoot foot_;
+  PoseOptions options_;
+  WayChecks ways_;
+  std::vector<Eigen::VectorXd> onto_;
+};
+
+/// Whether poses on one foot can be reached from standing upright on it, each joint from the side that is wanted, as
+/// robots reach them (OneFootWays). Of poses on both feet nothing is asked.
+class ReachOnOneFoot {
+public:
+  /// `jointError`: as of Stability [rad].
+  ReachOnOneFoot(const Robot& robot, double jointError) : robot_{robot}, jointError_{jointError} {}
+
+  bool operator()(const ProposedPose& pose);
+
+private:
+  const Robot& robot_;
+  double jointError_;
+  std::map<SupportFoot, OneFootWays> ways_;
+};
+
+} // namespace naocal

@@ -1,0 +1,205 @@
+#include "poses/candidates/Transitions.hpp"
+
+#include "math/Parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace naocal {
+
+namespace {
+
+using Ways = std::vector<std::vector<std::optional<double>>>;
+constexpr double never = std::numeric_limits<double>::infinity();
+
+std::vector<std::size_t> nearestNext(const Ways& seconds) {
+  std::vector<std::size_t> order{0};
+  while (order.size() < seconds.size()) {
+    std::optional<std::size_t> next;
+    for (std::size_t i = 0; i < seconds.size(); ++i) {
+      const auto& way = seconds[order.back()][i];
+      if (way && std::find(order.begin(), order.end(), i) == order.end() &&
+          (!next || *way < *seconds[order.back()][*next])) {
+        next = i;
+      }
+    }
+    if (!next) {
+      break;
+    }
+    order.push_back(*next);
+  }
+  return order;
+}
+
+/// Held and Karp (1962): the quickest way through each set of poses to each of its members.
+std::vector<std::size_t> byDynamicProgramming(const Ways& seconds) {
+  const std::size_t count = seconds.size(), sets = std::size_t{1} << count;
+  std::vector<std::vector<double>> shortest(sets, std::vector<double>(count, never));
+  std::vector<std::vector<std::size_t>> before(sets, std::vector<std::size_t>(count, count));
+  for (std::size_t i = 0; i < count; ++i) {
+    shortest[std::size_t{1} << i][i] = 0;
+  }
+  for (std::size_t set = 1; set < sets; ++set) {
+    for (std::size_t last = 0; last < count; ++last) {
+      for (std::size_t next = 0; next < count && shortest[set][last] < never; ++next) {
+        const std::size_t larger = set | std::size_t{1} << next;
+        const double length = larger == set ? never : shortest[set][last] + seconds[last][next].value_or(never);
+        if (length < shortest[larger][next]) {
+          shortest[larger][next] = length;
+          before[larger][next] = last;
+        }
+      }
+    }
+  }
+  std::size_t set = sets - 1;
+  auto last =
+      static_cast<std::size_t>(std::min_element(shortest[set].begin(), shortest[set].end()) - shortest[set].begin());
+  std::vector<std::size_t> order;
+  while (last < count && shortest[set][last] < never) {
+    order.insert(order.begin(), last);
+    const std::size_t previous = before[set][last];
+    set &= ~(std::size_t{1} << last);
+    last = previous;
+  }
+  return order;
+}
+
+PoseOptions onTheWay(PoseOptions options, const Motion& motion) {
+  options.footing = {.depth = 0.01, .clearance = 0.005};
+  options.stability.share = motion.share;
+  return options;
+}
+
+} // namespace
+
+double secondsBetween(const Robot& robot, const Eigen::VectorXd& from, const Eigen::VectorXd& to, double speed) {
+  double seconds = 0;
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    const auto i = static_cast<Eigen::Index>(joint);
+    if (robot.joints[joint].maxSpeed > 0) {
+      seconds = std::max(seconds, std::abs(to[i] - from[i]) / (speed * robot.joints[joint].maxSpeed));
+    }
+  }
+  return seconds;
+}
+
+WayChecks::WayChecks(const Robot& robot, const PoseOptions& options, const Motion& motion)
+    : robot_{robot}, motion_{motion}, options_{onTheWay(options, motion)}, checks_{robot, options_} {}
+
+std::optional<double> WayChecks::seconds(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const {
+  std::mt19937_64 random{options_.seed};
+  const Posture before = posture(robot_, from);
+  if (slides(before, posture(robot_, to))) {
+    return std::nullopt;
+  }
+  Belief belief = drawnBelief(robot_, Quantities{robot_.joints.size(), robot_.lengths.size(), 0});
+  const int steps = std::max(1, static_cast<int>(std::ceil((to - from).cwiseAbs().maxCoeff() / motion_.step)));
+  for (int i = 1; i < steps; ++i) {
+    belief.values.head(from.size()) = from + (to - from) * i / steps;
+    const Posture torsoFromLink = posture(robot_, belief);
+    if (slides(before, torsoFromLink) || checks_.touchesItself(torsoFromLink) ||
+        !checks_.standing(belief, torsoFromLink, random)) {
+      return std::nullopt;
+    }
+  }
+  return secondsBetween(robot_, from, to, motion_.speed);
+}
+
+/// On both feet: whether a corner of the other sole comes to lie elsewhere, seen from the support sole.
+bool WayChecks::slides(const Posture& before, const Posture& now) const {
+  if (options_.supportFoot != SupportFoot::both) {
+    return false;
+  }
+  const Sole &support = checks_.support(), &other = checks_.other();
+  const RigidTransform then = before[support.link].inverse() * before[other.link],
+                       there = now[support.link].inverse() * now[other.link];
+  return std::any_of(other.outline.begin(), other.outline.end(), [&](const Eigen::Vector2d& corner) {
+    const Eigen::Vector3d point{corner.x(), corner.y(), 0};
+    return (then * point - there * point).norm() > motion_.slip;
+  });
+}
+
+double secondsToPlay(const Robot& robot, const std::vector<SievedPose>& poses, double secondsPerPose) {
+  const auto joints = static_cast<Eigen::Index>(robot.joints.size());
+  const double speed = Motion{}.speed;
+  Ways seconds(poses.size(), std::vector<std::optional<double>>(poses.size()));
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      seconds[i][k] =
+          secondsBetween(robot, poses[i].belief.values.head(joints), poses[k].belief.values.head(joints), speed);
+    }
+  }
+  double sum = secondsPerPose * static_cast<double>(poses.size());
+  const std::vector<std::size_t> order = quickestOrder(seconds).value_or(std::vector<std::size_t>{});
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    sum += *seconds[order[i - 1]][order[i]];
+  }
+  return sum;
+}
+
+std::optional<std::vector<std::size_t>> quickestOrder(const Ways& seconds) {
+  constexpr std::size_t exact = 12;
+  const std::vector<std::size_t> order = seconds.size() <= exact ? byDynamicProgramming(seconds) : nearestNext(seconds);
+  return order.size() == seconds.size() ? std::optional{order} : std::nullopt;
+}
+
+std::optional<PoseWay> safeWay(const Robot& robot, const Scene& scene, const PoseOptions& options,
+                               const WayChecks& checks, const SievedPose& from, const SievedPose& to) {
+  const auto joints = static_cast<Eigen::Index>(robot.joints.size());
+  const Eigen::VectorXd start = from.belief.values.head(joints), end = to.belief.values.head(joints);
+  if (const auto straight = checks.seconds(start, end)) {
+    return PoseWay{{}, *straight};
+  }
+  RandomAttitude attitudes{robot, scene, options};
+  for (const int parts : {2, 4, 8}) {
+    PoseWay way;
+    Eigen::VectorXd last = start;
+    for (int i = 1; i <= parts; ++i) {
+      std::vector<double> point(from.point.size());
+      for (std::size_t k = 0; k < point.size(); ++k) {
+        point[k] = from.point[k] + (to.point[k] - from.point[k]) * i / parts;
+      }
+      const auto reached = i == parts ? std::optional{to.belief} : attitudes.reached(point);
+      const auto seconds = reached ? checks.seconds(last, reached->values.head(joints)) : std::nullopt;
+      if (!seconds) {
+        break;
+      }
+      last = reached->values.head(joints);
+      way.seconds += *seconds;
+      if (i == parts) {
+        return way;
+      }
+      way.via.push_back(last);
+    }
+  }
+  return std::nullopt;
+}
+
+PosesInOrder inOrder(const Robot& robot, const Scene& scene, const PoseOptions& options,
+                     std::vector<SievedPose> poses) {
+  const std::size_t count = poses.size();
+  const WayChecks checks{robot, options};
+  std::vector<std::optional<PoseWay>> ways(count * count);
+  inParallel(count * count, [&](std::size_t i) {
+    ways[i] = safeWay(robot, scene, options, checks, poses[i / count], poses[i % count]);
+  });
+  std::vector<std::vector<std::optional<double>>> seconds(count, std::vector<std::optional<double>>(count));
+  for (std::size_t i = 0; i < count * count; ++i) {
+    if (ways[i]) {
+      seconds[i / count][i % count] = ways[i]->seconds;
+    }
+  }
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  order = quickestOrder(seconds).value_or(order);
+  PosesInOrder result;
+  for (std::size_t i = 0; i < count; ++i) {
+    result.poses.push_back(std::move(poses[order[i]]));
+    result.ways.push_back(i == 0 ? std::nullopt : ways[order[i - 1] * count + order[i]]);
+  }
+  return result;
+}
+
+} // namespace naocal

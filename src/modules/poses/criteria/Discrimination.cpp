@@ -1,0 +1,235 @@
+#include "poses/criteria/Discrimination.hpp"
+
+#include "calibration/Wording.hpp"
+#include "effects/UserEffect.hpp"
+#include "math/LinearAlgebra.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+Discrimination::Discrimination(const OpenQuestion& question, Eigen::Index own) : question_{question}, own_{own} {
+  Eigen::Index column = 0;
+  for (const Suspect& suspect : question.suspects) {
+    first_.push_back(column);
+    column += suspect.size.size();
+  }
+  double sum = 0;
+  for (std::size_t one = 0; one < question.suspects.size(); ++one) {
+    const double odds = question.suspects[one].odds;
+    if (!question.rivals) {
+      pairs_.push_back({one, std::nullopt, odds});
+    }
+    for (std::size_t other = 0; question.rivals && other < question.suspects.size(); ++other) {
+      if (other != one) {
+        pairs_.push_back({one, other, odds * question.suspects[other].odds});
+      }
+    }
+  }
+  for (const Pair& pair : pairs_) {
+    sum += pair.weight;
+  }
+  for (Pair& pair : pairs_) {
+    pair.weight /= sum;
+  }
+}
+
+Eigen::VectorXd Discrimination::misfits(const Eigen::MatrixXd& hessian) const {
+  const Eigen::Index suspects = hessian.rows() - own_;
+  const Eigen::LLT<Eigen::MatrixXd> own{hessian.topLeftCorner(own_, own_)};
+  const Eigen::MatrixXd half = own.matrixL().solve(hessian.topRightCorner(own_, suspects));
+  const Eigen::MatrixXd kept = hessian.bottomRightCorner(suspects, suspects) - half.transpose() * half;
+  const auto block = [&](std::size_t one, std::size_t other) {
+    return kept.block(first_[one], first_[other], question_.suspects[one].size.size(),
+                      question_.suspects[other].size.size());
+  };
+  Eigen::VectorXd result(at(pairs_.size()));
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const Pair& pair = pairs_[i];
+    const Eigen::VectorXd& size = question_.suspects[pair.one].size;
+    result[at(i)] = size.dot(block(pair.one, pair.one) * size);
+    if (pair.other) {
+      Eigen::MatrixXd rival = block(*pair.other, *pair.other);
+      rival.diagonal() += question_.suspects[*pair.other].plausible.cwiseAbs2().cwiseInverse();
+      const Eigen::VectorXd imitated = block(*pair.other, pair.one) * size;
+      result[at(i)] -= imitated.dot(rival.llt().solve(imitated));
+    }
+  }
+  return result.cwiseMax(0);
+}
+
+double Discrimination::gain(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    sum += pairs_[i].weight * (1 - std::exp((before[at(i)] - after[at(i)]) / 8));
+  }
+  return sum;
+}
+
+double Discrimination::growth(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const {
+  constexpr double nothing = 1e-3; // a misfit that no one could see
+  double sum = 0;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    sum += pairs_[i].weight * std::log((after[at(i)] + nothing) / (before[at(i)] + nothing));
+  }
+  return std::exp(sum);
+}
+
+namespace {
+
+/// More are not worth the time.
+constexpr std::size_t mostSuspects = 8;
+
+/// The likeliest of these, their evidence turned into odds.
+void suspect(std::vector<Suspect> suspects, std::vector<double> evidence, OpenQuestion& question) {
+  std::vector<std::size_t> order(suspects.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    order[i] = i;
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return evidence[a] > evidence[b]; });
+  order.resize(std::min(order.size(), mostSuspects));
+  std::vector<double> kept;
+  for (const std::size_t i : order) {
+    question.suspects.push_back(std::move(suspects[i]));
+    kept.push_back(evidence[i]);
+  }
+  const std::vector<double> odds = probabilities(kept);
+  for (std::size_t i = 0; i < odds.size(); ++i) {
+    question.suspects[i].odds = odds[i];
+  }
+}
+
+/// "a, b and c", from the suspect `first` on: three of them by name.
+std::string named(const std::vector<Suspect>& suspects, std::size_t first) {
+  constexpr std::size_t most = 3;
+  std::vector<std::string> words;
+  for (std::size_t i = first; i < std::min(suspects.size(), first + most); ++i) {
+    words.push_back(suspects[i].label);
+  }
+  if (suspects.size() > first + most) {
+    words.push_back(fmt::format("{} more", suspects.size() - first - most));
+  }
+  return enumerated(words);
+}
+
+/// False: its only twins are in the model as well.
+bool askWhichOne(const Diagnosis& diagnosis, const CandidateFinding& head, OpenQuestion& question) {
+  std::vector<Suspect> suspects;
+  std::vector<double> evidence;
+  for (const CandidateFinding& finding : diagnosis.ranking) {
+    const std::string label = finding.term.label();
+    const bool twin = std::find(head.equivalent.begin(), head.equivalent.end(), label) != head.equivalent.end();
+    const bool taken = std::find(question.with.begin(), question.with.end(), label) != question.with.end();
+    if (label == head.term.label() || (twin && !taken)) {
+      suspects.push_back({label, finding.evidence.estimate, finding.term.sigmas()});
+      evidence.push_back(finding.evidence.bayes);
+    }
+  }
+  if (suspects.size() < 2) {
+    return false;
+  }
+  std::erase(question.with, head.term.label());
+  suspect(std::move(suspects), std::move(evidence), question);
+  question.rivals = true;
+  question.why = fmt::format("tells {} from {}", question.suspects.front().label, named(question.suspects, 1));
+  return true;
+}
+
+/// The curve that the misfit follows, as an effect of its own, against the best of the catalogue.
+void askAboutCurve(const Diagnosis& diagnosis, const Robot& robot, OpenQuestion& question) {
+  const DriverFinding& curve = diagnosis.drivers.front();
+  const auto rival = std::find_if(diagnosis.ranking.begin(), diagnosis.ranking.end(), [&](const auto& finding) {
+    return finding.state != State::noData && finding.state != State::present && finding.evidence.freedom > 0;
+  });
+  if (rival == diagnosis.ranking.end() || curve.expression.empty()) {
+    return;
+  }
+  nlohmann::json definition{{"name", "curve"}, {"at", curve.place}, {"correction", curve.expression}};
+  Eigen::VectorXd size(static_cast<Eigen::Index>(curve.coefficients.size()));
+  for (Eigen::Index i = 0; i < size.size(); ++i) {
+    const auto& [name, value, unit] = curve.coefficients[static_cast<std::size_t>(i)];
+    size[i] = value;
+    definition["unknowns"][name] = {{"unit", unit}, {"sigma", std::max(std::abs(value), 1e-6)}};
+  }
+  question.effects.push_back(userEffect(JsonPlace{definition, "the curve"}, robot));
+  const Eigen::VectorXd plausible = Term{question.effects.back()}.sigmas();
+  suspect({{"curve@" + curve.place, size, plausible},
+           {rival->term.label(), rival->evidence.estimate, rival->term.sigmas()}},
+          {curve.bayes, rival->evidence.bayes}, question);
+  question.rivals = true;
+  question.why = fmt::format("tells a curve of {} over {} from {}", curve.place, curve.driver, rival->term.label());
+}
+
+void askWhether(const Diagnosis& diagnosis, State state, OpenQuestion& question) {
+  constexpr std::size_t few = 3;
+  std::vector<Suspect> suspects;
+  std::vector<double> evidence;
+  for (const CandidateFinding& finding : diagnosis.ranking) { // the strongest come first
+    if (finding.state == state && suspects.size() < few) {
+      const Eigen::VectorXd plausible = finding.term.sigmas();
+      suspects.push_back({finding.term.label(), plausible, plausible});
+      evidence.push_back(finding.evidence.bayes);
+    }
+  }
+  if (!suspects.empty()) {
+    suspect(std::move(suspects), std::move(evidence), question);
+    question.why = fmt::format("shows whether {} {} there", named(question.suspects, 0),
+                               question.suspects.size() == 1 ? "is" : "are");
+  }
+}
+
+} // namespace
+
+std::vector<double> probabilities(const std::vector<double>& evidence) {
+  const double most = *std::max_element(evidence.begin(), evidence.end());
+  std::vector<double> result;
+  double sum = 0;
+  for (const double each : evidence) {
+    result.push_back(std::exp((each - most) / 2));
+    sum += result.back();
+  }
+  for (double& each : result) {
+    each /= sum;
+  }
+  return result;
+}
+
+OpenQuestion openQuestion(const Diagnosis& diagnosis, const Robot& robot, const DiagnosisOptions& asked) {
+  OpenQuestion question{
+      .suspects = {}, .with = diagnosis.with, .without = asked.without, .effects = asked.effects, .why = {}};
+  if (diagnosis.verdict == Verdict::badCaptures) {
+    question.whyNone = "put the captures right first, further ones would suffer from the same";
+    return question;
+  }
+  if (diagnosis.verdict == Verdict::unknownEffect) {
+    askAboutCurve(diagnosis, robot, question);
+    if (question.suspects.empty()) {
+      const DriverFinding& curve = diagnosis.drivers.front();
+      question.whyNone =
+          fmt::format("poses are proposed to tell a joint's curve from effects, and what is missing sits at {} over {}",
+                      curve.place, curve.driver);
+    }
+    return question;
+  }
+  for (const std::string& label : diagnosis.suggested) {
+    const auto head = std::find_if(diagnosis.ranking.begin(), diagnosis.ranking.end(),
+                                   [&](const CandidateFinding& finding) { return finding.term.label() == label; });
+    if (head != diagnosis.ranking.end() && askWhichOne(diagnosis, *head, question)) {
+      return question;
+    }
+  }
+  askWhether(diagnosis, State::inconclusive, question);
+  if (question.suspects.empty()) {
+    askWhether(diagnosis, State::absorbed, question);
+  }
+  if (question.suspects.empty()) {
+    question.whyNone = "the captures leave nothing open";
+  }
+  return question;
+}
+
+} // namespace naocal

@@ -1,0 +1,142 @@
+#include "poses/criteria/EffectPairCriterion.hpp"
+
+#include "estimation/ModelBuilder.hpp"
+#include "io/InputError.hpp"
+#include "math/SubsetSelection.hpp"
+#include "poses/criteria/Discrimination.hpp"
+#include "poses/criteria/PlanOptions.hpp"
+#include "poses/criteria/PlannedInformation.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace naocal {
+
+TellingApart::TellingApart(const Robot& robot, const std::vector<Board>& boards,
+                           const std::map<std::string, CameraIntrinsics>& cameras, const PlanOptions& options)
+    : robot_{robot}, boards_{boards}, cameras_{cameras}, options_{options}, scene_{robot, options.poses.supportFoot,
+                                                                                   boards, cameras,
+                                                                                   options.poses.sight} {
+  if (options.effects.size() != 2) {
+    throw InputError{fmt::format("expected two effects to tell apart, such as elasticity@LKneePitch,"
+                                 "backlash@LKneePitch, found {}",
+                                 options.effects.size())};
+  }
+}
+
+/// One picture of each camera in each pose, the robot standing at a known place; corners' pixels do not matter.
+CaptureSet TellingApart::captures(const std::vector<SievedPose>& poses) const {
+  CaptureSet set{.name = "plan", .model = robot_.model, .cameras = cameras_, .boards = boards_};
+  set.stances = {{0, options_.poses.supportFoot, Placement{}}};
+  for (const Joint& joint : robot_.joints) {
+    set.jointNames.push_back(joint.name);
+  }
+  for (Board& board : set.boards) {
+    if (!options_.known) {
+      board.placementGuess = *board.placement;
+      board.hasGuess = true;
+      board.placement.reset();
+    }
+  }
+  const auto joints = static_cast<Eigen::Index>(robot_.joints.size());
+  std::mt19937_64 random{options_.poses.seed};
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Eigen::VectorXd approach = poses[i].approach.size() > 0 ? poses[i].approach : randomApproach(robot_, random);
+    Belief belief = scene_.drawn();
+    belief.values.head(joints) = poses[i].belief.values.head(joints);
+    const std::vector<Sight> sights = scene_.sights(belief, posture(robot_, belief));
+    for (const auto& [camera, lens] : cameras_) {
+      Capture& capture = set.captures.emplace_back();
+      capture.id = static_cast<int>(set.captures.size());
+      capture.pose = plannedName(i);
+      capture.camera = camera;
+      capture.supportFoot = options_.poses.supportFoot;
+      capture.joints.measured.assign(belief.values.begin(), belief.values.begin() + joints);
+      capture.joints.approach.assign(approach.begin(), approach.end());
+      capture.corners = seenBy(camera, sights);
+    }
+  }
+  return set;
+}
+
+TellingApart::Told TellingApart::told(const std::vector<SievedPose>& poses) const {
+  const Measurements measurements = measurementsOf({captures(poses)}, robot_);
+  const std::vector<std::string> without =
+      options_.known ? std::vector<std::string>{"cameraRotation@*"} : std::vector<std::string>{};
+  const Model own = makeModel(measurements, {}, without);
+  Told result{static_cast<Eigen::Index>(own.unknownCount()), {}, false, {}, {}};
+  result.question.rivals = true;
+  result.question.effects = allEffects();
+  const Model named = makeModel(measurements, options_.effects, without); // says what is wrong with them
+  const auto isAsked = [&](const Term& term) {
+    return std::any_of(options_.effects.begin(), options_.effects.end(), [&](const std::string& given) {
+      return given == term.label() || (term.effect.place == Place::motor && labelFor(given, robot_) == term.label());
+    });
+  };
+  for (const Term& term : named.terms()) {
+    if (isAsked(term)) {
+      result.question.suspects.push_back({term.label(), term.sigmas(), term.sigmas(), 0.5});
+    }
+  }
+  const Model model = withSuspects(measurements, own, result.question);
+  result.byApproach = looksAtApproach(model);
+  result.prior = model.sigmas().cwiseAbs2().cwiseInverse().asDiagonal();
+  result.poses.assign(poses.size(), Eigen::MatrixXd::Zero(result.prior.rows(), result.prior.cols()));
+  const Residuals residuals{measurements, model, options_.noise};
+  const Eigen::VectorXd asDrawn = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.unknownCount()));
+  const auto linear = residuals.linearised(residuals.start(asDrawn)).value(); // what is in sight lies before the camera
+  std::map<std::string, std::size_t> numbers;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    numbers[plannedName(i)] = i;
+  }
+  for (std::size_t pose = 0; pose < linear.poses.size(); ++pose) {
+    informationOf(linear.poses[pose], options_.noise).addTo(result.poses[numbers.at(measurements.poses[pose].name)]);
+  }
+  return result;
+}
+
+std::vector<SievedPose> TellingApart::best(const std::vector<SievedPose>& kept,
+                                           const std::vector<SievedPose>& candidates, std::size_t count) const {
+  std::vector<SievedPose> all = kept;
+  std::mt19937_64 random{options_.poses.seed};
+  for (const SievedPose& candidate : candidates) {
+    all.push_back(candidate);
+    all.back().approach = randomApproach(robot_, random);
+    all.push_back(all.back());
+    all.back().approach *= -1;
+  }
+  Told told = this->told(all);
+  const Discrimination discrimination{told.question, told.own};
+  Eigen::MatrixXd known = told.prior;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    known += told.poses[i];
+  }
+  told.poses.erase(told.poses.begin(), told.poses.begin() + static_cast<std::ptrdiff_t>(kept.size()));
+  const Eigen::VectorXd before = discrimination.misfits(told.prior);
+  const Judgement judge = [&](const Eigen::MatrixXd& sum) {
+    return 1 / discrimination.growth(before, discrimination.misfits(sum));
+  };
+  std::vector<std::size_t> chosen = greedySelection(judge, known, told.poses, count);
+  exchange(judge, known, told.poses, chosen);
+  std::vector<SievedPose> result;
+  for (const std::size_t index : chosen) {
+    result.push_back(all[kept.size() + index]);
+    if (!told.byApproach) {
+      result.back().approach.resize(0);
+    }
+  }
+  return result;
+}
+
+double TellingApart::misfit(const std::vector<SievedPose>& kept, const std::vector<SievedPose>& poses) const {
+  std::vector<SievedPose> all = kept;
+  all.insert(all.end(), poses.begin(), poses.end());
+  const Told told = this->told(all);
+  Eigen::MatrixXd sum = told.prior;
+  for (const Eigen::MatrixXd& pose : told.poses) {
+    sum += pose;
+  }
+  return Discrimination{told.question, told.own}.misfits(sum).minCoeff();
+}
+
+} // namespace naocal

@@ -1,0 +1,305 @@
+#include "poses/criteria/PlannedInformation.hpp"
+
+#include "estimation/DriverState.hpp"
+#include "estimation/Model.hpp"
+#include "estimation/ModelBuilder.hpp"
+#include "io/InputError.hpp"
+#include "math/Angles.hpp"
+#include "math/LinearAlgebra.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <set>
+
+namespace naocal {
+
+Eigen::VectorXd randomApproach(const Robot& robot, std::mt19937_64& random) {
+  Eigen::VectorXd result(at(robot.joints.size()));
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    const double drawn = random() % 2 == 0 ? 1 : -1;
+    const std::size_t motor = robot.joints[joint].motor;
+    result[at(joint)] = motor < joint ? result[at(motor)] : drawn;
+  }
+  return result;
+}
+
+bool looksAtApproach(const Model& model) {
+  return std::any_of(model.terms().begin(), model.terms().end(), [](const Term& term) {
+    const auto& needs = term.effect.needs;
+    return std::find(needs.begin(), needs.end(), Driver::approach) != needs.end();
+  });
+}
+
+namespace {
+
+/// Of the fitted robot: half of what is asked of the drawn one, for what the fit does not know.
+constexpr Footing fittedFooting{0.01, 0.01};
+
+/// In the order of the set's joints; 0 for those that the drawing does not hold (fingers).
+std::vector<double> listed(const CaptureSet& set, const Robot& robot, const Eigen::VectorXd& perJoint) {
+  std::vector<double> result;
+  for (const std::string& name : set.jointNames) {
+    const auto joint = robot.jointIndex(name);
+    result.push_back(joint ? perJoint[static_cast<Eigen::Index>(*joint)] : 0);
+  }
+  return result;
+}
+
+/// As the set's last capture, but for what the pose changes.
+Capture plannedCapture(const CaptureSet& set, const Robot& robot, const ProposedPose& planned) {
+  const Capture& last = set.captures.back();
+  Capture capture;
+  capture.time = last.time + Seconds{30};
+  capture.supportFoot = planned.pose.supportFoot;
+  capture.joints.measured = listed(set, robot, planned.pose.angles);
+  if (!last.joints.velocity.empty()) {
+    capture.joints.velocity.assign(set.jointNames.size(), 0);
+  }
+  if (!last.joints.approach.empty()) {
+    capture.joints.approach = listed(set, robot, planned.approach);
+  }
+  capture.joints.temperature = last.joints.temperature;
+  capture.joints.current = last.joints.current;
+  capture.imu = last.imu;
+  capture.fsr = last.fsr;
+  return capture;
+}
+
+} // namespace
+
+std::vector<BoardCorners> seenBy(const std::string& camera, const std::vector<Sight>& sights) {
+  std::vector<BoardCorners> result;
+  for (const Sight& sight : sights) {
+    if (sight.camera == camera) {
+      const std::vector<Eigen::Vector2d> nothing(sight.corners.size(), Eigen::Vector2d::Zero());
+      result.push_back({sight.board, sight.corners, nothing});
+    }
+  }
+  return result;
+}
+
+std::string plannedName(std::size_t pose) {
+  return fmt::format("planned {:06}", pose);
+}
+
+int plannedStance(const std::vector<CaptureSet>& sets, SupportFoot foot) {
+  int highest = -1;
+  for (const CaptureSet& set : sets) {
+    for (const Stance& stance : set.stances) {
+      highest = std::max(highest, stance.id);
+    }
+  }
+  return highest + (foot == SupportFoot::left ? 1 : 2);
+}
+
+std::vector<CaptureSet> withPlanned(const std::vector<CaptureSet>& sets, const Robot& robot,
+                                    const std::vector<ProposedPose>& poses) {
+  std::vector<CaptureSet> result = sets;
+  CaptureSet& set = result.back();
+  for (const SupportFoot foot : {SupportFoot::left, SupportFoot::right}) {
+    set.stances.push_back({plannedStance(sets, foot), foot, std::nullopt});
+  }
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    Capture capture = plannedCapture(sets.back(), robot, poses[i]);
+    capture.pose = plannedName(i);
+    capture.stance = plannedStance(sets, capture.supportFoot);
+    for (const auto& [camera, lens] : set.cameras) {
+      capture.camera = camera;
+      capture.corners = seenBy(camera, poses[i].pose.sights);
+      set.captures.push_back(capture);
+    }
+  }
+  return result;
+}
+
+std::vector<ProposedPose> feasibleByFit(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                        const Model& model, const Eigen::VectorXd& unknowns,
+                                        const std::vector<Surroundings>& around, std::vector<ProposedPose> poses) {
+  const Robot& robot = measurements.robot;
+  std::map<SupportFoot, Scene> scenes;
+  for (const Surroundings& here : around) {
+    scenes.try_emplace(here.supportFoot, robot, here.supportFoot, here.boards, sets.back().cameras, SightLimits{});
+  }
+  std::map<std::size_t, Picture> pictures; // per camera in use, the last one: only its angles will change
+  for (const Picture& picture : measurements.pictures) {
+    pictures.insert_or_assign(picture.camera, picture);
+  }
+  const auto ofRobot = static_cast<Eigen::Index>(measurements.quantities.lens()); // angles, lengths, mount
+  for (ProposedPose& planned : poses) {
+    PlannedPose& pose = planned.pose;
+    const Scene& scene = scenes.at(pose.supportFoot);
+    pose.sights.clear();
+    for (auto& [camera, picture] : pictures) {
+      picture.instant.supportFoot = pose.supportFoot;
+      picture.instant.q = pose.angles;
+      picture.drawn.values.head(pose.angles.size()) = pose.angles;
+      Belief belief = scene.drawn();
+      belief.values.head(ofRobot) = believed(measurements, model, picture, unknowns).values.head(ofRobot);
+      const Posture torsoFromLink = posture(robot, belief);
+      if (!stands(robot, torsoFromLink, pose.supportFoot, fittedFooting)) {
+        break;
+      }
+      for (Sight& sight : scene.sights(belief, torsoFromLink)) {
+        if (sight.camera == robot.cameras[camera].name) {
+          pose.sights.push_back(std::move(sight));
+        }
+      }
+    }
+  }
+  std::erase_if(poses, [](const ProposedPose& planned) { return planned.pose.sights.empty(); });
+  return poses;
+}
+
+namespace {
+
+/// The fit's unknowns in the order of a model of the same captures and planned ones; the robot stands anew where it
+/// stood last.
+Eigen::VectorXd unknownsOf(const Measurements& extended, const Model& model, const FittedModel& fit,
+                           const std::vector<Surroundings>& around) {
+  Eigen::VectorXd result = carried(fit.model, fit.unknowns, model);
+  for (const Term& term : model.terms()) {
+    const auto& fitted = fit.model.terms();
+    if (term.effect.place != Place::stance ||
+        std::any_of(fitted.begin(), fitted.end(), [&](const Term& each) { return each.label() == term.label(); })) {
+      continue;
+    }
+    for (const Surroundings& here : around) {
+      if (here.supportFoot == extended.standings[term.at].supportFoot) {
+        result.segment<3>(static_cast<Eigen::Index>(term.first)) << here.sole.x, here.sole.y, here.sole.yaw;
+      }
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+double samplesOf(const Measurements& measurements) {
+  std::size_t pictures = 0;
+  std::set<std::pair<const PoseGroup*, std::size_t>> views;
+  for (const PoseGroup& pose : measurements.poses) {
+    for (const Reading& reading : pose.readings) {
+      for (const std::size_t picture : reading.pictures) {
+        ++pictures;
+        views.insert({&pose, measurements.pictures[picture].camera});
+      }
+    }
+  }
+  return std::round(static_cast<double>(pictures) / static_cast<double>(views.size()));
+}
+
+Model withSuspects(const Measurements& measurements, const Model& model, const OpenQuestion& question) {
+  Model result = model;
+  const std::vector<Term> terms = candidateTerms(measurements, question.effects);
+  for (const Suspect& suspect : question.suspects) {
+    const auto term =
+        std::find_if(terms.begin(), terms.end(), [&](const Term& each) { return each.label() == suspect.label; });
+    if (term == terms.end()) {
+      throw InputError{fmt::format("{} has no place in these captures", suspect.label)};
+    }
+    result.add(*term);
+  }
+  return result;
+}
+
+void PoseInformation::addTo(Eigen::MatrixXd& sum) const {
+  sum(unknowns, unknowns) += hessian;
+}
+
+PoseInformation informationOf(PoseSystem pose, const Noise& noise, double samples) {
+  pose.unknownGram *= samples;
+  pose.cross *= samples;
+  pose.deflectionGram *= samples;
+  return {pose.unknowns, eliminated(pose, noise, deflectionRoot(pose, noise)).hessian};
+}
+
+PlannedInformation plannedInformation(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                      const FittedModel& fit, const OpenQuestion& question,
+                                      const std::vector<Surroundings>& around, const std::vector<ProposedPose>& poses,
+                                      bool samePlace) {
+  const Measurements extended =
+      measurementsOf(withPlanned(sets, measurements.robot, poses), measurements.robot, samePlace);
+  PlannedInformation result{makeModel(extended, question.with, question.without, question.effects), {}, {}};
+  const Model model = withSuspects(extended, result.own, question);
+  const Residuals residuals{extended, model, fit.noise};
+  const auto linear = residuals.linearised(residuals.start(unknownsOf(extended, model, fit, around)));
+  if (!linear) {
+    throw InputError{"the fit puts a corner that was seen behind the camera: these captures do not belong together"};
+  }
+  std::map<std::string, std::size_t> planned;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    planned[plannedName(i)] = i;
+  }
+  const double samples = samplesOf(measurements);
+  result.known = model.sigmas().cwiseAbs2().cwiseInverse().asDiagonal();
+  result.promised.resize(poses.size());
+  for (std::size_t pose = 0; pose < linear->poses.size(); ++pose) {
+    if (const auto found = planned.find(extended.poses[pose].name); found != planned.end()) {
+      result.promised[found->second] = informationOf(linear->poses[pose], fit.noise, samples);
+    } else {
+      informationOf(linear->poses[pose], fit.noise).addTo(result.known);
+    }
+  }
+  return result;
+}
+
+namespace {
+
+/// A placement on the floor in the frame of another.
+Placement seenFrom(const Placement& sole, const Placement& board) {
+  const double x = board.x - sole.x, y = board.y - sole.y, c = std::cos(sole.yaw), s = std::sin(sole.yaw);
+  Placement result;
+  result.x = c * x + s * y;
+  result.y = c * y - s * x;
+  result.yaw = wrapped(board.yaw - sole.yaw);
+  return result;
+}
+
+template <typename Numbers> Placement onFloor(const Numbers& numbers) {
+  Placement result;
+  result.x = numbers[0];
+  result.y = numbers[1];
+  result.yaw = numbers[5];
+  return result;
+}
+
+} // namespace
+
+std::vector<Surroundings> surroundings(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                       const Model& model, const Eigen::VectorXd& unknowns) {
+  const std::size_t lastSet = sets.size() - 1;
+  std::map<SupportFoot, const Picture*> latest; // per foot
+  std::set<std::size_t> seen;
+  for (const Picture& picture : measurements.pictures) {
+    const SupportFoot foot =
+        picture.instant.supportFoot == SupportFoot::both ? SupportFoot::left : picture.instant.supportFoot;
+    if (picture.set != lastSet || foot == SupportFoot::none) {
+      continue;
+    }
+    const Picture*& last = latest[foot];
+    last = !last || last->instant.time < picture.instant.time ? &picture : last;
+    for (const Sighting& sighting : picture.sightings) {
+      if (measurements.targets[sighting.view.board()].onFloor) {
+        seen.insert(sighting.view.board());
+      }
+    }
+  }
+  std::vector<Surroundings> result;
+  for (const auto& [foot, picture] : latest) {
+    const Belief belief = believed(measurements, model, *picture, unknowns);
+    Surroundings here{foot, onFloor(belief.ground()), {}};
+    for (const std::size_t target : seen) {
+      Board board = measurements.targets[target].board; // its id as in its set
+      board.placement = seenFrom(here.sole, onFloor(belief.boardPlacement(target)));
+      here.boards.push_back(std::move(board));
+    }
+    if (!here.boards.empty()) {
+      result.push_back(std::move(here));
+    }
+  }
+  return result;
+}
+
+} // namespace naocal

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "estimation/Model.hpp"
+#include "estimation/Residuals.hpp"
+#include "poses/candidates/PoseSampler.hpp"
+#include "poses/criteria/Discrimination.hpp"
+
+#include <random>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// Per joint the motion that ends in a pose, at random: -1 from above, +1 from below; as one for joints of one motor.
+Eigen::VectorXd randomApproach(const Robot& robot, std::mt19937_64& random);
+
+/// Whether an effect of the model depends on it.
+bool looksAtApproach(const Model& model);
+
+/// Where a robot stood last and what lies around it, by a fit: where it would take further poses.
+struct Surroundings {
+  SupportFoot supportFoot = SupportFoot::left;
+  Placement sole;            // in the fit's world
+  std::vector<Board> boards; // on the floor, seen in the last set; placements in the sole's frame
+};
+
+/// One for each foot that the last set stands on (of both feet, the left one); none where no board lies on the floor.
+std::vector<Surroundings> surroundings(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                       const Model& model, const Eigen::VectorXd& unknowns);
+
+/// The sets with captures of planned poses behind the last one's, as if they had been taken after it: the boards lie
+/// where they lay, the robot stands anew on each foot; every camera takes one picture a pose, and joints read what they
+/// were sent to. Corners' ids are those in sight, their pixels nothing: slopes do not depend on what was measured.
+std::vector<CaptureSet> withPlanned(const std::vector<CaptureSet>& sets, const Robot& robot,
+                                    const std::vector<ProposedPose>& poses);
+
+/// What a camera sees, corners' pixels nothing.
+std::vector<BoardCorners> seenBy(const std::string& camera, const std::vector<Sight>& sights);
+
+/// The name of a planned pose's captures.
+std::string plannedName(std::size_t pose);
+
+/// The stance that poses on this foot get: numbers above those of all sets, the left foot's first.
+int plannedStance(const std::vector<CaptureSet>& sets, SupportFoot foot);
+
+/// Those poses in which the robot stands and sees a board when its joints are where the fitted model has them, not
+/// where they were sent; their sights so.
+std::vector<ProposedPose> feasibleByFit(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                        const Model& model, const Eigen::VectorXd& unknowns,
+                                        const std::vector<Surroundings>& around, std::vector<ProposedPose> poses);
+
+/// A pose's information about the unknowns that it depends on, its joints' deflections eliminated.
+struct PoseInformation {
+  std::vector<std::size_t> unknowns;
+  Eigen::MatrixXd hessian;
+
+  void addTo(Eigen::MatrixXd& sum) const;
+};
+
+/// `samples`: pictures taken without moving, that is, with the same encoder errors.
+PoseInformation informationOf(PoseSystem pose, const Noise& noise, double samples = 1);
+
+/// A model that was fitted to captures.
+struct FittedModel {
+  const Model& model;
+  const Eigen::VectorXd& unknowns;
+  Noise noise;
+};
+
+/// What captures tell about the unknowns, and what planned ones would.
+struct PlannedInformation {
+  Model own;                             // the question's model for all of them; the suspects' unknowns come behind
+  Eigen::MatrixXd known;                 // priors and captures
+  std::vector<PoseInformation> promised; // per planned pose
+};
+
+/// The measurement model linearised at the fit, for captures and planned poses (withPlanned); suspects absent.
+PlannedInformation plannedInformation(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                      const FittedModel& fit, const OpenQuestion& question,
+                                      const std::vector<Surroundings>& around, const std::vector<ProposedPose>& poses,
+                                      bool samePlace);
+
+/// Pictures per pose and camera.
+double samplesOf(const Measurements& measurements);
+
+/// The model with the suspects behind its own unknowns.
+Model withSuspects(const Measurements& measurements, const Model& model, const OpenQuestion& question);
+
+} // namespace naocal

@@ -1,0 +1,87 @@
+#include "poses/criteria/PoseCriterion.hpp"
+
+#include "math/LinearAlgebra.hpp"
+#include "math/SubsetSelection.hpp"
+
+#include <Eigen/Cholesky>
+#include <limits>
+#include <numeric>
+
+namespace naocal {
+
+namespace {
+
+/// An offset is to be told to 0.13 degrees, or to 0.07 where cameras and boards are known.
+constexpr double knownWeight = 0.13 * 0.13 / (0.07 * 0.07);
+
+/// The largest of some variances as a norm of this order: smooth, so that what is refined does not get stuck.
+constexpr double softness = 4;
+
+} // namespace
+
+PoseJudge::PoseJudge(const Robot& robot, const Scene& scene, std::vector<std::size_t> joints, Criterion criterion,
+                     bool known)
+    : prior_{scene.priorInformation()}, joints_{std::move(joints)}, criterion_{criterion} {
+  if (!known) {
+    order_.resize(static_cast<std::size_t>(prior_.rows()) - robot.joints.size());
+    std::iota(order_.begin(), order_.end(), static_cast<Eigen::Index>(robot.joints.size()));
+  }
+  order_.insert(order_.end(), joints_.begin(), joints_.end());
+}
+
+Eigen::MatrixXd PoseJudge::part(const Eigen::MatrixXd& information) const {
+  return information(order_, order_);
+}
+
+Eigen::MatrixXd PoseJudge::covariance(const Eigen::MatrixXd& sum) const {
+  // The offsets stand last: their block of L is the root of what is known of them with all else unknown.
+  const auto count = static_cast<Eigen::Index>(joints_.size());
+  const Eigen::LLT<Eigen::MatrixXd> factor{sum};
+  const Eigen::MatrixXd corner = factor.matrixLLT().bottomRightCorner(count, count);
+  const Eigen::MatrixXd inverse = corner.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd::Identity(count, count));
+  return inverse.transpose() * inverse;
+}
+
+double PoseJudge::operator()(const Eigen::MatrixXd& information) const {
+  const Eigen::MatrixXd covariance = this->covariance(information);
+  switch (criterion_) {
+  case Criterion::determinant:
+    return 2 * Eigen::LLT<Eigen::MatrixXd>{covariance}.matrixLLT().diagonal().array().log().sum();
+  case Criterion::trace:
+    return covariance.trace() / static_cast<double>(covariance.rows());
+  case Criterion::eigenvalue:
+    return symmetricEigenvalues(covariance).maxCoeff();
+  case Criterion::worst:
+  case Criterion::interaction:
+  case Criterion::discriminate:
+  case Criterion::time:
+    break;
+  }
+  const auto count = static_cast<Eigen::Index>(joints_.size());
+  const Eigen::MatrixXd known =
+      information.bottomRightCorner(count, count).llt().solve(Eigen::MatrixXd::Identity(count, count));
+  const double sum =
+      covariance.diagonal().array().pow(softness).sum() + (knownWeight * known.diagonal().array()).pow(softness).sum();
+  return std::pow(sum, 1 / softness);
+}
+
+std::vector<std::size_t> selected(const PoseJudge& judge, const Eigen::MatrixXd& known,
+                                  const std::vector<Eigen::MatrixXd>& candidates, std::size_t count) {
+  std::vector<std::size_t> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Criterion start : {Criterion::determinant, Criterion::trace, Criterion::eigenvalue, Criterion::worst}) {
+    std::vector<std::size_t> chosen = greedySelection(judge.by(start), known, candidates, count);
+    exchange(judge, known, candidates, chosen);
+    Eigen::MatrixXd sum = known;
+    for (const std::size_t index : chosen) {
+      sum += candidates[index];
+    }
+    if (const double value = judge(sum); best.empty() || value < least) {
+      best = chosen;
+      least = value;
+    }
+  }
+  return best;
+}
+
+} // namespace naocal

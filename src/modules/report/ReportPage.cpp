@@ -1,0 +1,72 @@
+#include "report/ReportPage.hpp"
+
+#include "io/Files.hpp"
+#include "io/JsonReader.hpp"
+#include "report/DiagnosisData.hpp"
+#include "report/EvaluationData.hpp"
+#include "report/PageFiles.hpp"
+#include "report/ResultData.hpp"
+
+#include <cassert>
+#include <fmt/format.h>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+namespace naocal {
+
+using nlohmann::json;
+
+namespace {
+
+/// JSON that cannot end the script element it stands in, whatever names it holds.
+std::string harmless(const json& data) {
+  std::string text;
+  for (const char letter : data.dump(-1, ' ', false, json::error_handler_t::replace)) {
+    if (letter == '<') { // in JSON only within texts
+      text += "\\u003c";
+    } else {
+      text += letter;
+    }
+  }
+  return text;
+}
+
+/// The frame with its {{places}} filled; what is filled in is not looked at again.
+std::string filled(std::string_view frame, const std::map<std::string_view, std::string_view>& parts) {
+  std::string page;
+  for (std::size_t open = frame.find("{{"); open != frame.npos; open = frame.find("{{")) {
+    const std::size_t close = frame.find("}}", open);
+    assert(close != frame.npos);
+    page.append(frame.substr(0, open)).append(parts.at(frame.substr(open + 2, close - open - 2)));
+    frame.remove_prefix(close + 2);
+  }
+  return page.append(frame);
+}
+
+} // namespace
+
+std::string reportPage(const std::filesystem::path& file) {
+  const json document = parseJson(fileContent(file), file.string());
+  const JsonPlace top{document, file.string()};
+  const JsonPlace format = top.at("format");
+  const bool isDiagnosis = format.value() == "naocal-diagnosis", isEvaluation = format.value() == "naocal-evaluation";
+  if (!isDiagnosis && !isEvaluation && format.value() != "naocal-result") {
+    format.refuse(
+        "\"naocal-result\", \"naocal-diagnosis\" or \"naocal-evaluation\", as 'naocal solve', 'naocal diagnose' "
+        "and 'naocal evaluate thesis' write them");
+  }
+  top.at("version").integer(1, 1);
+  const std::string data = harmless(isDiagnosis    ? diagnosisData(top)
+                                    : isEvaluation ? evaluationData(top)
+                                                   : pageData(top, Sources{top, file}));
+  const pageFiles::Page& page = isDiagnosis    ? pageFiles::diagnosis
+                                : isEvaluation ? pageFiles::evaluation
+                                               : pageFiles::result;
+  const std::string modules = fmt::format("{{\"imports\":{{{}}}}}", fmt::join(pageFiles::modules, ","));
+  return filled(
+      pageFiles::frame,
+      {{"style", page.style}, {"sections", page.sections}, {"data", data}, {"modules", modules}, {"page", page.name}});
+}
+
+} // namespace naocal

@@ -1,0 +1,221 @@
+#include "report/SourceCaptures.hpp"
+
+#include "calibration/Prediction.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "io/Files.hpp"
+#include "io/GreyImage.hpp"
+#include "io/InputError.hpp"
+#include "robot/Robot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgproc.hpp>
+#include <openssl/evp.h>
+#include <utility>
+
+namespace naocal {
+
+namespace {
+
+/// A list of [u, v]; predictions may lie far outside the picture.
+Eigen::Matrix2Xd points(const JsonPlace& place, std::size_t count) {
+  const std::vector<JsonPlace> entries = place.elements();
+  if (entries.size() != count) {
+    place.refuse("as many points as there are ids");
+  }
+  Eigen::Matrix2Xd result(2, static_cast<Eigen::Index>(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::vector<double> uAndV = entries[i].numbers(2, {-1e9, 1e9, "px"}, "u and v");
+    result.col(static_cast<Eigen::Index>(i)) << uAndV[0], uAndV[1];
+  }
+  return result;
+}
+
+SeenBoard seenBoard(const JsonPlace& place) {
+  SeenBoard board;
+  board.board = place.at("board").text();
+  for (const JsonPlace& id : place.at("ids").elements()) {
+    board.ids.push_back(id.integer(0, largestNumber));
+  }
+  const std::size_t count = board.ids.size();
+  if (count == 0) {
+    place.at("ids").refuse("at least one corner");
+  }
+  board.measured = points(place.at("measured"), count);
+  board.predicted = points(place.at("predicted"), count);
+  board.fitted = points(place.at("fitted"), count);
+  board.weight = place.at("weight").numbers(count, {0, 1, ""}, "one per corner");
+  return board;
+}
+
+/// A text that may be empty.
+std::string label(const JsonPlace& place) {
+  return place.value().is_string() ? place.value().get<std::string>() : place.text();
+}
+
+SeenPicture seenPicture(const JsonPlace& place, const JsonPlace& cameras) {
+  SeenPicture picture;
+  picture.set = place.at("set").text();
+  picture.capture = place.at("capture").integer(0, largestNumber);
+  picture.pose = label(place.at("pose"));
+  picture.repeat = place.at("repeat").integer(0, largestNumber);
+  picture.time = place.at("time").number({-1e12, 1e12, "s"});
+  picture.camera = place.at("camera").text();
+  picture.image = label(place.at("image"));
+  const JsonPlace camera = cameras.at(picture.set).at(picture.camera);
+  picture.width = camera.at("width").integer(1, 100000);
+  picture.height = camera.at("height").integer(1, 100000);
+  return picture;
+}
+
+} // namespace
+
+double SeenPicture::rms() const {
+  double squares = 0, corners = 0;
+  for (const SeenBoard& board : boards) {
+    squares += (board.predicted - board.measured).squaredNorm();
+    corners += static_cast<double>(board.ids.size());
+  }
+  return std::sqrt(squares / corners);
+}
+
+std::vector<SeenPicture> seenPictures(const JsonPlace& result) {
+  const JsonPlace cameras = result.at("cameras");
+  const JsonPlace sightings = result.at("sightings");
+  std::map<std::pair<std::string, int>, SeenPicture> pictures;
+  for (const JsonPlace& sighting : sightings.elements()) {
+    SeenPicture picture = seenPicture(sighting, cameras);
+    pictures.try_emplace({picture.set, picture.capture}, picture).first->second.boards.push_back(seenBoard(sighting));
+  }
+  if (pictures.empty()) {
+    sightings.refuse("at least one board in a picture");
+  }
+  std::vector<SeenPicture> sorted;
+  for (auto& [key, picture] : pictures) {
+    sorted.push_back(std::move(picture));
+  }
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const SeenPicture& a, const SeenPicture& b) { return a.rms() > b.rms(); });
+  return sorted;
+}
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The folder as it was given to 'naocal solve', or seen from the result file.
+std::optional<fs::path> found(const fs::path& folder, const fs::path& resultFile) {
+  for (const fs::path& candidate : {folder, resultFile.parent_path() / folder}) {
+    std::error_code ignored;
+    if (fs::exists(candidate / "captures.json", ignored)) {
+      return candidate;
+    }
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+Sources::Sources(const JsonPlace& result, const fs::path& resultFile) {
+  const JsonPlace inputs = result.at("inputs");
+  const std::vector<JsonPlace> folders = inputs.at("sets").elements(), sums = inputs.at("sha256").elements();
+  if (folders.size() != sums.size()) {
+    inputs.at("sha256").refuse("as many sums as there are sets");
+  }
+  for (std::size_t i = 0; i < folders.size(); ++i) {
+    const std::string given = folders[i].text();
+    const std::optional<fs::path> folder = found(given, resultFile);
+    if (!folder) {
+      missing_.push_back(fmt::format("the captures {} are no longer there", given));
+      continue;
+    }
+    try {
+      const fs::path file = *folder / "captures.json";
+      if (sha256(fileContent(file)) != sums[i].text()) {
+        missing_.push_back(fmt::format("{} has changed since the result was made", file.string()));
+        continue;
+      }
+      const CaptureSet set = readCaptureSet(*folder, BadCaptures::skip).set;
+      unchanged_[set.name] = {*folder, set};
+    } catch (const InputError& error) {
+      missing_.push_back(error.what());
+    }
+  }
+}
+
+std::map<std::string, double> Sources::angles(const SeenPicture& picture) const {
+  std::map<std::string, double> result;
+  const auto source = unchanged_.find(picture.set);
+  if (source == unchanged_.end()) {
+    return result;
+  }
+  const CaptureSet& set = source->second.set;
+  const auto capture = std::find_if(set.captures.begin(), set.captures.end(),
+                                    [&](const Capture& candidate) { return candidate.id == picture.capture; });
+  for (std::size_t i = 0; capture != set.captures.end() && i < set.jointNames.size(); ++i) {
+    if (std::isfinite(capture->joints.measured[i])) {
+      result[set.jointNames[i]] = capture->joints.measured[i];
+    }
+  }
+  return result;
+}
+
+std::optional<fs::path> Sources::image(const SeenPicture& picture) const {
+  const auto source = unchanged_.find(picture.set);
+  const fs::path inside = picture.image;
+  if (source == unchanged_.end() || inside.empty() || inside.is_absolute() ||
+      std::find(inside.begin(), inside.end(), "..") != inside.end()) {
+    return std::nullopt;
+  }
+  const fs::path file = source->second.folder / inside;
+  std::error_code ignored;
+  return fs::is_regular_file(file, ignored) ? std::optional{file} : std::nullopt;
+}
+
+std::optional<double> Sources::drawingRms() const {
+  std::vector<CaptureSet> sets;
+  for (const auto& [name, source] : unchanged_) {
+    sets.push_back(source.set);
+  }
+  if (sets.empty() || !missing_.empty()) {
+    return std::nullopt;
+  }
+  try {
+    const Robot robot = loadRobot(configurationDirectory(), sets.front().model);
+    return compare(StoredResult{}, sets, robot, false).nominal.rmsPx;
+  } catch (const InputError&) { // no drawing of this robot here, or one that cannot see these corners
+    return std::nullopt;
+  }
+}
+
+namespace {
+
+std::string base64(std::string_view bytes) {
+  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0'); // OpenSSL ends it with a zero
+  EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()), reinterpret_cast<const unsigned char*>(bytes.data()),
+                  static_cast<int>(bytes.size()));
+  text.pop_back();
+  return text;
+}
+
+} // namespace
+
+std::optional<std::string> thumbnail(const std::filesystem::path& file) {
+  constexpr int widest = 640; // [px]
+  try {
+    GreyPicture picture = readPicture(file);
+    cv::Mat grey{picture.height, picture.width, CV_8UC1, picture.pixels.data()};
+    if (grey.cols > widest) {
+      const double scale = static_cast<double>(widest) / grey.cols;
+      cv::resize(grey, grey, {widest, std::max(1, cvRound(scale * grey.rows))}, 0, 0, cv::INTER_AREA);
+    }
+    return "data:image/jpeg;base64," + base64(jpeg({grey.data, grey.total()}, grey.cols, grey.rows, 70));
+  } catch (const InputError&) { // lost or broken: the report does without
+    return std::nullopt;
+  }
+}
+
+} // namespace naocal

@@ -1,0 +1,395 @@
+#include "simulation/Renderer.hpp"
+
+#include "io/GreyImage.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <boost/random/normal_distribution.hpp>
+#include <cmath>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+#include <random>
+#include <vector>
+
+namespace naocal {
+
+/// Paints flat things over a picture of the floor, row after row: the mean brightness over each pixel's area and the
+/// time for which it is exposed.
+class RenderingRow {
+public:
+  /// `rays`: (x, y) at z = 1 through the corners of all pixels, row after row; `width`: pixels in a row.
+  RenderingRow(const std::vector<Flat>& flats, const std::vector<Eigen::Vector2f>& rays, int width);
+
+  /// `brightness`: of the floor in the row's pixels, then of what is seen there. It is exposed from `begin` to `end`,
+  /// shares of the span between the first and the last instant; all the same where nothing moves.
+  void paint(int y, float begin, float end, float* brightness);
+
+private:
+  static constexpr int samples = 16; // one in each of 16 rows and 16 columns of the pixel, and in each 16th of the time
+
+  /// One flat thing in the row: its cells seen through the pixels' corners when exposure begins and ends, above and
+  /// below, and its place at each sample's time.
+  struct Candidate {
+    const Flat* flat;
+    std::array<std::vector<std::size_t>, 4> cells;
+    std::vector<Eigen::Matrix3f> planeFromRay; // one where nothing moves
+  };
+  /// What it shows all over a pixel, for all the time; absent where that varies.
+  static std::optional<float> uniform(const Candidate& candidate, int x);
+  void prepare(Candidate& candidate, int y, float begin, float end) const;
+  float sampled(int x, int y, float floor) const;
+  const Eigen::Vector2f& ray(int x, int y) const {
+    return rays_[std::size_t(y) * std::size_t(width_ + 1) + std::size_t(x)];
+  }
+
+  const std::vector<Eigen::Vector2f>& rays_;
+  int width_;
+  bool moves_;
+  std::vector<Candidate> all_;
+  std::vector<const Candidate*> mixed_; // in the pixel that is sampled, from front to back
+};
+
+/// A value per pixel, row after row: blotches of several sizes with mean 0 and standard deviation about 1, fixed to the
+/// picture.
+std::vector<float> blotches(int width, int height, std::mt19937_64& random);
+
+/// What the lens and the sensor make of the light (0 ink, 1 paper) that falls on the pixels.
+GreyPicture developed(std::vector<float> light, int width, int height, const Appearance& appearance,
+                      std::mt19937_64& random);
+
+Renderer::Renderer(const CameraIntrinsics& intrinsics, std::optional<std::uint64_t> floorSeed)
+    : intrinsics_{intrinsics} {
+  rays_.reserve(std::size_t(intrinsics.width + 1) * std::size_t(intrinsics.height + 1));
+  for (int y = 0; y <= intrinsics.height; ++y) {
+    for (int x = 0; x <= intrinsics.width; ++x) {
+      rays_.push_back(renderedRay({x - 0.5, y - 0.5}, intrinsics).cast<float>());
+    }
+  }
+  if (floorSeed) {
+    std::mt19937_64 random{*floorSeed};
+    blotches_ = blotches(intrinsics.width, intrinsics.height, random);
+  }
+}
+
+GreyPicture Renderer::picture(const RenderedScene& scene, const Appearance& appearance, std::uint64_t seed) const {
+  return picture(std::vector{scene}, 0, appearance, seed);
+}
+
+GreyPicture Renderer::picture(const std::vector<RenderedScene>& scenes, double exposureShare,
+                              const Appearance& appearance, std::uint64_t seed) const {
+  const int width = intrinsics_.width, height = intrinsics_.height;
+  std::mt19937_64 random{seed};
+  std::vector<float> light = blotches_.empty() ? blotches(width, height, random) : blotches_;
+  for (float& floor : light) {
+    floor = float(appearance.floorBrightness) + float(appearance.floorTexture) * floor;
+  }
+  const std::vector<Flat> all = flats(scenes, intrinsics_);
+  RenderingRow row{all, rays_, width};
+  for (int y = 0; y < height; ++y) {
+    const float begin = float(y) / float(height - 1) * float(1 - exposureShare);
+    row.paint(y, begin, begin + float(exposureShare), &light[std::size_t(y) * std::size_t(width)]);
+  }
+  return developed(std::move(light), width, height, appearance, random);
+}
+
+std::optional<Eigen::Vector2d> seenAt(const Eigen::Vector3d& pointInCameraOptical, const CameraIntrinsics& intrinsics) {
+  if (pointInCameraOptical.z() <= 0) {
+    return std::nullopt;
+  }
+  const Eigen::Vector2d uv = renderedPixel(pointInCameraOptical, intrinsics);
+  // Far outside of what the lens was described for, its polynomial folds back into the picture.
+  const bool folded = (renderedRay(uv, intrinsics) - pointInCameraOptical.hnormalized()).norm() > 1e-6;
+  const bool inside =
+      uv.x() >= -0.5 && uv.y() >= -0.5 && uv.x() < intrinsics.width - 0.5 && uv.y() < intrinsics.height - 0.5;
+  return inside && !folded ? std::optional{uv} : std::nullopt;
+}
+
+BoardCorners trueCorners(const RenderedBoard& board, const CameraIntrinsics& intrinsics) {
+  BoardCorners corners{board.id, {}, {}};
+  const int perRow = board.pattern.squaresX - 1;
+  for (int id = 0; id < perRow * (board.pattern.squaresY - 1); ++id) {
+    const Eigen::Vector3d pointInBoard =
+        board.pattern.squareLength * Eigen::Vector3d{id % perRow + 1.0, -(id / perRow + 1.0), 0};
+    if (const auto uv = seenAt(board.cameraOpticalFromBoard * pointInBoard, intrinsics)) {
+      corners.ids.push_back(id);
+      corners.uv.push_back(*uv);
+    }
+  }
+  return corners;
+}
+
+namespace {
+
+/// A flat thing's opposite corners in its own frame.
+struct Outline {
+  Eigen::Vector2d lower, upper;
+};
+
+/// Adds where a flat thing is at one more instant.
+void addInstant(Flat& flat, const RigidTransform& opticalFromFlat, const Outline& outline,
+                const CameraIntrinsics& camera) {
+  Eigen::Matrix3d rayFromPlane;
+  rayFromPlane << opticalFromFlat.rotation.leftCols<2>(), opticalFromFlat.translation;
+  flat.planeFromRay.push_back(rayFromPlane.inverse().cast<float>());
+  constexpr int steps = 16; // along a side: distortion bends it
+  for (int i = 0; i < 4 * steps; ++i) {
+    const double share = double(i % steps) / steps;
+    const Eigen::Vector2d along[4] = {{share, 0}, {1, share}, {1 - share, 1}, {0, 1 - share}};
+    const Eigen::Vector2d p = outline.lower + along[i / steps].cwiseProduct(outline.upper - outline.lower);
+    const Eigen::Vector3d seen = opticalFromFlat * Eigen::Vector3d{p.x(), p.y(), 0};
+    if (seen.z() < 0.01 || seen.head<2>().norm() > 2 * seen.z()) { // too far aside to tell: look everywhere
+      flat.left = flat.top = 0;
+      flat.right = camera.width - 1;
+      flat.bottom = camera.height - 1;
+      break;
+    }
+    const Eigen::Vector2d uv = renderedPixel(seen, camera);
+    flat.left = std::max(0, std::min(flat.left, int(uv.x()) - 3));
+    flat.right = std::min(camera.width - 1, std::max(flat.right, int(uv.x()) + 3));
+    flat.top = std::max(0, std::min(flat.top, int(uv.y()) - 3));
+    flat.bottom = std::min(camera.height - 1, std::max(flat.bottom, int(uv.y()) + 3));
+  }
+}
+
+bool seenFromBehind(const RigidTransform& opticalFromFlat) {
+  return opticalFromFlat.rotation.col(2).dot(opticalFromFlat.translation) > 0;
+}
+
+} // namespace
+
+Eigen::Matrix3f Flat::at(float share) const {
+  const float place = share * float(planeFromRay.size() - 1);
+  const std::size_t before = std::min(std::size_t(place), planeFromRay.size() - 2);
+  return planeFromRay[before] + (place - float(before)) * (planeFromRay[before + 1] - planeFromRay[before]);
+}
+
+std::vector<Flat> flats(const std::vector<RenderedScene>& scenes, const CameraIntrinsics& camera) {
+  const Flat nowhere{nullptr, false, camera.width, -1, camera.height, -1, {}};
+  std::vector<Flat> result;
+  for (std::size_t i = 0; i < scenes.front().boards.size(); ++i) {
+    const RenderedBoard& board = scenes.front().boards[i];
+    const Eigen::Vector2d outside{board.margin, board.margin};
+    const Eigen::Vector2d size{board.pattern.squaresX * board.pattern.squareLength,
+                               board.pattern.squaresY * board.pattern.squareLength};
+    const Outline outline{Eigen::Vector2d{0, -size.y()} - outside, Eigen::Vector2d{size.x(), 0} + outside};
+    Flat& flat = result.emplace_back(nowhere);
+    flat.painting = paintedSheet(board.pattern, board.margin);
+    flat.fromBehind = seenFromBehind(board.cameraOpticalFromBoard);
+    for (const RenderedScene& scene : scenes) {
+      addInstant(flat, scene.boards[i].cameraOpticalFromBoard, outline, camera);
+    }
+  }
+  for (std::size_t i = 0; i < scenes.front().patches.size(); ++i) {
+    const Patch& patch = scenes.front().patches[i];
+    const Eigen::Vector2d half = patch.size / 2;
+    Flat& flat = result.emplace_back(nowhere);
+    flat.painting = paintedPatch(half.x(), half.y(), patch.brightness);
+    flat.fromBehind = seenFromBehind(patch.cameraOpticalFromPatch);
+    for (const RenderedScene& scene : scenes) {
+      addInstant(flat, scene.patches[i].cameraOpticalFromPatch, {-half, half}, camera);
+    }
+  }
+  std::reverse(result.begin(), result.end());
+  return result;
+}
+
+namespace {
+
+/// OpenCV's five-term distortion of a point at z = 1.
+Eigen::Vector2d distorted(const Eigen::Vector2d& p, const std::array<double, 5>& distortion) {
+  const auto& [k1, k2, p1, p2, k3] = distortion;
+  const double r2 = p.squaredNorm();
+  const double radial = 1 + r2 * (k1 + r2 * (k2 + r2 * k3));
+  return {p.x() * radial + 2 * p1 * p.x() * p.y() + p2 * (r2 + 2 * p.x() * p.x()),
+          p.y() * radial + p1 * (r2 + 2 * p.y() * p.y()) + 2 * p2 * p.x() * p.y()};
+}
+
+} // namespace
+
+Eigen::Vector2d renderedRay(const Eigen::Vector2d& pixel, const CameraIntrinsics& camera) {
+  const Eigen::Vector2d given{(pixel.x() - camera.cx) / camera.fx, (pixel.y() - camera.cy) / camera.fy};
+  Eigen::Vector2d p = given; // p <- p + (given - distorted(p))
+  for (int i = 0; i < 50; ++i) {
+    const Eigen::Vector2d step = given - distorted(p, camera.distortion);
+    p += step;
+    if (step.squaredNorm() < 1e-18) {
+      break;
+    }
+  }
+  return p;
+}
+
+Eigen::Vector2d renderedPixel(const Eigen::Vector3d& pointInCameraOptical, const CameraIntrinsics& camera) {
+  const Eigen::Vector2d p = distorted(pointInCameraOptical.hnormalized(), camera.distortion);
+  return {camera.fx * p.x() + camera.cx, camera.fy * p.y() + camera.cy};
+}
+
+namespace {
+
+constexpr std::size_t behindCamera = std::numeric_limits<std::size_t>::max();
+
+std::size_t cellSeen(const Painting& painting, const Eigen::Matrix3f& planeFromRay, const Eigen::Vector2f& ray) {
+  const Eigen::Vector3f p = planeFromRay.leftCols<2>() * ray + planeFromRay.col(2);
+  return p.z() > 0 ? painting.cell(p.x() / p.z(), p.y() / p.z()) : behindCamera;
+}
+
+float shown(const Flat& flat, std::size_t cell) {
+  return cell == behindCamera ? -1 : flat.painting->brightness(cell, flat.fromBehind);
+}
+
+/// A number in [0, 1) that looks random, from a pixel's place: it shifts the pixel's samples so that no edge meets the
+/// same ones in all pixels.
+float scatter(unsigned x, unsigned y) {
+  unsigned hash = x * 0x9e3779b1u ^ y * 0x85ebca77u;
+  hash = (hash ^ (hash >> 15)) * 0x2c1b3c6du;
+  return float((hash ^ (hash >> 13)) >> 8) / float(1u << 24);
+}
+
+} // namespace
+
+RenderingRow::RenderingRow(const std::vector<Flat>& flats, const std::vector<Eigen::Vector2f>& rays, int width)
+    : rays_{rays}, width_{width}, moves_{!flats.empty() && flats.front().planeFromRay.size() > 1} {
+  for (const Flat& flat : flats) {
+    Candidate& candidate = all_.emplace_back(Candidate{&flat, {}, {}});
+    candidate.cells.fill(std::vector<std::size_t>(std::size_t(width + 1), behindCamera));
+    candidate.planeFromRay.assign(moves_ ? samples : 1, flat.planeFromRay.front());
+  }
+}
+
+void RenderingRow::prepare(Candidate& candidate, int y, float begin, float end) const {
+  const Flat& flat = *candidate.flat;
+  if (moves_) {
+    constexpr std::array<int, samples> times{6, 13, 2, 9, 0, 11, 4, 15, 7, 12, 3, 8, 1, 10, 5, 14};
+    for (std::size_t i = 0; i < samples; ++i) {
+      candidate.planeFromRay[i] = flat.at(begin + (end - begin) * (float(times[i]) + 0.5f) / samples);
+    }
+  }
+  const auto look = [&](std::vector<std::size_t>& cells, int row, const Eigen::Matrix3f& planeFromRay) {
+    for (int x = flat.left; x <= flat.right + 1; ++x) {
+      cells[std::size_t(x)] = cellSeen(*flat.painting, planeFromRay, ray(x, row));
+    }
+  };
+  const Eigen::Matrix3f first = moves_ ? flat.at(begin) : flat.planeFromRay.front();
+  const Eigen::Matrix3f last = moves_ ? flat.at(end) : first;
+  if (!moves_ && y > flat.top) {
+    candidate.cells[0].swap(candidate.cells[1]); // what was below is above now
+  } else {
+    look(candidate.cells[0], y, first);
+  }
+  look(candidate.cells[1], y + 1, first);
+  if (moves_) {
+    look(candidate.cells[2], y, last);
+    look(candidate.cells[3], y + 1, last);
+  }
+}
+
+std::optional<float> RenderingRow::uniform(const Candidate& candidate, int x) {
+  const Flat& flat = *candidate.flat;
+  if (x < flat.left || x > flat.right) {
+    return -1;
+  }
+  const auto place = std::size_t(x);
+  const std::size_t cell = candidate.cells[0][place];
+  const std::size_t corners = candidate.planeFromRay.size() > 1 ? 4 : 2;
+  for (std::size_t i = 0; i < corners; ++i) {
+    if (candidate.cells[i][place] != cell || candidate.cells[i][place + 1] != cell) {
+      return std::nullopt;
+    }
+  }
+  return shown(flat, cell);
+}
+
+/// The mean over samples of the pixel's area and time; those that hit nothing see the floor.
+float RenderingRow::sampled(int x, int y, float floor) const {
+  constexpr std::array<int, samples> rows{0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15};
+  const Eigen::Vector2f& corner = ray(x, y);
+  const Eigen::Vector2f right = ray(x + 1, y) - corner, down = ray(x, y + 1) - corner;
+  const float shift = scatter(unsigned(x), unsigned(y));
+  float sum = 0;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const Eigen::Vector2f through =
+        corner + (float(i) + shift) / samples * right + (float(rows[i]) + shift) / samples * down;
+    float seen = -1;
+    for (std::size_t k = 0; k < mixed_.size() && seen < 0; ++k) {
+      const Candidate& candidate = *mixed_[k];
+      const Eigen::Matrix3f& planeFromRay = candidate.planeFromRay[moves_ ? i : 0];
+      seen = shown(*candidate.flat, cellSeen(*candidate.flat->painting, planeFromRay, through));
+    }
+    sum += seen < 0 ? floor : seen;
+  }
+  return sum / samples;
+}
+
+void RenderingRow::paint(int y, float begin, float end, float* brightness) {
+  std::vector<const Candidate*> here;
+  int left = width_, right = -1;
+  for (Candidate& candidate : all_) {
+    if (y >= candidate.flat->top && y <= candidate.flat->bottom) {
+      prepare(candidate, y, begin, end);
+      here.push_back(&candidate);
+      left = std::min(left, candidate.flat->left);
+      right = std::max(right, candidate.flat->right);
+    }
+  }
+  for (int x = left; x <= right; ++x) {
+    mixed_.clear();
+    std::optional<float> whole;
+    for (std::size_t k = 0; k < here.size() && !(whole && *whole >= 0); ++k) {
+      whole = uniform(*here[k], x);
+      if (!whole || *whole >= 0) {
+        mixed_.push_back(here[k]);
+      }
+    }
+    if (mixed_.size() == 1 && whole && *whole >= 0) {
+      brightness[x] = *whole;
+    } else if (!mixed_.empty()) {
+      brightness[x] = sampled(x, y, brightness[x]);
+    }
+  }
+}
+
+std::vector<float> blotches(int width, int height, std::mt19937_64& random) {
+  const cv::Size size{width, height};
+  std::normal_distribution<float> normal;
+  cv::Mat1f sum(size, 0.f);
+  for (const int pixels : {160, 40, 10}) {
+    cv::Mat1f coarse(size.height / pixels + 2, size.width / pixels + 2);
+    std::generate(coarse.begin(), coarse.end(), [&] { return normal(random); });
+    cv::Mat1f fine;
+    cv::resize(coarse, fine, size, 0, 0, cv::INTER_CUBIC);
+    sum += fine;
+  }
+  sum /= std::sqrt(3.f);
+  return {sum.begin(), sum.end()};
+}
+
+GreyPicture developed(std::vector<float> light, int width, int height, const Appearance& appearance,
+                      std::mt19937_64& random) {
+  cv::Mat1f image(height, width, light.data());
+  image = image * float(appearance.white - appearance.black) + float(appearance.black);
+  if (appearance.vignetting > 0) {
+    const float centreX = float(width - 1) / 2, centreY = float(height - 1) / 2;
+    const float cornerSquared = centreX * centreX + centreY * centreY;
+    image.forEach([&](float& grey, const int* at) {
+      const float x = float(at[1]) - centreX, y = float(at[0]) - centreY;
+      grey *= 1 - float(appearance.vignetting) * (x * x + y * y) / cornerSquared;
+    });
+  }
+  if (appearance.blur > 0) {
+    cv::GaussianBlur(image, image, {}, appearance.blur);
+  }
+  if (appearance.noise > 0) {
+    boost::random::normal_distribution<float> noise{0, float(appearance.noise)}; // half the time of the standard's
+    std::for_each(image.begin(), image.end(), [&](float& grey) { grey += noise(random); });
+  }
+  cv::Mat1b grey;
+  image.convertTo(grey, CV_8U);
+  if (appearance.jpegQuality) {
+    return decodedPicture(jpeg({grey.data, grey.total()}, width, height, *appearance.jpegQuality), "a picture");
+  }
+  return {grey.cols, grey.rows, {grey.begin(), grey.end()}};
+}
+
+} // namespace naocal

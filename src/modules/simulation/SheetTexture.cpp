@@ -1,0 +1,110 @@
+#include "simulation/SheetTexture.hpp"
+
+#include "detect/MarkerDetector.hpp"
+
+#include <algorithm>
+
+namespace naocal {
+
+namespace {
+
+constexpr std::size_t strips = 5; // before the sheet, its margin, the pattern, the margin behind it, behind the sheet
+
+std::size_t strip(float place, float margin, float length) {
+  if (place < 0) {
+    return place < -margin ? 0 : 1;
+  }
+  return place < length ? 2 : place < length + margin ? 3 : 4;
+}
+
+class Sheet final : public Painting {
+public:
+  Sheet(const CharucoPattern& pattern, double margin)
+      : squaresX_{pattern.squaresX}, squaresY_{pattern.squaresY}, squareLength_{float(pattern.squareLength)},
+        margin_{float(margin)}, gap_{float((1 - pattern.markerLength / pattern.squareLength) / 2)} {
+    const auto modules = std::size_t(markerCells(pattern.dictionary, pattern.firstMarkerId).rows());
+    modulesPerSquare_ = float(double(modules) * pattern.squareLength / pattern.markerLength);
+    parts_ = modules + 2;
+    for (std::size_t y = 0; y < strips; ++y) {
+      for (std::size_t x = 0; x < strips; ++x) {
+        const bool beyond = x % (strips - 1) == 0 || y % (strips - 1) == 0;
+        brightness_.push_back(beyond ? -1 : 1);
+      }
+    }
+    const bool firstIsWhite = pattern.legacyPattern && pattern.squaresY % 2 == 0;
+    int marker = pattern.firstMarkerId;
+    for (int row = 0; row < squaresY_; ++row) {
+      for (int column = 0; column < squaresX_; ++column) {
+        white_.push_back(((row + column) % 2 != 0) != firstIsWhite);
+        addSquare(white_.back() ? markerCells(pattern.dictionary, marker++) : Eigen::MatrixXi{});
+      }
+    }
+  }
+
+  std::size_t cell(float x, float y) const override {
+    const float down = -y;
+    const std::size_t stripX = strip(x, margin_, float(squaresX_) * squareLength_),
+                      stripY = strip(down, margin_, float(squaresY_) * squareLength_);
+    if (stripX != 2 || stripY != 2) {
+      return stripX + strips * stripY;
+    }
+    const float column = x / squareLength_, row = down / squareLength_;
+    const int squareX = std::min(int(column), squaresX_ - 1), squareY = std::min(int(row), squaresY_ - 1); // rounding
+    const auto square = std::size_t(squareY * squaresX_ + squareX);
+    const std::size_t first = strips * strips + square * parts_ * parts_;
+    if (!white_[square]) {
+      return first;
+    }
+    return first + part(column - float(squareX)) + parts_ * part(row - float(squareY));
+  }
+
+private:
+  /// A square's parts: its marker's modules, and the white before and behind them. A black square is all one part.
+  void addSquare(const Eigen::MatrixXi& modules) {
+    const Eigen::Index count = modules.rows();
+    for (Eigen::Index y = -1; y + 1 < Eigen::Index(parts_); ++y) {
+      for (Eigen::Index x = -1; x + 1 < Eigen::Index(parts_); ++x) {
+        const bool inside = x >= 0 && y >= 0 && x < count && y < count;
+        brightness_.push_back(count == 0 ? 0 : inside ? float(modules(y, x)) : 1);
+      }
+    }
+  }
+  std::size_t part(float inSquare) const {
+    const float module = (inSquare - gap_) * modulesPerSquare_;
+    return module < 0 ? 0 : std::min(std::size_t(module) + 1, parts_ - 1);
+  }
+
+  int squaresX_, squaresY_;
+  float squareLength_, margin_; // [m]
+  float gap_;                   // between a square's edge and its marker, in squares
+  float modulesPerSquare_ = 0;  // black border included
+  std::size_t parts_ = 0;       // along a square's side
+  std::vector<bool> white_;     // by square
+};
+
+class PatchPainting final : public Painting {
+public:
+  PatchPainting(double halfX, double halfY, double brightness) : halfX_{float(halfX)}, halfY_{float(halfY)} {
+    brightness_.assign(9, -1);
+    brightness_[4] = float(brightness);
+  }
+  std::size_t cell(float x, float y) const override {
+    const auto third = [](float place, float half) -> std::size_t { return place < -half ? 0 : place <= half ? 1 : 2; };
+    return third(x, halfX_) + 3 * third(y, halfY_);
+  }
+
+private:
+  float halfX_, halfY_; // [m]
+};
+
+} // namespace
+
+std::shared_ptr<const Painting> paintedSheet(const CharucoPattern& pattern, double margin) {
+  return std::make_shared<Sheet>(pattern, margin);
+}
+
+std::shared_ptr<const Painting> paintedPatch(double halfX, double halfY, double brightness) {
+  return std::make_shared<PatchPainting>(halfX, halfY, brightness);
+}
+
+} // namespace naocal

@@ -1,0 +1,66 @@
+#include "simulation/SimulatedPictures.hpp"
+
+#include "io/GreyImage.hpp"
+#include "io/InputError.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <future>
+
+namespace naocal {
+
+namespace {
+
+void makeFolder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw InputError{fmt::format("{}: the folder cannot be made: {}", folder.string(), error.message())};
+  }
+}
+
+} // namespace
+
+RenderedScene sceneBefore(const Simulation& simulation, std::size_t capture) {
+  Eigen::Matrix3d opticalFromCamera; // x right, y down, z forward from x forward, y left, z up
+  opticalFromCamera << 0, -1, 0, 0, 0, -1, 1, 0, 0;
+  const Exposure& exposure = simulation.exposures[capture];
+  RenderedScene scene;
+  for (std::size_t board = 0; board < simulation.set.boards.size(); ++board) {
+    const Eigen::Isometry3d opticalFromBoard =
+        opticalFromCamera * (exposure.worldFromCamera.inverse() * exposure.worldFromBoard[board]);
+    scene.boards.push_back({simulation.set.boards[board].id,
+                            *simulation.set.boards[board].pattern,
+                            {opticalFromBoard.linear(), opticalFromBoard.translation()}});
+  }
+  return scene;
+}
+
+std::size_t takePictures(const Simulation& simulation, const Appearance& appearance, std::uint64_t seed,
+                         const std::filesystem::path& setFolder, std::size_t threads,
+                         const std::function<bool(std::size_t)>& proceed) {
+  std::map<std::string, Renderer> renderers;
+  for (const auto& [name, intrinsics] : simulation.set.cameras) {
+    renderers.emplace(name, intrinsics);
+  }
+  const std::vector<Capture>& captures = simulation.set.captures;
+  const auto take = [&](std::size_t i) {
+    const GreyPicture picture = renderers.at(captures[i].camera)
+                                    .picture(sceneBefore(simulation, i), appearance, seed ^ (std::uint64_t{i} << 32U));
+    writePicture(picture, setFolder / captures[i].image);
+  };
+  makeFolder(setFolder / "images");
+  std::size_t done = 0;
+  for (bool going = true; going && done < captures.size(); going = proceed(done)) {
+    std::vector<std::future<void>> together;
+    for (const std::size_t end = std::min(done + threads, captures.size()); done < end; ++done) {
+      together.push_back(std::async(std::launch::async, take, done));
+    }
+    for (std::future<void>& picture : together) {
+      picture.get();
+    }
+  }
+  return done;
+}
+
+} // namespace naocal

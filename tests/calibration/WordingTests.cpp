@@ -1,0 +1,37 @@
+#include "calibration/Wording.hpp"
+#include "effects/Catalogue.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace naocal {
+namespace {
+
+std::string spoken(Effect effect, const std::string& place, std::size_t unknown = 0) {
+  return inWords(Term{.effect = std::move(effect), .place = place}, unknown);
+}
+
+} // namespace
+
+TEST_CASE("unknowns are named as a person would name them") {
+  // Proves the words of the effects at hand, and of one at a board; not that every later effect reads well.
+  CHECK(spoken(jointOffset(), "LKneePitch") == "the left knee pitch");
+  CHECK(spoken(jointOffset(), "RElbowYaw") == "the right elbow yaw");
+  CHECK(spoken(jointOffset(), "HeadYaw") == "the head yaw");
+  CHECK(spoken(cameraRotation(), "top", 1) == "the top camera's pitch");
+  CHECK(spoken(cameraTranslation(), "bottom", 2) == "the bottom camera's place (up)");
+  CHECK(spoken(focalLength(), "top") == "the top camera's focal length");
+  CHECK(spoken(radialDistortion(), "top", 1) == "the top camera's radial distortion (k2)");
+  CHECK(spoken({.name = "boardBow", .place = Place::board, .unknowns = {{"h", "m", 0.002}}}, "A") == "board A's bow");
+  CHECK(spoken({.name = "encoderGain", .unknowns = {{"g", "1", 0.01}}}, "HeadPitch") ==
+        "the head pitch's encoder gain");
+}
+
+TEST_CASE("several names are joined as in a sentence") {
+  // Proves the commas and the last "and".
+  CHECK(enumerated({}).empty());
+  CHECK(enumerated({"a"}) == "a");
+  CHECK(enumerated({"a", "b"}) == "a and b");
+  CHECK(enumerated({"a", "b", "c"}) == "a, b and c");
+}
+
+} // namespace naocal

@@ -1,0 +1,193 @@
+#include "SimulatedSets.hpp"
+#include "diagnosis/Diagnosis.hpp"
+#include "math/Angles.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <functional>
+#include <tuple>
+
+namespace naocal {
+namespace {
+
+Diagnosis asked(const CaptureSet& set, const DiagnosisOptions& options = {}) {
+  return diagnose({set}, measurementsOf({set}, loadRobot(configurationDirectory(), set.model)), options);
+}
+
+double& angle(const CaptureSet& set, Capture& capture, const std::string& joint) {
+  const auto found = std::find(set.jointNames.begin(), set.jointNames.end(), joint);
+  return capture.joints.measured[static_cast<std::size_t>(found - set.jointNames.begin())];
+}
+
+} // namespace
+
+TEST_CASE("a bad capture is found although an effect hides more") {
+  // Proves that accidents are looked for again once what was missing is in the model: the knee's gain is off by 4 %,
+  // and one capture's head was elsewhere by 1.5 degrees.
+  CaptureSet set = simulatedSet(16, 4);
+  for (Capture& capture : set.captures) {
+    angle(set, capture, "LKneePitch") *= 0.96;
+  }
+  Capture& bad = set.captures[set.captures.size() / 2];
+  angle(set, bad, "HeadYaw") += radians(1.5);
+  const Diagnosis diagnosis = asked(set);
+  CAPTURE(diagnosis.sentence);
+  CHECK(diagnosis.verdict == Verdict::badCaptures);
+  CHECK(std::find(diagnosis.suggested.begin(), diagnosis.suggested.end(), "encoderGain@LKneePitch") !=
+        diagnosis.suggested.end());
+  REQUIRE(!diagnosis.suspicious.empty());
+  CHECK(diagnosis.suspicious.front().capture == bad.id);
+  CHECK(diagnosis.sentence.ends_with("Missing besides: encoderGain@LKneePitch."));
+}
+
+TEST_CASE("angles that were wrong for a moment are an accident and no physics") {
+  // Proves it of one picture's angles, of both cameras' in one approach, and of all of a pose, each by 2 degrees at the
+  // knee: these captures are named, and no others.
+  const CaptureSet good = simulatedSet(16, 4);
+  const std::string pose = good.captures[42].pose;
+  const int repeat = good.captures[42].repeat;
+  const std::vector<std::function<bool(const Capture&)>> wrong{
+      [&](const Capture& one) { return one.id == good.captures[42].id; },
+      [&](const Capture& one) { return one.pose == pose && one.repeat == repeat; },
+      [&](const Capture& one) { return one.pose == pose; }};
+  for (const auto& isWrong : wrong) {
+    CaptureSet set = good;
+    std::vector<int> ids, named;
+    for (Capture& capture : set.captures) {
+      if (isWrong(capture)) {
+        angle(set, capture, "LKneePitch") += radians(2);
+        ids.push_back(capture.id);
+      }
+    }
+    const Diagnosis diagnosis = asked(set);
+    CAPTURE(diagnosis.sentence);
+    CHECK(diagnosis.verdict == Verdict::badCaptures);
+    for (const Suspicion& suspicion : diagnosis.suspicious) {
+      named.push_back(suspicion.capture.value_or(-1));
+    }
+    CHECK(named == ids);
+  }
+}
+
+TEST_CASE("two pictures that were swapped are named, and not the set-up") {
+  // Proves that a few pictures with errors of hundreds of pixels do not speak for all others.
+  CaptureSet set = simulatedSet(16, 4);
+  Capture &one = set.captures[10], &other = set.captures[60];
+  std::swap(one.corners, other.corners);
+  const Diagnosis diagnosis = asked(set);
+  CAPTURE(diagnosis.sentence);
+  CHECK(diagnosis.verdict == Verdict::badCaptures);
+  REQUIRE(!diagnosis.suspicious.empty());
+  for (const Suspicion& suspicion : diagnosis.suspicious) {
+    CHECK((suspicion.capture == one.id || suspicion.capture == other.id));
+  }
+}
+
+TEST_CASE("a robot that slipped before its last poses is named, although these boards lost their weight") {
+  // Proves that a fit of all corners is asked where whole boards do not fit: before the last of 16 poses all boards are
+  // 40 mm to the left, which is the robot 40 mm to the right. The board that is seen there may as well have been moved.
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  SimulationPlan plan;
+  plan.poses = standingPoses(robot, plan, SupportFoot::left, 16, 1);
+  CaptureSet set = simulate(robot, plan, 4).set;
+  for (Board& board : plan.boards) {
+    board.placement->y += 0.04;
+  }
+  const CaptureSet elsewhere = simulate(robot, plan, 4).set;
+  const std::string last = set.captures.back().pose;
+  double before = 0, after = 0;
+  for (std::size_t i = 0; i < set.captures.size(); ++i) {
+    if (set.captures[i].pose == last) {
+      after = after == 0 ? set.captures[i].time.count() : after;
+      set.captures[i].corners = elsewhere.captures[i].corners;
+    } else {
+      before = set.captures[i].time.count();
+    }
+  }
+  const Diagnosis diagnosis = asked(set);
+  CAPTURE(diagnosis.sentence);
+  CHECK(diagnosis.verdict == Verdict::badCaptures);
+  REQUIRE(diagnosis.suspicious.size() == 1);
+  const Suspicion& told = diagnosis.suspicious.front();
+  CHECK(told.why.find("the robot in stance") != std::string::npos);
+  REQUIRE(told.when);
+  const double first = set.captures.front().time.count();
+  CHECK(told.when->time > before - first);
+  CHECK(told.when->time < after - first);
+}
+
+TEST_CASE("a robot that was put down anew half a metre away is named with the time, not another pattern") {
+  // Proves it where no search can start, or ends behind a camera: from some capture on all boards lie elsewhere, which
+  // is the robot that does; what was seen on both sides of the moment bounds it.
+  const auto [poses, shift, turn, share] =
+      GENERATE(std::tuple{std::size_t{16}, 1.0, 0.7, 0.6}, std::tuple{std::size_t{8}, 0.3, 0.7, 0.3});
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  SimulationPlan plan;
+  plan.poses = standingPoses(robot, plan, SupportFoot::left, poses, 1);
+  CaptureSet set = simulate(robot, plan, 1).set;
+  for (Board& board : plan.boards) {
+    Placement& place = *board.placement;
+    const Eigen::Vector2d there = Eigen::Rotation2Dd{turn} * Eigen::Vector2d{place.x, place.y};
+    place.x = there.x();
+    place.y = there.y() + shift;
+    place.yaw += turn;
+  }
+  const CaptureSet elsewhere = simulate(robot, plan, 1).set;
+  const auto first = static_cast<std::size_t>(share * static_cast<double>(set.captures.size()));
+  for (std::size_t i = first; i < set.captures.size(); ++i) {
+    set.captures[i].corners = elsewhere.captures[i].corners;
+  }
+  const Diagnosis diagnosis = asked(set);
+  CAPTURE(diagnosis.sentence);
+  CHECK(diagnosis.verdict == Verdict::badCaptures);
+  REQUIRE(diagnosis.suspicious.size() == 1);
+  const Suspicion& told = diagnosis.suspicious.front();
+  CHECK(told.why.starts_with("the robot in stance 0 was put down anew"));
+  REQUIRE(told.when);
+  const double begin = set.captures.front().time.count();
+  CHECK(told.when->since <= set.captures[first].time.count() - begin);
+  CHECK(told.when->until >= set.captures[first - 1].time.count() - begin);
+}
+
+TEST_CASE("squares of another size are told with their size, and nothing else") {
+  // Proves the size where the linearised estimate falls short of it: the file says 11 % more than was printed.
+  CaptureSet set = simulatedSet(16, 4);
+  for (Board& board : set.boards) {
+    for (Eigen::Vector3d& point : board.points) {
+      point /= 0.9;
+    }
+  }
+  const Diagnosis diagnosis = asked(set);
+  CAPTURE(diagnosis.sentence);
+  CHECK(diagnosis.verdict == Verdict::badCaptures);
+  REQUIRE(diagnosis.suspicious.size() == 1);
+  const std::string& why = diagnosis.suspicious.front().why;
+  const std::size_t size = why.find(" are ");
+  REQUIRE(size != std::string::npos);
+  CHECK(std::stod(why.substr(size + 5)) == Approx(10).margin(0.5));
+  CHECK(why.find("smaller") != std::string::npos);
+}
+
+TEST_CASE("where the alarm stands but nothing is likely, a diagnosis does not call the model adequate") {
+  // Proves that the best candidate is named instead, with the verdict inconclusive. (An alarm of 100 % always stands;
+  // of few candidates rarely one is likely where nothing is hidden.)
+  DiagnosisOptions options;
+  options.alarm = 1;
+  options.inquiry.map = false;
+  std::erase_if(options.effects, [](const Effect& effect) {
+    return !effect.base && effect.name != "soleTilt" && effect.name != "hysteresis";
+  });
+  int inconclusive = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const Diagnosis diagnosis = asked(simulatedSet(12, seed), options);
+    CHECK(diagnosis.verdict != Verdict::adequate);
+    if (diagnosis.verdict == Verdict::inconclusive) {
+      CHECK(diagnosis.sentence.find(diagnosis.ranking.front().term.label()) != std::string::npos);
+      ++inconclusive;
+    }
+  }
+  CHECK(inconclusive > 0);
+}
+
+} // namespace naocal

@@ -1,0 +1,50 @@
+#include "PerfectBut.hpp"
+#include "diagnosis/views/EffectSignature.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace naocal {
+TEST_CASE("an effect's imprint is what it leaves after a calibration without it") {
+  // Proves the shifts before and after against a whole calibration of captures that are perfect but for that effect:
+  // one that the joint offsets take up for the most part, one they take up less, and one of the lens, so large that the
+  // calibration's being nonlinear shows.
+  const CaptureSet set = simulatedSet(8, 3);
+  const Questioned asked{set, false};
+  const std::string label = GENERATE("encoderGain@LKneePitch", "elasticity@LKneePitch", "radialDistortion@top");
+  CAPTURE(label);
+  const std::size_t candidate = *asked.inquiry.find(label);
+  const Imprint imprint = imprints(asked.measurements, asked.model, asked.fit, asked.inquiry, {candidate}).front();
+  const CaptureSet perfect = perfectButFor(asked.inquiry.candidates()[candidate], imprint.size, asked, set);
+  const Measurements measurements = measurementsOf({perfect}, asked.measurements.robot);
+
+  double squares = 0, corners = 0;
+  const Residuals before{measurements, asked.model, asked.fit.noise};
+  for (const SightingResidual& sighting : before.sightings(before.start(asked.fit.unknowns))) {
+    squares += sighting.residual.squaredNorm();
+    corners += static_cast<double>(sighting.residual.cols());
+  }
+  CHECK(imprint.beforePx ==
+        Approx(std::sqrt(squares / corners)).epsilon(0.03)); // one picture per pose stands for three
+
+  CHECK(imprint.afterPx == Approx(calibratedAt(asked.inquiry.noise(), measurements, asked.model).rmsPx).epsilon(0.1));
+  CHECK(imprint.afterPx < imprint.beforePx);
+}
+
+TEST_CASE("an imprint shows the pictures that shift most, largest first") {
+  // Proves the order and number that the page relies on.
+  const Questioned asked{simulatedSet(8, 3), false};
+  const std::size_t candidate = *asked.inquiry.find("elasticity@LKneePitch");
+  const Imprint imprint = imprints(asked.measurements, asked.model, asked.fit, asked.inquiry, {candidate}).front();
+  CHECK(std::is_sorted(imprint.pictures.begin(), imprint.pictures.end(),
+                       [](const auto& a, const auto& b) { return a.beforePx > b.beforePx; }));
+  for (const std::size_t camera : {0, 1}) {
+    Eigen::Index corners = 0;
+    for (const Imprint::Seen& seen : imprint.pictures) {
+      corners += asked.measurements.pictures[seen.picture].camera == camera ? seen.corners.cols() : 0;
+    }
+    CHECK(corners <= 180);
+  }
+  CHECK(imprint.pictures.size() >= 6);
+}
+
+} // namespace naocal

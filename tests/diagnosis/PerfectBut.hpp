@@ -1,0 +1,41 @@
+#pragma once
+
+#include "Questioned.hpp"
+#include "diagnosis/views/ResidualField.hpp"
+#include "estimation/DriverState.hpp"
+
+namespace naocal {
+
+/// The captures with every corner where an effect of this size puts it, beside the model as it was fitted.
+inline CaptureSet perfectButFor(const Term& term, const Eigen::VectorXd& size, const Questioned& asked,
+                                CaptureSet set) {
+  Model model = asked.model;
+  model.add(term);
+  Eigen::VectorXd unknowns(asked.fit.unknowns.size() + size.size());
+  unknowns << asked.fit.unknowns, size;
+  for (const Picture& picture : asked.measurements.pictures) {
+    const auto boards = scene(asked.measurements, picture, believed(asked.measurements, model, picture, unknowns));
+    for (std::size_t i = 0; i < boards.size(); ++i) {
+      const Sighting& sighting = picture.sightings[i];
+      const std::string& name = asked.measurements.targets[sighting.view.board()].name;
+      for (BoardCorners& seen : *set.captures[picture.capture].corners) {
+        for (std::size_t k = 0; seen.board == name && k < seen.ids.size(); ++k) {
+          const auto place = std::find(sighting.ids.begin(), sighting.ids.end(), seen.ids[k]) - sighting.ids.begin();
+          seen.uv[k] = boards[i].corners.col(place);
+        }
+      }
+    }
+  }
+  return set;
+}
+
+/// A calibration that believes every corner, at a noise that is not in question.
+inline CalibrationResult calibratedAt(const Noise& noise, const Measurements& measurements, const Model& model) {
+  CalibrationOptions options;
+  options.noise = noise;
+  options.pixelGiven = true;
+  options.estimateNoise = options.robust = options.setAside = options.question = false;
+  return calibrate(measurements, model, options);
+}
+
+} // namespace naocal

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "SimulatedSets.hpp"
+#include "diagnosis/evidence/CandidateTests.hpp"
+#include "estimation/ModelBuilder.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace naocal {
+
+/// A fitted base model with every testable candidate, linearised at the fit.
+struct Questioned {
+  Questioned(const CaptureSet& set, bool map, const std::vector<std::string>& with = {})
+      : measurements{measurementsOf({set}, loadRobot(configurationDirectory(), "V6"))}, model{makeModel(measurements,
+                                                                                                        with)},
+        fit{calibrate(measurements, model)}, inquiry{measurements, model, fit, testable(), {.draws = 0, .map = map}} {}
+
+  std::vector<Term> testable() const { return testableTerms(measurements, model); }
+
+  Measurements measurements;
+  Model model;
+  CalibrationResult fit;
+  Inquiry inquiry;
+};
+
+} // namespace naocal

@@ -1,0 +1,80 @@
+#include "diagnosis/Session.hpp"
+
+#include "TemporaryFolder.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+using namespace naocal;
+using Catch::Contains;
+using Json = nlohmann::json;
+
+namespace {
+
+/// Two models: the first was put to the question, the second not yet.
+Session twoModels() {
+  Step step{.rmsPx = 0.52, .noiseFloorPx = 0.31};
+  step.heldOutPx = 0.55;
+  step.alarm = 0.005;
+  Session session;
+  session.ladder.push_back({.without = {"jointOffset@HeadYaw"}, .rmsPx = 0.52, .questioned = step});
+  session.ladder.push_back({.with = {"spring@LKneePitch"},
+                            .definitions = R"([{"name":"spring"}])",
+                            .step = "+ spring@LKneePitch",
+                            .from = 0,
+                            .rmsPx = 0.33});
+  session.at = 1;
+  session.inputs = {{"captures"}, {"abc"}};
+  return session;
+}
+
+} // namespace
+
+TEST_CASE("a session is read as it was written") {
+  // Proves every member, of a rung that was put to the question and of one that was not.
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "session.json";
+  const Session written = twoModels();
+  writeAtomically(file, sessionJson(written).dump());
+  const Session read = readSession(file);
+  CHECK(sessionJson(read) == sessionJson(written));
+  REQUIRE(read.ladder.size() == 2);
+  CHECK(read.ladder[0].without == written.ladder[0].without);
+  CHECK(read.ladder[0].questioned->heldOutPx == 0.55);
+  CHECK(read.ladder[0].questioned->noiseFloorPx == 0.31);
+  CHECK(read.ladder[0].questioned->alarm == 0.005);
+  CHECK_FALSE(read.ladder[0].from);
+  CHECK(read.ladder[1].with == written.ladder[1].with);
+  CHECK(read.ladder[1].definitions == written.ladder[1].definitions);
+  CHECK(read.ladder[1].step == "+ spring@LKneePitch");
+  CHECK(read.ladder[1].from == 0U);
+  CHECK(read.ladder[1].rmsPx == 0.33);
+  CHECK_FALSE(read.ladder[1].questioned);
+  CHECK(read.at == 1);
+}
+
+TEST_CASE("a session that cannot be gone on from is refused with its place") {
+  // Proves the sentences for a rung that was changed from one behind it, for one that is stood on and does not exist,
+  // for an empty ladder, and for other captures.
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "session.json";
+  const auto refused = [&](const char* pointer, const Json& value, const char* sentence) {
+    Json json = sessionJson(twoModels());
+    json[Json::json_pointer{pointer}] = value;
+    writeAtomically(file, json.dump());
+    CHECK_THROWS_WITH(readSession(file), Contains("session.json") && Contains(sentence));
+  };
+  refused("/ladder/1/from", 1, "ladder[1].from");
+  refused("/ladder/0/from", 0, "ladder[0].from");
+  refused("/ladder/1/with", 3, "ladder[1].with");
+  refused("/ladder/1/define", "spring", "ladder[1].define");
+  refused("/ladder/0/alarm", 3, "ladder[0].alarm");
+  refused("/ladder", Json::array(), "at least the model to begin with");
+  refused("/at", 2, "at");
+  refused("/format", "naocal-result", "format");
+  CHECK_NOTHROW(requireSameCaptures(twoModels(), {{"elsewhere/captures"}, {"abc"}}, file));
+  CHECK_THROWS_WITH(requireSameCaptures(twoModels(), {{"captures"}, {"abd"}}, file),
+                    Contains("expected a session of these captures"));
+}

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "simulation/Simulation.hpp"
+#include "simulation/StandingPoses.hpp"
+
+#include <cstdint>
+#include <map>
+
+namespace naocal {
+
+/// A simulated robot's captures, three approaches of each pose; poses are found once per count.
+inline CaptureSet simulatedSet(std::size_t poses, std::uint64_t seed, double stiction = 0) {
+  static const Robot robot = loadRobot(configurationDirectory(), "V6");
+  static std::map<std::size_t, std::vector<CommandedPose>> known;
+  SimulationPlan plan;
+  auto& chosen = known[poses];
+  if (chosen.empty()) {
+    chosen = standingPoses(robot, plan, SupportFoot::left, poses, 1);
+  }
+  plan.poses = chosen;
+  plan.repeatKind = RepeatKind::reapproach;
+  plan.mechanics.poseScatter = stiction;
+  return simulate(robot, plan, seed).set;
+}
+
+} // namespace naocal

@@ -1,0 +1,222 @@
+#include "estimation/Residuals.hpp"
+
+#include "estimation/ModelBuilder.hpp"
+#include "simulation/HandMadePoses.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <random>
+#include <set>
+
+namespace naocal {
+namespace {
+
+struct Problem {
+  explicit Problem(int poses = 3, RepeatKind kind = RepeatKind::reapproach)
+      : robot{loadRobot(configurationDirectory(), "V6")} {
+    SimulationPlan plan = handMadePlan(robot, poses);
+    plan.samples = 2;
+    plan.repeatKind = kind;
+    plan.surveyed = true;
+    plan.offsetRange = 0.01;
+    plan.mountRange = 0.01;
+    set = simulate(robot, plan, 5).set;
+    measurements = measurementsOf({set}, robot);
+    model = makeModel(measurements, {"cameraTranslation@*", "radialDistortion@top"});
+  }
+  Robot robot;
+  CaptureSet set;
+  Measurements measurements;
+  Model model;
+};
+
+/// All predicted corners of one pose, stacked, at given unknowns and deflections of the readings' angles.
+Eigen::VectorXd stacked(const Residuals& residuals, const Residuals::State& state, std::size_t pose) {
+  std::vector<double> all;
+  std::set<std::size_t> pictures;
+  for (const Reading& reading : residuals.measurements().poses[pose].readings) {
+    pictures.insert(reading.pictures.begin(), reading.pictures.end());
+  }
+  for (const SightingResidual& seen : residuals.sightings(state)) {
+    if (pictures.contains(seen.picture)) {
+      for (Eigen::Index i = 0; i < seen.residual.size(); ++i) {
+        all.push_back(-seen.residual(i % 2, i / 2)); // predicted - measured
+      }
+    }
+  }
+  return Eigen::Map<Eigen::VectorXd>{all.data(), static_cast<Eigen::Index>(all.size())};
+}
+
+} // namespace
+
+TEST_CASE("integrating out deflections equals the full covariance of all corners") {
+  // Proves Woodbury, the slot-wise sums and the chain rule at once: hessian, gradient and cost of every pose against a
+  // dense Sigma = pixel^2 I + J S J^T built from differences of predictions. Independent of the twist factoring.
+  const Problem problem{3, GENERATE(RepeatKind::rest, RepeatKind::reapproach)};
+  const Noise noise{0.4, 6e-4, 9e-4};
+  const Residuals residuals{problem.measurements, problem.model, noise};
+  const Residuals::State state = residuals.start(0.05 * problem.model.sigmas());
+  const auto linear = residuals.linearised(state);
+  REQUIRE(linear);
+  for (std::size_t pose = 0; pose < linear->poses.size(); ++pose) {
+    const PoseSystem& system = linear->poses[pose];
+    const DeflectionRoot root = deflectionRoot(system, noise);
+    const Eigen::VectorXd r = stacked(residuals, state, pose);
+    Eigen::MatrixXd byUnknown(r.size(), static_cast<Eigen::Index>(system.unknowns.size()));
+    Eigen::MatrixXd byDeflection(r.size(), root.cols());
+    for (Eigen::Index k = 0; k < byUnknown.cols(); ++k) {
+      const auto unknown = static_cast<Eigen::Index>(system.unknowns[static_cast<std::size_t>(k)]);
+      const double h = 1e-4 * problem.model.sigmas()[unknown];
+      Residuals::State above = state, below = state;
+      above.unknowns[unknown] += h;
+      below.unknowns[unknown] -= h;
+      byUnknown.col(k) = (stacked(residuals, above, pose) - stacked(residuals, below, pose)) / (2 * h);
+    }
+    for (Eigen::Index k = 0; k < root.cols(); ++k) { // z -> root z
+      Residuals::State above = state, below = state;
+      above.deflections[pose][k] += 0.01;
+      below.deflections[pose][k] -= 0.01;
+      byDeflection.col(k) = (stacked(residuals, above, pose) - stacked(residuals, below, pose)) / 0.02;
+    }
+    Eigen::MatrixXd sigma = byDeflection * byDeflection.transpose();
+    sigma.diagonal().array() += noise.pixel * noise.pixel;
+    const Eigen::LLT<Eigen::MatrixXd> factor{sigma};
+    const Eigen::MatrixXd hessian = byUnknown.transpose() * factor.solve(byUnknown);
+    const Eigen::VectorXd gradient = byUnknown.transpose() * factor.solve(r);
+    const Eliminated part = eliminated(system, noise, root);
+    CHECK((part.hessian - hessian).norm() < 1e-5 * hessian.norm());
+    CHECK((part.unknownGradient - gradient).norm() < 1e-5 * gradient.norm());
+    CHECK(part.cost == Approx(0.5 * r.dot(factor.solve(r))).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("the cost follows the unknowns alone, also where corners lose their weight") {
+  // Proves by differences that the gradient is that of the least cost over all deflections, from none and with most
+  // corners between full and no weight: there a deflection that was brought to rest for once goes on for many steps.
+  const Problem problem;
+  const Noise noise{0.3, 6e-4, 9e-4};
+  const Residuals residuals{problem.measurements, problem.model, noise, Loss{3}};
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(problem.model.sigmas().size());
+  const auto costAt = [&](const Eigen::VectorXd& unknowns, Eigen::VectorXd& gradient) {
+    Residuals::State state = residuals.start(unknowns);
+    Residuals::Linear linear;
+    REQUIRE(residuals.linearise(state, linear));
+    gradient = linear.gradient;
+    return linear.cost;
+  };
+  Eigen::VectorXd gradient, other;
+  costAt(zero, gradient);
+  const Eigen::VectorXd sigmas = problem.model.sigmas(), scaled = gradient.cwiseProduct(sigmas);
+  for (Eigen::Index k = 0; k < zero.size(); ++k) {
+    CAPTURE(k);
+    const Eigen::VectorXd step = 1e-3 * sigmas[k] * Eigen::VectorXd::Unit(zero.size(), k);
+    CHECK((costAt(step, other) - costAt(-step, other)) / 2e-3 == Approx(scaled[k]).margin(0.01 * scaled.norm()));
+  }
+}
+
+TEST_CASE("a deflection root squares to encoder, pose and stance noise") {
+  // Proves the covariance that a pose's readings are believed to have: own errors, one shared by the joint, and one
+  // shared while the robot stands where it stands.
+  PoseSystem system;
+  system.joints = {3, 3, 3, 7, 7};
+  system.errorScales = {1, 1, 0.5, 1, 1};
+  system.stances = {0, 0, 4, 0, 4};
+  const Eigen::MatrixXd root = deflectionRoot(system, {0.3, 2e-3, 1e-3});
+  const Eigen::MatrixXd covariance = root * root.transpose();
+  CHECK(covariance(0, 0) == Approx(5e-6));
+  CHECK(covariance(0, 2) == Approx(1e-6));
+  CHECK(covariance(2, 2) == Approx(2e-6));
+  CHECK(covariance(2, 3) == Approx(0).margin(1e-18));
+  CHECK(covariance(3, 4) == Approx(1e-6));
+  const Eigen::MatrixXd restoodRoot = deflectionRoot(system, {0.3, 2e-3, 1e-3, 3e-3});
+  const Eigen::MatrixXd restood = restoodRoot * restoodRoot.transpose();
+  CHECK(restood(0, 0) == Approx(14e-6));
+  CHECK(restood(0, 1) == Approx(10e-6));
+  CHECK(restood(0, 2) == Approx(1e-6));
+  CHECK(restood(3, 4) == Approx(1e-6));
+}
+
+TEST_CASE("a resting joint keeps its rounding error, an approach gives it a new one") {
+  // Proves the grouping that all statistics rest on; and that flipping readings are taken as the edge between steps.
+  for (const RepeatKind kind : {RepeatKind::rest, RepeatKind::reapproach}) {
+    const Problem problem{3, kind};
+    int flips = 0;
+    for (const PoseGroup& pose : problem.measurements.poses) {
+      CHECK(pose.repeated == (kind == RepeatKind::reapproach));
+      for (const Reading& a : pose.readings) {
+        const Picture& pictureA = problem.measurements.pictures[a.pictures.front()];
+        for (const Reading& b : pose.readings) {
+          const Picture& pictureB = problem.measurements.pictures[b.pictures.front()];
+          const bool rested = kind == RepeatKind::rest || problem.set.captures[pictureA.capture].repeat ==
+                                                              problem.set.captures[pictureB.capture].repeat;
+          CHECK((a.encoderError[0] == b.encoderError[0]) == rested);
+          CHECK((!rested || pictureA.instant.q[0] == pictureB.instant.q[0]));
+        }
+        flips += pose.encoderErrors[a.encoderError[0]].scale < 1;
+      }
+    }
+    CHECK(flips < 12);
+  }
+}
+
+TEST_CASE("a reading that no flip explains is one of its own") {
+  // Proves that angles which differ by more than two steps within a rest are left as they were read, and that no
+  // joint's error is shared between them.
+  Problem problem{3, RepeatKind::rest};
+  CaptureSet set = problem.set;
+  const int odd = set.captures[2].id;
+  set.captures[2].joints.measured[0] += 0.05;
+  const double read = set.captures[2].joints.measured[0];
+  const Measurements measurements = measurementsOf({set}, problem.measurements.robot);
+  for (const PoseGroup& pose : measurements.poses) {
+    for (const Reading& a : pose.readings) {
+      for (const Reading& b : pose.readings) {
+        const auto isOdd = [&](const Reading& reading) {
+          return set.captures[measurements.pictures[reading.pictures.front()].capture].id == odd;
+        };
+        CHECK((a.encoderError[5] == b.encoderError[5]) == (isOdd(a) == isOdd(b)));
+        CHECK((!isOdd(a) || measurements.pictures[a.pictures.front()].instant.q[0] == read));
+      }
+    }
+  }
+}
+
+TEST_CASE("no order of captures changes a digit") {
+  // Proves that sums are formed in an order of their own: bitwise equality of the linearisation.
+  Problem problem;
+  CaptureSet shuffled = problem.set;
+  std::shuffle(shuffled.captures.begin(), shuffled.captures.end(), std::mt19937{11});
+  const Measurements other = measurementsOf({shuffled}, problem.robot);
+  const Residuals a{problem.measurements, problem.model, {}}, b{other, problem.model, {}};
+  const Eigen::VectorXd unknowns = 0.1 * problem.model.sigmas();
+  const auto left = a.linearised(a.start(unknowns)), right = b.linearised(b.start(unknowns));
+  REQUIRE(left);
+  REQUIRE(right);
+  CHECK(left->cost == right->cost);
+  CHECK(left->gradient == right->gradient);
+  CHECK(left->hessian == right->hessian);
+}
+
+TEST_CASE("the loss is quadratic for good corners, constant for false ones and smooth between") {
+  // Proves that the weight is the slope of rho, which the accept test of the search relies on.
+  const Loss loss{1.5};
+  for (double s = 0.5; s < 200; s += 0.37) {
+    const double h = 1e-5;
+    CHECK((loss(s + h).rho - loss(s - h).rho) / (2 * h) == Approx(loss(s).weight).margin(1e-5));
+  }
+  CHECK(loss(1.0).weight == 1);
+  CHECK(loss(1e6).weight == 0);
+  CHECK(loss(1e6).rho == loss(1e9).rho);
+}
+
+TEST_CASE("a hip yaw-pitch motor is one unknown under both of its names") {
+  // Proves that neither name adds a second unknown and the right one is accepted.
+  const Problem problem;
+  const Model model = makeModel(problem.measurements, {"jointOffset@RHipYawPitch"});
+  CHECK(std::count_if(model.terms().begin(), model.terms().end(),
+                      [](const Term& term) { return term.place.find("HipYawPitch") != std::string::npos; }) == 1);
+  CHECK(makeModel(problem.measurements, {}, {"jointOffset@RHipYawPitch"}).unknownCount() == model.unknownCount() - 1);
+}
+
+} // namespace naocal

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "RobotV6.hpp"
+#include "evaluation/ThesisExperiment.hpp"
+
+#include <map>
+
+namespace naocal {
+
+/// The stage of a setting; its poses are chosen once.
+inline ThesisStage thesisStageFor(const ThesisSetting& setting) {
+  static std::map<std::pair<ThesisFeature, PoseChoice>, std::vector<Eigen::VectorXd>> chosen;
+  std::vector<Eigen::VectorXd>& all = chosen[{setting.feature, setting.choice}];
+  if (all.empty()) {
+    all = thesisPoses(v6(), setting.feature, setting.choice, 8);
+  }
+  return {v6(), setting, posesOf(setting, v6(), all)};
+}
+
+} // namespace naocal

@@ -1,0 +1,159 @@
+#include "diagnosis/Questioned.hpp"
+#include "diagnosis/evidence/Power.hpp"
+#include "inference/ScoreProblem.hpp"
+#include "inference/ScoreTest.hpp"
+
+#include <Eigen/LU>
+#include <catch2/catch.hpp>
+#include <numeric>
+
+namespace naocal {
+namespace {
+
+/// min over the chosen unknowns of the quadratic with this Hessian and gradient.
+double least(const Eigen::MatrixXd& hessian, const Eigen::VectorXd& gradient, const std::vector<Eigen::Index>& chosen) {
+  const Eigen::VectorXd g = gradient(chosen);
+  const Eigen::MatrixXd h = hessian(chosen, chosen);
+  return -g.dot(h.fullPivLu().solve(g));
+}
+
+} // namespace
+
+TEST_CASE("a score test's fall of chi2 is what adding the candidate gains") {
+  // Proves projection, whitening and bookkeeping of ScoreTests against the dense normal equations of the model with
+  // that one candidate, for every candidate. The linearisation itself is the residuals' and tested there.
+  const Questioned asked{simulatedSet(8, 3), false};
+  const ScoreProblem& problem = asked.inquiry.problem();
+  const Noise noise{asked.fit.noise.pixel, asked.fit.noise.encoder, 4e-4};
+  const ModelAlone alone{problem, noise};
+  const ScoreTests tests{alone};
+  const Eigen::VectorXd priorScore = problem.priorScore();
+  const PoseResiduals measured = measuredResiduals(*problem.poses);
+  const Eigen::VectorXd falls = tests.falls(measured, alone(measured, priorScore).own);
+
+  const Eigen::Index count = problem.own() + problem.candidates;
+  Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(count, count);
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(count);
+  hessian.topLeftCorner(problem.own(), problem.own()) = problem.sigmas.cwiseAbs2().cwiseInverse().asDiagonal();
+  gradient.head(problem.own()) = priorScore;
+  for (const PoseRows& rows : *problem.poses) {
+    const PoseSystem pose = systemOf(rows);
+    const Eliminated part = eliminated(pose, noise, deflectionRoot(pose, noise));
+    const std::vector<Eigen::Index> columns(pose.unknowns.begin(), pose.unknowns.end());
+    hessian(columns, columns) += part.hessian;
+    gradient(columns) += part.unknownGradient;
+  }
+  std::vector<Eigen::Index> own(static_cast<std::size_t>(problem.own()));
+  std::iota(own.begin(), own.end(), 0);
+  int compared = 0;
+  for (std::size_t i = 0; i < asked.inquiry.candidates().size(); ++i) {
+    if (tests.keptFraction(i) < 1e-2 || tests.freedom(i) < problem.groups[i].count) {
+      continue; // absorbed in part: then the dense equations are all but singular
+    }
+    std::vector<Eigen::Index> with = own;
+    for (Eigen::Index k = 0; k < problem.groups[i].count; ++k) {
+      with.push_back(problem.own() + problem.groups[i].first + k);
+    }
+    const double gain = least(hessian, gradient, own) - least(hessian, gradient, with);
+    CAPTURE(asked.inquiry.candidates()[i].label());
+    CHECK(falls[static_cast<Eigen::Index>(i)] == Approx(gain).epsilon(1e-5).margin(1e-5));
+    ++compared;
+  }
+  CHECK(compared > 50);
+}
+
+TEST_CASE("pure noise lowers chi2 by as much as a candidate has unknowns") {
+  // Proves that drawn noise has the covariance that the tests assume: T ~ chi2 of the group's freedom has that mean,
+  // for candidates and for curves of the map, pose noise included. It does not prove that a robot's noise is of that
+  // kind.
+  const Questioned asked{simulatedSet(8, 3), true};
+  const ScoreProblem& problem = asked.inquiry.problem();
+  const Noise noise{asked.fit.noise.pixel, asked.fit.noise.encoder, 6e-4};
+  constexpr Eigen::Index draws = 3000;
+  const ModelAlone alone{problem, noise};
+  const ScoreTests tests{alone};
+  const PoseResiduals drawn = drawnResiduals(*problem.poses, noise, draws, 1);
+  const Eigen::MatrixXd falls = tests.falls(drawn, alone(drawn, Eigen::VectorXd::Zero(problem.own())).own);
+  double worst = 0;
+  for (std::size_t i = 0; i < problem.groups.size(); ++i) {
+    const auto freedom = static_cast<double>(tests.freedom(i));
+    if (freedom > 0) {
+      const double error = falls.row(static_cast<Eigen::Index>(i)).mean() - freedom;
+      const std::string name =
+          i < asked.inquiry.candidates().size() ? asked.inquiry.candidates()[i].label() : "a curve";
+      CAPTURE(name, freedom, error);
+      CHECK(std::abs(error) < 5 * std::sqrt(2 * freedom / draws));
+      worst = std::max(worst, std::abs(error) / std::sqrt(2 * freedom / draws));
+    }
+  }
+  CHECK(worst < 5); // standard errors, over some 200 groups
+}
+
+TEST_CASE("power follows the noncentral chi2 distribution") {
+  // Proves power and its inverse against published figures: 55 independent tests at a family-wise 5 % (critical chi2
+  // 11.2): power 0.43, 0.87 and 1.00 at noncentrality 10, 20 and 40, and 90 % needs 21.4.
+  const double critical = 8.2e-4; // of chi2 11.2 with one degree of freedom
+  CHECK(powerAt(10, 1, critical) == Approx(0.43).margin(0.01));
+  CHECK(powerAt(20, 1, critical) == Approx(0.87).margin(0.01));
+  CHECK(powerAt(40, 1, critical) == Approx(1.00).margin(0.005));
+  CHECK(noncentralityFor(0.9, 1, critical) == Approx(21.4).margin(0.3));
+}
+
+TEST_CASE("a candidate is as sure to be noticed as the unknown of it that is hardest to see") {
+  // Proves that one unknown that would stand out does not make up for one that could hide.
+  GroupEvidence group;
+  group.freedom = 2;
+  group.covariance = Eigen::Vector2d{0.01, 1}.asDiagonal();
+  const double sharp = sensitivity(group, Eigen::Vector2d{1, 100}, 1e-3).power;
+  const double blunt = sensitivity(group, Eigen::Vector2d{1, 1}, 1e-3).power;
+  CHECK(sharp > 0.99);
+  CHECK(blunt == Approx(powerAt(1, 2, 1e-3)));
+}
+
+TEST_CASE("how far an effect moves corners is what predictions show when it is put into the model") {
+  // Proves `movedPx` against predictions themselves, with and without a small effect and the own unknowns' answer to it
+  // (by the dense normal equations). They are linear, and the weights of the robust loss near 1, within 4 %.
+  const Questioned asked{simulatedSet(8, 3), false};
+  const ScoreProblem& problem = asked.inquiry.problem();
+  const ModelAlone alone{problem, asked.fit.noise};
+  const ScoreTests tests{alone};
+  for (const char* label : {"elasticity@LKneePitch", "focalLength@top", "boardScale@A"}) {
+    const std::size_t candidate = asked.inquiry.find(label).value();
+    const ColumnGroup& group = problem.groups[candidate];
+    const Eigen::VectorXd sizes = 0.1 * problem.plausible.segment(group.first, group.count);
+    Model larger = asked.model;
+    larger.add(asked.inquiry.candidates()[candidate]);
+    const Residuals residuals{asked.measurements, larger, asked.fit.noise, asked.fit.loss};
+    Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(problem.own() + group.count);
+    unknowns.head(problem.own()) = asked.fit.unknowns;
+    const auto before = residuals.sightings(residuals.start(unknowns));
+    Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(unknowns.size(), unknowns.size());
+    const auto linear = residuals.linearised(residuals.start(unknowns));
+    for (const PoseSystem& pose : linear->poses) {
+      const Eliminated part = eliminated(pose, asked.fit.noise, deflectionRoot(pose, asked.fit.noise));
+      const std::vector<Eigen::Index> columns(pose.unknowns.begin(), pose.unknowns.end());
+      hessian(columns, columns) += part.hessian;
+    }
+    Eigen::MatrixXd own = hessian.topLeftCorner(problem.own(), problem.own());
+    own.diagonal() += problem.sigmas.cwiseAbs2().cwiseInverse();
+    unknowns.head(problem.own()) -= own.ldlt().solve(hessian.topRightCorner(problem.own(), group.count) * sizes);
+    unknowns.tail(group.count) = sizes;
+    const auto after = residuals.sightings(residuals.start(unknowns));
+    double squares = 0, corners = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      squares += (after[i].predicted - before[i].predicted).squaredNorm();
+      corners += static_cast<double>(before[i].predicted.cols());
+    }
+    CAPTURE(label);
+    CHECK(tests.movedPx(candidate, sizes) == Approx(std::sqrt(squares / corners)).epsilon(0.04));
+  }
+}
+
+TEST_CASE("a sum over poses without a row is zero") {
+  // Proves that poses in which no corner counts are no reason to stop, however many columns there are.
+  GramSum sum{64};
+  sum.add({0, 1, 2}, Eigen::MatrixXd{0, 3});
+  CHECK(sum.taken().isZero(0));
+}
+
+} // namespace naocal

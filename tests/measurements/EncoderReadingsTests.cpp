@@ -1,0 +1,147 @@
+#include "measurements/EncoderReadings.hpp"
+
+#include "math/Angles.hpp"
+#include "measurements/Measurements.hpp"
+#include "measurements/Noise.hpp"
+#include "simulation/Simulation.hpp"
+#include "simulation/StandingPoses.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+#include <string>
+#include <tuple>
+
+namespace naocal {
+namespace {
+
+/// A joint that rests at `place` [steps], read `count` times by an encoder that jitters by `jitter` [steps].
+RestReadings read(double place, double jitter, int count, std::mt19937_64& random) {
+  std::normal_distribution<double> noise{0, jitter};
+  std::vector<double> angles;
+  for (int i = 0; i < count; ++i) {
+    angles.push_back(encoderStep * std::round(place + noise(random)));
+  }
+  return RestReadings{angles};
+}
+
+} // namespace
+
+TEST_CASE("readings at rest tell how much an encoder jitters, and where its joint stood") {
+  // Proves the likelihood of rounded readings by Monte Carlo: over eight joints with 60 rests of six readings each,
+  // levels of 0.03 to 0.1 degrees are found within 20 percent, and the posterior variance of a place is the mean square
+  // of its error. It does not prove that encoders jitter like that.
+  for (const double degreesOfJitter : {0.03, 0.05, 0.1}) {
+    CAPTURE(degreesOfJitter);
+    const double jitter = radians(degreesOfJitter) / encoderStep;
+    std::mt19937_64 random{7};
+    std::uniform_real_distribution<double> anywhere{-500, 500};
+    std::vector<std::vector<RestReadings>> rests(8);
+    std::vector<std::vector<double>> places(8);
+    for (std::size_t joint = 0; joint < rests.size(); ++joint) {
+      for (int rest = 0; rest < 60; ++rest) {
+        places[joint].push_back(anywhere(random));
+        rests[joint].push_back(read(places[joint].back(), jitter, 6, random));
+      }
+    }
+    const std::vector<double> found = encoderJitter(rests);
+    double errors = 0, variances = 0;
+    for (std::size_t joint = 0; joint < rests.size(); ++joint) {
+      CHECK(found[joint] == Approx(jitter * encoderStep).epsilon(0.2));
+      for (std::size_t rest = 0; rest < rests[joint].size(); ++rest) {
+        const RestReadings::Place place = rests[joint][rest].place(found[joint]);
+        errors += std::pow(place.angle - encoderStep * places[joint][rest], 2);
+        variances += place.variance;
+      }
+    }
+    CHECK(errors == Approx(variances).epsilon(0.25)); // of 480 places: 6 percent, 1 sigma
+  }
+}
+
+TEST_CASE("joints that were not recorded say nothing of encoders' jitter") {
+  // Proves the level of a set that has only the joints of one leg and the head, as most have: every pose is read three
+  // times at rest, jittering by 0.015 degrees, in whole steps. Arms would read zero always, like encoders of no jitter.
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  SimulationPlan plan;
+  plan.poses = standingPoses(robot, plan, SupportFoot::left, 24, 1);
+  CaptureSet set = simulate(robot, plan, 3).set;
+  const double level = radians(0.015);
+  std::mt19937_64 random{7};
+  std::normal_distribution<double> jitter{0, level / encoderStep};
+  std::uniform_real_distribution<double> within{-0.5, 0.5};
+  std::map<std::pair<std::string, std::size_t>, double> places; // of joints in their poses [steps]
+  std::map<std::tuple<std::string, int, std::size_t>, double> readings;
+  for (Capture& capture : set.captures) {
+    for (std::size_t joint = 0; joint < set.jointNames.size(); ++joint) {
+      double& angle = capture.joints.measured[joint];
+      const double place =
+          places.try_emplace({capture.pose, joint}, angle / encoderStep + within(random)).first->second;
+      const double step = std::round(place + jitter(random)); // both cameras' pictures share it
+      const bool used =
+          set.jointNames[joint].starts_with("L") && set.jointNames[joint].find("Shoulder") == std::string::npos;
+      angle = encoderStep * readings.try_emplace({capture.pose, capture.repeat, joint}, step).first->second;
+      angle = used || set.jointNames[joint].starts_with("Head") ? angle : std::nan("");
+    }
+  }
+  const Measurements measurements = measurementsOf({set}, robot);
+  double squares = 0;
+  for (const std::size_t joint : measurements.joints) {
+    squares += std::pow(measurements.jitter[joint], 2);
+  }
+  CHECK(std::sqrt(squares / static_cast<double>(measurements.joints.size())) == Approx(level).epsilon(0.2));
+}
+
+TEST_CASE("readings that never differ leave the whole step open") {
+  // Proves the limit: one step's rounding, LSB^2 / 12, and no jitter.
+  const RestReadings rest{{0.3, 0.3, 0.3}};
+  CHECK_FALSE(rest.differ());
+  CHECK(encoderJitter({{rest, rest}}) == std::vector<double>{0.0});
+  const RestReadings::Place place = rest.place(0);
+  CHECK(place.angle == Approx(0.3));
+  CHECK(std::sqrt(place.variance) == Approx(encoderStep / std::sqrt(12.0)).epsilon(0.05)); // integrated on a grid
+}
+
+TEST_CASE("readings between two of an encoder's steps give a rest one place") {
+  // Proves it of what a robot records whose pictures lie in time between readings that toggle: parts of a step apart is
+  // no jitter, and no picture of the rest is believed to have seen its joint elsewhere than the others.
+  const RestReadings rest{{265.58 * encoderStep, 266 * encoderStep}};
+  CHECK_FALSE(rest.differ());
+  CHECK(rest.place(0).angle == Approx(265.79 * encoderStep));
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  SimulationPlan plan;
+  plan.poses = standingPoses(robot, plan, SupportFoot::left, 4, 1);
+  CaptureSet set = simulate(robot, plan, 3).set;
+  double part = 0; // of a step
+  for (Capture& capture : set.captures) {
+    const auto head = std::find(set.jointNames.begin(), set.jointNames.end(), "HeadYaw") - set.jointNames.begin();
+    const auto& first = *std::find_if(set.captures.begin(), set.captures.end(),
+                                      [&](const Capture& one) { return one.pose == capture.pose; });
+    capture.joints.measured = first.joints.measured;
+    part = part > 0.2 ? 0 : part + 0.1;
+    capture.joints.measured[static_cast<std::size_t>(head)] += part * encoderStep;
+  }
+  const Measurements measurements = measurementsOf({set}, robot);
+  for (const PoseGroup& pose : measurements.poses) {
+    CHECK(pose.readings.size() > 1);
+    std::set<double> places;
+    for (const Reading& reading : pose.readings) {
+      places.insert(measurements.pictures[reading.pictures.front()].instant.q[0]);
+    }
+    CHECK(places.size() == 1);
+  }
+}
+
+TEST_CASE("readings that lie too far apart for their joint's jitter still have a place") {
+  // Proves that the place and its variance are numbers, between the readings, where rounding and jitter cannot explain
+  // how far they lie apart: at a hundredth of a step of jitter, two steps are impossible to the last bit.
+  const RestReadings rest{{0, 2 * encoderStep}};
+  const RestReadings::Place place = rest.place(0.01 * encoderStep);
+  CHECK(place.angle == Approx(encoderStep).epsilon(0.05));
+  CHECK(place.variance > 0);
+  CHECK(place.variance < encoderStep * encoderStep);
+}
+
+} // namespace naocal

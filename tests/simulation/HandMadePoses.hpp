@@ -1,0 +1,54 @@
+#pragma once
+
+#include "robot/Robot.hpp"
+#include "simulation/Simulation.hpp"
+
+#include <fmt/format.h>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// Poses for tests that do not need a robot that keeps its balance: knees bent, torso upright within a quarter of a
+/// radian, the head looking around, the free leg anywhere, the arms hanging.
+inline std::vector<CommandedPose> handMadePoses(const Robot& robot, SupportFoot foot, int count,
+                                                std::uint64_t seed = 1) {
+  Randomness chance{seed, "hand-made poses"};
+  std::vector<CommandedPose> poses;
+  for (int i = 0; i < count; ++i) {
+    CommandedPose pose{fmt::format("P{:02}", i), foot,
+                       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.joints.size()))};
+    const auto set = [&](const std::string& joint, double angle) {
+      pose.angles[static_cast<Eigen::Index>(*robot.jointIndex(joint))] = angle;
+    };
+    set("HeadYaw", chance.within(0.9));
+    set("HeadPitch", 0.05 + chance.within(0.35));
+    const double hipYawPitch = -0.2 + chance.within(0.3);
+    const bool symmetric = foot == SupportFoot::both;
+    double roll = chance.within(0.25), hip = -0.6 + chance.within(0.3), knee = 0.8 + chance.within(0.4);
+    double pitch = chance.within(0.25);
+    for (const std::string side : {"L", "R"}) {
+      set(side + "ShoulderPitch", radians(90));
+      set(side + "HipYawPitch", symmetric ? 0 : hipYawPitch);
+      set(side + "HipRoll", roll);
+      set(side + "HipPitch", hip);
+      set(side + "KneePitch", knee);
+      set(side + "AnklePitch", -hip - knee + pitch);
+      set(side + "AnkleRoll", -roll + (symmetric ? 0 : chance.within(0.15)));
+      if (!symmetric) {
+        roll = chance.within(0.25), hip = -0.6 + chance.within(0.3), knee = 0.8 + chance.within(0.4);
+      }
+    }
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
+/// A plan with those poses and everything else as usual.
+inline SimulationPlan handMadePlan(const Robot& robot, int poses = 12, SupportFoot foot = SupportFoot::left) {
+  SimulationPlan plan;
+  plan.poses = handMadePoses(robot, foot, poses);
+  return plan;
+}
+
+} // namespace naocal
