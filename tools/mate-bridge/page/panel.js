@@ -6,7 +6,7 @@ import {showLearn} from "./analysis/candidates.js";
 import {showCompare} from "./analysis/compare.js";
 import {showMap} from "./analysis/residual-views.js";
 import {filesWorked, showFiles} from "./analysis/files.js";
-import {showModel} from "./analysis/model.js";
+import {canRedo, canUndo, redo, showModel, undo} from "./analysis/model.js";
 import {refreshPlay, showNext} from "./analysis/next-poses.js";
 import {showResult} from "./analysis/result.js";
 import {showUserEffect} from "./analysis/user-effect.js";
@@ -14,7 +14,7 @@ import {showLink} from "./bridge-status.js";
 import {showTools} from "./command-runner.js";
 import {connect, on} from "./core/connection.js";
 import {offerViews} from "./core/session-export.js";
-import {act, notice, onNotice, state} from "./core/state.js";
+import {notice, onNotice, state} from "./core/state.js";
 import {hasCalibration, leaveCalibrate, calibrationSummary, onMessage as onCalibrateMessage, showCalibrate} from "./robots/calibrate.js";
 import {onMessage as onConfigurationMessage, showKeys} from "./robots/configuration.js";
 import {refreshStop} from "./robots/controls.js";
@@ -178,8 +178,8 @@ document.addEventListener("keydown", event => {
   const place = keyed.indexOf(event.key) + 1;
   if (place >= 1) go(views[place - 1].id);
   else if (!current || at("model").hidden || !state.ladder) return;
-  else if (event.key === "u" && state.ladder.at > 0) act({do: "goTo", rung: state.ladder.at - 1});
-  else if (event.key === "r" && state.ladder.at + 1 < state.ladder.rungs.length) act({do: "goTo", rung: state.ladder.at + 1});
+  else if (event.key === "u" && canUndo(state.ladder)) undo(state.ladder);
+  else if (event.key === "r" && canRedo(state.ladder)) redo(state.ladder);
 });
 
 function showHelp() {

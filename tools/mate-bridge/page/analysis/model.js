@@ -13,19 +13,25 @@ export function showModel(parent) {
 }
 
 // The library's ladder; unknown numbers are null.
-const ladderOf = ({at, rungs}) => errorLadder(rungs.map(({step, rms, heldOut = null, floor = null, alarm = null}) =>
-  ({name: step, rms, heldOut, floor, alarm})), {at, choose: rung => act({do: "goTo", rung})});
+const ladderOf = ({at, rungs}) => errorLadder(rungs.map(({step, from, rms, heldOut = null, floor = null, alarm = null}) =>
+  ({name: step, from, rms, heldOut, floor, alarm})), {at, choose: rung => act({do: "goTo", rung})});
 
 function saveLadder({rungs}) {
   const rows = rungs.map(({step, rms, heldOut, floor, alarm}) => [step || "base model", rms, heldOut, floor, alarm]);
   download("ladder.csv", csv([["model", "fitted poses [px]", "held-out error [px]", "noise floor [px]", "chance that noise alone looks this convincing"], ...rows]), "text/csv");
 }
 
-function historyButtons({at, rungs}) {
-  return element("p", {class: "controls"},
-    button("Undo", () => act({do: "goTo", rung: at - 1}), {disabled: at === 0, id: "undo", title: "u"}),
-    button("Redo", () => act({do: "goTo", rung: at + 1}), {disabled: at + 1 >= rungs.length, title: "r"}));
-}
+// Undo goes to the model that the present one was made from, redo to the newest one made from it.
+const originOf = ({rungs}, place) => rungs[place].from === undefined ? place - 1 : rungs[place].from ?? -1;
+const newestFrom = ladder => ladder.rungs.map((_, place) => originOf(ladder, place)).lastIndexOf(ladder.at);
+export const canUndo = ladder => originOf(ladder, ladder.at) >= 0;
+export const canRedo = ladder => newestFrom(ladder) >= 0;
+export const undo = ladder => act({do: "goTo", rung: originOf(ladder, ladder.at)});
+export const redo = ladder => act({do: "goTo", rung: newestFrom(ladder)});
+
+const historyButtons = ladder => element("p", {class: "controls"},
+  button("Undo", () => undo(ladder), {disabled: !canUndo(ladder), id: "undo", title: "u"}),
+  button("Redo", () => redo(ladder), {disabled: !canRedo(ladder), title: "r"}));
 
 // Effects of the model: added ones first, the base model below.
 function modelOf(fit) {

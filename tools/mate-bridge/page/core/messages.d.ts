@@ -23,10 +23,10 @@ export interface SetMessage {
   effects: {name: string, what: string, formula: string, own: boolean, unknowns: {name: string, unit: string, sigma: number}[]}[];
 }
 
-/** "ladder": all models so far; `at`: the present one. Errors in pixels. */
+/** "ladder": all models so far; `at`: the present one; `from`: the one that each was made from. Errors in pixels. */
 export interface LadderMessage {
   at: number;
-  rungs: {step: string, with: string[], without: string[], rms: number, heldOut?: number, floor?: number, alarm?: number}[];
+  rungs: {step: string, from?: number | null, with: string[], without: string[], rms: number, heldOut?: number, floor?: number, alarm?: number}[];
 }
 
 /** A quantity recorded with each picture. */

@@ -2,7 +2,7 @@
 import {button, element, empty, renew} from "naocal/lib/dom.js";
 import {act, notice} from "../core/state.js";
 import {runner, savingOn} from "./controls.js";
-import {entryOf, nameOf, needKeys, refreshBar, robotBar, robots, selectedRobot, whyNothing} from "./robots.js";
+import {entryOf, nameOf, needKeys, refreshBar, robotBar, selectedRobot, whyNothing} from "./robots.js";
 
 let mount = null, parentShown = null, filter = "", confirming = null; // the robot that is to save
 const edits = new Map(); // text by robot, mount and key, until it is set

@@ -126,6 +126,8 @@ export interface Rung {
   heldOut: number | null;
   floor: number | null;
   alarm: number | null;
+  /** The rung it was made from; without it the one before. */
+  from?: number | null;
 }
 
 /** A step of a diagnosis. */

@@ -5,7 +5,7 @@ import {enlargement, enlargedWords} from "naocal/lib/axes.js";
 import {direction, percent, px} from "naocal/lib/format.js";
 import {cornersOf, lengthOf, pictureError} from "naocal/lib/captures.js";
 
-/** @import {Corner, Layer, Picture, Target} from "naocal/lib/types.js" */
+/** @import {Corner, Layer, Picture} from "naocal/lib/types.js" */
 
 export const doubtfulBelow = 0.5; // of a corner's weight
 

@@ -18,7 +18,7 @@ export function errorLadder(rungs, {floorName = "noise floor", at, choose} = {})
       element("span", {class: "number" + (isKnown ? "" : " soft")}, isKnown ? px3(errorOf(rung)) : px3(rung.rms) + " fitted"),
       axis(place(rung.floor ?? floor), place(errorOf(rung)), isKnown)];
     return element("li", {}, tipOver(choose ? element("button", {type: "button", class: "rung", "aria-current": i === at ? "step" : null, onclick: () => choose(i)}, ...parts)
-      : element("div", {class: "rung"}, ...parts), words(rung, name, floorName, rungs[i - 1])));
+      : element("div", {class: "rung"}, ...parts), words(rung, name, floorName, rungs[rung.from ?? i - 1], (rung.from ?? i - 1) !== i - 1)));
   }), element("li", {class: "floor soft"}, element("span", {class: "name"}, floorName), element("span", {class: "number"}, floor ? px3(floor) : "…"), axis(place(floor))));
 }
 
@@ -33,9 +33,9 @@ function axis(band, length, isKnown) {
   return made;
 }
 
-/** @param {Rung} rung @param {string} name @param {string} floorName @param {Rung} [previous] */
-function words({dropped = [], rms, heldOut, floor, alarm}, name, floorName, previous) {
-  return name + (dropped.length ? ", which makes superfluous: " + dropped.join(", ") : "") +
+/** @param {Rung} rung @param {string} name @param {string} floorName @param {Rung} [previous] the one it was made from @param {boolean} [isBranch] */
+function words({dropped = [], rms, heldOut, floor, alarm}, name, floorName, previous, isBranch) {
+  return name + (dropped.length ? ", which makes superfluous: " + dropped.join(", ") : "") + (isBranch ? "\nmade from: " + (previous?.name || "base model") : "") +
     "\nheld-out error: " + (heldOut === null ? "not known" : px3(heldOut) + (previous?.heldOut ? " (" + px3(previous.heldOut) + " before)" : "")) +
     "\nfitted poses: " + px3(rms) + (floor === null ? "" : "\n" + floorName + ": " + px3(floor)) +
     (alarm === null ? "" : "\nchance that noise alone looks this convincing: " + chance(alarm));
