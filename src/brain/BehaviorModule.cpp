@@ -4,7 +4,7 @@
 
 namespace naocal {
 
-void to_json(nlohmann::json& out, const WantedLook& look) {
+void to_json(nlohmann::json& out, const HeadLookRequest& look) {
   out = {{"active", look.active}, {"yaw", look.yaw}, {"pitch", look.pitch}};
 }
 

@@ -10,13 +10,13 @@
 
 namespace naocal {
 
-void addBrainModules(Thread& brain, CameraInterface& cameras, const CalibrationSurroundings& surroundings) {
+void addBrainModules(Thread& brain, CameraInterface& cameras, const CalibrationContext& context) {
   brain.add<ImageReader>(cameras);
   brain.add<Projection>();
   brain.add<CaptureCollector>();
-  brain.add<CameraMatrices>(surroundings.drawing);
+  brain.add<CameraMatrices>(context.drawing);
   brain.add<BehaviorModule>();
-  brain.add<CalibrationRunner>(surroundings);
+  brain.add<CalibrationRunner>(context);
 }
 
 } // namespace naocal

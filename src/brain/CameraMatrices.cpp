@@ -25,11 +25,11 @@ nlohmann::json kinematicMatrix(const Eigen::Isometry3d& transform, double metre)
 
 } // namespace
 
-PanelMatrices panelMatrices(const Robot& drawing, const JointMoment& moment, CameraName camera,
-                            const CameraBelief& cameraBelief) {
+PanelCameraPose computePanelCameraPose(const Robot& drawing, const JointSample& moment, CameraName camera,
+                                       const CameraModel& cameraBelief) {
   Belief belief = drawnBelief(drawing, Quantities{drawing.joints.size(), drawing.lengths.size(), 0});
   for (std::size_t joint = 0; joint < drawing.joints.size(); ++joint) {
-    belief.angle(joint) = moment.angles[jointNumber(drawing.joints[joint].name).value()];
+    belief.angle(joint) = moment.angles[jointIndex(drawing.joints[joint].name).value()];
   }
   belief.mountRotation() = Eigen::Vector3d{cameraBelief.rotation.data()};
   const CameraMount& mount = drawing.cameras.at(drawing.cameraIndex(toString(camera)).value());
@@ -56,11 +56,11 @@ void CameraMatrices::cycle() {
   const auto belief = cameras_->find(std::string{toString(frame.camera)});
   const auto moment = moments_->at(std::min(frame.time + fromSeconds(*latency_), newest->time));
   if (belief != cameras_->end() && moment) {
-    matrices_ = panelMatrices(drawing_, *moment, frame.camera, belief->second);
+    matrices_ = computePanelCameraPose(drawing_, *moment, frame.camera, belief->second);
   }
 }
 
-void to_json(nlohmann::json& out, const PanelMatrices& matrices) {
+void to_json(nlohmann::json& out, const PanelCameraPose& matrices) {
   constexpr double millimetres = 1000, metres = 1;
   out = {{"torso2Head", kinematicMatrix(matrices.headFromTorso, millimetres)},
          {"ground2Torso", kinematicMatrix(matrices.torsoFromGround, millimetres)},

@@ -1,11 +1,9 @@
 #pragma once
 
-#include "brain/NewFrame.hpp"
+#include "brain/ImageReader.hpp"
 #include "brain/Projection.hpp"
-#include "framework/Dependency.hpp"
-#include "framework/Module.hpp"
-#include "framework/Production.hpp"
-#include "hardware/exchange/JointMoment.hpp"
+#include "framework/core/Module.hpp"
+#include "hardware/messages/JointSample.hpp"
 #include "robot/Robot.hpp"
 
 #include <Eigen/Geometry>
@@ -14,20 +12,20 @@ namespace naocal {
 
 /// Where a camera was while a picture was taken, as HULKs' panel wants it: `torso2Head` and `ground2Torso` in
 /// millimetres, `ground2Camera` in metres, each as angle, axis and position.
-struct PanelMatrices {
+struct PanelCameraPose {
   Eigen::Isometry3d headFromTorso = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d torsoFromGround = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d cameraFromGround = Eigen::Isometry3d::Identity();
   CameraName camera = CameraName::top;
 };
-void to_json(nlohmann::json& out, const PanelMatrices& matrices);
+void to_json(nlohmann::json& out, const PanelCameraPose& matrices);
 
 /// With joints and torso as at `moment` and the camera's mount as believed. The ground's origin lies on the floor under
 /// the torso, its axes are the torso's without roll and pitch; the lower sole stands on it:
 ///
 ///   groundFromTorso = Ry(pitch) Rx(roll) T(-sole), then x = y = 0
-PanelMatrices panelMatrices(const Robot& drawing, const JointMoment& moment, CameraName camera,
-                            const CameraBelief& belief);
+PanelCameraPose computePanelCameraPose(const Robot& drawing, const JointSample& moment, CameraName camera,
+                                       const CameraModel& belief);
 
 /// Tells them of every picture in the cycle in which it comes, so with its timestamp.
 class CameraMatrices final : public Module {
@@ -39,9 +37,9 @@ private:
   const Robot& drawing_;
   Dependency<NewFrame> frame_{*this, "frame"};
   Dependency<double> latency_{*this, "captureLatency"};
-  Dependency<CameraBeliefs> cameras_{*this, "cameras"};
-  Dependency<JointMoments> moments_{*this, "Motion.jointHistory"};
-  Production<PanelMatrices> matrices_{*this, "CameraCalibration.MatrixAndImageInfos"};
+  Dependency<CameraModels> cameras_{*this, "cameras"};
+  Dependency<JointSampleHistory> moments_{*this, "Motion.jointHistory"};
+  Production<PanelCameraPose> matrices_{*this, "CameraCalibration.MatrixAndImageInfos"};
 };
 
 } // namespace naocal

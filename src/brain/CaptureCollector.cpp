@@ -1,6 +1,10 @@
 #include "brain/CaptureCollector.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 namespace naocal {
 namespace {
@@ -13,7 +17,7 @@ std::vector<double> listOf(const PerJoint<double>& values) {
 
 } // namespace
 
-Capture captureOf(const CameraFrame& frame, TimePoint middle, const JointMoment& moment) {
+Capture makeCapture(const CameraFrame& frame, TimePoint middle, const JointSample& moment) {
   Capture capture;
   capture.time = middle.time_since_epoch();
   capture.camera = toString(frame.camera);
@@ -28,7 +32,7 @@ Capture captureOf(const CameraFrame& frame, TimePoint middle, const JointMoment&
 }
 
 void CaptureCollector::cycle() {
-  StillPicture& picture = picture_.edit();
+  StillImage& picture = picture_.edit();
   picture.isNew = picture.isMoving = false;
   if (frame_->isNew) {
     waiting_.push_back(frame_->frame);
@@ -45,18 +49,49 @@ void CaptureCollector::cycle() {
     return; // not measured yet
   }
   if (const auto moment = moments_->at(middle); moment && moment->stillFor > 0) {
-    picture = {true, false, waiting_.front(), captureOf(waiting_.front(), middle, *moment), moment->stillFor};
+    picture = {true, false, waiting_.front(), makeCapture(waiting_.front(), middle, *moment), moment->stillFor};
   } else if (moment) {
     picture.isMoving = true;
   }
   waiting_.pop_front();
 }
 
-void to_json(nlohmann::json& out, const StillPicture& picture) {
+void to_json(nlohmann::json& out, const StillImage& picture) {
   out = {{"isNew", picture.isNew},
          {"camera", picture.capture.camera},
          {"time", picture.capture.time.count()},
          {"stillFor", picture.stillFor}};
+}
+
+double imageDifference(const GreyPicture& one, const GreyPicture& other) {
+  constexpr int block = 16;
+  constexpr double share = 0.95;
+  if (one.width != other.width || one.height != other.height || one.width < block || one.height < block) {
+    return std::numeric_limits<double>::infinity();
+  }
+  std::vector<double> all;
+  for (int top = 0; top + block <= one.height; top += block) {
+    std::vector<double> row;
+    for (int left = 0; left + block <= one.width; left += block) {
+      int sum = 0;
+      for (int v = top; v < top + block; ++v) {
+        const std::size_t first = std::size_t(v) * std::size_t(one.width) + std::size_t(left);
+        for (std::size_t i = first; i < first + block; ++i) {
+          sum += one.pixels[i] - other.pixels[i];
+        }
+      }
+      row.push_back(double(sum) / (block * block));
+    }
+    std::vector<double> sorted = row;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    for (const double difference : row) {
+      all.push_back(std::abs(difference - *middle));
+    }
+  }
+  const auto most = all.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(all.size() - 1));
+  std::nth_element(all.begin(), most, all.end());
+  return *most;
 }
 
 } // namespace naocal

@@ -1,15 +1,29 @@
 #pragma once
 
-#include "brain/NewFrame.hpp"
-#include "framework/Module.hpp"
-#include "framework/Parameter.hpp"
-#include "framework/Production.hpp"
+#include "framework/core/Module.hpp"
+#include "framework/core/Parameter.hpp"
+#include "hardware/CameraInterface.hpp"
 
 #include <array>
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace naocal {
+
+/// The picture that came last; `isNew` in the cycle in which it came.
+struct NewFrame {
+  bool isNew = false;
+  CameraFrame frame;
+};
+void to_json(nlohmann::json& out, const NewFrame& frame);
+void to_json(nlohmann::json& out, const CameraStatus& link);
+
+/// A camera's picture for people: as a JPEG of quality 75, in colour where it has any.
+struct DisplayFrame {
+  CameraFrame frame;
+};
+EncodedImage toImage(const DisplayFrame& shown);
 
 /// Waits for the cameras' next picture: the brain thread's pace. Goes on without one after a fifth of a second, so that
 /// the thread can end and say what is wrong.
@@ -20,7 +34,7 @@ class ImageReader final : public Module {
 public:
   explicit ImageReader(CameraInterface& cameras) : Module{"ImageReader"}, cameras_{cameras} {}
   void cycle() override;
-  void parametersChanged() override;
+  void onParametersChanged() override;
 
 private:
   using Settings = std::map<std::string, int>;
@@ -31,9 +45,9 @@ private:
   std::array<Settings, 2> set_; // by CameraName
   Parameter<Settings> topSettings_{*this, "topSettings", known}, bottomSettings_{*this, "bottomSettings", known};
   Production<NewFrame> frame_{*this, "frame"};
-  Production<ShownFrame> top_{*this, "CameraCalibration.top_image"}; // the keys that HULKs' panel asks for
-  Production<ShownFrame> bottom_{*this, "CameraCalibration.bottom_image"};
-  Production<std::map<std::string, CameraLink>> links_{*this, "cameraLinks"};
+  Production<DisplayFrame> top_{*this, "CameraCalibration.top_image"}; // the keys that HULKs' panel asks for
+  Production<DisplayFrame> bottom_{*this, "CameraCalibration.bottom_image"};
+  Production<std::map<std::string, CameraStatus>> links_{*this, "cameraLinks"};
 };
 
 } // namespace naocal

@@ -5,9 +5,9 @@
 namespace naocal {
 namespace {
 
-CameraBelief belief(const std::array<double, 3>& rotation, const std::array<double, 2>& focal,
-                    const std::array<double, 2>& centre) {
-  CameraBelief result{{}, rotation};
+CameraModel belief(const std::array<double, 3>& rotation, const std::array<double, 2>& focal,
+                   const std::array<double, 2>& centre) {
+  CameraModel result{{}, rotation};
   CameraIntrinsics& lens = result.intrinsics;
   lens.fx = focal[0] * lens.width;
   lens.fy = focal[1] * lens.height;
@@ -18,12 +18,12 @@ CameraBelief belief(const std::array<double, 3>& rotation, const std::array<doub
 
 } // namespace
 
-void Projection::parametersChanged() {
+void Projection::onParametersChanged() {
   beliefs_ = {{"top", belief(*topRotation_, *topFocal_, *topCentre_)},
               {"bottom", belief(*bottomRotation_, *bottomFocal_, *bottomCentre_)}};
 }
 
-void to_json(nlohmann::json& out, const CameraBelief& belief) {
+void to_json(nlohmann::json& out, const CameraModel& belief) {
   out = {{"fc", {belief.intrinsics.fx, belief.intrinsics.fy}},
          {"cc", {belief.intrinsics.cx, belief.intrinsics.cy}},
          {"ext", belief.rotation}};

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "data/Capture.hpp"
-#include "framework/Module.hpp"
-#include "framework/Parameter.hpp"
-#include "framework/Production.hpp"
+#include "framework/core/Module.hpp"
+#include "framework/core/Parameter.hpp"
 
 #include <array>
 #include <map>
@@ -13,12 +12,12 @@
 namespace naocal {
 
 /// What is believed of one camera.
-struct CameraBelief {
+struct CameraModel {
   CameraIntrinsics intrinsics;
   std::array<double, 3> rotation{}; // of its mount beyond the drawing: rx, ry, rz in the camera's axes [rad]
 };
-using CameraBeliefs = std::map<std::string, CameraBelief>; // "top", "bottom"
-void to_json(nlohmann::json& out, const CameraBelief& belief);
+using CameraModels = std::map<std::string, CameraModel>; // "top", "bottom"
+void to_json(nlohmann::json& out, const CameraModel& belief);
 
 /// The cameras' calibration as HULKs keep it in Projection.json: focal length and centre as shares of the picture's
 /// width and height, the mount's rotation as roll, pitch, yaw in radians.
@@ -26,13 +25,13 @@ class Projection final : public Module {
 public:
   Projection() : Module{"Projection"} {}
   void cycle() override { beliefs_.edit(); }
-  void parametersChanged() override;
+  void onParametersChanged() override;
 
 private:
   Parameter<std::array<double, 3>> topRotation_{*this, "top_ext"}, bottomRotation_{*this, "bottom_ext"}; // [rad]
   Parameter<std::array<double, 2>> topFocal_{*this, "top_fc"}, bottomFocal_{*this, "bottom_fc"};         // [1]
   Parameter<std::array<double, 2>> topCentre_{*this, "top_cc"}, bottomCentre_{*this, "bottom_cc"};       // [1]
-  Production<CameraBeliefs> beliefs_{*this, "cameras"};
+  Production<CameraModels> beliefs_{*this, "cameras"};
 };
 
 } // namespace naocal

@@ -28,21 +28,21 @@ void ReplayedCalibration::cycle() {
   capture.joints.current = still.joints.current;
   capture.imu = still.imu;
   capture.fsr = still.fsr;
-  worker_.add([this, capture = std::move(capture), frame = picture_->frame] {
+  worker_.enqueue([this, capture = std::move(capture), frame = picture_->frame] {
     try {
-      session_->add(capture, frame);
+      session_->record(capture, frame);
     } catch (...) {
       failure_ = failure_ ? failure_ : std::current_exception();
     }
   });
 }
 
-std::string ReplayedCalibration::compared(const std::filesystem::path& recordedResult) {
-  worker_.finish();
+std::string ReplayedCalibration::compareWith(const std::filesystem::path& recordedResult) {
+  worker_.waitUntilIdle();
   if (failure_) {
     std::rethrow_exception(failure_);
   }
-  const StoredResult anew = session_->solved().result;
+  const StoredResult anew = session_->solve().result;
   const std::string replayed = fmt::format("{} captures were replayed and solved", session_->captures());
   if (!std::filesystem::exists(recordedResult)) {
     return replayed + "; the recording has no result to compare with.";

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "brain/CalibrationSession.hpp"
-#include "brain/StillPicture.hpp"
-#include "framework/Dependency.hpp"
-#include "framework/Module.hpp"
+#include "brain/CalibrationRecorder.hpp"
+#include "brain/CaptureCollector.hpp"
+#include "framework/core/Module.hpp"
 #include "hardware/replay/ReplayWorld.hpp"
 #include "math/Worker.hpp"
 
@@ -21,12 +20,12 @@ public:
 
   /// Once the replay is over and its thread has ended: solves, and says in a sentence how the estimates compare with a
   /// recorded result. Throws what was thrown on the way.
-  std::string compared(const std::filesystem::path& recordedResult);
+  std::string compareWith(const std::filesystem::path& recordedResult);
 
 private:
   const ReplayWorld& world_;
-  Dependency<StillPicture> picture_{*this, "stillPicture"};
-  std::optional<CalibrationSession> session_;
+  Dependency<StillImage> picture_{*this, "stillPicture"};
+  std::optional<CalibrationRecorder> session_;
   std::exception_ptr failure_; // the worker's first
   Worker worker_;              // last: it uses the others
 };

@@ -28,16 +28,16 @@ std::string mountKey(const std::string& camera) {
 
 } // namespace
 
-std::vector<ShownOffset> ofHead(std::vector<ShownOffset> offsets) {
+std::vector<ShownOffset> headOffsets(std::vector<ShownOffset> offsets) {
   std::erase_if(offsets, [](const ShownOffset& offset) { return !offset.joint.starts_with("Head"); });
   return offsets;
 }
 
-StoredResult configured(const Configuration& configuration) {
+StoredResult readConfiguredCalibration(const Configuration& configuration) {
   StoredResult result;
   nlohmann::json offsets, mounts;
-  configuration.keys(offsetsMount, offsets);
-  configuration.keys(camerasMount, mounts);
+  configuration.readKeys(offsetsMount, offsets);
+  configuration.readKeys(camerasMount, mounts);
   for (const std::string_view joint : jointNames) {
     if (joint != "RHipYawPitch" && !joint.ends_with("Hand")) { // no motor of its own; no angle
       const std::string term = fmt::format("jointOffset@{}", joint);
@@ -54,16 +54,16 @@ StoredResult configured(const Configuration& configuration) {
   return result;
 }
 
-std::string calibrationKeys(const Configuration& configuration) {
+std::string snapshotCalibration(const Configuration& configuration) {
   nlohmann::json all;
   for (const std::string& mount : calibrationMounts) {
-    configuration.keys(mount, all[mount]);
+    configuration.readKeys(mount, all[mount]);
   }
   return all.dump();
 }
 
-void putBack(const std::string& calibrationKeys, Configuration& configuration) {
-  const auto now = nlohmann::json::parse(naocal::calibrationKeys(configuration));
+void restoreCalibration(const std::string& calibrationKeys, Configuration& configuration) {
+  const auto now = nlohmann::json::parse(naocal::snapshotCalibration(configuration));
   const auto before = nlohmann::json::parse(calibrationKeys);
   for (const auto& [mount, keys] : before.items()) {
     for (const auto& [key, value] : keys.items()) {
@@ -74,8 +74,9 @@ void putBack(const std::string& calibrationKeys, Configuration& configuration) {
   }
 }
 
-void apply(const std::vector<ShownOffset>& offsets, const StoredResult& mounts, Configuration& configuration) {
-  const std::string before = calibrationKeys(configuration);
+void applyCalibration(const std::vector<ShownOffset>& offsets, const StoredResult& mounts,
+                      Configuration& configuration) {
+  const std::string before = snapshotCalibration(configuration);
   try {
     for (const ShownOffset& offset : offsets) {
       configuration.set(offsetsMount, offsetKey(offset.joint), degrees(offset.value));
@@ -94,13 +95,13 @@ void apply(const std::vector<ShownOffset>& offsets, const StoredResult& mounts, 
       }
     }
   } catch (...) {
-    putBack(before, configuration);
+    restoreCalibration(before, configuration);
     throw;
   }
 }
 
-void keepCalibrationTogether(Configuration& configuration) {
-  configuration.keepTogether(calibrationMounts);
+void saveCalibrationTogether(Configuration& configuration) {
+  configuration.saveTogether(calibrationMounts);
 }
 
 bool isCalibrationSaved(const Configuration& configuration) {

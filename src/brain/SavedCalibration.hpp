@@ -2,27 +2,28 @@
 
 #include "calibration/EffectiveOffsets.hpp"
 #include "calibration/ResultFile.hpp"
-#include "framework/Configuration.hpp"
+#include "framework/configuration/Configuration.hpp"
 
 namespace naocal {
 
 /// Those of the neck.
-std::vector<ShownOffset> ofHead(std::vector<ShownOffset> offsets);
+std::vector<ShownOffset> headOffsets(std::vector<ShownOffset> offsets);
 
 /// The joints' offsets and the cameras' mounts as they are configured now.
-StoredResult configured(const Configuration& configuration);
+StoredResult readConfiguredCalibration(const Configuration& configuration);
 
 /// The keys of both as they are set now, to be put back.
-std::string calibrationKeys(const Configuration& configuration);
+std::string snapshotCalibration(const Configuration& configuration);
 
 /// Puts into effect the joints' offsets (Motion.JointCalibrationProvider, degrees) and the cameras' mounts of a result
 /// (Brain.Projection, radians); both hip yaw-pitches get their one motor's. Nothing is saved. Throws what the
 /// configuration throws; nothing has changed then.
-void apply(const std::vector<ShownOffset>& offsets, const StoredResult& mounts, Configuration& configuration);
-void putBack(const std::string& calibrationKeys, Configuration& configuration);
+void applyCalibration(const std::vector<ShownOffset>& offsets, const StoredResult& mounts,
+                      Configuration& configuration);
+void restoreCalibration(const std::string& calibrationKeys, Configuration& configuration);
 
 /// From now on neither is saved or undone without the other, whoever asks for it.
-void keepCalibrationTogether(Configuration& configuration);
+void saveCalibrationTogether(Configuration& configuration);
 
 /// Saves both, and undoes what was saved last. Throw ConfigurationError where that cannot be.
 bool isCalibrationSaved(const Configuration& configuration); // as it is now

@@ -1,7 +1,8 @@
 #include "motion/CommandSender.hpp"
 
+#include "hardware/RobotInterface.hpp"
+#include "hardware/messages/PoseRequest.hpp"
 #include "math/Angles.hpp"
-#include "motion/Lights.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -9,6 +10,24 @@
 #include <utility>
 
 namespace naocal {
+namespace {
+
+/// What the eyes tell people beside the robot: dark while its motors are off, white while they hold it, yellow while a
+/// person shall hold it, red after a fall.
+Leds ledsFor(const PlayerState& player) {
+  using Phase = PlayerState::Phase;
+  constexpr Rgb dark{}, white{0.5f, 0.5f, 0.5f}, red{1, 0, 0};
+  const Rgb eyes = player.phase == Phase::fallen ? red
+                   : player.phase == Phase::off  ? dark
+                   : player.held                 ? holdMeColour
+                                                 : white;
+  Leds leds;
+  leds.leftEye.fill(eyes);
+  leds.rightEye.fill(eyes);
+  return leds;
+}
+
+} // namespace
 
 void CommandSender::cycle() {
   if (!measured_->isNew) {
@@ -24,9 +43,9 @@ void CommandSender::cycle() {
     added_.values[joint] += std::clamp(offsets_->values[joint] - added_.values[joint], -most, most);
   }
   RobotCommand command;
-  command.angles = sentToMotors(desired_->angles, added_, limits_);
+  command.angles = toMotorAngles(desired_->angles, added_, limits_);
   command.stiffness.fill(desired_->stiffness);
-  command.leds = lights(*player_);
+  command.leds = ledsFor(*player_);
   robot_.send(command);
   sent_ = command.angles;
 }

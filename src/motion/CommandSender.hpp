@@ -1,12 +1,9 @@
 #pragma once
 
-#include "framework/Checks.hpp"
-#include "framework/Dependency.hpp"
-#include "framework/Module.hpp"
-#include "framework/Parameter.hpp"
-#include "framework/Production.hpp"
-#include "motion/Measured.hpp"
+#include "framework/core/Module.hpp"
+#include "framework/core/Parameter.hpp"
 #include "motion/PosePlayer.hpp"
+#include "motion/SensorProvider.hpp"
 
 namespace naocal {
 
@@ -23,9 +20,9 @@ private:
   RobotInterface& robot_;
   JointLimits limits_;
   JointOffsets added_;
-  bool isFirst_ = true;                                                // offsets are added at once
-  Parameter<double> offsetSpeed_{*this, "offsetSpeed", within<1, 90>}; // [deg/s]
-  Dependency<Measured> measured_{*this, "measured"};
+  bool isFirst_ = true;                                                     // offsets are added at once
+  Parameter<double> offsetSpeed_{*this, "offsetSpeed", checkWithin<1, 90>}; // [deg/s]
+  Dependency<SensorFrame> measured_{*this, "measured"};
   Dependency<JointOffsets> offsets_{*this, "JointCalibrationData"};
   Dependency<DesiredPose> desired_{*this, "desiredPose"};
   Dependency<PlayerState> player_{*this, "player"};

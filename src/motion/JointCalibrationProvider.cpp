@@ -29,25 +29,25 @@ JointCalibrationProvider::JointCalibrationProvider() : Module{"JointCalibrationP
   }
 }
 
-void JointCalibrationProvider::parametersChanged() {
+void JointCalibrationProvider::onParametersChanged() {
   for (std::size_t joint = 0; joint < jointCount; ++joint) {
     offsets_.values[joint] = radians(*degrees_[joint]);
   }
-  constexpr std::size_t left = *jointNumber("LHipYawPitch"), right = *jointNumber("RHipYawPitch");
+  constexpr std::size_t left = *jointIndex("LHipYawPitch"), right = *jointIndex("RHipYawPitch");
   problem_ =
       *degrees_[left] == *degrees_[right]
           ? std::string{}
           : fmt::format("rHipYawPitch ({} degrees) differs from lHipYawPitch ({} degrees); one motor drives both, "
                         "so the left one's counts: make them equal.",
                         *degrees_[right], *degrees_[left]);
-  joinHipYawPitch(offsets_);
+  coupleHipYawPitch(offsets_);
 }
 
 void JointCalibrationProvider::cycle() {
   offsetsShown_ = offsets_;
   problem_.edit();
   if (measured_->isNew) {
-    angles_ = compensated(measured_->state.angles, offsets_);
+    angles_ = compensate(measured_->state.angles, offsets_);
   }
 }
 

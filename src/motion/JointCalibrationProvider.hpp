@@ -1,11 +1,9 @@
 #pragma once
 
-#include "framework/Dependency.hpp"
-#include "framework/Module.hpp"
-#include "framework/Parameter.hpp"
-#include "framework/Production.hpp"
+#include "framework/core/Module.hpp"
+#include "framework/core/Parameter.hpp"
 #include "motion/JointOffsets.hpp"
-#include "motion/Measured.hpp"
+#include "motion/SensorProvider.hpp"
 
 #include <deque>
 #include <string>
@@ -22,12 +20,12 @@ class JointCalibrationProvider final : public Module {
 public:
   JointCalibrationProvider();
   void cycle() override;
-  void parametersChanged() override;
+  void onParametersChanged() override;
 
 private:
   std::deque<Parameter<double>> degrees_; // in the order of `jointNames`
   JointOffsets offsets_;
-  Dependency<Measured> measured_{*this, "measured"};
+  Dependency<SensorFrame> measured_{*this, "measured"};
   Production<JointOffsets> offsetsShown_{*this, "JointCalibrationData"};
   Production<CompensatedAngles> angles_{*this, "angles"};
   Production<std::string> problem_{*this, "JointCalibrationProvider.problem"}; // one sentence, empty when all is well

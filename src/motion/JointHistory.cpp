@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 namespace naocal {
-bool JointHistory::isStill(const JointMoment& moment) const {
+bool JointHistory::isStill(const JointSample& moment) const {
   const auto slow = [](double limit) { return [limit](double speed) { return std::abs(speed) <= limit; }; };
   return std::all_of(moment.speeds.begin(), moment.speeds.end(), slow(*fastestJoint_)) &&
          std::all_of(moment.turning.begin(), moment.turning.end(), slow(*fastestTurn_));
@@ -15,7 +15,7 @@ void JointHistory::cycle() {
     return;
   }
   const RobotState& state = measured_->state;
-  JointMoment moment{.raw = state.angles, .angles = *angles_, .sent = *sent_};
+  JointSample moment{.raw = state.angles, .angles = *angles_, .sent = *sent_};
   moment.temperatures = state.temperature;
   moment.currents = state.current;
   moment.tilt = {state.torsoAngles.x(), state.torsoAngles.y()};
@@ -30,7 +30,7 @@ void JointHistory::cycle() {
   } else if (!stillSince_) {
     stillSince_ = state.time;
   }
-  moment.stillFor = stillSince_ ? seconds(state.time - *stillSince_) : 0;
+  moment.stillFor = stillSince_ ? toSeconds(state.time - *stillSince_) : 0;
   stillFor_ = moment.stillFor;
   moments_.edit().push(state.time, moment);
 }

@@ -1,12 +1,9 @@
 #pragma once
 
-#include "framework/Checks.hpp"
-#include "framework/Dependency.hpp"
-#include "framework/Module.hpp"
-#include "framework/Parameter.hpp"
-#include "framework/Production.hpp"
-#include "hardware/exchange/JointMoment.hpp"
-#include "motion/Measured.hpp"
+#include "framework/core/Module.hpp"
+#include "framework/core/Parameter.hpp"
+#include "hardware/messages/JointSample.hpp"
+#include "motion/SensorProvider.hpp"
 
 #include <optional>
 
@@ -22,15 +19,16 @@ public:
   void cycle() override;
 
 private:
-  bool isStill(const JointMoment& moment) const;
+  bool isStill(const JointSample& moment) const;
 
-  Parameter<double> window_{*this, "window", share};                     // [s]
-  Parameter<double> fastestJoint_{*this, "fastestJoint", within<0, 10>}; // that counts as still [rad/s]
-  Parameter<double> fastestTurn_{*this, "fastestTurn", within<0, 10>};   // of the torso, that counts as still [rad/s]
-  Dependency<Measured> measured_{*this, "measured"};
+  Parameter<double> window_{*this, "window", checkShare};                     // [s]
+  Parameter<double> fastestJoint_{*this, "fastestJoint", checkWithin<0, 10>}; // that counts as still [rad/s]
+  Parameter<double> fastestTurn_{*this, "fastestTurn",
+                                 checkWithin<0, 10>}; // of the torso, that counts as still [rad/s]
+  Dependency<SensorFrame> measured_{*this, "measured"};
   Dependency<CompensatedAngles> angles_{*this, "angles"};
   Dependency<RawAngles> sent_{*this, "sentAngles"};
-  Production<JointMoments> moments_{*this, "jointHistory"};
+  Production<JointSampleHistory> moments_{*this, "jointHistory"};
   Production<double> stillFor_{*this, "stillFor"}; // [s]
   std::optional<TimePoint> stillSince_;
 };

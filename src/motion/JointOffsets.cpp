@@ -8,12 +8,12 @@ void to_json(nlohmann::json& out, const JointOffsets& offsets) {
   out = {{"calibrationOffsets", offsets.values}};
 }
 
-CompensatedAngles compensated(const RawAngles& raw, const JointOffsets& offsets) {
+CompensatedAngles compensate(const RawAngles& raw, const JointOffsets& offsets) {
   CompensatedAngles angles;
   for (std::size_t joint = 0; joint < jointCount; ++joint) {
     angles[joint] = raw[joint] - offsets.values[joint];
   }
-  joinHipYawPitch(angles);
+  coupleHipYawPitch(angles);
   return angles;
 }
 
@@ -42,14 +42,14 @@ double JointLimits::maxSpeed(std::size_t joint) const {
   return drawn_[joint] ? robot_.joints[*drawn_[joint]].maxSpeed : 0;
 }
 
-RawAngles sentToMotors(const CompensatedAngles& desired, const JointOffsets& offsets, const JointLimits& limits) {
-  const CompensatedAngles reachable = limits.clamped(desired);
+RawAngles toMotorAngles(const CompensatedAngles& desired, const JointOffsets& offsets, const JointLimits& limits) {
+  const CompensatedAngles reachable = limits.clamp(desired);
   RawAngles raw;
   for (std::size_t joint = 0; joint < jointCount; ++joint) {
     raw[joint] = reachable[joint] + offsets.values[joint];
   }
-  joinHipYawPitch(raw);
-  return limits.clamped(raw);
+  coupleHipYawPitch(raw);
+  return limits.clamp(raw);
 }
 
 } // namespace naocal

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hardware/exchange/CompensatedAngles.hpp"
+#include "hardware/messages/CompensatedAngles.hpp"
 #include "robot/Robot.hpp"
 
 #include <nlohmann/json_fwd.hpp>
@@ -14,7 +14,7 @@ struct JointOffsets {
 void to_json(nlohmann::json& out, const JointOffsets& offsets);
 
 /// angles = raw - offsets: where the joints are when their encoders show `raw`.
-CompensatedAngles compensated(const RawAngles& raw, const JointOffsets& offsets);
+CompensatedAngles compensate(const RawAngles& raw, const JointOffsets& offsets);
 
 /// The robot's joint limits in the order of `jointNames`.
 class JointLimits {
@@ -22,7 +22,7 @@ public:
   explicit JointLimits(const Robot& robot);
 
   /// Each angle within its joint's limits, those included that depend on another joint's angle.
-  template <class Angles> Angles clamped(const Angles& angles) const {
+  template <class Angles> Angles clamp(const Angles& angles) const {
     Angles result = angles;
     clamp(result.values);
     return result;
@@ -41,6 +41,6 @@ private:
 /// raw = desired + offsets: what to send so that the joints come to `desired`. Both are kept within the limits: the
 /// joint's own stop counts its angle, the motor's controller what the encoder shows. Both hip yaw-pitches get one
 /// angle.
-RawAngles sentToMotors(const CompensatedAngles& desired, const JointOffsets& offsets, const JointLimits& limits);
+RawAngles toMotorAngles(const CompensatedAngles& desired, const JointOffsets& offsets, const JointLimits& limits);
 
 } // namespace naocal

@@ -6,9 +6,11 @@
 #include "motion/PosePlayer.hpp"
 #include "motion/SensorProvider.hpp"
 
+#include <nlohmann/json.hpp> // modules show their values
+
 namespace naocal {
 
-void addMotionModules(Thread& motion, RobotInterface& robot, const Robot& drawing, Ending& ending) {
+void addMotionModules(Thread& motion, RobotInterface& robot, const Robot& drawing, ShutdownRequest& ending) {
   motion.add<SensorProvider>(robot);
   motion.add<JointCalibrationProvider>();
   motion.add<PosePlayer>(drawing, ending);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "framework/Thread.hpp"
+#include "framework/core/Thread.hpp"
 #include "hardware/RobotInterface.hpp"
 #include "motion/PosePlayer.hpp"
 #include "robot/Robot.hpp"
@@ -8,6 +8,6 @@
 namespace naocal {
 
 /// The motion thread's modules, for a robot and its drawing, which must outlive the thread, and so must `ending`.
-void addMotionModules(Thread& motion, RobotInterface& robot, const Robot& drawing, Ending& ending);
+void addMotionModules(Thread& motion, RobotInterface& robot, const Robot& drawing, ShutdownRequest& ending);
 
 } // namespace naocal

@@ -31,18 +31,18 @@ PoseMotion::PoseMotion(const CompensatedAngles& start, std::vector<CompensatedAn
   }
 }
 
-std::size_t PoseMotion::passed(double time) const {
+std::size_t PoseMotion::passedPoints(double time) const {
   return static_cast<std::size_t>(std::upper_bound(ends_.begin(), ends_.end(), time) - ends_.begin());
 }
 
 CompensatedAngles PoseMotion::at(double time) const {
-  const std::size_t line = passed(time);
+  const std::size_t line = passedPoints(time);
   if (line == ends_.size()) {
     return points_.back();
   }
   const double begin = line == 0 ? 0 : ends_[line - 1];
   const double t = std::max(0.0, (time - begin) / (ends_[line] - begin));
-  return interpolated(points_[line], points_[line + 1], t * t * t * (10 - 15 * t + 6 * t * t));
+  return interpolate(points_[line], points_[line + 1], t * t * t * (10 - 15 * t + 6 * t * t));
 }
 
 } // namespace naocal

@@ -20,7 +20,7 @@ public:
   CompensatedAngles at(double time) const;
 
   /// How many of the points were passed by then.
-  std::size_t passed(double time) const;
+  std::size_t passedPoints(double time) const;
 
 private:
   std::vector<CompensatedAngles> points_; // the start first

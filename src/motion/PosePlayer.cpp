@@ -9,26 +9,32 @@
 namespace naocal {
 namespace {
 
-using Phase = PlayerState::Phase;
+constexpr double longestSilence = 0.1; // [s]
+
+bool isTouched(const Touch& touch) {
+  return touch.headFront || touch.headMiddle || touch.headRear || touch.leftFootLeft || touch.leftFootRight ||
+         touch.rightFootLeft || touch.rightFootRight || touch.leftHandBack || touch.leftHandLeft ||
+         touch.leftHandRight || touch.rightHandBack || touch.rightHandLeft || touch.rightHandRight;
+}
 
 } // namespace
 
 std::string PosePlayer::joints(const std::map<std::string, double>& stand) {
   for (const auto& [name, degrees] : stand) {
-    if (!jointNumber(name) || !(std::abs(degrees) <= 180)) {
+    if (!jointIndex(name) || !(std::abs(degrees) <= 180)) {
       return fmt::format("an angle in degrees for each joint, named as in {}; {} is none", jointNames[0], name);
     }
   }
   return "";
 }
 
-void PosePlayer::parametersChanged() {
+void PosePlayer::onParametersChanged() {
   home_ = {};
   for (const auto& [name, degrees] : *stand_) {
-    home_[jointNumber(name).value()] = radians(degrees);
+    home_[jointIndex(name).value()] = radians(degrees);
   }
-  joinHipYawPitch(home_);
-  home_ = limits_.clamped(home_);
+  coupleHipYawPitch(home_);
+  home_ = limits_.clamp(home_);
   state_.edit().home = home_;
 }
 
@@ -44,8 +50,30 @@ void PosePlayer::cycle() {
     watch(measured_->state);
     advance();
   }
-  ending_.atRest = state_->phase == Phase::off || state_->phase == Phase::fallen || state_->atHome;
+  ending_.atRest = !isPlaying() || stage_ == Stage::atStand;
   forBrain_.edit().write(*state_);
+}
+
+void PosePlayer::enter(Stage stage) {
+  using Phase = PlayerState::Phase;
+  stage_ = stage;
+  state_.edit().atHome = stage == Stage::atStand;
+  switch (stage) {
+  case Stage::off:
+    state_.edit().phase = Phase::off;
+    return;
+  case Stage::fallen:
+    state_.edit().phase = Phase::fallen;
+    return;
+  case Stage::atStand:
+  case Stage::holding:
+  case Stage::askingForHands:
+    state_.edit().phase = Phase::holding;
+    return;
+  case Stage::goingOut:
+  case Stage::goingHome:
+    state_.edit().phase = Phase::moving;
+  }
 }
 
 void PosePlayer::look(const PoseRequest& request) {
@@ -63,14 +91,14 @@ void PosePlayer::look(const PoseRequest& request) {
     state.done = true;
     return;
   case PoseRequest::Kind::rest:
-    stop(Phase::off, "");
+    stop(Stage::off, "");
     state.done = true;
   }
 }
 
 std::string PosePlayer::unreachable(const PoseRequest& request) const {
   for (const CompensatedAngles& point : request.points) {
-    const CompensatedAngles reachable = limits_.clamped(point);
+    const CompensatedAngles reachable = limits_.clamp(point);
     for (std::size_t joint = 0; joint < jointCount; ++joint) {
       if (!(std::abs(point[joint] - reachable[joint]) < 1e-6)) { // also for what is no number
         return fmt::format("{} was refused: {} cannot take {:.1f} degrees there.", request.name, jointNames[joint],
@@ -91,10 +119,10 @@ bool PosePlayer::isNear(const CompensatedAngles& angles, const CompensatedAngles
 }
 
 bool PosePlayer::isReady(const std::string& who) {
-  PlayerState& state = state_.edit();
-  if (state.phase == Phase::moving || state.phase == Phase::holding) {
+  if (isPlaying()) {
     return true;
   }
+  PlayerState& state = state_.edit();
   if (!isNear(*angles_, home_)) {
     state.reason = fmt::format("{} was refused: the robot is not at its stand. Put it there (each joint within {:.0f} "
                                "degrees) and start again.",
@@ -114,7 +142,7 @@ void PosePlayer::go(const PoseRequest& request) {
   }
   leaveMotion();
   extendTrail(desired_->angles);
-  start(request.points);
+  start(Stage::goingOut, request.points);
   state_.edit().needsHands |= request.held;
 }
 
@@ -127,7 +155,7 @@ void PosePlayer::goHome(const std::string& reason) {
   waits_ = false;
   PlayerState& state = state_.edit();
   if (state.needsHands && !state.held) {
-    state.phase = Phase::holding;
+    enter(Stage::askingForHands);
     state.held = true;
     state.reason += fmt::format("{}Take hold of it by its trunk: its eyes are yellow. It steps back onto both feet in "
                                 "{:.0f} s, or at once when its chest button is pressed.",
@@ -139,33 +167,28 @@ void PosePlayer::goHome(const std::string& reason) {
 }
 
 void PosePlayer::startHome() {
-  handsUntil_.reset();
-  start({trail_.rbegin(), trail_.rend()});
-  goingHome_ = true;
+  start(Stage::goingHome, {trail_.rbegin(), trail_.rend()});
 }
 
-void PosePlayer::start(std::vector<CompensatedAngles> points) {
+void PosePlayer::start(Stage stage, std::vector<CompensatedAngles> points) {
   points_ = std::move(points);
   motion_.emplace(desired_->angles, points_, limits_, *speed_);
   motionTime_ = 0;
-  state_.edit().phase = Phase::moving;
-  state_.edit().atHome = false;
+  enter(stage);
   desired_.edit().stiffness = *stiffness_;
 }
 
 void PosePlayer::leaveMotion() {
-  handsUntil_.reset();
   if (!motion_) {
     return;
   }
-  const auto passed = points_.begin() + static_cast<std::ptrdiff_t>(motion_->passed(motionTime_));
-  if (goingHome_) {
+  const auto passed = points_.begin() + static_cast<std::ptrdiff_t>(motion_->passedPoints(motionTime_));
+  if (stage_ == Stage::goingHome) {
     trail_.assign(std::make_reverse_iterator(points_.end()), std::make_reverse_iterator(passed));
   } else {
     std::for_each(points_.begin(), passed, [this](const CompensatedAngles& point) { extendTrail(point); });
   }
   motion_.reset();
-  goingHome_ = false;
 }
 
 void PosePlayer::extendTrail(const CompensatedAngles& point) {
@@ -176,28 +199,28 @@ void PosePlayer::extendTrail(const CompensatedAngles& point) {
   }
 }
 
-void PosePlayer::stop(Phase phase, const std::string& reason) {
+void PosePlayer::stop(Stage stage, const std::string& reason) {
   leaveMotion();
   waits_ = false;
   PlayerState& state = state_.edit();
-  state = {.phase = phase,
-           .request = state.request,
+  state = {.request = state.request,
            .held = state.held,
            .needsHands = state.needsHands,
            .home = home_,
            .reason = reason,
            .presses = state.presses};
-  desired_.edit().stiffness = phase == Phase::off ? 0 : phase == Phase::fallen ? *fallenStiffness_ : *stiffness_;
+  enter(stage);
+  desired_.edit().stiffness = stage == Stage::off ? 0 : stage == Stage::fallen ? *fallenStiffness_ : *stiffness_;
 }
 
 void PosePlayer::advance() {
   PlayerState& state = state_.edit();
   DesiredPose& desired = desired_.edit();
-  if (state.phase == Phase::off || state.phase == Phase::fallen) {
+  if (!isPlaying()) {
     desired.angles = *angles_; // nothing pulls when the motors come on
     return;
   }
-  if (handsUntil_ && now_ >= *handsUntil_) {
+  if (stage_ == Stage::askingForHands && now_ >= handsUntil_) {
     startHome();
   }
   if (!motion_) {
@@ -207,12 +230,11 @@ void PosePlayer::advance() {
   state.progress = std::min(1.0, motionTime_ / motion_->duration());
   state.secondsLeft = std::max(0.0, motion_->duration() - motionTime_);
   if (motionTime_ >= motion_->duration()) {
-    state.phase = Phase::holding;
     state.done = true;
     state.doneAt = now_;
-    state.atHome = goingHome_;
     leaveMotion();
-    if (state.atHome) {
+    enter(stage_ == Stage::goingHome ? Stage::atStand : Stage::holding);
+    if (stage_ == Stage::atStand) {
       trail_ = {home_};
       state.needsHands = state.held = false;
     }
@@ -221,6 +243,51 @@ void PosePlayer::advance() {
 
 void to_json(nlohmann::json& out, const DesiredPose& desired) {
   out = {{"angles", desired.angles.values}, {"stiffness", desired.stiffness}};
+}
+
+void PosePlayer::afterSilence(double length) {
+  if (isPlaying() && length > longestSilence && !isNear(*angles_, desired_->angles)) {
+    stop(Stage::fallen, fmt::format("Nothing was heard of the robot for {:.1f} s, and its joints were moved meanwhile, "
+                                    "so the motors are weak. Stand the robot up and start again.",
+                                    length));
+  }
+}
+
+void PosePlayer::chestPressed() {
+  const bool isOwn = isPlaying() && stage_ != Stage::atStand && !waits_;
+  if (!isOwn) {
+    ++state_.edit().presses;
+  } else if (stage_ == Stage::askingForHands) {
+    startHome();
+  } else if (stage_ != Stage::goingHome) {
+    goHome("The chest button was pressed: the robot goes back to its stand.");
+  }
+}
+
+void PosePlayer::watch(const RobotState& state) {
+  const bool newlyPressed = state.touch.chestButton && !wasPressed_;
+  wasPressed_ = state.touch.chestButton;
+  if (newlyPressed) {
+    chestPressed();
+  }
+  if (!isPlaying()) {
+    return;
+  }
+  const double tilt = degrees(std::max(std::abs(state.torsoAngles.x()), std::abs(state.torsoAngles.y())));
+  const auto hot = std::max_element(state.temperature.begin(), state.temperature.end());
+  const bool isOut = stage_ == Stage::goingOut || stage_ == Stage::holding;
+  if (tilt > *largestTilt_) {
+    stop(Stage::fallen, fmt::format("The torso is tilted by {:.0f} degrees, so the motors are weak. Stand the robot up "
+                                    "and start again.",
+                                    tilt));
+  } else if (isTouched(state.touch) && motion_) {
+    stop(Stage::holding, "The robot was touched and stopped. Press its chest button to have it go back to its stand.");
+  } else if (ending_.asked && isOut) {
+    goHome("The program is being ended: the robot goes back to its stand.");
+  } else if (*hot > *hottest_ && isOut) {
+    goHome(fmt::format("{} is {:.0f} degrees Celsius hot: the robot goes back to its stand. Let it cool down.",
+                       jointNames[static_cast<std::size_t>(hot - state.temperature.begin())], *hot));
+  }
 }
 
 } // namespace naocal

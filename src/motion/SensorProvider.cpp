@@ -13,19 +13,19 @@ nlohmann::json listOf(const Eigen::Vector3d& vector) {
 } // namespace
 
 void SensorProvider::cycle() {
-  Measured& measured = measured_.edit();
+  SensorFrame& measured = measured_.edit();
   auto state = robot_.waitForState(std::chrono::milliseconds{100});
   measured.isNew = state.has_value();
   if (state) {
-    measured.since = measured.state.time == TimePoint{} ? 0 : seconds(state->time - measured.state.time);
+    measured.since = measured.state.time == TimePoint{} ? 0 : toSeconds(state->time - measured.state.time);
     measured.state = *std::move(state);
     setCycleTime(measured.state.time);
-    health_ = healthOf(measured.state);
+    health_ = summarizeHealth(measured.state);
   }
-  link_ = robot_.link();
+  link_ = robot_.status();
 }
 
-void to_json(nlohmann::json& out, const Measured& measured) {
+void to_json(nlohmann::json& out, const SensorFrame& measured) {
   const RobotState& state = measured.state;
   const Touch& touch = state.touch;
   out = {{"isNew", measured.isNew},
@@ -49,7 +49,7 @@ void to_json(nlohmann::json& out, const Measured& measured) {
            {"rightHand", touch.rightHandBack || touch.rightHandLeft || touch.rightHandRight}}}};
 }
 
-Health healthOf(const RobotState& state) {
+Health summarizeHealth(const RobotState& state) {
   const auto hottest = std::max_element(state.temperature.begin(), state.temperature.end());
   return {state.battery.charge, state.battery.current > 0,
           jointNames[static_cast<std::size_t>(hottest - state.temperature.begin())], *hottest};
@@ -62,7 +62,7 @@ void to_json(nlohmann::json& out, const Health& health) {
          {"temperature", health.temperature}};
 }
 
-void to_json(nlohmann::json& out, const RobotLink& link) {
+void to_json(nlohmann::json& out, const RobotStatus& link) {
   out = {{"states", link.states},
          {"lostStates", link.lostStates},
          {"reconnects", link.reconnects},

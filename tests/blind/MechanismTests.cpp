@@ -1,5 +1,4 @@
 #include "blind/NaoV6.hpp"
-#include "writer/Drawn.hpp"
 #include "writer/Mechanism.hpp"
 #include "writer/Pictures.hpp"
 #include "writer/Question.hpp"
@@ -10,8 +9,8 @@ namespace blind {
 namespace {
 
 Question soundRobot(int poses = 8) {
-  Chance chance{7, "mechanism"};
-  return ask(naoV6(), {"control", "", 0, poses, "clean"}, chance);
+  RandomStream chance{7, "mechanism"};
+  return drawQuestion(naoV6(), {"control", "", 0, poses, "clean"}, chance);
 }
 
 } // namespace
@@ -28,9 +27,9 @@ TEST_CASE("a link in a gap stays until it is pushed, and a load drives it to the
   CHECK(play.link() == Approx(0.005));
   play.pushTo(-0.02);
   CHECK(play.link() == Approx(-0.01));
-  play.load(-0.02, 0.01); // weaker than friction
+  play.applyLoad(-0.02, 0.01); // weaker than friction
   CHECK(play.link() == Approx(-0.01));
-  play.load(-0.02, -1);
+  play.applyLoad(-0.02, -1);
   CHECK(play.link() == Approx(-0.03));
 }
 
@@ -66,8 +65,8 @@ TEST_CASE("a gear that sticks keeps its side until the load beats its friction")
 TEST_CASE("readings that jitter leave the robot where it stands, and vary by as much as they are told") {
   // Proves level and independence of both kinds of repeats, whole steps, and that the true angles do not follow.
   const std::string kind = GENERATE("rest", "reapproach");
-  Chance chance{11, "jitter"};
-  const Question question = ask(naoV6(), {"jitter", kind, 0, 20, "jitter 0.10"}, chance);
+  RandomStream chance{11, "jitter"};
+  const Question question = drawQuestion(naoV6(), {"jitter", kind, 0, 20, "jitter 0.10"}, chance);
   const Skeleton skeleton{naoV6(), question.robot.flaws};
   const auto angles = trueAngles(question.robot, question.session, skeleton);
   const int knee = naoV6().joint("LKneePitch");
@@ -88,43 +87,6 @@ TEST_CASE("readings that jitter leave the robot where it stands, and vary by as 
   CHECK(std::sqrt(square / count) == Approx(expected).epsilon(0.25)); // 60 readings: 9 % (1 sigma)
 }
 
-TEST_CASE("an event's truth tells between which readings it happened") {
-  // Proves the moments of all three kinds against what the pictures show: nothing moves before, something after.
-  const std::string kind = GENERATE("kicked board", "slipped robot", "offset step");
-  Chance chance{5, "event"}, mistakes{5, "mistakes"};
-  Question question = ask(naoV6(), {"event", kind, 0, 16, "clean"}, chance);
-  Question calm = question;
-  calm.robot = withoutFlaws(question.robot);
-  corruptSession(kind, question.session, mistakes);
-  const auto happened = happening(question);
-  REQUIRE(happened);
-  CHECK(happened->what == kind);
-  CHECK(happened->before < happened->after);
-  const Pictures moved{question.robot, question.session}, still{calm.robot, calm.session};
-  double before = 0, after = 0;
-  for (const Sight& sight : question.session.sights) {
-    const double time = question.session.readings[sight.reading].time - question.session.readings.front().time;
-    const double shift = (moved.corners(sight).front() - still.corners(sight).front()).norm();
-    double& most = time <= happened->before ? before : after;
-    most = std::max(most, shift);
-  }
-  CHECK(before < 1e-6);
-  CHECK(after > 1); // [px]
-}
-
-TEST_CASE("a twin does nearly the same to the pictures, and plausible sizes are met") {
-  // Proves that a twin set has one, named at the hidden effect's place, and the size of sized sets.
-  Chance chance{3, "twin"};
-  const Question twin = ask(naoV6(), {"twin", "", 0, 20, "clean"}, chance);
-  REQUIRE(twin.hidden.size() == 1);
-  REQUIRE_FALSE(twin.twins.empty());
-  CHECK(twin.twins.front().ends_with("@" + twin.hidden.front().place));
-  CHECK_FALSE(twin.twins.front().starts_with(twin.hidden.front().family->effect + "@"));
-  const Question shifted = ask(naoV6(), {"sized", "cameraTranslation", 0, 20, "clean", false, 2}, chance);
-  const std::vector<double>& by = shifted.hidden.front().values;
-  CHECK(std::hypot(by[0], by[1], by[2]) == Approx(2 * 0.005));
-}
-
 TEST_CASE("an encoder's displaced magnet errs by a sin q + b cos q to first order") {
   // Proves that the geometry has the contract's signs; its second order is what a formula misses.
   JointFlaws flaws;
@@ -132,8 +94,8 @@ TEST_CASE("an encoder's displaced magnet errs by a sin q + b cos q to first orde
   flaws.magnetY = -0.006;
   for (const double read : {-1.2, -0.3, 0.0, 0.8, 2.0}) {
     const double expected = read + 0.004 * std::sin(read) + 0.006 * std::cos(read);
-    CHECK(turnedAngle(read, flaws) == Approx(expected).margin(1e-4));
-    const double angle = turnedAngle(read, flaws);
+    CHECK(linkAngle(read, flaws) == Approx(expected).margin(1e-4));
+    const double angle = linkAngle(read, flaws);
     CHECK(std::atan2(std::sin(angle) - 0.006, std::cos(angle) + 0.004) == Approx(read).margin(1e-12));
   }
 }
@@ -170,26 +132,6 @@ TEST_CASE("friction's play leaves a joint half a gap short of where it came to")
   }
 }
 
-TEST_CASE("a bent sheet keeps the length of its radii and bends as high as it is told") {
-  // Proves that bending is no stretching, and its height against the contract's h.
-  BoardFlaws flaws;
-  flaws.bow = 0.01;
-  const Eigen::Vector3d middle = sheetPoint(flaws, 3.5, 2.5), corner = sheetPoint(flaws, 0, 0);
-  CHECK(middle.z() - corner.z() == Approx(0.01).epsilon(1e-9));
-  CHECK(corner.z() == Approx(0).margin(1e-12));
-  double length = 0;
-  Eigen::Vector3d before = middle;
-  constexpr int pieces = 2000;
-  for (int i = 1; i <= pieces; ++i) {
-    const double share = static_cast<double>(i) / pieces;
-    const Eigen::Vector3d point = sheetPoint(flaws, 3.5 * (1 - share), 2.5 * (1 - share));
-    length += (point - before).norm();
-    before = point;
-  }
-  CHECK(length == Approx(std::hypot(3.5, 2.5) * Sheet::square).epsilon(1e-7));
-  CHECK(sheetPoint({}, 2, 3) == Eigen::Vector3d{0.16, -0.24, 0});
-}
-
 TEST_CASE("a soft sole tips until it carries the weight where it then is") {
   // Proves the balance of the sole and the contract's signs: pitch +c x, roll -c y.
   SoleFlaws flaws;
@@ -201,21 +143,6 @@ TEST_CASE("a soft sole tips until it carries the weight where it then is") {
   CHECK(pitch == Approx(0.2 * moved.x()).margin(1e-6));
   CHECK(roll == Approx(-0.2 * moved.y()).margin(1e-6));
   CHECK(pitch > 0.2 * centre.x()); // tipping forward brings the weight further forward
-}
-
-TEST_CASE("every planned attitude stands: its centre of mass lies over the sole") {
-  // Proves that poses are physical for the true robot; joint limits are asked while they are drawn.
-  const Question question = soundRobot(20);
-  const Pictures pictures{question.robot, question.session};
-  for (std::size_t i = 0; i < question.session.readings.size(); ++i) {
-    const int side = question.session.stances[question.session.readings[i].stance].side;
-    const Skeleton::Posture posture = pictures.skeleton().posture(pictures.angles(static_cast<int>(i)));
-    const Eigen::Vector3d centre =
-        pictures.skeleton().torsoFromSole(posture, side).inverse() * pictures.skeleton().centreOfMass(posture);
-    CHECK(centre.x() > -0.04);
-    CHECK(centre.x() < 0.085);
-    CHECK(std::abs(centre.y()) < 0.034);
-  }
 }
 
 } // namespace blind

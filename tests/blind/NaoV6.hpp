@@ -7,8 +7,7 @@
 namespace blind {
 
 inline const Drawing& naoV6() {
-  static const Drawing drawing =
-      readDrawing(std::string{NAOCAL_SOURCE_DIR} + "/home/configuration/drawings/NaoV6.json");
+  static const Drawing drawing = parseRobot(std::string{NAOCAL_SOURCE_DIR} + "/home/configuration/drawings/NaoV6.json");
   return drawing;
 }
 

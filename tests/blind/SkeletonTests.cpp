@@ -25,7 +25,7 @@ Eigen::Matrix4d matrix(const nlohmann::json& rows) {
   return result;
 }
 
-double distance(const Motion& motion, const Eigen::Matrix4d& expected) {
+double distance(const Transform& motion, const Eigen::Matrix4d& expected) {
   return std::max((motion.turn - expected.topLeftCorner<3, 3>()).cwiseAbs().maxCoeff(),
                   (motion.shift - expected.topRightCorner<3, 1>()).cwiseAbs().maxCoeff());
 }
@@ -61,12 +61,13 @@ TEST_CASE("the writer's screws put sole, cameras, centre of mass and torques whe
     }
     const int side = pose.at("supportFoot") == "left" ? 0 : 1;
     const Skeleton::Posture posture = skeleton.posture(angles);
-    const Motion soleFromTorso = skeleton.torsoFromSole(posture, side).inverse();
+    const Transform soleFromTorso = skeleton.torsoFromSole(posture, side).inverse();
     CHECK(distance(soleFromTorso, matrix(pose.at("soleFromTorso"))) < 1e-12);
     for (const auto& [camera, key] : {std::pair{0, "soleFromOpticalTop"}, {1, "soleFromOpticalBottom"}}) {
-      const Motion torsoFromCamera = skeleton.torsoFromCamera(posture, camera, Eigen::Matrix3d::Identity(), {0, 0, 0});
-      const Motion soleFromOptical =
-          soleFromTorso * torsoFromCamera * Motion{cameraFromOptical, Eigen::Vector3d::Zero()};
+      const Transform torsoFromCamera =
+          skeleton.torsoFromCamera(posture, camera, Eigen::Matrix3d::Identity(), {0, 0, 0});
+      const Transform soleFromOptical =
+          soleFromTorso * torsoFromCamera * Transform{cameraFromOptical, Eigen::Vector3d::Zero()};
       CHECK(distance(soleFromOptical, matrix(pose.at(key))) < 1e-12);
     }
     const Eigen::Vector3d centre = soleFromTorso * skeleton.centreOfMass(posture);

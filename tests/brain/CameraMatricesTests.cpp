@@ -10,9 +10,9 @@ namespace naocal {
 TEST_CASE("the panel's matrices are those of a robot that stands upright") {
   // Proves frames, units and directions by the drawing's lengths: straight legs, head turned to the left.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
-  JointMoment moment;
-  moment.angles[*jointNumber("HeadYaw")] = radians(90);
-  const nlohmann::json shown = panelMatrices(robot, moment, CameraName::top, {});
+  JointSample moment;
+  moment.angles[*jointIndex("HeadYaw")] = radians(90);
+  const nlohmann::json shown = computePanelCameraPose(robot, moment, CameraName::top, {});
   const auto position = [](const nlohmann::json& matrix) {
     const auto numbers = matrix[1].get<std::vector<double>>();
     return Eigen::Vector3d{numbers.data()};
@@ -29,9 +29,9 @@ TEST_CASE("the panel's matrices are those of a robot that stands upright") {
 TEST_CASE("a tilted torso moves the ground, not the head") {
   // Proves that roll and pitch come from the inertial unit: the ground's z axis, seen from a torso that leans forward.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
-  JointMoment moment;
+  JointSample moment;
   moment.tilt = {0, radians(10)};
-  const PanelMatrices matrices = panelMatrices(robot, moment, CameraName::bottom, {});
+  const PanelCameraPose matrices = computePanelCameraPose(robot, moment, CameraName::bottom, {});
   const Eigen::Vector3d up = matrices.torsoFromGround.linear().col(2);
   CHECK(up.x() == Approx(-std::sin(radians(10))));
   CHECK(matrices.headFromTorso.linear().isIdentity(1e-12));

@@ -2,12 +2,13 @@
 #include "brain/CaptureCollector.hpp"
 #include "brain/ImageReader.hpp"
 #include "brain/Projection.hpp"
-#include "framework/Configuration.hpp"
-#include "framework/Database.hpp"
-#include "framework/Thread.hpp"
+#include "framework/configuration/Configuration.hpp"
+#include "framework/core/Database.hpp"
+#include "framework/core/Thread.hpp"
 #include "io/Files.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -17,7 +18,7 @@ namespace {
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
-constexpr std::size_t yaw = *jointNumber("HeadYaw");
+constexpr std::size_t yaw = *jointIndex("HeadYaw");
 
 /// Cameras that give the pictures which the test puts there.
 class GivenCameras final : public CameraInterface {
@@ -30,14 +31,14 @@ public:
     frames.pop_front();
     return frame;
   }
-  CameraLink link(CameraName) const override { return {}; }
+  CameraStatus status(CameraName) const override { return {}; }
 
   std::deque<CameraFrame> frames;
 };
 
 /// A head whose angle is known at every moment; its largest speed is 1 rad/s.
 double trueYaw(TimePoint time) {
-  return 0.5 * std::sin(2 * seconds(time.time_since_epoch()));
+  return 0.5 * std::sin(2 * toSeconds(time.time_since_epoch()));
 }
 
 /// Stands for the motion thread: what it measured up to now.
@@ -48,7 +49,7 @@ public:
   void until(TimePoint now, std::mt19937& random) {
     for (; next_ <= now;
          next_ += milliseconds{12} + microseconds{std::uniform_int_distribution<int>{-900, 900}(random)}) {
-      JointMoment moment;
+      JointSample moment;
       moment.raw[yaw] = trueYaw(next_);
       moment.stillFor = still;
       moments_.edit().push(next_, moment);
@@ -58,14 +59,14 @@ public:
 
 private:
   TimePoint next_{std::chrono::seconds{1}};
-  Production<JointMoments> moments_{*this, "jointHistory"};
+  Production<JointSampleHistory> moments_{*this, "jointHistory"};
 };
 
 class Looking : public Module {
 public:
   Looking() : Module{"Looking"} {}
   void cycle() override {}
-  Dependency<StillPicture> picture{*this, "stillPicture"};
+  Dependency<StillImage> picture{*this, "stillPicture"};
 };
 
 struct Rig {
@@ -78,12 +79,12 @@ struct Rig {
     brain.add<ImageReader>(cameras);
     brain.add<CaptureCollector>();
     database.emplace(std::vector<Thread*>{&motion, &brain});
-    configure(brain, configuration);
+    configureModules(brain, configuration);
   }
   TemporaryFolder folder;
   Configuration configuration{folder.path(), {"", "Ada", "Bob"}, writeAtomically};
   GivenCameras cameras;
-  Thread motion{"Motion", Part::body}, brain{"Brain", Part::head};
+  Thread motion{"Motion", RobotPart::body}, brain{"Brain", RobotPart::head};
   Measuring& measuring = motion.add<Measuring>();
   Looking& see = brain.add<Looking>();
   std::optional<Database> database;
@@ -93,6 +94,23 @@ CameraFrame frameAt(TimePoint time) {
   CameraFrame frame;
   frame.time = time;
   return frame;
+}
+
+/// A chessboard of 40-pixel squares from `shift` on, with noise of 3 grey levels; rows 100 to 200 lit by `flicker`
+/// more.
+GreyPicture picture(double shift, unsigned seed, int flicker = 0) {
+  std::mt19937 random{seed};
+  std::normal_distribution<double> noise{0, 3};
+  GreyPicture result{640, 480, {}};
+  for (int v = 0; v < result.height; ++v) {
+    for (int u = 0; u < result.width; ++u) {
+      const double wave = std::sin((u + shift) * 0.0785) * std::sin(v * 0.0785);
+      const double grey = 128 + (wave > 0 ? 80 : -80) * std::min(1.0, 8 * std::abs(wave));
+      const double light = v >= 100 && v < 200 ? flicker : 0;
+      result.pixels.push_back(static_cast<std::uint8_t>(std::clamp(grey + light + noise(random), 0.0, 255.0)));
+    }
+  }
+  return result;
 }
 
 } // namespace
@@ -113,7 +131,7 @@ TEST_CASE("a picture is paired with the joints in the middle of its exposure") {
     rig.measuring.until(stamp + milliseconds{std::uniform_int_distribution<int>{5, 60}(random)}, random);
     rig.brain.cycle();
     if (rig.see.picture->isNew) {
-      const StillPicture& picture = *rig.see.picture;
+      const StillImage& picture = *rig.see.picture;
       const TimePoint middle = picture.frame.time + milliseconds{17};
       worst = std::max(worst, std::abs(picture.capture.joints.measured[yaw] - trueYaw(middle)));
       ++paired;
@@ -148,12 +166,12 @@ TEST_CASE("two pictures never have the same timestamp in milliseconds") {
   // Proves what the desktop pairs pictures and values by, for two cameras that expose at the same moment.
   Rig rig{0.017};
   struct Times : CycleListener {
-    void cycleEnded(TimePoint time, const std::vector<AnyProduction*>&) override {
+    void onCycleEnd(TimePoint time, const std::vector<AnyProduction*>&) override {
       stamps.push_back(std::chrono::duration_cast<milliseconds>(time.time_since_epoch()).count());
     }
     std::vector<long> stamps;
   } times;
-  rig.brain.tell(times);
+  rig.brain.setListener(times);
   for (int i = 0; i < 5; ++i) {
     rig.cameras.frames = {frameAt(TimePoint{milliseconds{5000 + 33 * i}}),
                           frameAt(TimePoint{milliseconds{5000 + 33 * i}})};
@@ -162,6 +180,14 @@ TEST_CASE("two pictures never have the same timestamp in milliseconds") {
   }
   REQUIRE(times.stamps.size() == 10);
   CHECK(std::adjacent_find(times.stamps.begin(), times.stamps.end(), std::greater_equal<>{}) == times.stamps.end());
+}
+
+TEST_CASE("pictures differ when half a pixel has moved, not by noise or flicker") {
+  // Proves it for the limit that CalibrationRunner.json ships, 2 grey levels.
+  CHECK(imageDifference(picture(0, 1), picture(0, 2)) < 1);
+  CHECK(imageDifference(picture(0, 1), picture(0, 2, 10)) < 1.5);
+  CHECK(imageDifference(picture(0, 1), picture(0.5, 2)) > 2);
+  CHECK(std::isinf(imageDifference(picture(0, 1), GreyPicture{320, 240, std::vector<std::uint8_t>(320 * 240)})));
 }
 
 } // namespace naocal

@@ -78,3 +78,50 @@ TEST_CASE("a session that cannot be gone on from is refused with its place") {
   CHECK_THROWS_WITH(requireSameCaptures(twoModels(), {{"captures"}, {"abd"}}, file),
                     Contains("expected a session of these captures"));
 }
+
+TEST_CASE("a changed model comes last and names its origin, and every model that was tried stays") {
+  // Proves add, drop, undo and goTo on the history alone: what is undone stays, and another change begins a branch.
+  Session session;
+  session.ladder.push_back({.rmsPx = 0.5, .questioned = Step{}});
+  const auto base = [] { return std::vector<std::string>{"jointOffset@HeadYaw"}; };
+  session.add("elasticity@LKneePitch", base);
+  CHECK(session.current().with == std::vector<std::string>{"elasticity@LKneePitch"});
+  CHECK(session.current().step == "+ elasticity@LKneePitch");
+  CHECK_FALSE(session.current().questioned); // that was another model
+  session.undo();
+  CHECK(session.at == 0);
+  session.add("backlash@LKneePitch", base);
+  CHECK(session.at == 2);
+  CHECK(session.ladder[2].from == 0U);
+  CHECK(session.ladder[1].with == std::vector<std::string>{"elasticity@LKneePitch"});
+  session.drop("backlash@LKneePitch", base);
+  CHECK(session.ladder[3].from == 2U);
+  CHECK(session.current().with.empty());
+  session.goTo(1);
+  CHECK(session.at == 1);
+  CHECK(session.ladder.size() == 4);
+}
+
+TEST_CASE("an effect of the base model can be dropped and added again, and nothing is in a model twice") {
+  // Proves the refusals, which leave the session as it was, and that what was taken out is no addition.
+  Session session;
+  session.ladder.emplace_back();
+  const auto base = [] { return std::vector<std::string>{"jointOffset@HeadYaw"}; };
+  CHECK_THROWS_WITH(session.add("jointOffset@HeadYaw", base), Contains("is in the model already"));
+  CHECK_THROWS_WITH(session.drop("elasticity@LKneePitch", base), Contains("it has no more than the base"));
+  CHECK_THROWS_WITH(session.undo(), Contains("nothing to undo"));
+  CHECK_THROWS_AS(session.goTo(1), InputError);
+  CHECK(session.ladder.size() == 1);
+  session.drop("jointOffset@HeadYaw", base);
+  CHECK(session.current().without == base());
+  session.add("jointOffset@HeadYaw", [] { return std::vector<std::string>{}; });
+  CHECK(session.current().without.empty());
+  CHECK(session.current().with.empty());
+  session.add("elasticity@*", base);
+  CHECK_THROWS_AS(session.add("elasticity@*", base), InputError); // a pattern, which no term is called
+
+  const auto broken = []() -> std::vector<std::string> { throw InputError{"there is no such model"}; };
+  session.drop("elasticity@*", broken); // a model that cannot be fitted is mended
+  CHECK(session.current().with.empty());
+  CHECK_THROWS_WITH(session.add("elasticity@LKneePitch", broken), Contains("no such model"));
+}

@@ -1,6 +1,7 @@
 #include "evaluation/ThesisStageFor.hpp"
 #include "evaluation/ThesisTrial.hpp"
 #include "math/LinearAlgebra.hpp"
+#include "simulation/RobotErrors.hpp"
 #include "simulation/SimulationPlan.hpp"
 #include "simulation/SyntheticRobot.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "TemporaryFolder.hpp"
-#include "framework/Configuration.hpp"
+#include "framework/configuration/Configuration.hpp"
 #include "io/Files.hpp"
 
 #include <filesystem>
@@ -24,9 +24,9 @@ struct ConfiguredRobot {
     writeAtomically(path(file), content);
   }
   nlohmann::json content(const std::string& file) const { return nlohmann::json::parse(fileContent(path(file))); }
-  nlohmann::json keys(const std::string& mount) const {
+  nlohmann::json readKeys(const std::string& mount) const {
     nlohmann::json out;
-    configuration.keys(mount, out);
+    configuration.readKeys(mount, out);
     return out;
   }
 };

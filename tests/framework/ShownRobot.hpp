@@ -1,12 +1,12 @@
 #pragma once
 
-#include "ConfiguredRobot.hpp"
 #include "MateClient.hpp"
-#include "framework/Database.hpp"
-#include "framework/Parameter.hpp"
-#include "framework/Production.hpp"
-#include "framework/Sockets.hpp"
-#include "framework/Thread.hpp"
+#include "framework/ConfiguredRobot.hpp"
+#include "framework/core/Database.hpp"
+#include "framework/core/Module.hpp"
+#include "framework/core/Parameter.hpp"
+#include "framework/core/Thread.hpp"
+#include "framework/network/Sockets.hpp"
 
 #include <condition_variable>
 #include <mutex>
@@ -19,7 +19,7 @@ namespace naocal {
 struct TestPicture {
   std::string bytes;
 };
-inline EncodedPicture toPicture(const TestPicture& picture) {
+inline EncodedImage toImage(const TestPicture& picture) {
   return {640, 480, picture.bytes};
 }
 
@@ -56,8 +56,8 @@ struct ShownRobot {
     settings.unixFolder = robot.folder.path() / "sockets";
     robot.file("default/head/default/Counter.json", R"({"factor": 0.5, "list": [1, 2]})");
     robot.file("default/sdk.json", R"({"location": "Home"})");
-    configure(brain, robot.configuration);
-    robot.configuration.mount("tuhhSDK.base", "sdk.json", Part::none);
+    configureModules(brain, robot.configuration);
+    robot.configuration.mount("tuhhSDK.base", "sdk.json", RobotPart::none);
     robot.configuration.publish("tuhhSDK.base", "NaoInfo.headName", "Ada");
     robot.configuration.publish("tuhhSDK.base", "NaoInfo.bodyName", "Bob");
     sockets.emplace(settings, std::vector<Thread*>{&brain}, robot.configuration, base,
@@ -86,13 +86,13 @@ struct ShownRobot {
   const TimePoint base = TimePoint{} + std::chrono::hours{5};
   SocketSettings settings;
   ConfiguredRobot robot;
-  Thread brain{"Brain", Part::head};
+  Thread brain{"Brain", RobotPart::head};
   Counter& counter = brain.add<Counter>(base);
   Database database{{&brain}};
   std::mutex mutex;
   std::condition_variable logged;
   std::vector<std::string> sentences;
-  std::optional<Sockets> sockets;
+  std::optional<SocketServers> sockets;
 };
 
 } // namespace naocal

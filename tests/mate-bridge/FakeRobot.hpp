@@ -1,6 +1,6 @@
 #pragma once
 
-#include "RobotFrames.hpp"
+#include "robot/RobotFrames.hpp"
 
 #include <boost/asio/local/stream_protocol.hpp>
 #include <boost/asio/read.hpp>

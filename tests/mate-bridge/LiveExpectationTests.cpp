@@ -1,4 +1,4 @@
-#include "LiveExpectation.hpp"
+#include "robot/LiveExpectation.hpp"
 
 #include "robot/Kinematics.hpp"
 
@@ -25,12 +25,12 @@ LiveCamera turnedCamera() {
 }
 
 Eigen::VectorXd looking(double yaw = 0, double right = 0) {
-  return *anglesByName({{"HeadPitch", 0.35},
-                        {"HeadYaw", yaw},
-                        {"RHipPitch", -right},
-                        {"RKneePitch", 2 * right},
-                        {"RAnklePitch", -right}},
-                       v6());
+  return *parseNamedAngles({{"HeadPitch", 0.35},
+                            {"HeadYaw", yaw},
+                            {"RHipPitch", -right},
+                            {"RKneePitch", 2 * right},
+                            {"RAnklePitch", -right}},
+                           v6());
 }
 
 const std::vector<Eigen::Vector2d> onFloorAhead{{150, 200}, {500, 200}, {150, 400}, {500, 400}};
@@ -47,7 +47,8 @@ Json offsets(double value, const std::string& unset = "") {
 
 LiveExpectation expectation(const Json& offsets, const Eigen::VectorXd& angles,
                             const LiveCamera& belief = turnedCamera()) {
-  return expected(v6(), angles, "top", belief, onFloorAhead, uncalibrated(v6(), offsets, {{"top", belief}}));
+  return predictLiveError(v6(), angles, "top", belief, onFloorAhead,
+                          findUncalibrated(v6(), offsets, {{"top", belief}}));
 }
 
 } // namespace
@@ -91,7 +92,7 @@ TEST_CASE("a camera that sits as drawn was not calibrated") {
   CHECK(mount.camera);
   CHECK(mount.px > 1);
   CHECK(mount.sentence(v6(), "top").starts_with("The top camera's mount was never calibrated"));
-  CHECK_THROWS_AS(uncalibrated(v6(), Json{{{"key", 3}}}, {}), Json::exception);
+  CHECK_THROWS_AS(findUncalibrated(v6(), Json{{{"key", 3}}}, {}), Json::exception);
 }
 
 } // namespace naocal

@@ -1,8 +1,8 @@
-#include "Robots.hpp"
+#include "robot/Robots.hpp"
 
 #include "FakeRobot.hpp"
-#include "RobotPlace.hpp"
-#include "RobotWatch.hpp"
+#include "robot/LiveDetection.hpp"
+#include "robot/RobotClient.hpp"
 
 #include "framework/ShownRobot.hpp"
 #include "io/InputError.hpp"
@@ -38,7 +38,7 @@ struct Listening {
     return heard(kind, [](const Json&) { return true; });
   }
   Json connected(const std::string& robot) {
-    robots.asked(1, {{"do", "connect"}, {"robot", robot}});
+    robots.connect(robot);
     return heard("robot", [](const Json& state) { return state["connected"].get<bool>(); });
   }
   void keep(const std::string& json) { told.push_back(Json::parse(json)); }
@@ -77,9 +77,9 @@ TEST_CASE("a robot's keys, values, pictures and parameters reach the panel that 
   CHECK_FALSE(panel.heard("mounts")["body"]["keys"].empty());
 
   for (const char* const key : {"Brain.count", "Brain.picture"}) {
-    panel.robots.asked(1, {{"do", "subscribe"}, {"robot", here}, {"key", key}});
+    panel.robots.at(here, "subscribe").subscribe(key, 1);
   }
-  panel.robots.asked(1, {{"do", "keys"}, {"robot", here}, {"mount", "Brain.Counter"}});
+  panel.robots.at(here, "keys").requestKeys("Brain.Counter");
   const Json keys = panel.heard("keys")["body"];
   CHECK(keys["mountPoint"] == "Brain.Counter");
   for (int cycle = 0; cycle < 40 && panel.pictures.empty(); ++cycle) {
@@ -100,10 +100,8 @@ TEST_CASE("a parameter that is set is set on the robot") {
   Listening panel;
   const std::string here = robot.settings.unixFolder.string();
   REQUIRE(panel.connected(here)["sentence"] == "connected");
-  panel.robots.asked(
-      1,
-      {{"do", "set"}, {"robot", here}, {"settings", {{{"mp", "Brain.Counter"}, {"key", "factor"}, {"value", 2.5}}}}});
-  panel.robots.asked(1, {{"do", "keys"}, {"robot", here}, {"mount", "Brain.Counter"}});
+  panel.robots.at(here, "set").set(Json::array({{{"mp", "Brain.Counter"}, {"key", "factor"}, {"value", 2.5}}}));
+  panel.robots.at(here, "keys").requestKeys("Brain.Counter");
   CHECK_FALSE(panel.heard("keys", [](const Json& told) { return hasFactor(told, 2.5); }).is_null());
 }
 
@@ -113,30 +111,29 @@ TEST_CASE("a robot ends what it does for panels that have gone, and is connected
   ShownRobot robot;
   Listening panel;
   const std::string here = robot.settings.unixFolder.string();
-  panel.robots.greet(1);
-  panel.robots.greet(2);
+  panel.robots.addPanel(1);
+  panel.robots.addPanel(2);
   REQUIRE(panel.connected(here)["sentence"] == "connected");
   const Json last{{{"mp", "Brain.Counter"}, {"key", "factor"}, {"value", 7.5}}};
-  panel.robots.asked(1, {{"do", "set"},
-                         {"robot", here},
-                         {"settings", {{{"mp", "naocal.configuration"}, {"key", "lastWill"}, {"value", last}}}}});
+  panel.robots.at(here, "set")
+      .set(Json::array({{{"mp", "naocal.configuration"}, {"key", "lastWill"}, {"value", last}}}));
   const auto isLeft = [](const Json& state) { return !state["connected"].get<bool>(); };
   panel.told.clear();
-  panel.robots.forget(1);
+  panel.robots.removePanel(1);
   panel.context.run_for(std::chrono::milliseconds{500});
-  panel.robots.forget(2);
-  panel.robots.greet(3);
+  panel.robots.removePanel(2);
+  panel.robots.addPanel(3);
   panel.context.run_for(std::chrono::milliseconds{500});
   CHECK(std::none_of(panel.told.begin(), panel.told.end(),
                      [&](const Json& told) { return told["kind"] == "robot" && isLeft(told); }));
 
-  panel.robots.forget(3);
+  panel.robots.removePanel(3);
   REQUIRE_FALSE(panel.heard("robot", isLeft).is_null());
   panel.context.run_for(std::chrono::milliseconds{50});
   panel.told.clear();
-  panel.robots.greet(4);
+  panel.robots.addPanel(4);
   REQUIRE_FALSE(panel.heard("robot", [](const Json& state) { return state["connected"].get<bool>(); }).is_null());
-  panel.robots.asked(4, {{"do", "keys"}, {"robot", here}, {"mount", "Brain.Counter"}});
+  panel.robots.at(here, "keys").requestKeys("Brain.Counter");
   CHECK_FALSE(panel.heard("keys", [](const Json& told) { return hasFactor(told, 7.5); }).is_null());
 }
 
@@ -149,9 +146,9 @@ TEST_CASE("a robot is asked for the keys of mounts that it listed only") {
   const FakeRobot robot{panel.context, folder.path(), R"({"keys": [{"key": "Brain.Counter", "filename": ""}]})"};
   REQUIRE(panel.connected(here)["sentence"] == "connected");
   const auto ask = [&] {
-    panel.robots.asked(1, {{"do", "watch"}, {"robot", here}});
+    panel.robots.at(here, "watch").watch(1);
     for (const char* const mount : {"Brain.Counter", "Motion.JointCalibrationProvider"}) {
-      panel.robots.asked(1, {{"do", "keys"}, {"robot", here}, {"mount", mount}});
+      panel.robots.at(here, "keys").requestKeys(mount);
     }
   };
   ask();
@@ -168,10 +165,10 @@ TEST_CASE("a robot that is looked at is asked for its boards once it has listed 
   const std::string here = folder.path().string();
   const FakeRobot robot{panel.context, folder.path(), R"({"keys": [{"key": "Brain.CalibrationRunner"}]})"};
   REQUIRE(panel.connected(here)["sentence"] == "connected");
-  panel.robots.asked(1, {{"do", "watch"}, {"robot", here}});
+  panel.robots.at(here, "watch").watch(1);
   REQUIRE_FALSE(panel.heard("mounts").is_null());
   panel.context.run_for(std::chrono::milliseconds{200});
-  CHECK(robot.keysAskedFor == std::vector<std::string>{std::string{RobotWatch::boardsMount}});
+  CHECK(robot.keysAskedFor == std::vector<std::string>{std::string{LiveDetection::boardsMount}});
 }
 
 TEST_CASE("a robot that comes back is connected and subscribed to again") {
@@ -183,11 +180,11 @@ TEST_CASE("a robot that comes back is connected and subscribed to again") {
     ShownRobot robot;
     std::filesystem::create_directory_symlink(robot.settings.unixFolder, here);
     REQUIRE(panel.connected(here.string())["sentence"] == "connected");
-    panel.robots.asked(1, {{"do", "subscribe"}, {"robot", here.string()}, {"key", "Brain.count"}});
+    panel.robots.at(here.string(), "subscribe").subscribe("Brain.count", 1);
   }
   CHECK_FALSE(
       panel.heard("robot", [](const Json& state) { return state["sentence"] == "closed the connection"; }).is_null());
-  CHECK_THROWS_AS(panel.robots.asked(1, {{"do", "save"}, {"robot", here.string()}}), InputError);
+  CHECK_THROWS_AS(panel.robots.at(here.string(), "save").save(), InputError);
 
   std::filesystem::remove(here);
   panel.told.clear();
@@ -236,23 +233,14 @@ TEST_CASE("whoever is no robot is told so, and the panel lives on") {
                   .is_null());
 }
 
-TEST_CASE("what a page takes back of a robot that has gone is no mistake") {
-  // Proves that cancelled subscriptions of a robot that was disconnected are silent, and that anything else is refused.
-  Listening panel;
-  for (const char* const verb : {"unsubscribe", "unwatch"}) {
-    CHECK(panel.robots.asked(1, {{"do", verb}, {"robot", "gone"}, {"key", "Brain.count"}}));
-  }
-  CHECK_THROWS_AS(panel.robots.asked(1, {{"do", "save"}, {"robot", "gone"}}), InputError);
-}
-
 TEST_CASE("a robot's address is a host, a host with its base port, or a folder") {
   // Proves what is taken and that everything else is refused with a sentence.
-  CHECK(robotPlace("nao21").basePort == 12440);
-  CHECK(robotPlace("10.1.24.31:13000").basePort == 13000);
-  CHECK(robotPlace("/tmp/sockets/Ada").folder == "/tmp/sockets/Ada");
+  CHECK(parseRobotAddress("nao21").basePort == 12440);
+  CHECK(parseRobotAddress("10.1.24.31:13000").basePort == 13000);
+  CHECK(parseRobotAddress("/tmp/sockets/Ada").folder == "/tmp/sockets/Ada");
   for (const char* const wrong :
        {"", ":12440", "nao21:", "nao21:0", "nao21:70000", "nao21:12a", "nao 21", "me@nao21"}) {
-    CHECK_THROWS_AS(robotPlace(wrong), InputError);
+    CHECK_THROWS_AS(parseRobotAddress(wrong), InputError);
   }
 }
 

@@ -1,6 +1,6 @@
-#include "Laboratory.hpp"
 #include "SharedData.hpp"
 #include "TemporaryFolder.hpp"
+#include "analysis/AnalysisSession.hpp"
 
 #include "io/Files.hpp"
 
@@ -42,10 +42,10 @@ Said saidAbout(const std::filesystem::path& set, const std::filesystem::path& fo
             .diagnosed = fileContent(file("diagnosed.txt")),
             .resultPage = fileContent(file("result.html")),
             .diagnosisPage = fileContent(file("diagnosis.html"))};
-  Laboratory laboratory{openSets({set.string()}),
-                        [&](const std::string& kind, const Json& content) { said.panel[kind] = content; }};
+  AnalysisSession laboratory{openDataset({set.string()}),
+                             [&](const std::string& kind, const Json& content) { said.panel[kind] = content; }};
   laboratory.fit();
-  laboratory.question();
+  laboratory.testCandidates();
   return said;
 }
 

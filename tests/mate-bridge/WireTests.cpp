@@ -1,4 +1,4 @@
-#include "Wire.hpp"
+#include "server/Wire.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -10,10 +10,4 @@ TEST_CASE("brackets without end are refused before they exhaust the stack") {
   CHECK(wireJson(R"({"a": [1, 2]})")["a"][1] == 2);
   CHECK_THROWS_AS(wireJson(std::string(100000, '[')), nlohmann::json::exception);
   CHECK_THROWS_AS(wireJson("{"), nlohmann::json::exception);
-}
-
-TEST_CASE("codes in an address are letters again") {
-  // Proves it for spaces and umlauts, as browsers encode them, and that what is no code stays.
-  CHECK(withoutPercents("a%20robot/%C3%BCbung/3") == "a robot/\u00fcbung/3");
-  CHECK(withoutPercents("100%/%zz%4") == "100%/%zz%4");
 }

@@ -34,12 +34,12 @@ TEST_CASE("what is sent to the motors is read back as what was desired") {
     for (const auto& [bent, degrees] : // their ranges end near 0
          std::map<const char*, double>{
              {"LElbowRoll", -40}, {"RElbowRoll", 40}, {"LKneePitch", 40}, {"RKneePitch", 40}}) {
-      desired[*jointNumber(bent)] += radians(degrees);
+      desired[*jointIndex(bent)] += radians(degrees);
     }
-    const RawAngles raw = sentToMotors(desired, offsets, limits);
-    joinHipYawPitch(desired);
+    const RawAngles raw = toMotorAngles(desired, offsets, limits);
+    coupleHipYawPitch(desired);
     CHECK(raw[leftHip] == raw[rightHip]);
-    const CompensatedAngles back = compensated(raw, offsets);
+    const CompensatedAngles back = compensate(raw, offsets);
     for (std::size_t joint = 0; joint < jointCount; ++joint) {
       CHECK(raw[joint] == Approx(desired[joint] + offsets.values[joint]).margin(1e-12));
       CHECK(back[joint] == Approx(desired[joint]).margin(1e-12));
@@ -60,10 +60,10 @@ TEST_CASE("no joint is sent beyond its limits, whatever is desired and whatever 
       desired[joint] = anywhere(random);
       offsets.values[joint] = offset(random);
     }
-    const RawAngles raw = sentToMotors(desired, offsets, limits);
+    const RawAngles raw = toMotorAngles(desired, offsets, limits);
     Eigen::VectorXd angles(static_cast<Eigen::Index>(robot.joints.size()));
     for (std::size_t j = 0; j < robot.joints.size(); ++j) {
-      angles[static_cast<Eigen::Index>(j)] = raw[*jointNumber(robot.joints[j].name)];
+      angles[static_cast<Eigen::Index>(j)] = raw[*jointIndex(robot.joints[j].name)];
     }
     for (std::size_t j = 0; j < robot.joints.size(); ++j) {
       const AngleRange range = limitsAt(robot, j, angles);
@@ -71,7 +71,7 @@ TEST_CASE("no joint is sent beyond its limits, whatever is desired and whatever 
       CHECK(angles[static_cast<Eigen::Index>(j)] >= range.lower);
       CHECK(angles[static_cast<Eigen::Index>(j)] <= range.upper);
     }
-    CHECK((raw[*jointNumber("LHand")] >= 0 && raw[*jointNumber("LHand")] <= 1));
+    CHECK((raw[*jointIndex("LHand")] >= 0 && raw[*jointIndex("LHand")] <= 1));
   }
 }
 

@@ -3,11 +3,10 @@
 #include "RobotV6.hpp"
 #include "ScriptedRobot.hpp"
 #include "TemporaryFolder.hpp"
-#include "framework/Configuration.hpp"
-#include "framework/Database.hpp"
-#include "framework/Dependency.hpp"
-#include "framework/Production.hpp"
-#include "framework/Thread.hpp"
+#include "framework/configuration/Configuration.hpp"
+#include "framework/core/Database.hpp"
+#include "framework/core/Module.hpp"
+#include "framework/core/Thread.hpp"
 #include "io/Files.hpp"
 #include "math/Angles.hpp"
 #include "motion/JointHistory.hpp"
@@ -18,8 +17,8 @@
 
 namespace naocal {
 
-inline constexpr std::size_t knee = *jointNumber("LKneePitch"), leftHip = *jointNumber("LHipYawPitch"),
-                             rightHip = *jointNumber("RHipYawPitch"), yaw = *jointNumber("HeadYaw");
+inline constexpr std::size_t knee = *jointIndex("LKneePitch"), leftHip = *jointIndex("LHipYawPitch"),
+                             rightHip = *jointIndex("RHipYawPitch"), yaw = *jointIndex("HeadYaw");
 
 /// The motion thread as it is shipped, on a scripted robot, with a brain that only passes on the test's requests.
 struct MotionRig {
@@ -38,7 +37,7 @@ struct MotionRig {
     void cycle() override {}
     Dependency<PlayerState> player{*this, "player"};
     Dependency<DesiredPose> desired{*this, "desiredPose"};
-    Dependency<JointMoments> moments{*this, "jointHistory"};
+    Dependency<JointSampleHistory> moments{*this, "jointHistory"};
     Dependency<CompensatedAngles> angles{*this, "angles"};
     Dependency<double> stillFor{*this, "stillFor"};
     Dependency<std::string> offsetProblem{*this, "JointCalibrationProvider.problem"};
@@ -47,7 +46,7 @@ struct MotionRig {
   MotionRig() {
     addMotionModules(motion, robot, v6(), ending);
     database.emplace(std::vector<Thread*>{&motion, &brain});
-    configure(motion, configuration);
+    configureModules(motion, configuration);
     motion.cycle();
   }
 
@@ -100,25 +99,25 @@ struct MotionRig {
                                                                       {"RHipPitch", -25},
                                                                       {"RKneePitch", 50},
                                                                       {"RAnklePitch", -25}}) {
-      angles[*jointNumber(joint)] = radians(degrees);
+      angles[*jointIndex(joint)] = radians(degrees);
     }
     return angles;
   }
   /// The stand with the head turned and nodding [deg].
   static CompensatedAngles looking(double turn, double nod) {
     CompensatedAngles angles = home();
-    angles[*jointNumber("HeadYaw")] = radians(turn);
-    angles[*jointNumber("HeadPitch")] = radians(nod);
+    angles[*jointIndex("HeadYaw")] = radians(turn);
+    angles[*jointIndex("HeadPitch")] = radians(nod);
     return angles;
   }
 
   ScriptedRobot robot;
-  Ending ending;
+  ShutdownRequest ending;
   TemporaryFolder saved;
   Configuration configuration{std::filesystem::path{NAOCAL_SOURCE_DIR} / "home/configuration",
                               {"", "Ada", "Bob"},
                               [](const auto&, auto) { throw std::logic_error{"tests do not write there"}; }};
-  Thread motion{"Motion", Part::body}, brain{"Brain", Part::head};
+  Thread motion{"Motion", RobotPart::body}, brain{"Brain", RobotPart::head};
   Asking& asking = brain.add<Asking>();
   Looking& see = motion.add<Looking>();
   std::optional<Database> database;

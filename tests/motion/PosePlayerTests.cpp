@@ -38,8 +38,8 @@ TEST_CASE("a way is smooth, within the allowed speed, and ends where it should")
   CHECK(jump < 0.02 * fastest);
   CHECK(motion.at(0) == start);
   CHECK(farthest(motion.at(motion.duration()), end) < 1e-12);
-  CHECK(motion.passed(0) == 0);
-  CHECK(motion.passed(motion.duration()) == 2);
+  CHECK(motion.passedPoints(0) == 0);
+  CHECK(motion.passedPoints(motion.duration()) == 2);
 }
 
 TEST_CASE("motors stay off until something is asked for, and then start from where the joints are") {
@@ -166,7 +166,7 @@ TEST_CASE("a joint that gets too hot sends the robot home and off rests it") {
   rig.stand();
   rig.ask(Kind::go, {MotionRig::looking(40, 0)});
   CHECK(rig.untilDone());
-  rig.robot.state.temperature[*jointNumber("RKneePitch")] = 80;
+  rig.robot.state.temperature[*jointIndex("RKneePitch")] = 80;
   rig.cycles(1);
   CHECK(rig.see.player->reason == "RKneePitch is 80 degrees Celsius hot: the robot goes back to its stand. Let it cool "
                                   "down.");
@@ -265,7 +265,7 @@ TEST_CASE("a robot that was held on its way out asks for hands before it goes ho
       CHECK(
           rig.see.player->reason.find("Take hold of it by its trunk: its eyes are yellow. It steps back onto both feet "
                                       "in 10 s, or at once when its chest button is pressed.") != std::string::npos);
-      CHECK(rig.robot.sent.back().leds.leftEye.front() == holdMe);
+      CHECK(rig.robot.sent.back().leds.leftEye.front() == holdMeColour);
       rig.cycles(static_cast<int>(10 / 0.012) - 60);
       CHECK(rig.see.player->phase == Phase::holding);
       why == "hot" ? rig.press() : rig.cycles(20);

@@ -27,7 +27,7 @@ public:
     }
   }
   std::chrono::nanoseconds period() const override { return std::chrono::milliseconds{12}; }
-  RobotLink link() const override { return {}; }
+  RobotStatus status() const override { return {}; }
 
   RobotState state;
   std::vector<RobotCommand> sent;

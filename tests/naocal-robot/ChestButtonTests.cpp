@@ -25,6 +25,11 @@ struct Person {
   void set(const char* key, const json& value) {
     simulated.process->configuration().set("Brain.CalibrationRunner", key, value);
   }
+  /// Sets what the chest button starts, and waits until a whole cycle of the brain has had it.
+  void setStart(const char* kind) {
+    set("chestStarts", kind);
+    wait(0.2);
+  }
   void wait(double time) { // [s] of the robot's
     const TimePoint end = simulated.world.truth().time + fromSeconds(time);
     while (simulated.world.truth().time < end) {
@@ -66,7 +71,7 @@ TEST_CASE("the chest button alone calibrates a leg: it starts, and answers every
   // Proves it with offsets to 5 degrees; other parameters that are set meanwhile end nothing, and nothing is saved
   // before the second round has shown that it helps.
   Person person{SimulatedProcess::plan(1, radians(5))};
-  person.set("chestStarts", "left leg");
+  person.setStart("left leg");
   person.press();
   int answered = 0;
   const char* file = "default/body/synthetic-1/JointCalibrationProvider.json";
@@ -93,7 +98,7 @@ TEST_CASE("a calibration that the chest button started is ended by its parameter
   // Proves it for the value that the parameter has already; and that an old answer's number is asked no more.
   Person person{SimulatedProcess::plan(1, 0)};
   person.set("confirmed", 5);
-  person.set("chestStarts", "left leg");
+  person.setStart("left leg");
   person.press();
   CHECK(person.until("waiting")["questionNumber"] == 6);
   person.set("run", "");

@@ -64,7 +64,7 @@ struct DrivenProcess {
       begun = begun || state != told; // else it still tells how the one before has ended
       const TimePoint now = robotNow();
       if (state["phase"] == "moving" || state["phase"] == "collecting" || state["phase"] == "going home") {
-        moving += seconds(now - last);
+        moving += toSeconds(now - last);
       }
       last = now;
       state["robotSeconds"] = moving;
@@ -114,7 +114,7 @@ struct DrivenProcess {
         [&](std::string_view sentence) { std::call_once(once, [&] { over.set_value(std::string{sentence}); }); });
     const std::string failure = over.get_future().get();
     process.stop();
-    return failure.empty() ? process.replayed()->compared(recording / "first" / "result.json") : failure;
+    return failure.empty() ? process.replayed()->compareWith(recording / "first" / "result.json") : failure;
   }
 
   TemporaryFolder folder;

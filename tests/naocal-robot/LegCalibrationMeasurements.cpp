@@ -60,7 +60,7 @@ TEST_CASE("how well simulated robots calibrate their legs", "[.measure]") {
     for (const SupportFoot foot : {SupportFoot::left, SupportFoot::right}) {
       if (kind != (foot == SupportFoot::left ? "right leg" : "left leg")) {
         before.push_back(truth.floorError(foot, {}));
-        after.push_back(truth.floorError(foot, configured(simulated.process->configuration())));
+        after.push_back(truth.floorError(foot, readConfiguredCalibration(simulated.process->configuration())));
         fmt::print("    floor point at 2 m: from {:.1f} to {:.1f} cm\n", 100 * before.back(), 100 * after.back());
       }
     }

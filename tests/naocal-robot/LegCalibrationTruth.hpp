@@ -6,6 +6,7 @@
 #include "data/CaptureSetFile.hpp"
 #include "math/Angles.hpp"
 #include "math/LinearAlgebra.hpp"
+#include "simulation/RobotErrors.hpp"
 #include "simulation/SyntheticBody.hpp"
 #include "simulation/SyntheticRobot.hpp"
 
@@ -94,7 +95,7 @@ private:
     for (std::size_t joint = 0; joint < drawing_.joints.size(); ++joint) {
       const double torque = torques[at(joint)], half = errors_.play[joint] / 2;
       const double trailing =
-          approach && !approach->empty() ? -half * approach->at(*jointNumber(drawing_.joints[joint].name)) : 0;
+          approach && !approach->empty() ? -half * approach->at(*jointIndex(drawing_.joints[joint].name)) : 0;
       result[at(joint)] = std::abs(torque) > servos_.gearFriction ? std::copysign(half, torque) : trailing;
     }
     return result;

@@ -35,7 +35,7 @@ public:
     auto state = robot_.waitForState(timeout);
     began_ = processorTime();
     if (state) {
-      const std::uint64_t overtakenSoFar = robot_.link().lostStates;
+      const std::uint64_t overtakenSoFar = robot_.status().lostStates;
       overtaken_ = overtakenSoFar - std::exchange(overtakenBefore_, overtakenSoFar);
       stateDue_ = due_.load();
       while (state->time < stateDue_) { // the next one was sent meanwhile
@@ -53,7 +53,7 @@ public:
     answered_ = true;
   }
   std::chrono::nanoseconds period() const override { return robot_.period(); }
-  RobotLink link() const override { return robot_.link(); }
+  RobotStatus status() const override { return robot_.status(); }
 
   /// Forgets what was noted; then waits until the process has caught up with what came while it did not run.
   void startAnew() {
@@ -71,7 +71,7 @@ private:
   void note(std::vector<double>& late) const {
     const Duration now = Clock::now() - stateDue_;
     for (std::uint64_t i = 0; starting_ == 0 && i <= overtaken_; ++i) {
-      late.push_back(seconds(now + i * period()));
+      late.push_back(toSeconds(now + i * period()));
     }
   }
 
@@ -103,7 +103,7 @@ std::vector<double> lateness(const std::atomic<bool>& over) {
   for (TimePoint due = Clock::now(); !over;) {
     due += std::chrono::milliseconds{12};
     std::this_thread::sleep_until(due);
-    late.push_back(seconds(Clock::now() - due));
+    late.push_back(toSeconds(Clock::now() - due));
   }
   return late;
 }

@@ -1,7 +1,7 @@
 #include "SimulatedProcess.hpp"
 
-#include "Laboratory.hpp"
-#include "OpenedSets.hpp"
+#include "analysis/AnalysisSession.hpp"
+#include "analysis/Dataset.hpp"
 #include "math/Angles.hpp"
 
 #include <catch2/catch.hpp>
@@ -22,10 +22,10 @@ TEST_CASE("the panel says of a robot's recording what the robot said") {
                        diagnosis = nlohmann::json::parse(fileContent(first / "diagnosis.json"));
 
   std::map<std::string, nlohmann::json> panel;
-  Laboratory laboratory{openSets({first.parent_path().string()}),
-                        [&](const std::string& kind, const nlohmann::json& content) { panel[kind] = content; }};
+  AnalysisSession laboratory{openDataset({first.parent_path().string()}),
+                             [&](const std::string& kind, const nlohmann::json& content) { panel[kind] = content; }};
   laboratory.fit();
-  laboratory.question();
+  laboratory.testCandidates();
   REQUIRE(panel.contains("fit"));
   REQUIRE(panel.contains("questions"));
   const nlohmann::json &fit = panel["fit"], &questions = panel["questions"];

@@ -96,7 +96,7 @@ TEST_CASE("a calibration of neck and cameras that does not help is taken back") 
   CHECK(simulated.isSaved(file) == saves);
   CHECK((!saves || simulated.saved(file)["headPitch"] == 0.0));
   json offsets;
-  simulated.process->configuration().keys("Motion.JointCalibrationProvider", offsets);
+  simulated.process->configuration().readKeys("Motion.JointCalibrationProvider", offsets);
   CHECK(offsets["headPitch"] == 0.0);
 }
 
@@ -117,10 +117,10 @@ TEST_CASE("a simulated robot calibrates a leg on one foot, and what was saved ca
   CHECK(state["robotSeconds"] < 240);
   const LegCalibrationTruth truth{simulated.drawing, simulated.world.errors(), ServoMechanics{}};
   CHECK(truth.floorError(SupportFoot::left, {}) > 0.05);
-  CHECK(truth.floorError(SupportFoot::left, configured(simulated.process->configuration())) < 0.02);
+  CHECK(truth.floorError(SupportFoot::left, readConfiguredCalibration(simulated.process->configuration())) < 0.02);
   std::map<std::string, std::set<double>> sides; // of the knee, by pose
   for (const Capture& capture : readCaptureSet(simulated.recording()).set.captures) {
-    sides[capture.pose].insert(capture.joints.approach.at(*jointNumber("LKneePitch")));
+    sides[capture.pose].insert(capture.joints.approach.at(*jointIndex("LKneePitch")));
   }
   CHECK(sides.size() == 8);
   for (const auto& [pose, both] : sides) {

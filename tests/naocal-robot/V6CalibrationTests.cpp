@@ -35,8 +35,9 @@ TEST_CASE("how well a V6 calibrates a leg over LoLA's socket and V4L2", "[.measu
   const LegCalibrationTruth truth{v6.drawing, v6.twin.world.errors(), plan.servos};
   WARN(state["phase"] << ": " << state["sentence"] << "\nfloor point at 2 m: from "
                       << 100 * truth.floorError(SupportFoot::left, {}) << " to "
-                      << 100 * truth.floorError(SupportFoot::left, configured(v6.process->configuration())) << " cm, "
-                      << seconds(Clock::now() - began) << " s, " << v6.twin.commands << " commands to "
+                      << 100 *
+                             truth.floorError(SupportFoot::left, readConfiguredCalibration(v6.process->configuration()))
+                      << " cm, " << toSeconds(Clock::now() - began) << " s, " << v6.twin.commands << " commands to "
                       << v6.twin.states << " states; "
                       << DrivenProcess::replayed(v6.recording().parent_path(), v6.folder.path() / "again"));
 }

@@ -1,15 +1,15 @@
 #pragma once
 
-#include "../hardware/FakeVideo.hpp"
-#include "../hardware/LolaTwin.hpp"
 #include "DrivenProcess.hpp"
 #include "Hardware.hpp"
+#include "hardware/nao/LolaTwin.hpp"
+#include "hardware/v4l2/FakeVideo.hpp"
 
-#include "framework/Thread.hpp"
+#include "framework/core/Thread.hpp"
+#include "hardware/nao/DeviceConventions.hpp"
 #include "hardware/nao/LolaRobot.hpp"
-#include "hardware/nao/TouchOrder.hpp"
-#include "hardware/nao/VideoCameras.hpp"
 #include "hardware/simulated/SimulatedWorld.hpp"
+#include "hardware/v4l2/VideoCameras.hpp"
 
 #include <atomic>
 #include <mutex>
@@ -98,7 +98,7 @@ private:
     requestRealTimePriority(40); // as the firmware has, where the system grants it
     lola_.accept();
     RobotCommand command;
-    command.angles = SimulatedPlan::standing();
+    command.angles = SimulatedPlan::standingAngles();
     command.stiffness.fill(0.8);
     while (!stop.stop_requested()) {
       const auto state = body_->waitForState(std::chrono::seconds{1});
@@ -115,7 +115,7 @@ private:
       const std::string message = lola_.hears(patience) ? lola_.receive(lolaCommandSize) : "";
       if (message.size() == lolaCommandSize) {
         for (std::size_t i = 0; i < twin::names.size(); ++i) {
-          const std::size_t joint = *jointNumber(twin::names[i]);
+          const std::size_t joint = *jointIndex(twin::names[i]);
           command.angles[joint] = twin::commanded(message, "Position", i);
           command.stiffness[joint] = std::max(0.f, twin::commanded(message, "Stiffness", i));
         }
@@ -130,7 +130,7 @@ private:
   }
 
   static double number(const RobotState& state, std::string_view list, std::size_t i) {
-    const auto joint = [&](const auto& values) { return double(values[*jointNumber(twin::names[i])]); };
+    const auto joint = [&](const auto& values) { return double(values[*jointIndex(twin::names[i])]); };
     const auto place = Eigen::Index(i);
     return list == "Position"        ? joint(state.angles.values)
            : list == "Stiffness"     ? joint(state.stiffness)
@@ -157,7 +157,8 @@ struct V6Process : DrivenProcess {
 
   /// `watch`: stands between the process and its robot.
   explicit V6Process(const SimulatedPlan& plan, const Watch& watch = {})
-      : twin{drawing, plan, folder.path() / "robocup"}, robot{folder.path() / "robocup"}, cameras{videoOptions("V6"),
+      : twin{drawing, plan, folder.path() / "robocup"}, robot{folder.path() / "robocup"}, cameras{videoOptionsForModel(
+                                                                                                      "V6"),
                                                                                                   twin.video} {
     watched = watch ? watch(robot, twin) : nullptr;
     begin(

@@ -53,11 +53,11 @@ void start(const std::string& program, const std::string& argument) {
 
 } // namespace
 
-std::unique_ptr<PassingFolder> openedInBrowser(const std::string& address) {
+std::unique_ptr<TemporaryDirectory> openInBrowser(const std::string& address) {
   for (const char* const program : {"chromium", "google-chrome", "chromium-browser", "brave-browser", "microsoft-edge",
                                     "xdg-open", "firefox", "open"}) {
     if (isInstalled(program)) {
-      auto folder = std::make_unique<PassingFolder>(readableFor(program));
+      auto folder = std::make_unique<TemporaryDirectory>(readableFor(program));
       const std::filesystem::path page = folder->path() / "panel.html";
       writeAtomically(page, fmt::format("<!doctype html><meta http-equiv=\"refresh\" content=\"0;url={}\">", address));
       const bool hasWindows =

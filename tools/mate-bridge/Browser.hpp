@@ -1,6 +1,6 @@
 #pragma once
 
-#include "PassingFolder.hpp"
+#include "server/TemporaryDirectory.hpp"
 
 #include <memory>
 #include <string>
@@ -10,6 +10,6 @@ namespace naocal {
 /// Opens an address in a window of its own where a browser can do that, else in the person's browser. The address holds
 /// a secret, and what programs were started with is seen by all on this computer: the browser gets a page of a private
 /// folder, which leads there. nullptr: no browser was found. The folder is to stay until the browser has read it.
-std::unique_ptr<PassingFolder> openedInBrowser(const std::string& address);
+std::unique_ptr<TemporaryDirectory> openInBrowser(const std::string& address);
 
 } // namespace naocal

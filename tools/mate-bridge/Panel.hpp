@@ -1,6 +1,6 @@
 #pragma once
 
-#include "OpenedSets.hpp"
+#include "analysis/Dataset.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -12,12 +12,12 @@
 namespace naocal {
 
 struct PanelOptions {
-  std::optional<OpenedSets> opened; // what the laboratory works on
-  std::vector<std::string> robots;  // addresses
-  std::uint16_t port = 0;           // on 127.0.0.1; 0: any that is free
+  std::optional<Dataset> opened;   // what to analyse
+  std::vector<std::string> robots; // addresses
+  std::uint16_t port = 0;          // on 127.0.0.1; 0: any that is free
 };
 
-/// The whole bridge: server, laboratory, robots. Runs until `stop`.
+/// The whole bridge: server, analysis of captures, robots. Runs until `stop`.
 class Panel {
 public:
   explicit Panel(PanelOptions options);

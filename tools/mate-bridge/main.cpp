@@ -1,7 +1,7 @@
 #include "Browser.hpp"
-#include "OpenedSets.hpp"
 #include "Panel.hpp"
-#include "page/Page.hpp"
+#include "analysis/Dataset.hpp"
+#include "server/PageFiles.hpp"
 
 #include "io/InputError.hpp"
 #include "math/Parallel.hpp"
@@ -56,13 +56,13 @@ int main(int argc, char** argv) {
     if (!session.empty()) {
       options.opened = naocal::openSession(sets, session);
     } else if (!sets.empty()) {
-      options.opened = naocal::openSets(sets);
+      options.opened = naocal::openDataset(sets);
     }
     naocal::Panel panel{std::move(options)};
     fmt::print("The panel is at {}\nEnd with Ctrl-C.\n", panel.address());
     std::fflush(stdout);
     const bool isThere = naocal::pageMissing().empty();
-    const auto opened = isThere && !noOpen ? naocal::openedInBrowser(panel.address()) : nullptr;
+    const auto opened = isThere && !noOpen ? naocal::openInBrowser(panel.address()) : nullptr;
     if (!isThere) {
       fmt::print(stderr, "{}\n", naocal::pageMissing());
     } else if (!noOpen && !opened) {

@@ -1,12 +1,11 @@
 #include "Hardware.hpp"
 
 #include "data/CaptureSetFile.hpp"
-#include "framework/ConfigurationLayers.hpp"
-#include "framework/Errors.hpp"
+#include "framework/configuration/ConfigurationLayers.hpp"
 #include "hardware/nao/LolaRobot.hpp"
 #include "hardware/nao/SharedMemoryRobot.hpp"
-#include "hardware/nao/VideoCameras.hpp"
 #include "hardware/simulated/SimulatedWorld.hpp"
+#include "hardware/v4l2/VideoCameras.hpp"
 #include "poses/PoseFile.hpp"
 
 #include <fmt/format.h>
@@ -39,8 +38,8 @@ Hardware simulatedHardware(const SimulatedPlan& plan, const std::filesystem::pat
 
 Hardware replayedHardware(const std::filesystem::path& round, const std::filesystem::path& configuration) {
   const CaptureSet recorded = readCaptureSet(round).set;
-  const RobotNames names = robotNames(configuration, recorded.headId, recorded.bodyId);
-  const Overlay collector{layersOf(configuration, "CaptureCollector.json", Part::head, names)};
+  const RobotNames names = findRobotNames(configuration, recorded.headId, recorded.bodyId);
+  const Overlay collector{layerFiles(configuration, "CaptureCollector.json", RobotPart::head, names)};
   ReplayOptions options;
   if (const auto latency = collector.merged->find("latency"); latency != collector.merged->end()) {
     if (!latency->is_number()) {
@@ -59,7 +58,7 @@ Hardware naoHardware(const std::string& model, const std::filesystem::path& conf
   } else {
     hardware.robot = std::make_unique<LolaRobot>();
   }
-  hardware.cameras = std::make_unique<VideoCameras>(videoOptions(model));
+  hardware.cameras = std::make_unique<VideoCameras>(videoOptionsForModel(model));
   return hardware;
 }
 

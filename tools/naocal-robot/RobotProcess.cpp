@@ -1,7 +1,7 @@
 #include "RobotProcess.hpp"
 
-#include "brain/CalibrationModel.hpp"
-#include "framework/Errors.hpp"
+#include "brain/CalibrationInputs.hpp"
+#include "framework/configuration/ConfigurationLayers.hpp"
 #include "io/Files.hpp"
 #include "motion/MotionModules.hpp"
 
@@ -15,9 +15,9 @@ constexpr int motionPriority = 30; // below the firmware's own threads, above ev
 
 /// The robot's names, at the location that is asked for or that sdk.json says.
 RobotNames namesOf(const RobotIdentity& identity, const RobotProcessOptions& options) {
-  RobotNames names = robotNames(options.configuration, identity.headId, identity.bodyId);
+  RobotNames names = findRobotNames(options.configuration, identity.headId, identity.bodyId);
   names.location = options.location;
-  const Overlay sdk{layersOf({options.configuration, options.state}, "sdk.json", Part::none, {})};
+  const Overlay sdk{layerFiles({options.configuration, options.state}, "sdk.json", RobotPart::none, {})};
   if (names.location.empty() && sdk.merged->contains("location")) {
     const auto& location = (*sdk.merged)["location"];
     if (!location.is_string()) {
@@ -43,10 +43,10 @@ RobotProcess::RobotProcess(RobotInterface& robot, CameraInterface& cameras, cons
   addBrainModules(brain_, cameras, {drawing, identity, configuration_, options.configuration, options.recordings});
   if (options.replay != nullptr) {
     replayed_ = &brain_.add<ReplayedCalibration>(drawing, *options.replay, options.recordings,
-                                                 calibrationModel(options.configuration, drawing));
+                                                 loadCalibrationModel(options.configuration, drawing));
   }
   database_.emplace(std::vector<Thread*>{&motion_, &brain_});
-  configuration_.mount("tuhhSDK.base", "sdk.json", Part::none);
+  configuration_.mount("tuhhSDK.base", "sdk.json", RobotPart::none);
   const RobotNames names = namesOf(identity, options);
   configuration_.publish("tuhhSDK.base", "NaoInfo.headName", names.head);
   configuration_.publish("tuhhSDK.base", "NaoInfo.bodyName", names.body);
@@ -54,7 +54,7 @@ RobotProcess::RobotProcess(RobotInterface& robot, CameraInterface& cameras, cons
   configuration_.publish("tuhhSDK.base", "NaoInfo.bodyId", identity.bodyId);
   configuration_.publish("tuhhSDK.base", "location", names.location);
   for (Thread* thread : {&motion_, &brain_}) {
-    for (const std::string& unknown : configure(*thread, configuration_)) {
+    for (const std::string& unknown : configureModules(*thread, configuration_)) {
       log_(unknown);
     }
   }
@@ -83,11 +83,11 @@ void RobotProcess::start(std::function<void(std::string_view)> failed) {
     if (!refused.empty()) {
       log_(fmt::format("The motion thread runs without real-time priority, which the system refuses: {}.", refused));
     }
-    run(motion_, stop, [this] { return robot_.ended(); });
+    run(motion_, stop, [this] { return robot_.hasEnded(); });
     moves_ = false;
   }};
   brainThread_ =
-      std::jthread{[this](const std::stop_token& stop) { run(brain_, stop, [this] { return cameras_.ended(); }); }};
+      std::jthread{[this](const std::stop_token& stop) { run(brain_, stop, [this] { return cameras_.hasEnded(); }); }};
 }
 
 void RobotProcess::run(Thread& thread, const std::stop_token& stop, const std::function<bool()>& ended) {

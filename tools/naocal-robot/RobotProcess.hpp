@@ -2,10 +2,10 @@
 
 #include "brain/BrainModules.hpp"
 #include "brain/ReplayedCalibration.hpp"
-#include "framework/Configuration.hpp"
-#include "framework/Database.hpp"
-#include "framework/Sockets.hpp"
-#include "framework/Thread.hpp"
+#include "framework/configuration/Configuration.hpp"
+#include "framework/core/Database.hpp"
+#include "framework/core/Thread.hpp"
+#include "framework/network/Sockets.hpp"
 #include "hardware/CameraInterface.hpp"
 #include "hardware/RobotInterface.hpp"
 #include "motion/PosePlayer.hpp"
@@ -53,7 +53,7 @@ public:
   /// Of a replay; nullptr where nothing is replayed.
   ReplayedCalibration* replayed() { return replayed_; }
 
-  Sockets& sockets() { return *sockets_; }
+  SocketServers& sockets() { return *sockets_; }
   Configuration& configuration() { return configuration_; }
   Thread& motion() { return motion_; }
   Thread& brain() { return brain_; }
@@ -66,11 +66,11 @@ private:
   RobotProcessOptions options_;
   Log log_;
   Configuration configuration_;
-  Ending ending_;
-  Thread motion_{"Motion", Part::body}, brain_{"Brain", Part::head};
+  ShutdownRequest ending_;
+  Thread motion_{"Motion", RobotPart::body}, brain_{"Brain", RobotPart::head};
   ReplayedCalibration* replayed_ = nullptr;
   std::optional<Database> database_;
-  std::optional<Sockets> sockets_;
+  std::optional<SocketServers> sockets_;
   std::function<void(std::string_view)> failed_;
   std::atomic<bool> moves_{false};          // the motion thread runs
   std::jthread motionThread_, brainThread_; // last: they use the others

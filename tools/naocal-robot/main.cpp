@@ -1,7 +1,7 @@
 #include "Hardware.hpp"
 #include "RobotProcess.hpp"
 #include "StateFolder.hpp"
-#include "hardware/simulated/SimulatedPlanFile.hpp"
+#include "hardware/simulated/SimulatedPlan.hpp"
 #include "io/InputError.hpp"
 
 #include <CLI/CLI.hpp>
@@ -9,6 +9,7 @@
 #include <csignal>
 #include <fmt/format.h>
 #include <iostream>
+#include <nlohmann/json.hpp> // modules show their values
 
 namespace naocal {
 namespace {
@@ -73,7 +74,7 @@ int run(Options options) {
   const Hardware hardware = hardwareOf(options);
   const auto identity = hardware.robot->waitForIdentity(std::chrono::seconds{10});
   if (!identity) {
-    throw InputError{fmt::format("the robot has not told within 10 s who it is: {}", hardware.robot->link().problem)};
+    throw InputError{fmt::format("the robot has not told within 10 s who it is: {}", hardware.robot->status().problem)};
   }
   if (options.process.location.empty()) {
     options.process.location = hardware.location;
@@ -91,7 +92,7 @@ int run(Options options) {
     ::pthread_kill(self, SIGTERM);
   });
   say(fmt::format("Robot {} runs{}. End it with Ctrl-C: it goes to its stand first.", identity->headId,
-                  process.sockets().where()));
+                  process.sockets().addressText()));
   int signal = 0;
   ::sigwait(&ends, &signal);
   const bool isOver = ended && !failed; // a replay
@@ -100,7 +101,7 @@ int run(Options options) {
   }
   process.stop();
   if (process.replayed() != nullptr && !failed) {
-    say(process.replayed()->compared(roundOf(options.recording) / "result.json"));
+    say(process.replayed()->compareWith(roundOf(options.recording) / "result.json"));
   }
   return failed ? 1 : 0;
 }

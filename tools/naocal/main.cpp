@@ -1,4 +1,4 @@
-#include "Commands.hpp"
+#include "commands/Commands.hpp"
 
 #include "io/InputError.hpp"
 #include "math/Parallel.hpp"

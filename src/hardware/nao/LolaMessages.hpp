@@ -1,7 +1,6 @@
 #pragma once
 
-#include "hardware/RobotCommand.hpp"
-#include "hardware/RobotState.hpp"
+#include "hardware/RobotInterface.hpp"
 
 #include <array>
 #include <cstdint>
@@ -18,8 +17,8 @@ namespace naocal {
 inline constexpr std::size_t lolaStateSize = 896, lolaCommandSize = 786; // [byte]
 
 /// LoLA's joints: no second hip yaw-pitch, hands last. The place of each in `jointNames`.
-inline constexpr std::array<std::size_t, 25> jointOfLola{0,  1,  2,  3,  4,  5,  6,  8,  9,  10, 11, 12, 13,
-                                                         15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 7,  25};
+inline constexpr std::array<std::size_t, 25> lolaJointOrder{0,  1,  2,  3,  4,  5,  6,  8,  9,  10, 11, 12, 13,
+                                                            15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 7,  25};
 
 /// A state message as understood, its time not set.
 struct LolaState {
@@ -28,10 +27,10 @@ struct LolaState {
 };
 
 /// Understands a whole state message, or says in one sentence why not.
-std::variant<LolaState, std::string> readLolaState(std::span<const std::uint8_t> message);
+std::variant<LolaState, std::string> parseLolaState(std::span<const std::uint8_t> message);
 
 /// Whether a message begins as every state does: enough to notice a stream that is out of step.
-bool beginsAsLolaState(std::span<const std::uint8_t> message);
+bool hasLolaStateHeader(std::span<const std::uint8_t> message);
 
 /// Writes commands; keeps its document from cycle to cycle, so that a message costs no allocations worth mentioning.
 class LolaCommandWriter {
@@ -40,7 +39,7 @@ public:
   ~LolaCommandWriter();
 
   /// `lolaCommandSize` bytes, valid until the next call; none when an angle or a stiffness is not a finite number.
-  std::span<const std::uint8_t> message(const RobotCommand& command);
+  std::span<const std::uint8_t> encode(const RobotCommand& command);
 
 private:
   struct Document;

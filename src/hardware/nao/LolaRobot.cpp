@@ -1,6 +1,6 @@
 #include "hardware/nao/LolaRobot.hpp"
 
-#include "hardware/nao/Finite.hpp"
+#include "hardware/nao/DeviceConventions.hpp"
 
 namespace naocal {
 
@@ -10,7 +10,7 @@ std::optional<LolaState> LolaRobot::waitForBoth(std::chrono::milliseconds timeou
   const TimePoint deadline = std::chrono::steady_clock::now() + timeout;
   while (const LolaStream::Received* received = stream_.receive(deadline)) {
     link_.lostStates += received->overtaken;
-    std::variant<LolaState, std::string> read = readLolaState(received->message);
+    std::variant<LolaState, std::string> read = parseLolaState(received->message);
     if (auto* state = std::get_if<LolaState>(&read)) {
       if (!isFinite(state->state)) { // the stream is in step, though
         ++link_.lostStates;
@@ -24,7 +24,7 @@ std::optional<LolaState> LolaRobot::waitForBoth(std::chrono::milliseconds timeou
     }
     ++link_.lostStates;
     link_.problem = std::get<std::string>(read);
-    stream_.startAnew(link_.problem);
+    stream_.reconnect(link_.problem);
   }
   return std::nullopt;
 }
@@ -40,7 +40,7 @@ std::optional<RobotState> LolaRobot::waitForState(std::chrono::milliseconds time
 }
 
 void LolaRobot::send(const RobotCommand& command) {
-  const std::span<const std::uint8_t> message = writer_.message(command);
+  const std::span<const std::uint8_t> message = writer_.encode(command);
   if (message.empty()) {
     link_.problem = "a command was not sent because it asks for an angle or stiffness that is not a finite number";
     return;
@@ -48,10 +48,10 @@ void LolaRobot::send(const RobotCommand& command) {
   stream_.send(message);
 }
 
-RobotLink LolaRobot::link() const {
-  RobotLink link = link_;
+RobotStatus LolaRobot::status() const {
+  RobotStatus link = link_;
   link.reconnects = stream_.connections() > 0 ? stream_.connections() - 1 : 0;
-  if (!stream_.connected()) {
+  if (!stream_.isConnected()) {
     link.problem = stream_.problem();
   }
   return link;

@@ -15,14 +15,14 @@ public:
   std::optional<RobotState> waitForState(std::chrono::milliseconds timeout) override;
   void send(const RobotCommand& command) override;
   std::chrono::nanoseconds period() const override { return std::chrono::milliseconds{12}; }
-  RobotLink link() const override;
+  RobotStatus status() const override;
 
 private:
   std::optional<LolaState> waitForBoth(std::chrono::milliseconds timeout);
 
   LolaStream stream_;
   LolaCommandWriter writer_;
-  RobotLink link_;
+  RobotStatus link_;
 };
 
 } // namespace naocal

@@ -13,7 +13,6 @@
 #include <unistd.h>
 
 namespace naocal {
-
 namespace {
 
 constexpr std::chrono::milliseconds betweenAttempts{10}; // to connect
@@ -49,7 +48,7 @@ bool LolaStream::connectOnce() {
   address.sun_family = AF_UNIX;
   std::copy_n(path_.c_str(), path_.string().size(), address.sun_path);
   if (socket_ < 0 || connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
-    startAnew(fmt::format("{}: no connection to the robot's hardware service: {}", path_.string(), strerror(errno)));
+    reconnect(fmt::format("{}: no connection to the robot's hardware service: {}", path_.string(), strerror(errno)));
     return false;
   }
   ++connections_;
@@ -57,7 +56,7 @@ bool LolaStream::connectOnce() {
   return true;
 }
 
-void LolaStream::startAnew(std::string reason) {
+void LolaStream::reconnect(std::string reason) {
   if (socket_ >= 0) {
     close(socket_);
   }
@@ -79,7 +78,7 @@ bool LolaStream::drain() {
         continue;
       }
       if (!nothingMore) {
-        startAnew(fmt::format("{}: the robot's hardware service closed the connection{}{}", path_.string(),
+        reconnect(fmt::format("{}: the robot's hardware service closed the connection{}{}", path_.string(),
                               count < 0 ? ": " : "", count < 0 ? strerror(errno) : ""));
       }
       return nothingMore;
@@ -87,8 +86,8 @@ bool LolaStream::drain() {
     gathered_ += std::size_t(count);
     if (gathered_ == next_.size()) {
       gathered_ = 0;
-      if (!beginsAsLolaState(next_)) {
-        startAnew(fmt::format("{}: the stream of states is out of step", path_.string()));
+      if (!hasLolaStateHeader(next_)) {
+        reconnect(fmt::format("{}: the stream of states is out of step", path_.string()));
         return false;
       }
       received_.overtaken += fresh_;
@@ -101,12 +100,12 @@ bool LolaStream::drain() {
 
 const LolaStream::Received* LolaStream::receive(TimePoint deadline) {
   while (true) {
-    if (connected() || connectOnce()) {
+    if (isConnected() || connectOnce()) {
       if (!unsent_.empty()) {
         sendRest();
       }
       pollfd wait{socket_, short(unsent_.empty() ? POLLIN : POLLIN | POLLOUT), 0};
-      if (connected() && poll(&wait, 1, millisecondsUntil(deadline)) > 0 && (wait.revents & ~POLLOUT) && drain() &&
+      if (isConnected() && poll(&wait, 1, millisecondsUntil(deadline)) > 0 && (wait.revents & ~POLLOUT) && drain() &&
           fresh_) {
         fresh_ = false;
         return &received_;
@@ -122,10 +121,10 @@ const LolaStream::Received* LolaStream::receive(TimePoint deadline) {
 }
 
 void LolaStream::send(std::span<const std::uint8_t> message) {
-  if (connected() && !unsent_.empty()) {
+  if (isConnected() && !unsent_.empty()) {
     sendRest();
   }
-  if (connected() && unsent_.empty()) {
+  if (isConnected() && unsent_.empty()) {
     unsent_.assign(message.begin(), message.end());
     sendRest();
   }
@@ -136,7 +135,7 @@ void LolaStream::sendRest() {
   if (count >= 0) {
     unsent_.erase(unsent_.begin(), unsent_.begin() + count);
   } else if (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR) {
-    startAnew(fmt::format("{}: the robot's hardware service takes no commands: {}", path_.string(), strerror(errno)));
+    reconnect(fmt::format("{}: the robot's hardware service takes no commands: {}", path_.string(), strerror(errno)));
   }
 }
 

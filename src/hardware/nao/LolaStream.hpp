@@ -29,9 +29,9 @@ public:
   void send(std::span<const std::uint8_t> message);
 
   /// Closes; the next `receive` connects again. `reason`: a sentence.
-  void startAnew(std::string reason);
+  void reconnect(std::string reason);
 
-  bool connected() const { return socket_ >= 0; }
+  bool isConnected() const { return socket_ >= 0; }
   std::uint64_t connections() const { return connections_; }
   const std::string& problem() const { return problem_; }
 

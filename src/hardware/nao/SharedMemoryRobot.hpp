@@ -22,7 +22,7 @@ public:
   std::optional<RobotState> waitForState(std::chrono::milliseconds timeout) override;
   void send(const RobotCommand& command) override;
   std::chrono::nanoseconds period() const override { return std::chrono::milliseconds{10}; }
-  RobotLink link() const override { return link_; }
+  RobotStatus status() const override { return link_; }
 
 private:
   struct Unmap {
@@ -35,7 +35,7 @@ private:
   std::uint32_t seen_ = 0; // number of the last state
   bool wasLost_ = false;   // since the last state
   TimePoint lastSign_{};   // of life
-  RobotLink link_;
+  RobotStatus link_;
 };
 
 } // namespace naocal

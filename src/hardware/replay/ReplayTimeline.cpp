@@ -11,7 +11,6 @@
 #include <numeric>
 
 namespace naocal {
-
 namespace {
 
 using namespace std::chrono_literals;
@@ -20,7 +19,7 @@ constexpr Duration replayCycle = 12ms, leadIn = 1s, leadOut = 500ms; // before t
 constexpr Duration transfer = 25ms; // from the middle of an exposure until its picture arrives
 
 /// A picture file, read when somebody looks at it.
-class PictureFile : public PictureBytes {
+class PictureFile : public ImageBytes {
 public:
   PictureFile(std::filesystem::path file, std::size_t size) : file_{std::move(file)}, size_{size} {}
 
@@ -85,7 +84,7 @@ CameraFrame frameOf(const CaptureSet& set, const Capture& capture, const std::fi
 
 } // namespace
 
-ReplayTimeline replayTimeline(const CaptureSet& set, const std::filesystem::path& folder, Duration latency) {
+ReplayTimeline buildTimeline(const CaptureSet& set, const std::filesystem::path& folder, Duration latency) {
   if (set.captures.empty()) {
     throw InputError{fmt::format("{}: expected captures to replay, found none", folder.string())};
   }
@@ -118,12 +117,12 @@ ReplayTimeline replayTimeline(const CaptureSet& set, const std::filesystem::path
   return timeline;
 }
 
-RobotState replayedState(const CaptureSet& set, const Capture& capture, TimePoint time) {
+RobotState stateAtCapture(const CaptureSet& set, const Capture& capture, TimePoint time) {
   RobotState state;
   state.time = time;
   state.stiffness.fill(1);
   for (std::size_t i = 0; i < set.jointNames.size(); ++i) {
-    const auto joint = jointNumber(set.jointNames[i]);
+    const auto joint = jointIndex(set.jointNames[i]);
     const auto take = [&](const std::vector<double>& readings, double& to) {
       to = joint && i < readings.size() && std::isfinite(readings[i]) ? readings[i] : to;
     };

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "data/Capture.hpp"
-#include "hardware/CameraFrame.hpp"
+#include "hardware/CameraInterface.hpp"
 
 #include <vector>
 
@@ -26,9 +26,9 @@ struct ReplayTimeline {
 
 /// `latency`: from a frame's stamp to the middle of its exposure. Pictures are read from `folder` when somebody looks
 /// at them. Throws InputError where a capture has no picture, or a camera is neither top nor bottom.
-ReplayTimeline replayTimeline(const CaptureSet& set, const std::filesystem::path& folder, Duration latency);
+ReplayTimeline buildTimeline(const CaptureSet& set, const std::filesystem::path& folder, Duration latency);
 
 /// What the robot reported at a capture. Joints that the set does not have, or did not record, are 0.
-RobotState replayedState(const CaptureSet& set, const Capture& capture, TimePoint time);
+RobotState stateAtCapture(const CaptureSet& set, const Capture& capture, TimePoint time);
 
 } // namespace naocal

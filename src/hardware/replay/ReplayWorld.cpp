@@ -1,7 +1,7 @@
 #include "hardware/replay/ReplayWorld.hpp"
 
 #include "data/CaptureSetFile.hpp"
-#include "hardware/CameraLoopStep.hpp"
+#include "hardware/LockStep.hpp"
 #include "hardware/replay/ReplayTimeline.hpp"
 
 #include <deque>
@@ -12,8 +12,8 @@ namespace naocal {
 /// What both sides share; all that changes under `mutex`.
 struct ReplayShared {
   ReplayShared(const std::filesystem::path& folder, const ReplayOptions& replayOptions)
-      : options{replayOptions}, set{readCaptureSet(folder).set}, timeline{replayTimeline(set, folder,
-                                                                                         replayOptions.latency)} {}
+      : options{replayOptions}, set{readCaptureSet(folder).set}, timeline{buildTimeline(set, folder,
+                                                                                        replayOptions.latency)} {}
 
   bool over() const { return nextMoment == timeline.moments.size(); }
 
@@ -21,12 +21,12 @@ struct ReplayShared {
   const CaptureSet set;
   const ReplayTimeline timeline;
   std::mutex mutex;
-  CameraLoopStep step;
+  LockStep step;
   std::size_t nextMoment = 0, nextPicture = 0; // not given yet; pictures before `arrived` may be
   std::size_t arrived = 0;
   std::optional<TimePoint> began; // on the wall
-  RobotLink link;
-  std::array<CameraLink, 2> cameraLinks;
+  RobotStatus link;
+  std::array<CameraStatus, 2> cameraLinks;
 };
 
 namespace {
@@ -62,16 +62,16 @@ public:
       ++shared.arrived;
     }
     shared.step.changed.notify_all();
-    return replayedState(shared.set, shared.set.captures[moment.capture], moment.time);
+    return stateAtCapture(shared.set, shared.set.captures[moment.capture], moment.time);
   }
 
   void send(const RobotCommand&) override {}
   std::chrono::nanoseconds period() const override { return std::chrono::milliseconds{12}; }
-  bool ended() const override {
+  bool hasEnded() const override {
     const std::lock_guard lock{shared_->mutex};
     return shared_->over();
   }
-  RobotLink link() const override {
+  RobotStatus status() const override {
     const std::lock_guard lock{shared_->mutex};
     return shared_->link;
   }
@@ -104,7 +104,7 @@ public:
   std::optional<CameraFrame> waitForFrame(std::chrono::milliseconds timeout) override {
     std::unique_lock lock{shared_->mutex};
     ReplayShared& shared = *shared_;
-    shared.step.waitForPicture(lock, timeout, [&] { return shared.nextPicture < shared.arrived; });
+    shared.step.waitForImage(lock, timeout, [&] { return shared.nextPicture < shared.arrived; });
     if (shared.nextPicture == shared.arrived) {
       return std::nullopt;
     }
@@ -116,11 +116,11 @@ public:
     return frame;
   }
 
-  bool ended() const override {
+  bool hasEnded() const override {
     const std::lock_guard lock{shared_->mutex};
     return shared_->nextPicture == shared_->timeline.pictures.size();
   }
-  CameraLink link(CameraName camera) const override {
+  CameraStatus status(CameraName camera) const override {
     const std::lock_guard lock{shared_->mutex};
     return shared_->cameraLinks[std::size_t(camera)];
   }

@@ -26,7 +26,7 @@ public:
   /// `folder`: with captures.json and pictures. Throws InputError.
   explicit ReplayWorld(const std::filesystem::path& folder, const ReplayOptions& options = {});
 
-  /// Its two sides, each for one thread; they may outlive it. After the last capture both have `ended()`.
+  /// Its two sides, each for one thread; they may outlive it. After the last capture both have `hasEnded()`.
   std::unique_ptr<RobotInterface> robot();
   std::unique_ptr<CameraInterface> cameras();
 

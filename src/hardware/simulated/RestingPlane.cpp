@@ -5,7 +5,6 @@
 #include <cmath>
 
 namespace naocal {
-
 namespace {
 
 using Triangle = std::array<std::size_t, 3>;
@@ -75,9 +74,9 @@ std::optional<Triangle> lowerFace(const std::vector<Eigen::Vector3d>& points, co
 
 } // namespace
 
-std::optional<RestingPlane> restingPlane(const std::vector<Eigen::Vector3d>& points,
-                                         const Eigen::Vector3d& centreOfMass, const Eigen::Vector3d& up,
-                                         double mostTilt) {
+std::optional<RestingPlane> findRestingPlane(const std::vector<Eigen::Vector3d>& points,
+                                             const Eigen::Vector3d& centreOfMass, const Eigen::Vector3d& up,
+                                             double mostTilt) {
   RestingPlane resting{up.normalized(), 0, {}};
   for (int tilt = 0; tilt < 50; ++tilt) {
     const Eigen::Matrix3d uprightFromBody =

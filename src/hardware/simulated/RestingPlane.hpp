@@ -21,8 +21,8 @@ struct RestingPlane {
 /// With u = up as z axis the floor below the points is the plane that is highest under the centre of mass while no
 /// point is below it: a linear programme in three unknowns, solved by exchanging one of three points at a time. The
 /// tilt turns u; this repeats until it stands.
-std::optional<RestingPlane> restingPlane(const std::vector<Eigen::Vector3d>& points,
-                                         const Eigen::Vector3d& centreOfMass, const Eigen::Vector3d& up,
-                                         double mostTilt);
+std::optional<RestingPlane> findRestingPlane(const std::vector<Eigen::Vector3d>& points,
+                                             const Eigen::Vector3d& centreOfMass, const Eigen::Vector3d& up,
+                                             double mostTilt);
 
 } // namespace naocal

@@ -6,7 +6,6 @@
 #include <cmath>
 
 namespace naocal {
-
 namespace {
 
 constexpr double mostTilt = radians(25); // against the floor, before it counts as falling
@@ -17,8 +16,8 @@ SimulatedBody::SimulatedBody(const Robot& drawing, const SimulatedPlan& plan, co
     : drawing_{drawing}, plan_{plan}, robot_{drawing, errors.robot, plan.mechanics}, body_{drawing},
       offsets_{errors.robot.jointOffsets}, motion_{plan.seed, "motion"}, sensors_{plan.seed, "sensors"} {
   for (std::size_t joint = 0; joint < drawing.joints.size(); ++joint) {
-    jointOfHardware_.push_back(jointNumber(drawing.joints[joint].name).value());
-    const double angle = plan.start[*jointNumber(drawing.joints[drawing.joints[joint].motor].name)];
+    jointOfHardware_.push_back(jointIndex(drawing.joints[joint].name).value());
+    const double angle = plan.start[*jointIndex(drawing.joints[drawing.joints[joint].motor].name)];
     servos_.emplace_back(drawing.joints[joint], errors.play[joint], plan.servos, angle - offsets_[at(joint)]);
   }
   temperatures_ = Eigen::VectorXd::Constant(at(servos_.size()), plan.mechanics.ambientTemperature);
@@ -30,14 +29,14 @@ SimulatedBody::SimulatedBody(const Robot& drawing, const SimulatedPlan& plan, co
 
 /// Somebody has put the robot onto the sole that lies flatter on the floor so; the left one, where both do alike.
 void SimulatedBody::putDown() {
-  const std::vector<Eigen::Isometry3d> torsoFromLink = body_.posture(joints());
+  const std::vector<Eigen::Isometry3d> torsoFromLink = body_.posture(trueAngles());
   const Contact contact = contactOf(torsoFromLink);
   double least = mostTilt;
   SupportFoot flatter = anchored_;
   for (const SupportFoot foot : {SupportFoot::left, SupportFoot::right}) {
     const Eigen::Isometry3d soleFromTorso = torsoFromLink[soleLink(foot)].inverse();
     const Eigen::Vector3d up = soleFromTorso.linear().transpose().col(2);
-    const auto resting = restingPlane(contact.points, contact.centreOfMass, up, mostTilt);
+    const auto resting = findRestingPlane(contact.points, contact.centreOfMass, up, mostTilt);
     const double tilt = resting ? std::acos(std::min(1.0, resting->up.dot(up))) : mostTilt;
     if (tilt < least) {
       least = tilt;
@@ -70,14 +69,14 @@ void SimulatedBody::command(const RobotCommand& command) {
   }
   stiffness_ = command.stiffness;
   hands_ = command.angles.values;
-  const bool hold = command.leds.leftEye.front() == holdMe;
+  const bool hold = command.leds.leftEye.front() == holdMeColour;
   if (held_ && !hold) {
     putDown();
   }
   held_ = hold;
 }
 
-Eigen::VectorXd SimulatedBody::joints() const {
+Eigen::VectorXd SimulatedBody::trueAngles() const {
   Eigen::VectorXd angles{at(servos_.size())};
   for (std::size_t joint = 0; joint < servos_.size(); ++joint) {
     const Servo& servo = servos_[drawing_.joints[joint].motor];
@@ -106,7 +105,7 @@ void SimulatedBody::advance(Seconds step) {
 
 void SimulatedBody::turnMotors(Seconds step) {
   constexpr double still = radians(0.02); // no angle changes a torque by more than a thousandth of it
-  const Eigen::VectorXd now = joints();
+  const Eigen::VectorXd now = trueAngles();
   if ((now - torquesAt_).cwiseAbs().maxCoeff() > still) {
     torques_ = robot_.gravityTorques(now, support_);
     torquesAt_ = now;
@@ -147,13 +146,14 @@ RestingPlane SimulatedBody::held(const std::vector<Eigen::Vector3d>& points,
 }
 
 void SimulatedBody::settle(Seconds step) {
-  const std::vector<Eigen::Isometry3d> torsoFromLink = body_.posture(joints());
+  const std::vector<Eigen::Isometry3d> torsoFromLink = body_.posture(trueAngles());
   const Eigen::Isometry3d torsoFromSole[2]{torsoFromLink[soleLink(SupportFoot::left)],
                                            torsoFromLink[soleLink(SupportFoot::right)]};
   const auto [points, centre] = contactOf(torsoFromLink);
   const std::size_t leftCount = drawing_.sole("left")->outline.size();
   const Eigen::Vector3d up = worldFromTorso_.linear().transpose() * Eigen::Vector3d::UnitZ();
-  const auto resting = held_ ? std::optional{held(points, torsoFromSole)} : restingPlane(points, centre, up, mostTilt);
+  const auto resting =
+      held_ ? std::optional{held(points, torsoFromSole)} : findRestingPlane(points, centre, up, mostTilt);
   if (!resting) {
     const Eigen::Vector3d ahead =
         worldFromTorso_.linear() * (centre - torsoFromSole[anchored_ == SupportFoot::right].translation());
@@ -210,7 +210,7 @@ void SimulatedBody::measure(RobotState& state) {
   const TakenPose pose = taken();
   const Eigen::VectorXd shown = robot_.encoderReadings(pose, Seconds{0}, sensors_);
   const Eigen::VectorXd currents = robot_.currentReadings(pose, sensors_);
-  for (std::size_t hand : {*jointNumber("LHand"), *jointNumber("RHand")}) {
+  for (std::size_t hand : {*jointIndex("LHand"), *jointIndex("RHand")}) {
     state.angles[hand] = hands_[hand];
     state.temperature[hand] = plan_.mechanics.ambientTemperature;
   }

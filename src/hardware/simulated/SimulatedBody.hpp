@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hardware/RobotCommand.hpp"
+#include "hardware/RobotInterface.hpp"
 #include "hardware/simulated/RestingPlane.hpp"
 #include "hardware/simulated/Servo.hpp"
 #include "hardware/simulated/SimulatedPlan.hpp"
@@ -23,15 +23,15 @@ public:
   void measure(RobotState& state);
 
   /// Of all joints of the drawing, as they really are [rad].
-  Eigen::VectorXd joints() const;
+  Eigen::VectorXd trueAngles() const;
   const Eigen::Isometry3d& worldFromTorso() const { return worldFromTorso_; }
   Eigen::Isometry3d worldFromCamera(std::size_t camera, const Eigen::VectorXd& joints,
                                     const Eigen::Isometry3d& worldFromTorso) const;
   SupportFoot supportFoot() const { return support_; }
-  bool fallen() const { return fall_.has_value(); }
+  bool hasFallen() const { return fall_.has_value(); }
 
 private:
-  struct Stand { // where a sole lies on the floor
+  struct SolePlacement { // where a sole lies on the floor
     double x = 0, y = 0, yaw = 0;
   };
   struct Contact {
@@ -60,7 +60,7 @@ private:
   Eigen::VectorXd torques_, temperatures_, torquesAt_; // torquesAt_: joints for which torques_ were computed
   bool held_ = false;
   SupportFoot support_ = SupportFoot::both, anchored_ = SupportFoot::left;
-  Stand stand_;
+  SolePlacement stand_;
   Eigen::Isometry3d worldFromTorso_ = Eigen::Isometry3d::Identity();
   Eigen::Vector3d turnRate_ = Eigen::Vector3d::Zero(); // of the torso, in its axes [rad/s]
   struct Fall {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 namespace naocal {
-
 namespace {
 
 using std::chrono::nanoseconds;
@@ -19,7 +18,7 @@ SimulatedCamera::SimulatedCamera(CameraName name, const SimulatedPlan& plan, Tim
     : name_{name}, plan_{plan.cameras}, seed_{plan.seed * 2 + (name == CameraName::bottom)},
       chance_{plan.seed, fmt::format("camera {}", toString(name))}, first_{first} {
   const double share = plan_.exposure / (plan_.exposure + plan_.readOut);
-  lens_ = std::make_shared<const SimulatedLens>(SimulatedLens{
+  lens_ = std::make_shared<const SimulatedOptics>(SimulatedOptics{
       Renderer{plan_.intrinsics.at(std::string{toString(name)}), seed_}, plan_.appearance, plan.boards, share});
   schedule();
 }
@@ -34,7 +33,7 @@ void SimulatedCamera::schedule() {
   begins_ = first_ + whole(double(sequence_) * plan_.period + late);
 }
 
-std::optional<TimePoint> SimulatedCamera::arrivedBy(TimePoint now) {
+std::optional<TimePoint> SimulatedCamera::nextArrival(TimePoint now) {
   return begins_ + span() + whole(plan_.transfer) <= now ? std::optional{begins_} : std::nullopt;
 }
 
@@ -50,10 +49,47 @@ void SimulatedCamera::deliver(const std::vector<Eigen::Isometry3d>& worldFromCam
                size.height,
                begins_,
                sequence_,
-               std::make_shared<SimulatedPicture>(lens_, worldFromCamera, (seed_ << 32U) ^ sequence_)};
+               std::make_shared<SimulatedImage>(lens_, worldFromCamera, (seed_ << 32U) ^ sequence_)};
   }
   ++sequence_;
   schedule();
+}
+
+SimulatedImage::SimulatedImage(std::shared_ptr<const SimulatedOptics> lens,
+                               std::vector<Eigen::Isometry3d> worldFromCamera, std::uint64_t seed)
+    : lens_{std::move(lens)}, worldFromCamera_{std::move(worldFromCamera)}, seed_{seed} {}
+
+std::span<const std::uint8_t> SimulatedImage::bytes() const {
+  std::call_once(rendered_, [this] { render(); });
+  return bytes_;
+}
+
+RenderedScene SimulatedImage::scene(const Eigen::Isometry3d& worldFromCamera) const {
+  Eigen::Matrix3d opticalFromCamera; // x right, y down, z forward from x forward, y left, z up
+  opticalFromCamera << 0, -1, 0, 0, 0, -1, 1, 0, 0;
+  RenderedScene scene;
+  for (const Board& board : lens_->boards) {
+    const Eigen::Isometry3d opticalFromBoard =
+        opticalFromCamera * (worldFromCamera.inverse() * isometry(*board.placement));
+    scene.boards.push_back({board.id, *board.pattern, {opticalFromBoard.linear(), opticalFromBoard.translation()}});
+  }
+  return scene;
+}
+
+void SimulatedImage::render() const {
+  constexpr double still = 1e-5; // [m], [rad]: a hundredth of a pixel
+  const Eigen::Isometry3d moved = worldFromCamera_.front().inverse() * worldFromCamera_.back();
+  const bool moves = !moved.isApprox(Eigen::Isometry3d::Identity(), still);
+  std::vector<RenderedScene> scenes;
+  for (const Eigen::Isometry3d& instant : worldFromCamera_) {
+    scenes.push_back(scene(instant));
+  }
+  const GreyPicture grey = moves ? lens_->renderer.picture(scenes, lens_->exposureShare, lens_->appearance, seed_)
+                                 : lens_->renderer.picture(scenes[scenes.size() / 2], lens_->appearance, seed_);
+  bytes_.assign(2 * grey.pixels.size(), 128); // without colour
+  for (std::size_t pixel = 0; pixel < grey.pixels.size(); ++pixel) {
+    bytes_[2 * pixel] = grey.pixels[pixel];
+  }
 }
 
 } // namespace naocal

@@ -1,10 +1,48 @@
 #include "hardware/simulated/SimulatedPlan.hpp"
 
-namespace naocal {
+#include "data/BoardFile.hpp"
+#include "io/Files.hpp"
+#include "io/JsonReader.hpp"
 
-RawAngles SimulatedPlan::standing() {
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+namespace {
+
+constexpr Range fewDegrees{0, 20, "degrees"}, fractions{0, 1, "s"}, shares{0, 1, ""}, greyLevels{0, 50, "grey levels"};
+
+/// A number that is absent or in its range, in the plan's own unit.
+void take(const JsonPlace& top, const char* key, const Range& range, double unit, double& value) {
+  if (const auto given = top.find(key)) {
+    value = unit * given->number(range);
+  }
+}
+
+void take(const JsonPlace& top, const char* key, Seconds& value) {
+  double number = value.count();
+  take(top, key, fractions, 1, number);
+  value = Seconds{number};
+}
+
+std::vector<Board> placedBoards(const JsonPlace& place) {
+  std::vector<Board> boards;
+  for (const JsonPlace& one : place.elements()) {
+    boards.push_back(readBoard(one));
+    if (!boards.back().placement || !boards.back().pattern) {
+      one.refuse("a ChArUco board with its placement on the floor, to be simulated");
+    }
+  }
+  requireDistinctMarkers(boards, place);
+  return boards;
+}
+
+} // namespace
+
+RawAngles SimulatedPlan::standingAngles() {
   RawAngles angles;
-  const auto set = [&](std::string_view joint, double value) { angles[*jointNumber(joint)] = radians(value); };
+  const auto set = [&](std::string_view joint, double value) { angles[*jointIndex(joint)] = radians(value); };
   for (const std::string side : {"L", "R"}) {
     set(side + "ShoulderPitch", 85);
     set(side + "ShoulderRoll", side == "L" ? 8 : -8);
@@ -16,7 +54,7 @@ RawAngles SimulatedPlan::standing() {
   return angles;
 }
 
-SimulatedErrors drawnErrors(const Robot& drawing, const SimulatedPlan& plan) {
+SimulatedErrors drawErrors(const Robot& drawing, const SimulatedPlan& plan) {
   Randomness errorChance{plan.seed, "errors"}, playChance{plan.seed, "play"};
   SimulatedErrors errors{drawnErrors(drawing, plan.offsetRange, plan.mountRange, plan.mountShiftRange, errorChance),
                          std::vector<double>(drawing.joints.size())};
@@ -27,6 +65,51 @@ SimulatedErrors drawnErrors(const Robot& drawing, const SimulatedPlan& plan) {
     errors.play[joint] = errors.play[drawing.joints[joint].motor];
   }
   return errors;
+}
+
+SimulatedPlan readSimulatedPlan(const std::filesystem::path& file, SimulatedPlan plan) {
+  const nlohmann::json document = parseJson(fileContent(file), file.string());
+  const JsonPlace top{document, file.string()};
+  constexpr std::array known{"model",
+                             "seed",
+                             "pace",
+                             "offsetRangeDegrees",
+                             "mountRangeDegrees",
+                             "playRangeDegrees",
+                             "droopDegreesPerNewtonMetre",
+                             "exposureSeconds",
+                             "readOutSeconds",
+                             "jitterSeconds",
+                             "lostShare",
+                             "pictureNoise",
+                             "boards"};
+  for (const auto& [key, place] : top.members()) {
+    if (std::find(known.begin(), known.end(), key) == known.end()) {
+      place.refuse("a key of a simulated robot (SimulatedPlan.hpp)", "the key \"" + key + "\"");
+    }
+  }
+  if (const auto model = top.find("model")) {
+    plan.model = model->text();
+  }
+  if (const auto seed = top.find("seed")) {
+    plan.seed = std::uint64_t(seed->integer(0, largestNumber));
+  }
+  if (const auto pace = top.find("pace")) {
+    plan.pace = Pace(pace->oneOf({"real", "quick"}));
+  }
+  take(top, "offsetRangeDegrees", fewDegrees, radians(1), plan.offsetRange);
+  take(top, "mountRangeDegrees", fewDegrees, radians(1), plan.mountRange);
+  take(top, "playRangeDegrees", fewDegrees, radians(1), plan.playRange);
+  take(top, "droopDegreesPerNewtonMetre", fewDegrees, radians(1), plan.servos.droop);
+  take(top, "exposureSeconds", plan.cameras.exposure);
+  take(top, "readOutSeconds", plan.cameras.readOut);
+  take(top, "jitterSeconds", plan.cameras.jitter);
+  take(top, "lostShare", shares, 1, plan.cameras.lostShare);
+  take(top, "pictureNoise", greyLevels, 1, plan.cameras.appearance.noise);
+  if (const auto boards = top.find("boards")) {
+    plan.boards = placedBoards(*boards);
+  }
+  return plan;
 }
 
 } // namespace naocal

@@ -1,10 +1,12 @@
 #pragma once
 
-#include "hardware/RobotState.hpp"
+#include "hardware/RobotInterface.hpp"
 #include "hardware/simulated/Servo.hpp"
 #include "simulation/Renderer.hpp"
 #include "simulation/RobotErrors.hpp"
 #include "simulation/SimulationPlan.hpp"
+
+#include <filesystem>
 
 namespace naocal {
 
@@ -40,11 +42,11 @@ struct SimulatedPlan {
   Seconds commandDelay{0.02}; // from a command to the motors
   SimulatedCameraPlan cameras;
   std::vector<Board> boards = boardsAround(); // lie where `placement` says
-  RawAngles start = standing();               // what the motors were commanded to before
+  RawAngles start = standingAngles();         // what the motors were commanded to before
   Pace pace = Pace::real;
 
   /// Upright on both feet with bent knees and hanging arms [rad].
-  static RawAngles standing();
+  static RawAngles standingAngles();
 };
 
 /// What a simulated robot has that nobody told it.
@@ -54,6 +56,17 @@ struct SimulatedErrors {
 };
 
 /// Drawn by the plan's seed.
-SimulatedErrors drawnErrors(const Robot& drawing, const SimulatedPlan& plan);
+SimulatedErrors drawErrors(const Robot& drawing, const SimulatedPlan& plan);
+
+/// Reads what to simulate. All keys may be missing; what they would say is as in `plan`:
+///
+///     {"model": "V6", "seed": 1, "pace": "real",                                  or "quick"
+///      "offsetRangeDegrees": 5, "mountRangeDegrees": 2, "playRangeDegrees": 0,    hidden errors, drawn by the seed
+///      "droopDegreesPerNewtonMetre": 0.057,
+///      "exposureSeconds": 0.01, "readOutSeconds": 0.024, "jitterSeconds": 0, "lostShare": 0, "pictureNoise": 3,
+///      "boards": [...]}                                                           as in a capture set, with placements
+///
+/// Throws InputError: file, place, what was expected, what was found.
+SimulatedPlan readSimulatedPlan(const std::filesystem::path& file, SimulatedPlan plan = {});
 
 } // namespace naocal

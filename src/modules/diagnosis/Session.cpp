@@ -4,6 +4,7 @@
 #include "io/InputError.hpp"
 #include "io/JsonReader.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -70,7 +71,68 @@ Rung rungOf(const JsonPlace& place, int before) {
   return rung;
 }
 
+bool contains(const std::vector<std::string>& labels, const std::string& label) {
+  return std::find(labels.begin(), labels.end(), label) != labels.end();
+}
+
 } // namespace
+
+std::vector<std::string> termLabels(const Model& model) {
+  std::vector<std::string> labels;
+  for (const Term& term : model.terms()) {
+    if (!term.isPlacement && term.asked) {
+      labels.push_back(term.label());
+    }
+  }
+  return labels;
+}
+
+void Session::add(const std::string& label, const Terms& terms) {
+  Rung changed = current();
+  if (std::erase(changed.without, label) == 0) {
+    if (contains(changed.with, label) || contains(terms(), label)) {
+      throw InputError{fmt::format("{} is in the model already", label)};
+    }
+    changed.with.push_back(label);
+  }
+  revise(std::move(changed), "+ " + label);
+}
+
+void Session::drop(const std::string& label, const Terms& terms) {
+  Rung changed = current();
+  if (std::erase(changed.with, label) == 0) {
+    if (!contains(terms(), label)) {
+      throw InputError{fmt::format("{} is not in the model; it has {}", label,
+                                   changed.with.empty() ? "no more than the base"
+                                                        : fmt::format("{}", fmt::join(changed.with, ", ")))};
+    }
+    changed.without.push_back(label);
+  }
+  revise(std::move(changed), "− " + label);
+}
+
+void Session::revise(Rung changed, const std::string& step) {
+  changed.step = step;
+  changed.from = at;
+  changed.questioned.reset();
+  at = ladder.size();
+  ladder.push_back(std::move(changed));
+}
+
+void Session::undo() {
+  const std::optional<std::size_t> before = current().from;
+  if (!before) {
+    throw InputError{"there is nothing to undo"};
+  }
+  at = *before;
+}
+
+void Session::goTo(std::size_t number) {
+  if (number >= ladder.size()) {
+    throw InputError{"there is no such step in the history"};
+  }
+  at = number;
+}
 
 nlohmann::json sessionJson(const Session& session) {
   Json ladder = Json::array();

@@ -4,6 +4,7 @@
 #include "diagnosis/Diagnosis.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -21,12 +22,35 @@ struct Rung {
   std::optional<Step> questioned;         // once it was put to the question
 };
 
-/// A person's work with captures, from which it goes on another day, in the terminal or in the panel.
+/// A person's work with captures, from which it goes on another day, in the terminal or in the panel. Every model that
+/// was tried stays: a changed one comes last, whichever model it was made from.
 struct Session {
   std::vector<Rung> ladder;
   std::size_t at = 0;  // the rung that one stands on
   ResultInputs inputs; // the captures
+
+  Rung& current() { return ladder.at(at); }
+  const Rung& current() const { return ladder.at(at); }
+
+  /// Labels of the current model's terms (`termLabels`); called where they matter, as a model may name what there is
+  /// not.
+  using Terms = std::function<std::vector<std::string>()>;
+
+  /// The current model with another effect, or with one of the base model that was taken out. Throws InputError where
+  /// the effect is in the model.
+  void add(const std::string& label, const Terms& terms);
+  /// The current model without one of its effects, of the base model's too. Throws InputError where it has no such one.
+  void drop(const std::string& label, const Terms& terms);
+  /// The current model as changed otherwise; `step` says how.
+  void revise(Rung changed, const std::string& step);
+  /// Back to the model that the current one was made from. Throws InputError where there is none.
+  void undo();
+  /// To any model that was tried. Throws InputError where there is none of that number.
+  void goTo(std::size_t number);
 };
+
+/// The labels of a model's terms that were asked for, placements aside.
+std::vector<std::string> termLabels(const Model& model);
 
 /// {"format": "naocal-session", "version": 1, "sets": [folders], "sha256": [of their captures.json], "at": 1, "ladder":
 /// [{"with": ["E@P"], "without": [], "define": [user effects], "step": "+ E@P", "from": 0, "rmsPx": 0.52, "heldOutPx":

@@ -13,20 +13,20 @@ class Worker {
 public:
   Worker() : thread_{[this](const std::stop_token& stop) { run(stop); }} {}
 
-  void add(std::function<void()> task) {
+  void enqueue(std::function<void()> task) {
     const std::lock_guard lock{mutex_};
     tasks_.push_back(std::move(task));
     added_.notify_one();
   }
 
   /// How many tasks are not finished.
-  std::size_t left() const {
+  std::size_t pendingCount() const {
     const std::lock_guard lock{mutex_};
     return tasks_.size();
   }
 
   /// Waits until all tasks are finished.
-  void finish() {
+  void waitUntilIdle() {
     std::unique_lock lock{mutex_};
     finished_.wait(lock, [this] { return tasks_.empty(); });
   }

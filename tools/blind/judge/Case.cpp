@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 
 std::string named(const json& entry) {
-  return sameMotor(entry.at("effect").get<std::string>() + "@" + entry.at("at").get<std::string>());
+  return canonicalMotor(entry.at("effect").get<std::string>() + "@" + entry.at("at").get<std::string>());
 }
 
 Truth readTruth(const json& file) {
@@ -54,7 +54,7 @@ Answer::Candidate readCandidate(const json& entry) {
   candidate.name = named(entry);
   candidate.state = entry.value("state", "");
   for (const json& other : entry.value("equivalent", json::array())) {
-    candidate.equivalent.push_back(sameMotor(other.get<std::string>()));
+    candidate.equivalent.push_back(canonicalMotor(other.get<std::string>()));
   }
   const json unknowns = entry.value("unknowns", json::object());
   for (const auto& [name, unknown] : unknowns.items()) {
@@ -136,7 +136,7 @@ Answer readAnswer(const json& file) {
     answer.ranking.push_back(readCandidate(entry));
   }
   for (const json& entry : diagnosis.value("suggested", json::array())) {
-    answer.suggested.push_back(sameMotor(entry.get<std::string>()));
+    answer.suggested.push_back(canonicalMotor(entry.get<std::string>()));
   }
   for (const json& entry : diagnosis.value("drivers", json::array())) {
     const json expression = entry.value("expression", json{});
@@ -153,10 +153,10 @@ Answer readAnswer(const json& file) {
 
 } // namespace
 
-std::string sameMotor(const std::string& effectAtPlace) {
+std::string canonicalMotor(const std::string& effectAtPlace) {
   constexpr std::string_view spring = "spring@";
   if (effectAtPlace.starts_with(spring)) {
-    return sameMotor("elasticity@" + effectAtPlace.substr(spring.size()));
+    return canonicalMotor("elasticity@" + effectAtPlace.substr(spring.size()));
   }
   constexpr std::string_view right = "@RHipYawPitch";
   if (effectAtPlace.ends_with(right) && !effectAtPlace.starts_with("axisTilt@")) {
@@ -194,7 +194,7 @@ std::vector<Case> readCases(const std::filesystem::path& folder) {
           "{}: the answer was given to another sealed truth; nothing is judged, remove the answer and ask anew",
           file.string())};
     }
-    cases.push_back({readTruth(json::parse(opened(sealedBytes, key))), readAnswer(answer)});
+    cases.push_back({readTruth(json::parse(unseal(sealedBytes, key))), readAnswer(answer)});
   }
   return cases;
 }

@@ -83,6 +83,6 @@ struct Case {
 std::vector<Case> readCases(const std::filesystem::path& folder);
 
 /// Hip yaw-pitch is one motor with two names; only axisTilt tells them apart. A spring is an elasticity.
-std::string sameMotor(const std::string& effectAtPlace);
+std::string canonicalMotor(const std::string& effectAtPlace);
 
 } // namespace blind

@@ -142,7 +142,7 @@ void markEvent(const Truth::Event& event, const Answer& answer, Marks& result) {
     }
   }
   const bool step = event.what == "offset step" && !answer.drivers.empty() && answer.verdict == "unknown-effect";
-  if (step && answer.drivers.front().at == sameMotor("x@" + event.at).substr(2) &&
+  if (step && answer.drivers.front().at == canonicalMotor("x@" + event.at).substr(2) &&
       (answer.drivers.front().driver == "t" || answer.drivers.front().driver == "time")) {
     named = true;
     const std::string& expression = answer.drivers.front().expression;
@@ -192,7 +192,7 @@ double theoreticalPower(double noncentrality, std::size_t unknowns, std::size_t 
   return cdf(complement(boost::math::non_central_chi_squared(static_cast<double>(unknowns), noncentrality), critical));
 }
 
-Marks marks(const Case& one) {
+Marks markAnswer(const Case& one) {
   const auto& [truth, answer] = one;
   Marks result;
   result.alarmed =

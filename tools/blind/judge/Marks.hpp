@@ -25,7 +25,7 @@ struct Marks {
   std::optional<bool> jitterAdequate, jitterLevel; // nothing is missing, and the level within a fifth
 };
 
-Marks marks(const Case& one);
+Marks markAnswer(const Case& one);
 
 /// Whether a set of this group hides an effect of the catalogue, one alone.
 bool hidesOne(const Truth& truth);

@@ -1,14 +1,110 @@
 #include "judge/Page.hpp"
 
-#include "judge/Plot.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace blind {
 
 namespace {
+
+/// A small plot as SVG text: points with error bars, lines, labels on both axes. Values outside the axes are cut off.
+class Plot {
+public:
+  struct Axis {
+    std::string label;
+    double low, high;
+    std::vector<std::pair<double, std::string>> ticks;
+  };
+  Plot(std::string title, Axis x, Axis y);
+
+  void level(double y, const std::string& colour, const std::string& text);                   // a horizontal line
+  void line(const std::vector<std::pair<double, double>>& points, const std::string& colour); // through points
+  void point(double x, double y, double low, double high, const std::string& colour, const std::string& hover);
+  void dot(double x, double y, const std::string& colour, const std::string& hover);
+  std::string svg() const;
+
+private:
+  double across(double x) const;
+  double down(double y) const;
+
+  Axis x_, y_;
+  std::string body_;
+};
+
+constexpr double width = 560, height = 320, left = 64, right = 16, top = 34, bottom = 60; // [px]
+
+/// For text inside HTML.
+std::string escapeHtml(const std::string& text) {
+  std::string result;
+  for (const char letter : text) {
+    result += letter == '<'   ? "&lt;"
+              : letter == '>' ? "&gt;"
+              : letter == '&' ? "&amp;"
+              : letter == '"' ? "&quot;"
+                              : std::string(1, letter);
+  }
+  return result;
+}
+
+Plot::Plot(std::string title, Axis x, Axis y) : x_{std::move(x)}, y_{std::move(y)} {
+  body_ += fmt::format("<text x='{}' y='18' class='title'>{}</text>", left, escapeHtml(title));
+  for (const auto& [value, label] : x_.ticks) {
+    body_ += fmt::format("<line x1='{0:.1f}' x2='{0:.1f}' y1='{1}' y2='{2}' class='grid'/><text x='{0:.1f}' y='{3}' "
+                         "text-anchor='middle'>{4}</text>",
+                         across(value), top, height - bottom, height - bottom + 16, escapeHtml(label));
+  }
+  for (const auto& [value, label] : y_.ticks) {
+    body_ += fmt::format("<line x1='{1}' x2='{2}' y1='{0:.1f}' y2='{0:.1f}' class='grid'/><text x='{3}' y='{4:.1f}' "
+                         "text-anchor='end'>{5}</text>",
+                         down(value), left, width - right, left - 6, down(value) + 4, escapeHtml(label));
+  }
+  body_ += fmt::format("<text x='{}' y='{}' text-anchor='middle'>{}</text>", (left + width - right) / 2, height - 8,
+                       escapeHtml(x_.label));
+  body_ += fmt::format("<text transform='translate(14 {}) rotate(-90)' text-anchor='middle'>{}</text>",
+                       (top + height - bottom) / 2, escapeHtml(y_.label));
+}
+
+double Plot::across(double x) const {
+  return left + (width - left - right) * (std::clamp(x, x_.low, x_.high) - x_.low) / (x_.high - x_.low);
+}
+
+double Plot::down(double y) const {
+  return height - bottom - (height - top - bottom) * (std::clamp(y, y_.low, y_.high) - y_.low) / (y_.high - y_.low);
+}
+
+void Plot::level(double y, const std::string& colour, const std::string& text) {
+  body_ += fmt::format("<line x1='{}' x2='{}' y1='{:.1f}' y2='{:.1f}' stroke='{}' stroke-dasharray='5 4'/>", left,
+                       width - right, down(y), down(y), colour);
+  body_ += fmt::format("<text x='{}' y='{:.1f}' text-anchor='end' fill='{}'>{}</text>", width - right - 4, down(y) - 4,
+                       colour, escapeHtml(text));
+}
+
+void Plot::line(const std::vector<std::pair<double, double>>& points, const std::string& colour) {
+  body_ += fmt::format("<polyline fill='none' stroke='{}' stroke-width='2' points='", colour);
+  for (const auto& [x, y] : points) {
+    body_ += fmt::format("{:.1f},{:.1f} ", across(x), down(y));
+  }
+  body_ += "'/>";
+}
+
+void Plot::point(double x, double y, double low, double high, const std::string& colour, const std::string& hover) {
+  body_ += fmt::format("<line x1='{0:.1f}' x2='{0:.1f}' y1='{1:.1f}' y2='{2:.1f}' stroke='{3}' stroke-width='2'/>",
+                       across(x), down(low), down(high), colour);
+  dot(x, y, colour, hover);
+}
+
+void Plot::dot(double x, double y, const std::string& colour, const std::string& hover) {
+  body_ += fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='4' fill='{}'><title>{}</title></circle>", across(x), down(y),
+                       colour, escapeHtml(hover));
+}
+
+std::string Plot::svg() const {
+  return fmt::format("<svg viewBox='0 0 {} {}' width='{}' height='{}'>{}</svg>\n", width, height, width, height, body_);
+}
 
 const std::string blue = "#1f6fb2", grey = "#777", red = "#b23a1f";
 
@@ -107,7 +203,7 @@ std::string families(const Tally& tally) {
   for (const auto& [name, cell] : tally.byFamily) {
     rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{:.0f} %</td><td>{:.0f} %</td><td>{:.0f} %</td><td>{:.0f} %</td>"
                         "<td>{:.0f} %</td></tr>\n",
-                        escaped(name), cell.detected.all, 100 * cell.detected.rate(), 100 * cell.inClass.rate(),
+                        escapeHtml(name), cell.detected.all, 100 * cell.detected.rate(), 100 * cell.inClass.rate(),
                         100 * cell.top3.rate(), 100 * cell.covered.rate(), 100 * cell.errorFell.rate());
   }
   return "<h2>By effect, noncentrality 20 and more</h2><table><tr><th>effect</th><th>sets</th><th>detected</th>"
@@ -136,7 +232,7 @@ std::string figures(const Tally& tally) {
   for (const Required& figure : requiredFigures(tally)) {
     rows +=
         fmt::format("<tr class='{}'><td>{}</td><td>{}</td><td>{}</td></tr>\n", figure.met ? "met" : "missed",
-                    escaped(figure.what), escaped(figure.wanted),
+                    escapeHtml(figure.what), escapeHtml(figure.wanted),
                     figure.value ? fmt::format("{:.3f} of {}", *figure.value, figure.share.all) : told(figure.share));
   }
   return "<table><tr><th>figure</th><th>required</th><th>measured (95 % band)</th></tr>\n" + rows + "</table>\n";
@@ -152,7 +248,7 @@ constexpr const char* style =
 
 } // namespace
 
-std::string evaluationPage(const Tally& tally, const std::vector<Case>& cases) {
+std::string renderEvaluation(const Tally& tally, const std::vector<Case>& cases) {
   return fmt::format("<!doctype html><html lang='en'><meta charset='utf-8'><title>Blind benchmark</title>"
                      "<style>{}</style><h1>Blind benchmark of the diagnosis</h1>"
                      "<p>{} robots with sealed truths, {:.2f} s per diagnosis; {} without a verdict.</p>\n{}<div "

@@ -5,6 +5,6 @@
 namespace blind {
 
 /// One HTML file with the required figures and five plots, drawn as SVG; nothing is loaded from anywhere.
-std::string evaluationPage(const Tally& tally, const std::vector<Case>& cases);
+std::string renderEvaluation(const Tally& tally, const std::vector<Case>& cases);
 
 } // namespace blind

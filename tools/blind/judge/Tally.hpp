@@ -59,7 +59,7 @@ struct Tally {
   std::size_t sets = 0, withoutVerdict = 0;
 };
 
-Tally tally(const std::vector<Case>& cases);
+Tally tallyCases(const std::vector<Case>& cases);
 
 /// EVALUATION.json (`naocal-effect-evaluation`).
 nlohmann::json evaluationJson(const Tally& tally);

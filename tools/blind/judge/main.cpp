@@ -37,13 +37,13 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   try {
     const std::vector<blind::Case> cases = blind::readCases(folder);
-    const blind::Tally tally = blind::tally(cases);
+    const blind::Tally tally = blind::tallyCases(cases);
     const std::string json = blind::evaluationJson(tally).dump(1) + "\n";
     if (!jsonFile.empty() && jsonFile != "-") {
       blind::writeFile(jsonFile, json);
     }
     if (!pageFile.empty()) {
-      blind::writeFile(pageFile, blind::evaluationPage(tally, cases));
+      blind::writeFile(pageFile, blind::renderEvaluation(tally, cases));
     }
     if (jsonFile == "-") {
       fmt::print("{}", json);

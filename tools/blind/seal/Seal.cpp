@@ -20,7 +20,7 @@ std::string sha256(const std::string& bytes) {
 
 } // namespace
 
-std::string sealed(const std::string& text, const std::string& key) {
+std::string seal(const std::string& text, const std::string& key) {
   std::string result = text;
   std::string stream;
   for (std::size_t i = 0; i < text.size(); ++i) {

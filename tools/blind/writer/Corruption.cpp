@@ -12,7 +12,7 @@ namespace {
 using nlohmann::json;
 
 /// Index of a capture with enough corners, at random.
-std::size_t someCapture(const json& captures, Chance& chance) {
+std::size_t someCapture(const json& captures, RandomStream& chance) {
   while (true) {
     const auto index = static_cast<std::size_t>(chance.below(static_cast<int>(captures.size())));
     if (captures[index].contains("image") || !captures[index]["corners"].empty()) {
@@ -21,7 +21,7 @@ std::size_t someCapture(const json& captures, Chance& chance) {
   }
 }
 
-std::string swapSign(int side, json& set, Chance& chance) {
+std::string swapSign(int side, json& set, RandomStream& chance) {
   const std::vector<std::string> candidates{"HeadPitch", side == 0 ? "LHipPitch" : "RHipPitch",
                                             side == 0 ? "LKneePitch" : "RKneePitch",
                                             side == 0 ? "LAnklePitch" : "RAnklePitch"};
@@ -39,7 +39,7 @@ std::string swapSign(int side, json& set, Chance& chance) {
 }
 
 /// The buffer was not new: a picture of another pose stands at this capture.
-std::string repeatPicture(json& captures, Chance& chance) {
+std::string repeatPicture(json& captures, RandomStream& chance) {
   while (true) {
     json& from = captures[someCapture(captures, chance)];
     json& to = captures[someCapture(captures, chance)];
@@ -52,9 +52,9 @@ std::string repeatPicture(json& captures, Chance& chance) {
 }
 
 /// Somebody touched the robot while this picture was taken.
-std::string shakeCapture(json& captures, Chance& chance) {
+std::string shakeCapture(json& captures, RandomStream& chance) {
   json& capture = captures[someCapture(captures, chance)];
-  const double angle = chance.within(3.14), distance = chance.between(8, 20); // [px]
+  const double angle = chance.uniformWithin(3.14), distance = chance.between(8, 20); // [px]
   for (json& board : capture["corners"]) {
     for (json& uv : board["uv"]) {
       uv[0] = uv[0].get<double>() + distance * std::cos(angle);
@@ -66,7 +66,7 @@ std::string shakeCapture(json& captures, Chance& chance) {
 
 int boardSeenMost(const Session& session) {
   std::vector<int> seen(session.boards.size(), 0);
-  for (const Sight& sight : session.sights) {
+  for (const BoardSight& sight : session.sights) {
     ++seen[static_cast<std::size_t>(sight.board)];
   }
   return static_cast<int>(std::max_element(seen.begin(), seen.end()) - seen.begin());
@@ -75,7 +75,7 @@ int boardSeenMost(const Session& session) {
 /// When these sights were taken: what nobody sees afterwards has not moved for the captures.
 template <typename Which> std::vector<double> timesOf(const Session& session, Which which) {
   std::vector<double> result;
-  for (const Sight& sight : session.sights) {
+  for (const BoardSight& sight : session.sights) {
     if (which(sight)) {
       result.push_back(session.readings[static_cast<std::size_t>(sight.reading)].time);
     }
@@ -103,24 +103,24 @@ const std::vector<std::string>& eventKinds() {
   return kinds;
 }
 
-void corruptSession(const std::string& kind, Session& session, Chance& chance) {
+void corruptSession(const std::string& kind, Session& session, RandomStream& chance) {
   if (kind != "kicked board" && kind != "slipped robot") {
     return;
   }
   const bool board = kind == "kicked board";
   Displacement displacement;
   displacement.which = board ? boardSeenMost(session) : 0; // the first stance
-  const std::vector<double> seen = timesOf(session, [&](const Sight& sight) {
+  const std::vector<double> seen = timesOf(session, [&](const BoardSight& sight) {
     return displacement.which ==
            (board ? sight.board : session.readings[static_cast<std::size_t>(sight.reading)].stance);
   });
   displacement.time = seen.front() + (seen.back() - seen.front()) * chance.between(0.3, 0.7);
-  const double direction = chance.within(3.14), distance = chance.between(0.015, 0.04);
-  displacement.by = {distance * std::cos(direction), distance * std::sin(direction), chance.within(0.05)};
+  const double direction = chance.uniformWithin(3.14), distance = chance.between(0.015, 0.04);
+  displacement.by = {distance * std::cos(direction), distance * std::sin(direction), chance.uniformWithin(0.05)};
   (board ? session.kickedBoard : session.slippedStance) = displacement;
 }
 
-std::string corruptFile(const std::string& kind, int side, json& set, Chance& chance) {
+std::string corruptFile(const std::string& kind, int side, json& set, RandomStream& chance) {
   if (kind == "swapped sign") {
     return swapSign(side, set, chance);
   }

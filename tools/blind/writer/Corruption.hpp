@@ -1,6 +1,6 @@
 #pragma once
 
-#include "writer/Staging.hpp"
+#include "writer/SessionPlanner.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -18,8 +18,8 @@ const std::vector<std::string>& corruptions();
 const std::vector<std::string>& eventKinds();
 
 /// A kicked board or a robot that slips: decided before the pictures are taken.
-void corruptSession(const std::string& kind, Session& session, Chance& chance);
+void corruptSession(const std::string& kind, Session& session, RandomStream& chance);
 /// Everything else: done to the capture set's JSON. Returns what was done, for the truth.
-std::string corruptFile(const std::string& kind, int side, nlohmann::json& set, Chance& chance);
+std::string corruptFile(const std::string& kind, int side, nlohmann::json& set, RandomStream& chance);
 
 } // namespace blind

@@ -1,8 +1,9 @@
 #include "writer/Design.hpp"
 
-#include "writer/Chance.hpp"
 #include "writer/Corruption.hpp"
-#include "writer/Families.hpp"
+#include "writer/Drawing.hpp"
+#include "writer/Flaws.hpp"
+#include "writer/RandomStream.hpp"
 
 #include <array>
 #include <cmath>
@@ -16,22 +17,22 @@ const std::array<double, 5> sizes{10, 20, 40, 100, 0};
 
 class Designer {
 public:
-  Designer(const Counts& counts, std::uint64_t seed) : counts_{counts}, chance_{seed, "design"} {}
+  Designer(const DesignCounts& counts, std::uint64_t seed) : counts_{counts}, chance_{seed, "design"} {}
 
-  std::vector<Item> items() {
+  std::vector<DesignItem> items() {
     for (const std::string& noise : noiseRegimes()) {
       repeat(counts_.controls, {"control", "", 0, 0, noise});
     }
     for (const char* kind : {"idle temperature", "sorted poses"}) {
       repeat(2 * counts_.sets, {"decoy", kind});
     }
-    for (const Family& family : catalogue()) {
+    for (const FlawFamily& family : catalogue()) {
       for (const double size : sizes) {
         repeat(counts_.sets, {"catalogue", family.effect, size});
       }
     }
     repeat(5 * counts_.sets, {"pair", "", 40, 20});
-    for (const Family& family : outside()) {
+    for (const FlawFamily& family : offCatalogue()) {
       repeat(counts_.sets, {"outside", family.effect, 0, 20, "clean"});
       for (const double size : {40.0, 80.0}) {
         repeat(counts_.sets, {"outside", family.effect, size, 20, "stiction 0.05"});
@@ -53,7 +54,7 @@ public:
 private:
   /// Sets on which a fit that misses something must stay honest.
   void addWrongModels() {
-    for (const Family& family : catalogue()) {
+    for (const FlawFamily& family : catalogue()) {
       for (const double size : plausibleSizes) {
         repeat(counts_.sets, {"sized", family.effect, 0, 0, "clean", false, size});
       }
@@ -75,13 +76,13 @@ private:
   }
 
   /// What the item leaves open is drawn. Rendered sets come on top: they cannot be sized as exactly.
-  void repeat(int count, Item item) {
+  void repeat(int count, DesignItem item) {
     const bool renderable = item.group == "control" || item.group == "catalogue";
     const double share = renderable ? counts_.pictureShare : 0;
     const int rendered = static_cast<int>(std::lround(count * share / (1 - share)));
     const bool open = item.poses == 0 || (item.group != "pair" && item.group != "outside");
     for (int i = 0; i < count + rendered; ++i) {
-      Item one = item;
+      DesignItem one = item;
       if (open) {
         one.poses = poseCounts[chance_.below(static_cast<int>(poseCounts.size()))];
       }
@@ -95,9 +96,9 @@ private:
     }
   }
 
-  const Counts& counts_;
-  Chance chance_;
-  std::vector<Item> items_;
+  const DesignCounts& counts_;
+  RandomStream chance_;
+  std::vector<DesignItem> items_;
 };
 
 } // namespace
@@ -108,8 +109,79 @@ const std::vector<std::string>& noiseRegimes() {
   return regimes;
 }
 
-std::vector<Item> design(const Counts& counts, std::uint64_t seed) {
+std::vector<DesignItem> drawDesign(const DesignCounts& counts, std::uint64_t seed) {
   return Designer{counts, seed}.items();
+}
+
+SessionPlan drawPlan(const DesignItem& item, RandomStream& chance) {
+  SessionPlan plan;
+  plan.poses = item.poses;
+  plan.boards = 3 + chance.below(2);
+  plan.mainSide = chance.below(2);
+  plan.bothSides = item.poses >= 12 && item.group != "absorbed" && chance.uniform() < 0.5;
+  plan.rests = chance.uniform() < 0.15;
+  plan.restands = chance.uniform() < 0.25;
+  plan.warmAnyhow = item.kind == "idle temperature";
+  plan.sortedByKnee = item.kind == "sorted poses";
+  plan.sameTemperature = item.kind == "constant temperature";
+  plan.speed = item.kind == "no motion" ? 0 : plan.speed;
+  plan.noise = noiseRegime(item.noise);
+  if (item.group == "jitter") {
+    plan.repeats = item.kind == "rest" ? RepeatKind::rest : RepeatKind::reapproach;
+    plan.restands = false;
+  }
+  if (item.pictures) {
+    constexpr double foundCorners = 0.1; // what a good detector leaves [px]
+    plan.noise.pixel = foundCorners;
+  }
+  return plan;
+}
+
+Robot drawRobot(const Drawing& drawing, std::size_t boards, RandomStream& chance) {
+  Robot robot;
+  robot.drawing = &drawing;
+  robot.offsets.resize(static_cast<Eigen::Index>(drawing.joints.size()));
+  for (double& offset : robot.offsets) {
+    offset = chance.uniformWithin(6.5 * radiansPerDegree);
+  }
+  for (std::size_t i = 0; i < drawing.joints.size(); ++i) {
+    if (!drawing.joints[i].drivenBy.empty()) {
+      robot.offsets[static_cast<Eigen::Index>(i)] = robot.offsets[drawing.joint(drawing.joints[i].drivenBy)];
+    }
+  }
+  for (Eigen::Vector3d& turns : robot.mountTurns) {
+    for (double& turn : turns) {
+      turn = chance.uniformWithin(2 * radiansPerDegree);
+    }
+  }
+  robot.flaws.joints.resize(drawing.joints.size());
+  robot.flaws.boards.resize(boards);
+  return robot;
+}
+
+Robot withoutFlaws(Robot robot) {
+  Flaws none;
+  none.joints.resize(robot.flaws.joints.size());
+  none.boards.resize(robot.flaws.boards.size());
+  robot.flaws = none;
+  return robot;
+}
+
+NoiseRegime noiseRegime(const std::string& name) {
+  NoiseRegime regime;
+  regime.name = name;
+  regime.heavyTails = name == "heavy tails";
+  regime.foreshortened = name == "foreshortening";
+  regime.pictureBias = name == "picture bias" ? 0.1 : 0;
+  regime.quantised = name == "quantised" || name.starts_with("stiction");
+  if (name.starts_with("stiction")) {
+    regime.stiction = std::stod(name.substr(9)) * radiansPerDegree;
+  }
+  if (name.starts_with("jitter")) { // as real encoders show it: in whole steps
+    regime.quantised = true;
+    regime.jitter = std::stod(name.substr(7)) * radiansPerDegree;
+  }
+  return regime;
 }
 
 } // namespace blind

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "writer/RandomStream.hpp"
+#include "writer/SessionPlanner.hpp"
+
 #include <array>
 #include <cstdint>
 #include <string>
@@ -8,7 +11,7 @@
 namespace blind {
 
 /// One set that is to be written: what kind of question it asks.
-struct Item {
+struct DesignItem {
   std::string group; // control, decoy, catalogue, pair, outside, absorbed, corrupted, sized, camera, twin, event,
                      // jitter
   std::string kind;  // which effect, decoy, absorbed case or corruption; empty: drawn for the set
@@ -23,7 +26,7 @@ struct Item {
 constexpr std::array<double, 3> plausibleSizes{0.5, 1, 2};
 
 /// How many sets of each kind.
-struct Counts {
+struct DesignCounts {
   int controls = 4;        // per regime of noise
   int sets = 1;            // per effect and size, per case of the other groups
   double pictureShare = 0; // of controls and catalogued effects: so many are rendered as pictures, on top
@@ -33,6 +36,17 @@ struct Counts {
 const std::vector<std::string>& noiseRegimes();
 
 /// All sets of a benchmark in a random order: any beginning of it is a fair sample.
-std::vector<Item> design(const Counts& counts, std::uint64_t seed);
+std::vector<DesignItem> drawDesign(const DesignCounts& counts, std::uint64_t seed);
+
+/// How the session of an item is held: what the item leaves open is drawn.
+SessionPlan drawPlan(const DesignItem& item, RandomStream& chance);
+
+/// A robot without flaws but with offsets within 6.5 degrees and camera mounts within 2 degrees.
+Robot drawRobot(const Drawing& drawing, std::size_t boards, RandomStream& chance);
+
+/// The same robot with its offsets and mounts, all else sound.
+Robot withoutFlaws(Robot robot);
+
+NoiseRegime noiseRegime(const std::string& name);
 
 } // namespace blind

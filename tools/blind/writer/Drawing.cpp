@@ -98,7 +98,7 @@ int Drawing::joint(const std::string& name) const {
   throw std::runtime_error{fmt::format("the drawing has no joint named {}", name)};
 }
 
-Drawing readDrawing(const std::filesystem::path& file) {
+Drawing parseRobot(const std::filesystem::path& file) {
   const json top = mergedFile(file);
   Drawing drawing;
   for (const auto& [name, length] : top.at("lengthsMillimetres").items()) {

@@ -55,6 +55,6 @@ struct Drawing {
 };
 
 /// Reads NaoV4, V5 or V6 (a drawing may name another as its base and hold only what differs).
-Drawing readDrawing(const std::filesystem::path& file);
+Drawing parseRobot(const std::filesystem::path& file);
 
 } // namespace blind

@@ -1,8 +1,12 @@
 #pragma once
 
+#include "writer/Drawing.hpp"
+
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -56,5 +60,33 @@ struct Flaws {
   std::map<std::string, double> lengths; // changes [m]
   double delay = 0;                      // the pictures are so much younger than the angles [s]
 };
+
+/// One kind of hidden flaw and where it can sit.
+struct FlawFamily {
+  struct Unknown {
+    std::string name, unit;
+    double physical;      // a size to be expected of a used robot
+    double plausible = 0; // how large it may plausibly be (1 sigma), where that differs
+    double wide() const { return plausible > 0 ? plausible : physical; }
+  };
+  std::string effect; // the contract's name, or one of our own where the catalogue has none
+  std::vector<Unknown> unknowns;
+  std::vector<std::string> places; // of joints of a leg without the side's letter
+  std::function<void(Flaws&, const Drawing&, const std::string& place, std::span<const double>)> apply;
+  std::vector<std::string> drivers; // outside the catalogue: what the misfit varies with, in any of these words
+};
+
+/// Effects that every user of the catalogue may find.
+const std::vector<FlawFamily>& catalogue();
+/// A joint that stands otherwise from a time on.
+const FlawFamily& offsetStep();
+/// Physics that no catalogue lists; `physical` is 0.3 degrees at a joint's usual extreme.
+const std::vector<FlawFamily>& offCatalogue();
+
+/// The cameras' own families: shift, focal length, principal point, radial distortion.
+const std::vector<std::string>& cameraFamilies();
+
+/// The places of a family for a robot that stands on this foot (0 left, 1 right), as files name them.
+std::vector<std::string> placesFor(const FlawFamily& family, int side, std::size_t boards);
 
 } // namespace blind

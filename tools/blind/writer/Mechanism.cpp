@@ -58,7 +58,7 @@ private:
     const double elapsed = reading.time - session_.readings.front().time;
     for (Index i = 0; i < read.size(); ++i) {
       const JointFlaws& flaws = robot_.flaws.joints[static_cast<std::size_t>(i)];
-      motors[i] = turnedAngle(read[i], flaws) + flaws.warming * (reading.temperature[i] - 30) + flaws.creep * elapsed +
+      motors[i] = linkAngle(read[i], flaws) + flaws.warming * (reading.temperature[i] - 30) + flaws.creep * elapsed +
                   flaws.ripple * std::sin(6 * read[i]) + (reading.time >= flaws.slipTime ? flaws.slip : 0);
       if (flaws.puller >= 0) {
         motors[i] += flaws.pulled * read[flaws.puller] + flaws.pulledByMagnitude * std::abs(read[flaws.puller]);
@@ -70,7 +70,7 @@ private:
   VectorXd torques(const VectorXd& angles, int side) const {
     const Skeleton::Posture posture = skeleton_.posture(angles);
     const SoleFlaws& sole = robot_.flaws.soles[side];
-    const Eigen::Vector3d upInSole = tipped(sole.roll, sole.pitch).transpose() * Eigen::Vector3d::UnitZ();
+    const Eigen::Vector3d upInSole = tiltRotation(sole.roll, sole.pitch).transpose() * Eigen::Vector3d::UnitZ();
     return skeleton_.torques(posture, side, skeleton_.torsoFromSole(posture, side).turn * upInSole);
   }
 
@@ -86,7 +86,7 @@ private:
       const VectorXd load = torques(motors, side);
       for (Index i = 0; i < motors.size(); ++i) {
         gaps_[i].pushTo(motors[i]);
-        gaps_[i].load(motors[i], load[i]);
+        gaps_[i].applyLoad(motors[i], load[i]);
       }
     }
   }
@@ -133,7 +133,7 @@ private:
 
 } // namespace
 
-double turnedAngle(double read, const JointFlaws& flaws) {
+double linkAngle(double read, const JointFlaws& flaws) {
   double angle = (1 + flaws.gain) * read;
   if (flaws.magnetX == 0 && flaws.magnetY == 0) {
     return angle;
@@ -156,10 +156,10 @@ std::vector<VectorXd> trueAngles(const Robot& robot, const Session& session, con
 }
 
 Eigen::Matrix3d soleTilt(const SoleFlaws& flaws, const Eigen::Vector3d& centreInSole) {
-  Eigen::Matrix3d tilt = tipped(flaws.roll, flaws.pitch);
+  Eigen::Matrix3d tilt = tiltRotation(flaws.roll, flaws.pitch);
   for (int round = 0; flaws.compliance != 0 && round < 6; ++round) {
     const Eigen::Vector3d centre = tilt * centreInSole;
-    tilt = tipped(flaws.roll - flaws.compliance * centre.y(), flaws.pitch + flaws.compliance * centre.x());
+    tilt = tiltRotation(flaws.roll - flaws.compliance * centre.y(), flaws.pitch + flaws.compliance * centre.x());
   }
   return tilt;
 }

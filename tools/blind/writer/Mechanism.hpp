@@ -10,7 +10,7 @@ namespace blind {
 
 /// The angle of a link whose encoder shows `read`: the gear turns 1 + gain times as far, and the field of a magnet
 /// that sits (x, y) radii off its axis points to atan2(sin(angle) + y, cos(angle) + x).
-double turnedAngle(double read, const JointFlaws& flaws);
+double linkAngle(double read, const JointFlaws& flaws);
 
 /// Play between motor and link: the link keeps its place until the motor's end of the gap pushes it (Prandtl's stop).
 class Play {
@@ -21,7 +21,7 @@ public:
   /// The motor goes to `motor`.
   void pushTo(double motor) { link_ = std::min(std::max(link_, motor - half_), motor + half_); }
   /// A load stronger than the gap's friction drives the link to the gap's end.
-  void load(double motor, double torque) {
+  void applyLoad(double motor, double torque) {
     if (std::abs(torque) > friction_) {
       link_ = motor + (torque > 0 ? half_ : -half_);
     }

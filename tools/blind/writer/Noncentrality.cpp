@@ -1,8 +1,12 @@
 #include "writer/Noncentrality.hpp"
 
-#include "writer/Jacobian.hpp"
+#include "writer/Design.hpp"
+#include "writer/Poses.hpp"
 
+#include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 namespace blind {
@@ -13,7 +17,153 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+constexpr double nudge = 1e-5; // [rad, m]
+
+using View = std::function<Transform(double)>; // cameraFromBoard with one unknown changed by so much
+
+/// Derivative of a sight's corners by whatever moves the board in the camera's frame.
+Eigen::VectorXd slope(const BoardSight& sight, const View& view) {
+  Eigen::VectorXd column{2 * static_cast<Index>(sight.ids.size())};
+  const Transform before = view(-nudge), after = view(nudge);
+  for (std::size_t i = 0; i < sight.ids.size(); ++i) {
+    const int id = sight.ids[i];
+    const Eigen::Vector3d point{Sheet::square * (id % (Sheet::squaresX - 1) + 1),
+                                -Sheet::square * (id / (Sheet::squaresX - 1) + 1), 0};
+    column.segment<2>(2 * static_cast<Index>(i)) =
+        (projectPoint(after * point, {}) - projectPoint(before * point, {})) / (2 * nudge);
+  }
+  return column;
+}
+
+FloorPlace moved(FloorPlace place, int coordinate, double by) {
+  (coordinate == 0 ? place.x : coordinate == 1 ? place.y : place.yaw) += by;
+  return place;
+}
+
+/// How all corners move with what a calibration does not know, by central differences on a robot without flaws.
+class Jacobian {
+public:
+  static constexpr Eigen::Index chainLength = 8;
+
+  Jacobian(const Robot& robot, const Session& session);
+
+  /// [px/rad, px/m]: the motors in use, three turns of each camera, x, y, yaw of every board but the first and of every
+  /// stance.
+  const Eigen::MatrixXd& unknowns() const { return unknowns_; }
+  /// How many of them, the last ones, are places.
+  Eigen::Index placeCount() const { return placeCount_; }
+  /// 1 / sigma^2 of what is plausible: offsets 0.1 rad, camera turns 0.05 rad, places anything.
+  const Eigen::VectorXd& priorWeights() const { return priorWeights_; }
+  /// [px/rad]: the true angles of the joints between that reading's sole and the cameras.
+  const Eigen::MatrixXd& byChain() const { return byChain_; }
+
+private:
+  Eigen::MatrixXd unknowns_, byChain_;
+  Eigen::VectorXd priorWeights_;
+  Eigen::Index placeCount_ = 0;
+};
+
+Jacobian::Jacobian(const Robot& robot, const Session& session) {
+  const Drawing& drawing = *robot.drawing;
+  std::map<int, Index> motors;
+  for (const Stance& stance : session.stances) {
+    for (const int joint : chainOf(drawing, stance.side)) {
+      motors.try_emplace(joint, 0);
+    }
+  }
+  Index columns = 0;
+  for (auto& [joint, column] : motors) {
+    column = columns++;
+  }
+  const Index cameras = columns, boards = cameras + 6;
+  const Index stances = boards + 3 * (static_cast<Index>(session.boards.size()) - 1);
+  columns = stances + 3 * static_cast<Index>(session.stances.size());
+  Index rows = 0;
+  for (const BoardSight& sight : session.sights) {
+    rows += 2 * static_cast<Index>(sight.ids.size());
+  }
+  placeCount_ = columns - boards;
+  unknowns_ = Eigen::MatrixXd::Zero(rows, columns);
+  byChain_ = Eigen::MatrixXd::Zero(rows, chainLength);
+  priorWeights_ = Eigen::VectorXd::Zero(columns);
+  priorWeights_.head(cameras).setConstant(1 / (0.1 * 0.1));
+  priorWeights_.segment(cameras, 6).setConstant(1 / (0.05 * 0.05));
+  constexpr double anywhere = 10; // [m, rad]
+  priorWeights_.tail(placeCount_).setConstant(1 / (anywhere * anywhere));
+
+  const TruePictures pictures{robot, session};
+  Index row = 0;
+  std::pair<int, int> before{-1, -1};
+  std::array<std::array<Transform, 2>, chainLength> byJoint; // cameraFromFloor with a joint a step back and forth
+  for (const BoardSight& sight : session.sights) {
+    const Index height = 2 * static_cast<Index>(sight.ids.size());
+    const Stance& stance = session.stances[session.readings[sight.reading].stance];
+    const std::vector<int> chain = chainOf(drawing, stance.side);
+    const Eigen::VectorXd& angles = pictures.angles(sight.reading);
+    const Transform cameraFromFloor = pictures.cameraFromFloor(sight.reading, sight.camera, angles);
+    const FloorPlace& board = session.boards[sight.board];
+    const Transform floorFromBoard = floorFromPlace(board);
+    if (before != std::pair{sight.reading, sight.camera}) {
+      before = {sight.reading, sight.camera};
+      for (Index i = 0; i < chainLength; ++i) {
+        for (const int way : {0, 1}) {
+          Eigen::VectorXd turned = angles;
+          turned[chain[i]] += way == 0 ? -nudge : nudge;
+          for (std::size_t joint = 0; joint < drawing.joints.size(); ++joint) {
+            if (!drawing.joints[joint].drivenBy.empty()) {
+              turned[static_cast<Index>(joint)] = turned[drawing.joint(drawing.joints[joint].drivenBy)];
+            }
+          }
+          byJoint[i][way] = pictures.cameraFromFloor(sight.reading, sight.camera, turned);
+        }
+      }
+    }
+    const auto rowsOf = [&](Index column) { return unknowns_.col(column).segment(row, height); };
+    for (Index i = 0; i < chainLength; ++i) {
+      byChain_.col(i).segment(row, height) =
+          slope(sight, [&](double by) { return byJoint[i][by > 0 ? 1 : 0] * floorFromBoard; });
+      rowsOf(motors.at(chain[i])) = -byChain_.col(i).segment(row, height);
+    }
+    for (int axis = 0; axis < 3; ++axis) { // the rotations of a mount that is nearly right, one about each axis
+      rowsOf(cameras + 3 * sight.camera + axis) = slope(sight, [&](double by) {
+        return Transform{rotationAbout(Eigen::Vector3d::Unit(axis), -by), Eigen::Vector3d::Zero()} * cameraFromFloor *
+               floorFromBoard;
+      });
+      if (sight.board > 0) {
+        rowsOf(boards + 3 * (sight.board - 1) + axis) =
+            slope(sight, [&](double by) { return cameraFromFloor * floorFromPlace(moved(board, axis, by)); });
+      }
+      rowsOf(stances + 3 * session.readings[sight.reading].stance + axis) = slope(sight, [&](double by) {
+        return cameraFromFloor * floorFromPlace(stance.place) *
+               floorFromPlace(moved(stance.place, axis, by)).inverse() * floorFromBoard;
+      });
+    }
+    row += height;
+  }
+}
+
 } // namespace
+
+double noiseFloor(const Robot& robot, const Session& session, const ObservedCorners& seen) {
+  Session asRead = session;
+  for (Reading& reading : asRead.readings) {
+    reading.unread.setZero();
+    reading.stuck.setZero();
+  }
+  Eigen::VectorXd missing = -Noncentrality::stacked(TruePictures{robot, asRead}, asRead);
+  Eigen::Index row = 0;
+  for (const std::vector<Eigen::Vector2d>& sight : seen) {
+    for (const Eigen::Vector2d& corner : sight) {
+      missing.segment<2>(row) += corner;
+      row += 2;
+    }
+  }
+  const Robot sound = withoutFlaws(robot); // for the derivatives, which flaws hardly change
+  const Jacobian jacobian{sound, asRead};
+  const Eigen::MatrixXd places = jacobian.unknowns().rightCols(jacobian.placeCount());
+  const Eigen::VectorXd left = missing - places * places.colPivHouseholderQr().solve(missing);
+  return std::sqrt(left.squaredNorm() / (0.5 * static_cast<double>(left.size())));
+}
 
 Noncentrality::Noncentrality(const Robot& robot, const Session& session, const NoiseRegime& noise) {
   const Jacobian jacobian{robot, session};
@@ -36,7 +186,7 @@ Noncentrality::Noncentrality(const Robot& robot, const Session& session, const N
     std::map<int, Index> approaches;
     std::map<std::pair<int, int>, Index> pictures;
     for (const Member& member : members) {
-      const Sight& sight = session.sights[member.sight];
+      const BoardSight& sight = session.sights[member.sight];
       approaches.try_emplace(session.readings[sight.reading].approachNumber, static_cast<Index>(approaches.size()));
       pictures.try_emplace({sight.reading, sight.camera}, static_cast<Index>(pictures.size()));
     }
@@ -51,7 +201,7 @@ Noncentrality::Noncentrality(const Robot& robot, const Session& session, const N
     block.weights.resize(size);
     Index at = 0;
     for (const Member& member : members) {
-      const Sight& sight = session.sights[member.sight];
+      const BoardSight& sight = session.sights[member.sight];
       const Index height = 2 * static_cast<Index>(sight.ids.size());
       const auto byJoints = jacobian.byChain().middleRows(member.row, height);
       const Index approach = approaches.at(session.readings[sight.reading].approachNumber);
@@ -89,9 +239,9 @@ MatrixXd Noncentrality::whitened(const MatrixXd& columns) const {
   return result;
 }
 
-VectorXd Noncentrality::stacked(const Pictures& pictures, const Session& session) {
+VectorXd Noncentrality::stacked(const TruePictures& pictures, const Session& session) {
   std::vector<double> values;
-  for (const Sight& sight : session.sights) {
+  for (const BoardSight& sight : session.sights) {
     for (const Eigen::Vector2d& corner : pictures.corners(sight)) {
       values.push_back(corner.x());
       values.push_back(corner.y());

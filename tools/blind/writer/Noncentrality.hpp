@@ -1,11 +1,17 @@
 #pragma once
 
 #include "writer/Pictures.hpp"
-#include "writer/Staging.hpp"
+#include "writer/SessionPlanner.hpp"
+#include "writer/SetFile.hpp"
 
 #include <Eigen/Cholesky>
 
 namespace blind {
+
+/// How far corners lie from their predictions by someone who knows the robot with all its flaws, finds out by plain
+/// least squares where boards and feet stand (as a comparison does), but reads the angles with the encoders' errors and
+/// does not know where friction held the links: rms of distances [px].
+double noiseFloor(const Robot& robot, const Session& session, const ObservedCorners& seen);
 
 /// How visible a difference of pictures is to someone who knows the noise but not the robot:
 ///
@@ -20,7 +26,7 @@ public:
   Noncentrality(const Robot& robot, const Session& session, const NoiseRegime& noise);
 
   /// The corners of all sights below each other.
-  static Eigen::VectorXd stacked(const Pictures& pictures, const Session& session);
+  static Eigen::VectorXd stacked(const TruePictures& pictures, const Session& session);
 
   /// M Sigma^-1 between two differences of pictures; their noncentrality when both are the same.
   double product(const Eigen::VectorXd& left, const Eigen::VectorXd& right) const;

@@ -2,12 +2,37 @@
 
 #include "writer/Mechanism.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace blind {
 
 namespace {
+
+constexpr int fewestCorners = 6;
+
+/// The corners of a flat board that lie well inside the picture, if its squares are large enough to be told apart.
+std::vector<int> findableCorners(const Transform& cameraFromFloor, const FloorPlace& board) {
+  constexpr double margin = 8, smallestHeight = 9; // [px]
+  const Transform cameraFromBoard = cameraFromFloor * floorFromPlace(board);
+  std::vector<int> ids;
+  for (int id = 0; id < Sheet::corners; ++id) {
+    const int column = id % (Sheet::squaresX - 1) + 1, row = id / (Sheet::squaresX - 1) + 1;
+    const Eigen::Vector2d seen = projectPoint(cameraFromBoard * sheetPoint({}, column, row), {});
+    if (!(seen.x() > margin && seen.x() < LensDistortion::width - margin && seen.y() > margin &&
+          seen.y() < LensDistortion::height - margin)) {
+      continue;
+    }
+    const Eigen::Vector2d right = projectPoint(cameraFromBoard * sheetPoint({}, column + 1, row), {}) - seen;
+    const Eigen::Vector2d down = projectPoint(cameraFromBoard * sheetPoint({}, column, row + 1), {}) - seen;
+    const double area = std::abs(right.x() * down.y() - right.y() * down.x());
+    if (area > smallestHeight * std::max(right.norm(), down.norm())) {
+      ids.push_back(id);
+    }
+  }
+  return static_cast<int>(ids.size()) < fewestCorners ? std::vector<int>{} : ids;
+}
 
 /// The radius of the sphere on which an arc of this length, measured from the top, falls by `height`: the solution of
 /// (1 - cos x) / x = height / arc for x = arc / radius.
@@ -22,8 +47,48 @@ double capRadius(double arc, double height) {
 
 } // namespace
 
-Motion onFloor(const FloorPlace& place) {
-  return placed(place.x, place.y, place.yaw);
+double cornersInView(const Skeleton& skeleton, const Stance& stance, int camera, const std::vector<FloorPlace>& boards,
+                     const Eigen::VectorXd& angles) {
+  const Skeleton::Posture posture = skeleton.posture(angles);
+  const Transform floorFromTorso =
+      floorFromPlace(stance.place) * skeleton.torsoFromSole(posture, stance.side).inverse();
+  const Transform torsoFromCamera =
+      skeleton.torsoFromCamera(posture, camera, Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero());
+  const Transform cameraFromFloor = (floorFromTorso * torsoFromCamera).inverse();
+  std::size_t count = 0;
+  for (const FloorPlace& board : boards) {
+    count += findableCorners(cameraFromFloor, board).size();
+  }
+  return static_cast<double>(count);
+}
+
+std::vector<BoardSight> findSights(const TruePictures& pictures, const Session& session) {
+  std::vector<BoardSight> sights;
+  for (int reading = 0; reading < static_cast<int>(session.readings.size()); ++reading) {
+    for (int camera = 0; camera < 2; ++camera) {
+      const Transform cameraFromFloor = pictures.cameraFromFloor(reading, camera, pictures.angles(reading));
+      for (int board = 0; board < static_cast<int>(session.boards.size()); ++board) {
+        std::vector<int> ids = findableCorners(cameraFromFloor, session.boards[board]);
+        if (!ids.empty()) {
+          sights.push_back({reading, camera, board, std::move(ids), 0});
+        }
+      }
+    }
+  }
+  return sights;
+}
+
+double slantFactor(const TruePictures& pictures, const Session& session, const BoardSight& sight) {
+  const Transform cameraFromBoard =
+      pictures.cameraFromFloor(sight.reading, sight.camera, pictures.angles(sight.reading)) *
+      pictures.floorFromBoard(sight.board, session.readings[sight.reading].time);
+  const Eigen::Vector3d middle = cameraFromBoard * sheetPoint({}, Sheet::squaresX / 2.0, Sheet::squaresY / 2.0);
+  const double cosine = std::abs(middle.normalized().dot(cameraFromBoard.turn.col(2)));
+  return std::sqrt((1 + 1 / (cosine * cosine)) / 2);
+}
+
+Transform floorFromPlace(const FloorPlace& place) {
+  return floorTransform(place.x, place.y, place.yaw);
 }
 
 Eigen::Vector3d sheetPoint(const BoardFlaws& flaws, double squaresRight, double squaresDown) {
@@ -40,7 +105,7 @@ Eigen::Vector3d sheetPoint(const BoardFlaws& flaws, double squaresRight, double 
   return {onCap.x(), onCap.y(), radius * (std::cos(arc / radius) - std::cos(rim / radius))};
 }
 
-Eigen::Vector2d seenAt(const Eigen::Vector3d& inCamera, const CameraFlaws& flaws) {
+Eigen::Vector2d projectPoint(const Eigen::Vector3d& inCamera, const CameraFlaws& flaws) {
   constexpr double nearest = 0.05; // [m]
   if (inCamera.x() < nearest) {
     return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
@@ -50,11 +115,12 @@ Eigen::Vector2d seenAt(const Eigen::Vector3d& inCamera, const CameraFlaws& flaws
   const double stretch = 1 + square * (flaws.k1 + square * flaws.k2);
   const double bentX = x * stretch + 2 * flaws.p1 * x * y + flaws.p2 * (square + 2 * x * x);
   const double bentY = y * stretch + flaws.p1 * (square + 2 * y * y) + 2 * flaws.p2 * x * y;
-  const double focal = Lens::focal * (1 + flaws.focal);
-  return {Lens::cx + flaws.principal.x() + focal * bentX, Lens::cy + flaws.principal.y() + focal * bentY};
+  const double focal = LensDistortion::focal * (1 + flaws.focal);
+  return {LensDistortion::cx + flaws.principal.x() + focal * bentX,
+          LensDistortion::cy + flaws.principal.y() + focal * bentY};
 }
 
-Pictures::Pictures(const Robot& robot, const Session& session)
+TruePictures::TruePictures(const Robot& robot, const Session& session)
     : robot_{robot}, session_{session}, skeleton_{*robot.drawing, robot.flaws}, angles_{trueAngles(robot, session,
                                                                                                    skeleton_)} {
   for (std::size_t reading = 0; reading < session.readings.size(); ++reading) {
@@ -66,53 +132,54 @@ Pictures::Pictures(const Robot& robot, const Session& session)
   }
 }
 
-Motion Pictures::floorFromBoard(int board, double time) const {
+Transform TruePictures::floorFromBoard(int board, double time) const {
   FloorPlace place = session_.boards[board];
   if (const auto& kick = session_.kickedBoard; kick && kick->which == board && time >= kick->time) {
     place = {place.x + kick->by.x, place.y + kick->by.y, place.yaw + kick->by.yaw};
   }
   const BoardFlaws& flaws = robot_.flaws.boards[board];
-  return onFloor(place) * Motion{tipped(flaws.roll, flaws.pitch), Eigen::Vector3d::Zero()};
+  return floorFromPlace(place) * Transform{tiltRotation(flaws.roll, flaws.pitch), Eigen::Vector3d::Zero()};
 }
 
-Motion Pictures::cameraFromFloor(int reading, int camera, const Eigen::VectorXd& angles) const {
+Transform TruePictures::cameraFromFloor(int reading, int camera, const Eigen::VectorXd& angles) const {
   const Reading& read = session_.readings[reading];
   const Stance& stance = session_.stances[read.stance];
   const Skeleton::Posture posture = skeleton_.posture(angles);
-  const Motion torsoFromSole = skeleton_.torsoFromSole(posture, stance.side);
+  const Transform torsoFromSole = skeleton_.torsoFromSole(posture, stance.side);
   const SoleFlaws& sole = robot_.flaws.soles[stance.side];
-  Motion floorFromSole = onFloor(stance.place);
+  Transform floorFromSole = floorFromPlace(stance.place);
   if (const auto& slip = session_.slippedStance; slip && slip->which == read.stance && read.time >= slip->time) {
-    floorFromSole = floorFromSole * onFloor(slip->by);
+    floorFromSole = floorFromSole * floorFromPlace(slip->by);
   }
   if (sole.compliance != 0 || sole.roll != 0 || sole.pitch != 0) {
     const Eigen::Vector3d centre = torsoFromSole.inverse() * skeleton_.centreOfMass(posture);
-    floorFromSole = floorFromSole * Motion{soleTilt(sole, centre), Eigen::Vector3d::Zero()};
+    floorFromSole = floorFromSole * Transform{soleTilt(sole, centre), Eigen::Vector3d::Zero()};
   }
   const CameraFlaws& flaws = robot_.flaws.cameras[camera];
   const Eigen::Vector3d& turns = robot_.mountTurns[camera];
   const double turned = flaws.turning * (read.time - session_.readings.front().time);
   const Eigen::Matrix3d mountTurn =
-      turnAbout(Eigen::Vector3d::UnitX(), turns.x()) * turnAbout(Eigen::Vector3d::UnitY(), turns.y()) *
-      turnAbout(Eigen::Vector3d::UnitZ(), turns.z()) * turnAbout(Eigen::Vector3d::UnitY(), turned);
-  const Motion torsoFromCamera = skeleton_.torsoFromCamera(posture, camera, mountTurn, flaws.shift);
+      rotationAbout(Eigen::Vector3d::UnitX(), turns.x()) * rotationAbout(Eigen::Vector3d::UnitY(), turns.y()) *
+      rotationAbout(Eigen::Vector3d::UnitZ(), turns.z()) * rotationAbout(Eigen::Vector3d::UnitY(), turned);
+  const Transform torsoFromCamera = skeleton_.torsoFromCamera(posture, camera, mountTurn, flaws.shift);
   return (floorFromSole * torsoFromSole.inverse() * torsoFromCamera).inverse();
 }
 
 /// Rows are exposed one after the other: the row that a point falls on decides when, and when decides the row.
-Eigen::Vector2d Pictures::exposed(const Sight& sight, const Eigen::Vector3d& inFloor) const {
+Eigen::Vector2d TruePictures::exposed(const BoardSight& sight, const Eigen::Vector3d& inFloor) const {
   const CameraFlaws& flaws = robot_.flaws.cameras[sight.camera];
-  Eigen::Vector2d seen = seenAt(cameraFromFloor_[sight.reading][sight.camera] * inFloor, flaws);
+  Eigen::Vector2d seen = projectPoint(cameraFromFloor_[sight.reading][sight.camera] * inFloor, flaws);
   for (int round = 0; flaws.rowTime != 0 && round < 3; ++round) {
-    const double late = flaws.rowTime * (seen.y() - Lens::cy);
+    const double late = flaws.rowTime * (seen.y() - LensDistortion::cy);
     const Eigen::VectorXd angles = angles_[sight.reading] + late * session_.readings[sight.reading].velocity;
-    seen = seenAt(cameraFromFloor(sight.reading, sight.camera, angles) * inFloor, flaws);
+    seen = projectPoint(cameraFromFloor(sight.reading, sight.camera, angles) * inFloor, flaws);
   }
   return seen;
 }
 
-std::vector<Eigen::Vector2d> Pictures::points(const Sight& sight, const std::vector<Eigen::Vector2d>& inSquares) const {
-  const Motion floorFromSheet = floorFromBoard(sight.board, session_.readings[sight.reading].time);
+std::vector<Eigen::Vector2d> TruePictures::points(const BoardSight& sight,
+                                                  const std::vector<Eigen::Vector2d>& inSquares) const {
+  const Transform floorFromSheet = floorFromBoard(sight.board, session_.readings[sight.reading].time);
   std::vector<Eigen::Vector2d> seen;
   seen.reserve(inSquares.size());
   for (const Eigen::Vector2d& point : inSquares) {
@@ -121,7 +188,7 @@ std::vector<Eigen::Vector2d> Pictures::points(const Sight& sight, const std::vec
   return seen;
 }
 
-std::vector<Eigen::Vector2d> Pictures::corners(const Sight& sight) const {
+std::vector<Eigen::Vector2d> TruePictures::corners(const BoardSight& sight) const {
   std::vector<Eigen::Vector2d> inSquares;
   inSquares.reserve(sight.ids.size());
   for (const int id : sight.ids) {

@@ -1,8 +1,11 @@
 #include "writer/Poses.hpp"
 
+#include "writer/Pictures.hpp"
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace blind {
@@ -31,9 +34,42 @@ double interpolated(const std::vector<Drawing::Row>& rows, double other, double 
 
 } // namespace
 
-Eigen::VectorXd Poses::stable(int side, int camera, Chance& chance, const std::vector<Eigen::Vector3d>& targetsInSole,
-                              double enough, const std::function<double(const Eigen::VectorXd&)>& worth,
-                              std::optional<double> hipYawPitch) const {
+std::vector<int> chainOf(const Drawing& drawing, int side) {
+  std::vector<int> chain;
+  for (const Drawing::Camera& camera : drawing.cameras) {
+    for (int joint = camera.joint; joint >= 0 && chain.size() < 2; joint = drawing.joints[joint].parent) {
+      chain.push_back(joint);
+    }
+  }
+  for (int joint = drawing.soles[side].joint; joint >= 0; joint = drawing.joints[joint].parent) {
+    const std::string& motor = drawing.joints[joint].drivenBy;
+    chain.push_back(motor.empty() ? joint : drawing.joint(motor));
+  }
+  std::sort(chain.begin(), chain.end());
+  return chain;
+}
+
+std::vector<FloorPlace> placeBoards(int boards, RandomStream& chance) {
+  std::vector<FloorPlace> places;
+  const double spread = 2.9, between = spread / (boards - 1); // [rad]
+  for (int board = 0; board < boards; ++board) {
+    const double bearing = -spread / 2 + board * between + chance.uniformWithin(0.05);
+    const double distance = chance.between(0.5, 0.66);
+    const double yaw =
+        bearing - std::numbers::pi / 2 + chance.uniformWithin(0.3); // the sheet's upper edge away from the robot
+    const Transform turned = floorTransform(0, 0, yaw);
+    const Eigen::Vector3d middle{0.5 * Sheet::squaresX * Sheet::square, -0.5 * Sheet::squaresY * Sheet::square, 0};
+    const Eigen::Vector3d corner =
+        Eigen::Vector3d{distance * std::cos(bearing), distance * std::sin(bearing), 0} - turned * middle;
+    places.push_back({corner.x(), corner.y(), yaw});
+  }
+  return places;
+}
+
+Eigen::VectorXd PoseDrawer::drawStable(int side, int camera, RandomStream& chance,
+                                       const std::vector<Eigen::Vector3d>& targetsInSole, double enough,
+                                       const std::function<double(const Eigen::VectorXd&)>& worth,
+                                       std::optional<double> hipYawPitch) const {
   constexpr int tries = 20000, looks = 4;
   for (int attempt = 0; attempt < tries; ++attempt) {
     Eigen::VectorXd angles{static_cast<Eigen::Index>(drawing_.joints.size())};
@@ -58,14 +94,15 @@ Eigen::VectorXd Poses::stable(int side, int camera, Chance& chance, const std::v
   throw std::runtime_error{"no stable attitude sees a board: the boards lie too far away"};
 }
 
-bool Poses::bend(int side, Chance& chance, std::optional<double> hipYawPitch, Eigen::VectorXd& angles) const {
+bool PoseDrawer::bend(int side, RandomStream& chance, std::optional<double> hipYawPitch,
+                      Eigen::VectorXd& angles) const {
   for (std::size_t i = 0; i < drawing_.joints.size(); ++i) {
     angles[static_cast<Eigen::Index>(i)] = drawing_.joints[i].resting;
   }
   const auto set = [&](int leg, const char* joint, double angle) {
     angles[drawing_.joint(letters[leg] + std::string{joint})] = angle;
   };
-  const double yawPitch = hipYawPitch.value_or(chance.between(-0.6, 0.2)), roll = chance.within(0.3);
+  const double yawPitch = hipYawPitch.value_or(chance.between(-0.6, 0.2)), roll = chance.uniformWithin(0.3);
   const double hip = chance.between(-1.1, 0.25), knee = chance.between(0.05, 1.5);
   for (int leg = 0; leg < 2; ++leg) {
     set(leg, "HipYawPitch", yawPitch);
@@ -78,8 +115,8 @@ bool Poses::bend(int side, Chance& chance, std::optional<double> hipYawPitch, Ei
   set(1 - side, "HipRoll", mirrored(side, chance.between(-0.6, 0.2)));
   set(1 - side, "HipPitch", chance.between(-1.3, 0.3));
   set(1 - side, "KneePitch", chance.between(0, 1.8));
-  set(1 - side, "AnklePitch", chance.within(0.5));
-  set(1 - side, "AnkleRoll", chance.within(0.2));
+  set(1 - side, "AnklePitch", chance.uniformWithin(0.5));
+  set(1 - side, "AnkleRoll", chance.uniformWithin(0.2));
   const Eigen::Vector2d target{chance.between(-0.02, 0.06), mirrored(side, chance.between(-0.012, 0.024))};
   if (!balance(side, target, angles) || !withinLimits(angles)) {
     return false;
@@ -90,23 +127,23 @@ bool Poses::bend(int side, Chance& chance, std::optional<double> hipYawPitch, Ei
 }
 
 /// Turns the head so that the camera has the target near its picture's middle.
-void Poses::look(int side, int camera, const Eigen::Vector3d& targetInSole, Chance& chance,
-                 Eigen::VectorXd& angles) const {
+void PoseDrawer::look(int side, int camera, const Eigen::Vector3d& targetInSole, RandomStream& chance,
+                      Eigen::VectorXd& angles) const {
   const Eigen::Vector3d fromNeck = skeleton_.torsoFromSole(skeleton_.posture(angles), side) * targetInSole -
                                    drawing_.lengths.at("neckZ") * Eigen::Vector3d::UnitZ();
   constexpr double beside = 0.35, above = 0.2; // [rad]
-  angles[drawing_.joint("HeadYaw")] = std::atan2(fromNeck.y(), fromNeck.x()) + chance.within(beside);
-  angles[drawing_.joint("HeadPitch")] =
-      std::atan2(-fromNeck.z(), fromNeck.head<2>().norm()) - drawing_.cameras[camera].pitch + chance.within(above);
+  angles[drawing_.joint("HeadYaw")] = std::atan2(fromNeck.y(), fromNeck.x()) + chance.uniformWithin(beside);
+  angles[drawing_.joint("HeadPitch")] = std::atan2(-fromNeck.z(), fromNeck.head<2>().norm()) -
+                                        drawing_.cameras[camera].pitch + chance.uniformWithin(above);
 }
 
-Eigen::Vector2d Poses::balancePoint(int side, const Eigen::VectorXd& angles) const {
+Eigen::Vector2d PoseDrawer::balancePoint(int side, const Eigen::VectorXd& angles) const {
   const Skeleton::Posture posture = skeleton_.posture(angles);
   return (skeleton_.torsoFromSole(posture, side).inverse() * skeleton_.centreOfMass(posture)).head<2>();
 }
 
 /// Newton's method on the two angles of the standing ankle brings the centre of mass over the target.
-bool Poses::balance(int side, const Eigen::Vector2d& target, Eigen::VectorXd& angles) const {
+bool PoseDrawer::balance(int side, const Eigen::Vector2d& target, Eigen::VectorXd& angles) const {
   constexpr double step = 1e-5, closeEnough = 1e-4; // [rad], [m]
   const std::array<int, 2> ankle{drawing_.joint(letters[side] + std::string{"AnklePitch"}),
                                  drawing_.joint(letters[side] + std::string{"AnkleRoll"})};
@@ -131,7 +168,7 @@ bool Poses::balance(int side, const Eigen::Vector2d& target, Eigen::VectorXd& an
   return false;
 }
 
-bool Poses::withinLimits(const Eigen::VectorXd& angles) const {
+bool PoseDrawer::withinLimits(const Eigen::VectorXd& angles) const {
   for (std::size_t i = 0; i < drawing_.joints.size(); ++i) {
     const Drawing::Joint& joint = drawing_.joints[i];
     const double angle = angles[static_cast<Eigen::Index>(i)];
@@ -150,9 +187,9 @@ bool Poses::withinLimits(const Eigen::VectorXd& angles) const {
 }
 
 /// The lifted foot is above the floor and beside the standing one.
-bool Poses::feetApart(int side, const Skeleton::Posture& posture) const {
+bool PoseDrawer::feetApart(int side, const Skeleton::Posture& posture) const {
   constexpr double clearance = 0.01, apart = 0.08; // [m]
-  const Motion standingFromLifted =
+  const Transform standingFromLifted =
       skeleton_.torsoFromSole(posture, side).inverse() * skeleton_.torsoFromSole(posture, 1 - side);
   if (mirrored(side, -standingFromLifted.shift.y()) < apart) {
     return false;

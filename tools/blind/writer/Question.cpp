@@ -1,7 +1,7 @@
 #include "writer/Question.hpp"
 
-#include "writer/Drawn.hpp"
-#include "writer/Layout.hpp"
+#include "writer/Design.hpp"
+#include "writer/Poses.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -16,9 +16,9 @@ constexpr double mostPhysicalSizes = 6; // a flaw larger than so many of its phy
 constexpr double visible = 10;          // where poses show a flaw less, the question belongs to the absorbed ones
 constexpr double untestable = 1e-4;     // of the evidence: what is left where unknowns imitate a flaw, to first order
 
-const Family& familyNamed(const std::string& effect) {
-  for (const std::vector<Family>* families : {&catalogue(), &outside()}) {
-    for (const Family& family : *families) {
+const FlawFamily& familyNamed(const std::string& effect) {
+  for (const std::vector<FlawFamily>* families : {&catalogue(), &offCatalogue()}) {
+    for (const FlawFamily& family : *families) {
       if (family.effect == effect) {
         return family;
       }
@@ -30,13 +30,13 @@ const Family& familyNamed(const std::string& effect) {
   throw std::runtime_error{fmt::format("no effect is named {}", effect)};
 }
 
-std::string somePlace(const Family& family, const SessionPlan& plan, Chance& chance) {
+std::string somePlace(const FlawFamily& family, const SessionPlan& plan, RandomStream& chance) {
   const std::vector<std::string> places = placesFor(family, plan.mainSide, static_cast<std::size_t>(plan.boards));
   return places[chance.below(static_cast<int>(places.size()))];
 }
 
 /// Which effect nobody can see in a session that was planned so.
-std::pair<const Family*, std::string> absorbedEffect(const std::string& kind, const SessionPlan& plan) {
+std::pair<const FlawFamily*, std::string> absorbedEffect(const std::string& kind, const SessionPlan& plan) {
   const std::string letter = plan.mainSide == 0 ? "L" : "R";
   if (kind == "one-sided gap") {
     return {&familyNamed("backlash"), letter + "HipRoll"};
@@ -60,7 +60,7 @@ std::vector<double> scaled(std::vector<double> values, double size) {
   return values;
 }
 
-std::vector<double> physicalSize(const Family& family, Chance& chance) {
+std::vector<double> physicalSize(const FlawFamily& family, RandomStream& chance) {
   std::vector<double> values = randomShape(family, chance);
   return scaled(std::move(values), chance.between(0.7, 1.5));
 }
@@ -85,9 +85,10 @@ template <typename Shows> std::pair<double, double> around(const Session& sessio
 
 /// What does to the pictures what this flaw does, whatever the calibration's own unknowns do about it: other effects at
 /// its place, by their canonical correlation.
-std::vector<std::string> twinsOf(const Hidden& hidden, const Hiding& hiding, const SessionPlan& plan, double alike) {
+std::vector<std::string> twinsOf(const HiddenFlaw& hidden, const FlawSizing& hiding, const SessionPlan& plan,
+                                 double alike) {
   std::vector<std::string> twins;
-  for (const Family& family : catalogue()) {
+  for (const FlawFamily& family : catalogue()) {
     const std::vector<std::string> places = placesFor(family, plan.mainSide, static_cast<std::size_t>(plan.boards));
     const bool there = std::find(places.begin(), places.end(), hidden.place) != places.end();
     if (&family != hidden.family && there && hiding.correlation(hidden, {&family, hidden.place, {}, 0, 0}) > alike) {
@@ -97,22 +98,22 @@ std::vector<std::string> twinsOf(const Hidden& hidden, const Hiding& hiding, con
   return twins;
 }
 
-const Family& someFamily(Chance& chance) {
+const FlawFamily& someFamily(RandomStream& chance) {
   return catalogue()[static_cast<std::size_t>(chance.below(static_cast<int>(catalogue().size())))];
 }
 
 /// `haste`: from 0 to 1 the longer nothing was found; demands are lowered accordingly.
-bool hide(const Item& item, double haste, Question& question, Chance& chance) {
+bool hide(const DesignItem& item, double haste, Question& question, RandomStream& chance) {
   const Noncentrality noncentrality{question.robot, question.session, question.plan.noise};
-  const Hiding hiding{question.robot, question.session, noncentrality};
-  const auto sized = [&](const Family& family, double wanted) {
-    auto hidden = hiding.sized(family, somePlace(family, question.plan, chance), randomShape(family, chance), wanted,
-                               (1 + haste) * mostPhysicalSizes);
+  const FlawSizing hiding{question.robot, question.session, noncentrality};
+  const auto sized = [&](const FlawFamily& family, double wanted) {
+    auto hidden = hiding.scaleTo(family, somePlace(family, question.plan, chance), randomShape(family, chance), wanted,
+                                 (1 + haste) * mostPhysicalSizes);
     return hidden && hidden->kept > untestable ? hidden : std::nullopt;
   };
   if (item.group == "absorbed") {
     const auto [family, place] = absorbedEffect(item.kind, question.plan);
-    question.hidden.push_back(hiding.given(*family, place, physicalSize(*family, chance)));
+    question.hidden.push_back(hiding.makeFlaw(*family, place, physicalSize(*family, chance)));
     return question.hidden.front().kept < untestable;
   }
   if (item.group == "pair") {
@@ -127,8 +128,8 @@ bool hide(const Item& item, double haste, Question& question, Chance& chance) {
   }
   if (item.group == "twin") {
     constexpr double alike = 0.95, hardly = 0.8, plain = 40;
-    const Family& family = someFamily(chance);
-    const Hidden hidden = hiding.given(
+    const FlawFamily& family = someFamily(chance);
+    const HiddenFlaw hidden = hiding.makeFlaw(
         family, somePlace(family, question.plan, chance),
         scaled(plausibleShape(family, chance), chance.between(plausibleSizes.front(), plausibleSizes.back())));
     if (hidden.noncentrality < (1 - haste) * plain || hidden.kept < untestable) {
@@ -138,14 +139,14 @@ bool hide(const Item& item, double haste, Question& question, Chance& chance) {
     question.hidden.push_back(hidden);
     return !question.twins.empty();
   }
-  const Family& family = familyNamed(item.kind == "offset step" ? offsetStep().effect : item.kind);
+  const FlawFamily& family = familyNamed(item.kind == "offset step" ? offsetStep().effect : item.kind);
   if (item.noncentrality == 0) {
     auto values = item.group == "outside" ? randomShape(family, chance)
                   : item.group == "event" ? scaled(randomShape(family, chance), chance.between(0.5, 2))
                   : item.plausible > 0    ? scaled(plausibleShape(family, chance), item.plausible)
                                           : physicalSize(family, chance);
-    question.hidden.push_back(hiding.given(family, somePlace(family, question.plan, chance), std::move(values)));
-    const Hidden& hidden = question.hidden.front();
+    question.hidden.push_back(hiding.makeFlaw(family, somePlace(family, question.plan, chance), std::move(values)));
+    const HiddenFlaw& hidden = question.hidden.front();
     return hidden.noncentrality > (1 - haste) * visible && hidden.kept > untestable;
   }
   if (const auto hidden = sized(family, item.noncentrality)) {
@@ -157,11 +158,11 @@ bool hide(const Item& item, double haste, Question& question, Chance& chance) {
 
 } // namespace
 
-Question ask(const Drawing& drawing, const Item& item, Chance& chance) {
+Question drawQuestion(const Drawing& drawing, const DesignItem& item, RandomStream& chance) {
   constexpr int tries = 120;
   for (int attempt = 0; attempt < tries; ++attempt) {
     Question question;
-    question.plan = drawnPlan(item, chance);
+    question.plan = drawPlan(item, chance);
     const std::string letter = question.plan.mainSide == 0 ? "L" : "R";
     if (item.kind == "one-sided approach") {
       question.plan.sameApproach = drawing.joint(letter + "KneePitch");
@@ -169,8 +170,8 @@ Question ask(const Drawing& drawing, const Item& item, Chance& chance) {
     if (item.kind == "constant angle") {
       question.plan.hipYawPitch = -0.25;
     }
-    question.robot = drawnRobot(drawing, static_cast<std::size_t>(question.plan.boards), chance);
-    question.session = staged(question.robot, question.plan, layOut(question.plan.boards, chance), chance);
+    question.robot = drawRobot(drawing, static_cast<std::size_t>(question.plan.boards), chance);
+    question.session = stageSession(question.robot, question.plan, placeBoards(question.plan.boards, chance), chance);
     for (JointFlaws& joint : question.robot.flaws.joints) {
       const auto& readings = question.session.readings;
       joint.slipTime = readings[readings.size() * (30 + chance.below(40)) / 100].time; // when it slips at all
@@ -179,8 +180,8 @@ Question ask(const Drawing& drawing, const Item& item, Chance& chance) {
     const bool harmless = item.group == "control" || item.group == "decoy" || item.group == "corrupted" ||
                           item.group == "jitter" || (item.group == "event" && item.kind != "offset step");
     if (harmless || hide(item, static_cast<double>(attempt) / (tries - 1), question, chance)) {
-      for (const Hidden& hidden : question.hidden) {
-        apply(hidden, question.robot);
+      for (const HiddenFlaw& hidden : question.hidden) {
+        applyFlaw(hidden, question.robot);
       }
       return question;
     }
@@ -195,42 +196,44 @@ std::optional<Happening> happening(const Question& question) {
   std::pair<double, double> times;
   const auto stanceOf = [&](int reading) { return session.readings[static_cast<std::size_t>(reading)].stance; };
   // a sight that something else ties to the rest: of the same board or stance, not both, or from beyond the moment
-  const auto tied = [&](const Sight& sight, double moment, const auto& sameOther) {
-    const auto isAfter = [&](const Sight& one) {
+  const auto tied = [&](const BoardSight& sight, double moment, const auto& sameOther) {
+    const auto isAfter = [&](const BoardSight& one) {
       return session.readings[static_cast<std::size_t>(one.reading)].time > moment;
     };
-    return std::any_of(session.sights.begin(), session.sights.end(), [&](const Sight& other) {
+    return std::any_of(session.sights.begin(), session.sights.end(), [&](const BoardSight& other) {
       const bool same = other.board == sight.board && stanceOf(other.reading) == stanceOf(sight.reading);
       return (sameOther(other, sight) && !same) || (same && isAfter(other) != isAfter(sight));
     });
   };
   const auto seen = [&](int reading, const auto& which) {
     return std::any_of(session.sights.begin(), session.sights.end(),
-                       [&](const Sight& sight) { return sight.reading == reading && which(sight); });
+                       [&](const BoardSight& sight) { return sight.reading == reading && which(sight); });
   };
   if (const auto& kick = session.kickedBoard) {
-    const auto sameStance = [&](const Sight& a, const Sight& b) { return stanceOf(a.reading) == stanceOf(b.reading); };
+    const auto sameStance = [&](const BoardSight& a, const BoardSight& b) {
+      return stanceOf(a.reading) == stanceOf(b.reading);
+    };
     times = around(session, kick->time, [&](int reading) {
-      return seen(reading, [&](const Sight& sight) {
+      return seen(reading, [&](const BoardSight& sight) {
         return sight.board == kick->which && tied(sight, kick->time, sameStance);
       });
     });
     result = {"kicked board", std::string(1, static_cast<char>('A' + kick->which)), 0, 0, {}};
   } else if (const auto& slip = session.slippedStance) {
-    const auto sameBoard = [](const Sight& a, const Sight& b) { return a.board == b.board; };
+    const auto sameBoard = [](const BoardSight& a, const BoardSight& b) { return a.board == b.board; };
     times = around(session, slip->time, [&](int reading) {
       return stanceOf(reading) == slip->which &&
-             seen(reading, [&](const Sight& sight) { return tied(sight, slip->time, sameBoard); });
+             seen(reading, [&](const BoardSight& sight) { return tied(sight, slip->time, sameBoard); });
     });
     result = {"slipped robot", std::to_string(slip->which), 0, 0, {}};
   } else if (!question.hidden.empty() && question.hidden.front().family == &offsetStep()) {
-    const Hidden& step = question.hidden.front();
+    const HiddenFlaw& step = question.hidden.front();
     const int joint = question.robot.drawing->joint(step.place);
     const bool ofLegs = !step.place.starts_with("Head") && step.place != "LHipYawPitch"; // that turns both
     times = around(session, question.robot.flaws.joints[static_cast<std::size_t>(joint)].slipTime, [&](int reading) {
       const int side = session.stances[static_cast<std::size_t>(stanceOf(reading))].side;
       return (!ofLegs || (step.place.front() == 'L') == (side == 0)) &&
-             seen(reading, [](const Sight&) { return true; });
+             seen(reading, [](const BoardSight&) { return true; });
     });
     result = {"offset step", step.place, 0, 0, {{"step", step.values.front()}}};
   } else {
@@ -245,7 +248,7 @@ std::optional<Happening> happening(const Question& question) {
   return result;
 }
 
-Session lockedSession(const Question& question, Chance& chance) {
+Session lockedSession(const Question& question, RandomStream& chance) {
   SessionPlan plan = question.plan;
   plan.poses = 60; // so many that whether the error falls is told by the model, hardly by these poses' own noise
   plan.samples = 1;
@@ -253,10 +256,10 @@ Session lockedSession(const Question& question, Chance& chance) {
   plan.sameApproach = std::nullopt;
   plan.hipYawPitch = std::nullopt;
   const Robot sound = withoutFlaws(question.robot); // poses are drawn and boards seen without the flaw
-  return staged(sound, plan, question.session.boards, chance);
+  return stageSession(sound, plan, question.session.boards, chance);
 }
 
-std::vector<std::string> driversAt(const Hidden& hidden) {
+std::vector<std::string> driversAt(const HiddenFlaw& hidden) {
   std::vector<std::string> drivers = hidden.family->drivers;
   const std::string side = hidden.place.starts_with("Head") ? "" : hidden.place.substr(0, 1);
   for (std::string& driver : drivers) {

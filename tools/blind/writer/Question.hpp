@@ -2,8 +2,8 @@
 
 #include "writer/Corruption.hpp"
 #include "writer/Design.hpp"
-#include "writer/Hiding.hpp"
-#include "writer/Staging.hpp"
+#include "writer/FlawSizing.hpp"
+#include "writer/SessionPlanner.hpp"
 
 namespace blind {
 
@@ -12,7 +12,7 @@ struct Question {
   SessionPlan plan;
   Robot robot;
   Session session;
-  std::vector<Hidden> hidden;
+  std::vector<HiddenFlaw> hidden;
   std::vector<std::string>
       twins; // EFFECT@PLACE of what does nearly the same to these pictures, where that was asked for
 };
@@ -28,13 +28,13 @@ std::optional<Happening> happening(const Question& question);
 
 /// Draws robots, places of the flaw and sessions until the flaw of the item has its size there without being absurdly
 /// large. Throws when that never happens.
-Question ask(const Drawing& drawing, const Item& item, Chance& chance);
+Question drawQuestion(const Drawing& drawing, const DesignItem& item, RandomStream& chance);
 
 /// Sixteen further poses of the same robot with the same flaws: enough that what is measured there is the robot's
 /// error and not luck.
-Session lockedSession(const Question& question, Chance& chance);
+Session lockedSession(const Question& question, RandomStream& chance);
 
 /// What the misfit of a flaw outside the catalogue varies with, with the side's letter.
-std::vector<std::string> driversAt(const Hidden& hidden);
+std::vector<std::string> driversAt(const HiddenFlaw& hidden);
 
 } // namespace blind

@@ -67,7 +67,7 @@ cv::Point2f onPrint(double right, double down) {
 
 /// What is to become a picture, and where something has been painted.
 struct Canvas {
-  cv::Mat grey = cv::Mat(finer * Lens::height, finer * Lens::width, CV_8U);
+  cv::Mat grey = cv::Mat(finer * LensDistortion::height, finer* LensDistortion::width, CV_8U);
   cv::Rect painted;
 
   void clear() {
@@ -98,7 +98,7 @@ void paintCell(const cv::Mat& sheet, const std::array<cv::Point2f, 4>& from, con
   canvas.painted |= room;
 }
 
-void paintBoard(const Pictures& pictures, const Sight& sight, const cv::Mat& sheet, Canvas& canvas) {
+void paintBoard(const TruePictures& pictures, const BoardSight& sight, const cv::Mat& sheet, Canvas& canvas) {
   const std::vector<double> columns = cellLines(Sheet::squaresX), rows = cellLines(Sheet::squaresY);
   std::vector<Eigen::Vector2d> grid;
   for (const double down : rows) {
@@ -116,7 +116,7 @@ void paintBoard(const Pictures& pictures, const Sight& sight, const cv::Mat& she
       for (std::size_t i = 0; i < 4; ++i) {
         from[i] = onPrint(grid[corners[i]].x(), grid[corners[i]].y());
         to[i] = onCanvas(seen[corners[i]]);
-        inFront = inFront && seen[corners[i]].cwiseAbs().maxCoeff() < 4 * Lens::width; // not for NaN
+        inFront = inFront && seen[corners[i]].cwiseAbs().maxCoeff() < 4 * LensDistortion::width; // not for NaN
       }
       if (inFront) {
         paintCell(sheet, from, to, canvas);
@@ -125,9 +125,10 @@ void paintBoard(const Pictures& pictures, const Sight& sight, const cv::Mat& she
   }
 }
 
-cv::Mat developed(const Canvas& canvas, Chance& chance) {
+cv::Mat developed(const Canvas& canvas, RandomStream& chance) {
   constexpr double blur = 0.7, noise = 3; // [px], [grey levels]
-  cv::Mat picture(Lens::height, Lens::width, CV_8U, cv::Scalar{floorGrey}), grain(picture.size(), CV_16S);
+  cv::Mat picture(LensDistortion::height, LensDistortion::width, CV_8U, cv::Scalar{floorGrey}),
+      grain(picture.size(), CV_16S);
   const cv::Rect all{{}, picture.size()};
   const int reach = 4; // of the blur [px]
   const cv::Point first = canvas.painted.tl() / finer - cv::Point{reach, reach},
@@ -165,10 +166,11 @@ void writePng(const cv::Mat& picture, const std::string& file) {
 
 } // namespace
 
-void renderSession(const Robot& robot, const Session& session, Chance& chance, const std::filesystem::path& folder) {
+void renderSession(const Robot& robot, const Session& session, RandomStream& chance,
+                   const std::filesystem::path& folder) {
   cv::setNumThreads(1); // several sets are written at a time
   std::filesystem::create_directories(folder / "images");
-  const Pictures pictures{robot, session};
+  const TruePictures pictures{robot, session};
   std::vector<cv::Mat> sheets;
   for (std::size_t board = 0; board < session.boards.size(); ++board) {
     sheets.push_back(printedSheet(static_cast<int>(board) * (Sheet::squaresX * Sheet::squaresY / 2)));

@@ -16,7 +16,7 @@ struct Robot {
 };
 
 /// The camera as the set's header gives it.
-struct Lens {
+struct LensDistortion {
   static constexpr int width = 640, height = 480;
   static constexpr double focal = 598, cx = 320, cy = 240; // [px]
 };
@@ -53,7 +53,7 @@ struct Reading {
 };
 
 /// Corners of one board in one picture.
-struct Sight {
+struct BoardSight {
   int reading = 0, camera = 0, board = 0;
   std::vector<int> ids;
   double sigma = 0; // of its corners, per axis [px]
@@ -71,7 +71,7 @@ struct Session {
   std::vector<FloorPlace> boards;
   std::vector<Stance> stances;
   std::vector<Reading> readings; // in the order of time
-  std::vector<Sight> sights;
+  std::vector<BoardSight> sights;
   std::optional<Displacement> kickedBoard, slippedStance;
 };
 

@@ -49,11 +49,12 @@ json jointLists(const std::vector<int>& joints, const Reading& reading) {
           {"temperature", list(reading.temperature, 1)}};
 }
 
-json cornersOf(const Sight& sight, const std::vector<Eigen::Vector2d>& seen) {
+json cornersOf(const BoardSight& sight, const std::vector<Eigen::Vector2d>& seen) {
   json ids = json::array(), uv = json::array();
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const Eigen::Vector2d& corner = seen[i];
-    if (corner.x() > 1 && corner.x() < Lens::width - 2 && corner.y() > 1 && corner.y() < Lens::height - 2) {
+    if (corner.x() > 1 && corner.x() < LensDistortion::width - 2 && corner.y() > 1 &&
+        corner.y() < LensDistortion::height - 2) {
       ids.push_back(sight.ids[i]);
       uv.push_back({rounded(corner.x(), 1e4), rounded(corner.y(), 1e4)});
     }
@@ -62,12 +63,8 @@ json cornersOf(const Sight& sight, const std::vector<Eigen::Vector2d>& seen) {
 }
 
 json header(const Drawing& drawing, const Session& session, const std::string& robotName) {
-  const json camera{{"width", Lens::width},
-                    {"height", Lens::height},
-                    {"fx", Lens::focal},
-                    {"fy", Lens::focal},
-                    {"cx", Lens::cx},
-                    {"cy", Lens::cy},
+  const json camera{{"width", LensDistortion::width}, {"height", LensDistortion::height}, {"fx", LensDistortion::focal},
+                    {"fy", LensDistortion::focal},    {"cx", LensDistortion::cx},         {"cy", LensDistortion::cy},
                     {"distortion", {0, 0, 0, 0, 0}}};
   json set{{"format", "naocal-captures"},
            {"version", 1},
@@ -99,10 +96,11 @@ json header(const Drawing& drawing, const Session& session, const std::string& r
 
 } // namespace
 
-SeenCorners noisyCorners(const Pictures& pictures, const Session& session, const NoiseRegime& noise, Chance& chance) {
+ObservedCorners noisyCorners(const TruePictures& pictures, const Session& session, const NoiseRegime& noise,
+                             RandomStream& chance) {
   std::map<std::pair<int, int>, Eigen::Vector2d> biases;
-  SeenCorners seen;
-  for (const Sight& sight : session.sights) {
+  ObservedCorners seen;
+  for (const BoardSight& sight : session.sights) {
     const auto [bias, isNew] = biases.try_emplace({sight.reading, sight.camera}, Eigen::Vector2d::Zero());
     if (isNew && noise.pictureBias > 0) {
       bias->second = {chance.normal(noise.pictureBias), chance.normal(noise.pictureBias)};
@@ -122,14 +120,14 @@ std::string imageName(int reading, int camera) {
   return fmt::format("images/{:04}-{}.png", reading, cameraNames[camera]);
 }
 
-json captureSet(const Drawing& drawing, const Session& session, const SeenCorners& seen, bool pictures,
-                const std::string& robotName) {
+json captureSetJson(const Drawing& drawing, const Session& session, const ObservedCorners& seen, bool pictures,
+                    const std::string& robotName) {
   json set = header(drawing, session, robotName);
   const std::vector<int> joints = recordedJoints(drawing);
   const std::array<const char*, 3> kinds{"rest", "reapproach", "restand"};
   std::map<std::pair<int, int>, json> corners;
   for (std::size_t i = 0; i < session.sights.size(); ++i) {
-    const Sight& sight = session.sights[i];
+    const BoardSight& sight = session.sights[i];
     if (json entry = cornersOf(sight, seen[i]); !entry["ids"].empty()) {
       corners[{sight.reading, sight.camera}].push_back(std::move(entry));
     }

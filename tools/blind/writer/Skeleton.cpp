@@ -19,24 +19,24 @@ Eigen::Vector3d tiltedAxis(const Eigen::Vector3d& axis, const JointFlaws& flaws)
   const bool isSkew = axis.cwiseAbs().maxCoeff(&along) < 0.99;
   const Eigen::Vector3d first = isSkew ? unit(0) : unit(along + 1);
   const Eigen::Vector3d second = isSkew ? Eigen::Vector3d{axis.cross(unit(0))} : unit(along + 2);
-  return turnAbout(first, flaws.tiltAlpha) * turnAbout(second, flaws.tiltBeta) * axis;
+  return rotationAbout(first, flaws.tiltAlpha) * rotationAbout(second, flaws.tiltBeta) * axis;
 }
 
 } // namespace
 
-Eigen::Matrix3d turnAbout(const Eigen::Vector3d& axis, double angle) {
+Eigen::Matrix3d rotationAbout(const Eigen::Vector3d& axis, double angle) {
   const double sine = std::sin(angle), rest = 1 - std::cos(angle);
   Eigen::Matrix3d cross;
   cross << 0, -axis.z(), axis.y(), axis.z(), 0, -axis.x(), -axis.y(), axis.x(), 0;
   return Eigen::Matrix3d::Identity() + sine * cross + rest * cross * cross;
 }
 
-Motion placed(double x, double y, double yaw) {
-  return {turnAbout(Eigen::Vector3d::UnitZ(), yaw), {x, y, 0}};
+Transform floorTransform(double x, double y, double yaw) {
+  return {rotationAbout(Eigen::Vector3d::UnitZ(), yaw), {x, y, 0}};
 }
 
-Eigen::Matrix3d tipped(double roll, double pitch) {
-  return turnAbout(Eigen::Vector3d::UnitY(), pitch) * turnAbout(Eigen::Vector3d::UnitX(), roll);
+Eigen::Matrix3d tiltRotation(double roll, double pitch) {
+  return rotationAbout(Eigen::Vector3d::UnitY(), pitch) * rotationAbout(Eigen::Vector3d::UnitX(), roll);
 }
 
 Skeleton::Skeleton(const Drawing& drawing, const Flaws& flaws) : drawing_{drawing} {
@@ -70,23 +70,23 @@ Skeleton::Posture Skeleton::posture(const Eigen::VectorXd& angles) const {
   Posture posture(screws_.size());
   for (std::size_t i = 0; i < screws_.size(); ++i) {
     const Screw& screw = screws_[i];
-    Motion turning;
-    turning.turn = turnAbout(screw.axis, angles[static_cast<Eigen::Index>(i)]);
+    Transform turning;
+    turning.turn = rotationAbout(screw.axis, angles[static_cast<Eigen::Index>(i)]);
     turning.shift = screw.point - turning.turn * screw.point;
     posture[i] = screw.parent < 0 ? turning : posture[screw.parent] * turning;
   }
   return posture;
 }
 
-Motion Skeleton::torsoFromSole(const Posture& posture, int side) const {
-  return posture[drawing_.soles[side].joint] * Motion{Eigen::Matrix3d::Identity(), soles_[side]};
+Transform Skeleton::torsoFromSole(const Posture& posture, int side) const {
+  return posture[drawing_.soles[side].joint] * Transform{Eigen::Matrix3d::Identity(), soles_[side]};
 }
 
-Motion Skeleton::torsoFromCamera(const Posture& posture, int camera, const Eigen::Matrix3d& mountTurn,
-                                 const Eigen::Vector3d& shift) const {
+Transform Skeleton::torsoFromCamera(const Posture& posture, int camera, const Eigen::Matrix3d& mountTurn,
+                                    const Eigen::Vector3d& shift) const {
   const Drawing::Camera& drawn = drawing_.cameras[camera];
-  const Motion mount{turnAbout(Eigen::Vector3d::UnitY(), drawn.pitch) * mountTurn,
-                     screws_[drawn.joint].point + drawn.inLink + shift};
+  const Transform mount{rotationAbout(Eigen::Vector3d::UnitY(), drawn.pitch) * mountTurn,
+                        screws_[drawn.joint].point + drawn.inLink + shift};
   return posture[drawn.joint] * mount;
 }
 

@@ -6,18 +6,18 @@
 namespace blind {
 
 /// A rotation about the origin, then a shift.
-struct Motion {
+struct Transform {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
 
   Eigen::Vector3d operator*(const Eigen::Vector3d& point) const { return turn * point + shift; }
-  Motion operator*(const Motion& other) const { return {turn * other.turn, turn * other.shift + shift}; }
-  Motion inverse() const { return {turn.transpose(), -(turn.transpose() * shift)}; }
+  Transform operator*(const Transform& other) const { return {turn * other.turn, turn * other.shift + shift}; }
+  Transform inverse() const { return {turn.transpose(), -(turn.transpose() * shift)}; }
 };
 
-Eigen::Matrix3d turnAbout(const Eigen::Vector3d& axis, double angle); // Rodrigues' formula
-Motion placed(double x, double y, double yaw);                        // on the floor
-Eigen::Matrix3d tipped(double roll, double pitch);                    // Ry(pitch) * Rx(roll)
+Eigen::Matrix3d rotationAbout(const Eigen::Vector3d& axis, double angle); // Rodrigues' formula
+Transform floorTransform(double x, double y, double yaw);                 // on the floor
+Eigen::Matrix3d tiltRotation(double roll, double pitch);                  // Ry(pitch) * Rx(roll)
 
 /// A robot's links as one product of exponentials: at angles q the point that lies at p in the torso's frame at zero
 /// angles lies at exp(screw_1 q_1) ... exp(screw_n q_n) p (Brockett 1984).
@@ -25,13 +25,13 @@ class Skeleton {
 public:
   Skeleton(const Drawing& drawing, const Flaws& flaws);
 
-  using Posture = std::vector<Motion>; // by joint: where its link went from its place at zero angles
+  using Posture = std::vector<Transform>; // by joint: where its link went from its place at zero angles
   Posture posture(const Eigen::VectorXd& angles) const;
 
-  Motion torsoFromSole(const Posture& posture, int side) const;
+  Transform torsoFromSole(const Posture& posture, int side) const;
   /// x forward along the optical axis; `mountTurn` after the nominal mount, `shift` in the head's frame.
-  Motion torsoFromCamera(const Posture& posture, int camera, const Eigen::Matrix3d& mountTurn,
-                         const Eigen::Vector3d& shift) const;
+  Transform torsoFromCamera(const Posture& posture, int camera, const Eigen::Matrix3d& mountTurn,
+                            const Eigen::Vector3d& shift) const;
   Eigen::Vector3d centreOfMass(const Posture& posture) const; // in the torso's frame [m]
   /// What gravity does to each joint with one sole held still, `up` in the torso's frame [Nm]. Both hip yaw-pitch
   /// joints get their motor's sum.

@@ -1,7 +1,7 @@
 #include "writer/Writing.hpp"
 
 #include "seal/Seal.hpp"
-#include "writer/NoiseFloor.hpp"
+#include "writer/Noncentrality.hpp"
 #include "writer/Question.hpp"
 #include "writer/Rendering.hpp"
 #include "writer/SetFile.hpp"
@@ -17,10 +17,10 @@ using nlohmann::json;
 
 json effectsJson(const Question& question) {
   json effects = json::array();
-  for (const Hidden& hidden : question.hidden) {
+  for (const HiddenFlaw& hidden : question.hidden) {
     json unknowns = json::object();
     for (std::size_t i = 0; i < hidden.values.size(); ++i) {
-      const Family::Unknown& unknown = hidden.family->unknowns[i];
+      const FlawFamily::Unknown& unknown = hidden.family->unknowns[i];
       unknowns[unknown.name] = {{"value", hidden.values[i]}, {"unit", unknown.unit}};
     }
     if (hidden.family->effect == "gearPlay") { // the contract's t counts from 0.2 Nm
@@ -40,7 +40,7 @@ json effectsJson(const Question& question) {
   return effects;
 }
 
-json truthOf(const Item& item, const Question& question, const std::string& name) {
+json truthOf(const DesignItem& item, const Question& question, const std::string& name) {
   json offsets = json::object();
   for (std::size_t i = 0; i < question.robot.drawing->joints.size(); ++i) {
     offsets[question.robot.drawing->joints[i].name] = question.robot.offsets[static_cast<Eigen::Index>(i)];
@@ -75,17 +75,17 @@ std::string setName(int number) {
   return fmt::format("s{:06}", number);
 }
 
-void writeItem(const Drawing& drawing, const Item& item, std::uint64_t seed, int number,
+void writeItem(const Drawing& drawing, const DesignItem& item, std::uint64_t seed, int number,
                const std::filesystem::path& out) {
   const std::string name = setName(number);
   const std::string own = fmt::format("{} {}", seed, name);
-  Chance chance{seed, own + " question"}, noise{seed, own + " noise"}, mistakes{seed, own + " mistakes"};
-  Question question = ask(drawing, item, chance);
+  RandomStream chance{seed, own + " question"}, noise{seed, own + " noise"}, mistakes{seed, own + " mistakes"};
+  Question question = drawQuestion(drawing, item, chance);
   corruptSession(item.kind, question.session, mistakes);
 
-  const SeenCorners seen =
-      noisyCorners(Pictures{question.robot, question.session}, question.session, question.plan.noise, noise);
-  json set = captureSet(drawing, question.session, seen, item.pictures, name);
+  const ObservedCorners seen =
+      noisyCorners(TruePictures{question.robot, question.session}, question.session, question.plan.noise, noise);
+  json set = captureSetJson(drawing, question.session, seen, item.pictures, name);
   json truth = truthOf(item, question, name);
   if (item.group == "corrupted") {
     truth["corruption"] = corruptFile(item.kind, question.plan.mainSide, set, mistakes);
@@ -96,16 +96,18 @@ void writeItem(const Drawing& drawing, const Item& item, std::uint64_t seed, int
   writeFile(out / "sets" / name / "captures.json", set.dump() + "\n");
 
   const Session later = lockedSession(question, chance);
-  const SeenCorners seenLater = noisyCorners(Pictures{question.robot, later}, later, question.plan.noise, noise);
+  const ObservedCorners seenLater =
+      noisyCorners(TruePictures{question.robot, later}, later, question.plan.noise, noise);
   truth["lockedFloorPx"] = noiseFloor(question.robot, later, seenLater);
-  writeFile(out / "locked" / name / "captures.json", captureSet(drawing, later, seenLater, false, name).dump() + "\n");
+  writeFile(out / "locked" / name / "captures.json",
+            captureSetJson(drawing, later, seenLater, false, name).dump() + "\n");
 
   const std::filesystem::path keyFile = out / "truth" / "key";
   const std::string key = sha256Hex(fmt::format("blind benchmark {}", seed));
   if (!std::filesystem::exists(keyFile)) {
     writeFile(keyFile, key);
   }
-  const std::string bytes = sealed(truth.dump(1), key);
+  const std::string bytes = seal(truth.dump(1), key);
   writeFile(out / "truth" / (name + ".sealed"), bytes);
   const json manifest{{"format", "naocal-blind-manifest"},
                       {"version", 1},

@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
   std::uint64_t seed = 1;
   int first = 0, count = -1;
   bool onlySize = false;
-  blind::Counts counts;
+  blind::DesignCounts counts;
   app.add_option("OUT", out, "the folder to write into: sets, locked, truth, manifest")->required();
   app.add_option("--seed", seed, "another benchmark for every seed")->capture_default_str();
   app.add_option("--controls", counts.controls, "sets without effect, per noise regime")->capture_default_str();
@@ -26,13 +26,13 @@ int main(int argc, char** argv) {
   app.add_flag("--size", onlySize, "only print how many sets there are");
   CLI11_PARSE(app, argc, argv);
   try {
-    const std::vector<blind::Item> items = blind::design(counts, seed);
+    const std::vector<blind::DesignItem> items = blind::drawDesign(counts, seed);
     const int size = static_cast<int>(items.size());
     if (onlySize) {
       fmt::print("{}\n", size);
       return 0;
     }
-    const blind::Drawing drawing = blind::readDrawing(drawingFile);
+    const blind::Drawing drawing = blind::parseRobot(drawingFile);
     const int end = count < 0 ? size : std::min(size, first + count);
     for (int number = first; number < end; ++number) {
       blind::writeItem(drawing, items[static_cast<std::size_t>(number)], seed, number, out);

@@ -89,7 +89,7 @@ else()
   message("${missing}")
   file(WRITE ${OUTPUT}.missing "${missing}")
 endif()
-file(WRITE ${OUTPUT} "#include \"page/Page.hpp\"
+file(WRITE ${OUTPUT} "#include \"server/PageFiles.hpp\"
 
 namespace naocal {
 

@@ -12,7 +12,6 @@
 #include <sys/mman.h>
 
 namespace naocal {
-
 namespace {
 
 /* Angles and stiffness without the right hip yaw-pitch, which has no motor. */

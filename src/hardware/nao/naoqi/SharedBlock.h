@@ -38,7 +38,7 @@ struct State {
   float battery[4]; /* charge, status, current, temperature */
 };
 
-/* Lights as in hardware/RobotCommand.hpp; coloured ones red, green, blue each. */
+/* Lights as in hardware/RobotInterface.hpp; coloured ones red, green, blue each. */
 struct Command {
   float angles[jointCount];
   float stiffness[jointCount]; /* 0 or less: off */

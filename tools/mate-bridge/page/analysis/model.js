@@ -22,12 +22,10 @@ function saveLadder({rungs}) {
 }
 
 // Undo goes to the model that the present one was made from, redo to the newest one made from it.
-const originOf = ({rungs}, place) => rungs[place].from === undefined ? place - 1 : rungs[place].from ?? -1;
-const newestFrom = ladder => ladder.rungs.map((_, place) => originOf(ladder, place)).lastIndexOf(ladder.at);
-export const canUndo = ladder => originOf(ladder, ladder.at) >= 0;
-export const canRedo = ladder => newestFrom(ladder) >= 0;
-export const undo = ladder => act({do: "goTo", rung: originOf(ladder, ladder.at)});
-export const redo = ladder => act({do: "goTo", rung: newestFrom(ladder)});
+export const canUndo = ({at, rungs}) => rungs[at].from !== null;
+export const canRedo = ({at, rungs}) => rungs.some(({from}) => from === at);
+export const undo = ({at, rungs}) => act({do: "goTo", rung: rungs[at].from});
+export const redo = ({at, rungs}) => act({do: "goTo", rung: rungs.map(({from}) => from).lastIndexOf(at)});
 
 const historyButtons = ladder => element("p", {class: "controls"},
   button("Undo", () => undo(ladder), {disabled: !canUndo(ladder), id: "undo", title: "u"}),

@@ -26,7 +26,7 @@ export interface SetMessage {
 /** "ladder": all models so far; `at`: the present one; `from`: the one that each was made from. Errors in pixels. */
 export interface LadderMessage {
   at: number;
-  rungs: {step: string, from?: number | null, with: string[], without: string[], rms: number, heldOut?: number, floor?: number, alarm?: number}[];
+  rungs: {step: string, from: number | null, with: string[], without: string[], rms: number, heldOut?: number, floor?: number, alarm?: number}[];
 }
 
 /** A quantity recorded with each picture. */

@@ -1,0 +1,93 @@
+#include "brain/CalibrationRecorder.hpp"
+
+#include "brain/CalibrationInputs.hpp"
+#include "calibration/Prediction.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "detect/BoardDetector.hpp"
+#include "diagnosis/DiagnosisFile.hpp"
+#include "estimation/ModelBuilder.hpp"
+#include "io/Files.hpp"
+#include "io/GreyImage.hpp"
+#include "io/InputError.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+CalibrationRecorder::CalibrationRecorder(const Robot& drawing, CaptureSet header, std::filesystem::path folder,
+                                         ModelFile model)
+    : drawing_{drawing}, set_{std::move(header)}, folder_{std::move(folder)}, model_{std::move(model)} {
+  if (std::filesystem::exists(folder_ / "captures.json")) {
+    throw InputError{fmt::format("{}: expected an empty folder for a new recording, found captures; move them away",
+                                 folder_.string())};
+  }
+  std::filesystem::create_directories(folder_ / "images");
+}
+
+std::vector<BoardCorners> CalibrationRecorder::record(Capture capture, const CameraFrame& frame) {
+  const auto picture = toGreyImage(frame);
+  if (!picture) {
+    return {}; // its bytes were lost: there is nothing to see
+  }
+  capture.id = static_cast<int>(set_.captures.size());
+  capture.image = fmt::format("images/{:04}.png", capture.id);
+  capture.corners = detect(*picture, set_.boards, set_.cameras.at(capture.camera)).boards;
+  for (const BoardCorners& board : *capture.corners) {
+    corners_ += board.ids.size();
+  }
+  writePicture(*picture, folder_ / capture.image);
+  set_.captures.push_back(std::move(capture));
+  writeCaptureSet(set_, folder_);
+  return *set_.captures.back().corners;
+}
+
+CalibrationRecorder::Solution CalibrationRecorder::solve() const {
+  const std::vector<CaptureSet> sets{set_};
+  const Measurements measurements = measurementsOf(sets, drawing_);
+  const auto [asked, leftOut] = reduceModel(measurements, model_);
+  const Model model = makeModel(measurements, asked.with, asked.without, asked.effects);
+  const CalibrationResult result = calibrate(measurements, model);
+  const ResultInputs inputs{{folder_.string()}, {sha256(fileContent(folder_ / "captures.json"))}};
+  writeAtomically(folder_ / "result.json", resultJson(sets, measurements, model, result, inputs).dump(2) + "\n");
+  if (!result.converged) {
+    throw InputError{
+        "the search for offsets and mounts did not converge. Nothing was changed. Look whether all boards are "
+        "those of the configuration and lie still, and calibrate again"};
+  }
+  Solution solved{readResult(folder_ / "result.json"), shownOffsets(measurements, model, result), result.warnings};
+  if (!leftOut.empty()) {
+    solved.warnings.push_back(
+        {Warning::About::fit,
+         fmt::format("The robot's model names what these captures know nothing of; it was left out: {}.",
+                     fmt::join(leftOut, ", "))});
+  }
+  nlohmann::json offsets; // [rad]
+  for (const ShownOffset& offset : solved.offsets) {
+    offsets[offset.joint] = {{"offset", offset.value}, {"sigma", offset.sigma}};
+  }
+  writeAtomically(folder_ / "offsets.json", offsets.dump(2) + "\n");
+  return solved;
+}
+
+std::string CalibrationRecorder::diagnose() const {
+  const std::vector<CaptureSet> sets{set_};
+  const Measurements measurements = measurementsOf(sets, drawing_);
+  const ModelFile asked = reduceModel(measurements, model_).model;
+  DiagnosisOptions options;
+  options.with = asked.with;
+  options.without = asked.without;
+  options.effects = asked.effects;
+  const Diagnosis diagnosis = naocal::diagnose(sets, measurements, options);
+  writeAtomically(folder_ / "diagnosis.json", diagnosisJson(diagnosis).dump(2) + "\n");
+  return diagnosis.sentence;
+}
+
+CalibrationRecorder::ErrorComparison CalibrationRecorder::compareErrors(const StoredResult& before,
+                                                                        const StoredResult& after) const {
+  const auto rms = [this](const StoredResult& result) { return compare(result, {set_}, drawing_, false).all.rmsPx; };
+  return {rms(before), rms(after)};
+}
+
+} // namespace naocal

@@ -1,0 +1,135 @@
+#include "framework/core/Thread.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <pthread.h>
+#include <sched.h>
+
+namespace naocal {
+
+/// Keeps a thread's CycleTimes; each thread has one as its first module.
+class CycleClock final : public Module {
+public:
+  CycleClock() : Module{"CycleClock"} {}
+  void cycle() override; // publishes what was counted up to the cycle before
+
+  /// Counts a cycle whose measurements had the time `start`, arrived at `arrival` and were worked on until `end`.
+  void count(TimePoint start, TimePoint arrival, TimePoint end);
+
+private:
+  CycleTimes counted_;
+  std::optional<TimePoint> lastStart_;
+  Production<CycleTimes> times_{*this, "cycleTimes"};
+  Production<double> measured_{*this, "measuredCycleTime"}; // [s]
+};
+
+void to_json(nlohmann::json& out, const CycleTimes& times) {
+  out = {{"cycles", times.cycles},
+         {"period", times.period},
+         {"meanPeriod", times.meanPeriod},
+         {"longestPeriod", times.longestPeriod},
+         {"work", times.work},
+         {"meanWork", times.meanWork},
+         {"longestWork", times.longestWork}};
+}
+
+void CycleClock::cycle() {
+  times_ = counted_;
+  measured_ = counted_.period;
+}
+
+void CycleClock::count(TimePoint start, TimePoint arrival, TimePoint end) {
+  CycleTimes& times = counted_;
+  ++times.cycles;
+  times.work = toSeconds(end - arrival);
+  times.longestWork = std::max(times.longestWork, times.work);
+  times.meanWork += (times.work - times.meanWork) / double(times.cycles);
+  if (lastStart_) {
+    times.period = toSeconds(start - *lastStart_);
+    times.longestPeriod = std::max(times.longestPeriod, times.period);
+    times.meanPeriod += (times.period - times.meanPeriod) / double(times.cycles - 1);
+  }
+  lastStart_ = start;
+}
+
+Thread::Thread(std::string name, RobotPart part) : name_{std::move(name)}, part_{part} {
+  clock_ = &add<CycleClock>();
+}
+
+Module& Thread::add(std::unique_ptr<Module> module) {
+  modules_.push_back(std::move(module));
+  productions_ = productions();
+  return *modules_.back();
+}
+
+std::vector<AnyProduction*> Thread::productions() const {
+  std::vector<AnyProduction*> all;
+  for (const auto& module : modules_) {
+    all.insert(all.end(), module->productions().begin(), module->productions().end());
+  }
+  return all;
+}
+
+void Thread::sort(const std::vector<std::size_t>& order) {
+  std::vector<std::unique_ptr<Module>> sorted;
+  for (const std::size_t index : order) {
+    sorted.push_back(std::move(modules_[index]));
+  }
+  modules_ = std::move(sorted);
+}
+
+void Thread::postChange(Module& module, std::function<void()> apply) {
+  const std::lock_guard lock{changesMutex_};
+  changes_.push_back({&module, std::move(apply)});
+}
+
+void Thread::applyChanges() {
+  std::vector<Change> changes;
+  {
+    const std::unique_lock lock{changesMutex_, std::try_to_lock};
+    if (!lock.owns_lock()) {
+      return; // somebody is adding one: the next cycle has them all
+    }
+    changes.swap(changes_);
+  }
+  for (Change& change : changes) { // told one by one: of two values that come together, the first is one as well
+    change.apply();
+    change.module->onParametersChanged();
+  }
+}
+
+void Thread::cycle() {
+  applyChanges();
+  for (AnyProduction* production : productions_) {
+    production->beginCycle();
+  }
+  TimePoint arrival = Clock::now();
+  TimePoint start = arrival;
+  for (const auto& module : modules_) {
+    module->cycle();
+    if (const auto time = module->takeCycleTime()) {
+      start = *time;
+      arrival = Clock::now();
+    }
+  }
+  clock_->count(start, arrival, Clock::now());
+  if (listener_ != nullptr) {
+    listener_->onCycleEnd(start, productions_);
+  }
+}
+
+void Thread::end() {
+  for (const auto& module : modules_) {
+    module->onThreadEnd();
+  }
+}
+
+std::string requestRealTimePriority(int priority) {
+  const sched_param parameters{.sched_priority = priority};
+  const int error = ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &parameters);
+  return error == 0 ? std::string{} : std::strerror(error);
+}
+
+} // namespace naocal

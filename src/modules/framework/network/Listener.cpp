@@ -1,0 +1,181 @@
+#include "framework/network/Listener.hpp"
+
+#include "framework/configuration/ConfigurationLayers.hpp"
+
+#include <algorithm>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/local/stream_protocol.hpp>
+#include <fmt/format.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+
+namespace naocal {
+
+using boost::asio::ip::tcp;
+using boost::system::error_code;
+using Generic = boost::asio::generic::stream_protocol;
+
+namespace {
+
+/// The address of a client without its port; empty for a UNIX socket.
+std::string addressOf(const Generic::endpoint& endpoint) {
+  if (endpoint.protocol().family() == AF_UNIX) {
+    return "";
+  }
+  tcp::endpoint address;
+  std::memcpy(address.data(), endpoint.data(), std::min(endpoint.size(), address.capacity()));
+  return address.address().to_string();
+}
+
+[[noreturn]] void refuseToListen(const std::string& where, const std::string& reason) {
+  throw ConfigurationError{fmt::format("cannot listen on {}: {}; stop what listens there, or choose another place in "
+                                       "sdk.json or access.json",
+                                       where, reason)};
+}
+
+} // namespace
+
+Listener::Listener(boost::asio::io_context& context, Protocol& protocol, std::size_t maxClients, ClientLimits limits,
+                   Log log)
+    : context_{context}, protocol_{protocol}, mostClients_{maxClients}, limits_{limits}, log_{std::move(log)} {}
+
+Listener::~Listener() {
+  while (!connections_.empty()) {
+    (*connections_.begin())->end();
+  }
+  for (const auto& path : paths_) {
+    std::error_code ignored;
+    std::filesystem::remove(path, ignored);
+  }
+}
+
+Listener::Acceptor& Listener::open(const Generic& protocol) {
+  return doors_.emplace_back(
+      Acceptor{boost::asio::basic_socket_acceptor<Generic>{context_, protocol}, boost::asio::steady_timer{context_}});
+}
+
+std::uint16_t Listener::listenTcp(const std::string& address, std::uint16_t port) {
+  try {
+    const tcp::endpoint endpoint{boost::asio::ip::make_address(address), port};
+    Acceptor& door = open(Generic{endpoint.protocol()});
+    auto& acceptor = door.acceptor;
+    acceptor.set_option(boost::asio::socket_base::reuse_address{true});
+    acceptor.bind(Generic::endpoint{endpoint});
+    acceptor.listen();
+    const Generic::endpoint bound = acceptor.local_endpoint();
+    tcp::endpoint local;
+    std::memcpy(local.data(), bound.data(), std::min(bound.size(), local.capacity()));
+    accept(door);
+    return local.port();
+  } catch (const boost::system::system_error& error) {
+    refuseToListen(fmt::format("{} port {}", address, port), error.code().message());
+  }
+}
+
+void Listener::listenUnix(const std::filesystem::path& path) {
+  try {
+    const boost::asio::local::stream_protocol::endpoint endpoint{path.string()};
+    boost::asio::local::stream_protocol::socket probe{context_};
+    error_code nobody;
+    if (!probe.connect(endpoint, nobody)) {
+      refuseToListen(path.string(), "another process listens there");
+    }
+    if (std::filesystem::is_socket(path)) {
+      std::filesystem::remove(path);
+    }
+    std::filesystem::create_directories(path.parent_path());
+    Acceptor& door = open(Generic{endpoint.protocol()});
+    auto& acceptor = door.acceptor;
+    acceptor.bind(Generic::endpoint{endpoint});
+    ::chmod(path.c_str(), S_IRUSR | S_IWUSR); // before it listens
+    paths_.push_back(path);
+    acceptor.listen();
+    accept(door);
+  } catch (const std::system_error& error) {
+    refuseToListen(path.string(), error.code().message());
+  }
+}
+
+void Listener::accept(Acceptor& door) {
+  door.acceptor.async_accept([this, &door](const error_code& error, Socket socket) {
+    if (error == boost::asio::error::operation_aborted) {
+      return;
+    }
+    if (!error) {
+      welcome(std::move(socket));
+      return accept(door);
+    }
+    log_(fmt::format("A client could not be accepted: {}.", error.message()));
+    door.pause.expires_after(
+        std::chrono::milliseconds{100}); // such as no descriptors left: not again and again at once
+    door.pause.async_wait([this, &door](const error_code& stopped) {
+      if (!stopped) {
+        accept(door);
+      }
+    });
+  });
+}
+
+namespace {
+
+/// Has the system notice within some seconds that the other side is out of reach: a client that started the robot may
+/// have left what is to be done then.
+void watchNetwork(Socket& socket, std::chrono::milliseconds unconfirmed) {
+  const int file = socket.native_handle();
+  const auto set = [&](int level, int option, int value) { ::setsockopt(file, level, option, &value, sizeof value); };
+  set(SOL_SOCKET, SO_KEEPALIVE, 1);
+  set(IPPROTO_TCP, TCP_KEEPIDLE, 2);  // s
+  set(IPPROTO_TCP, TCP_KEEPINTVL, 1); // s
+  set(IPPROTO_TCP, TCP_KEEPCNT, 4);   // unanswered
+  if (unconfirmed.count() > 0) {
+    set(IPPROTO_TCP, TCP_USER_TIMEOUT, int(unconfirmed.count()));
+  }
+}
+
+/// Has the system take little more than the network does: else a slow client is busy only when the system has taken
+/// megabytes for it, behind which all that is new waits for many seconds.
+void keepQueueShort(Socket& socket) {
+  const int most = 32 << 10; // [bytes] that are not on their way yet
+  ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &most, sizeof most);
+}
+
+} // namespace
+
+void Listener::makeRoom() {
+  if (connections_.size() < mostClients_) {
+    return;
+  }
+  const auto stranger = std::find_if(connections_.begin(), connections_.end(),
+                                     [this](const auto& client) { return !protocol_.isTrusted(*client); });
+  if (stranger != connections_.end()) {
+    (*stranger)->end();
+  }
+}
+
+void Listener::welcome(Socket socket) {
+  error_code gone;
+  const Generic::endpoint endpoint = socket.remote_endpoint(gone);
+  if (gone) {
+    return;
+  }
+  const std::string address = addressOf(endpoint);
+  makeRoom();
+  if (connections_.size() >= mostClients_) {
+    log_(fmt::format("Client {}: {} clients are connected already, which is the limit; the connection was closed.",
+                     address.empty() ? "on this computer" : address, mostClients_));
+    return;
+  }
+  if (!address.empty()) {
+    socket.set_option(tcp::no_delay{true}, gone);
+    watchNetwork(socket, limits_.unacknowledgedTimeout);
+    keepQueueShort(socket);
+  }
+  const auto connection = std::make_shared<Connection>(std::move(socket), address, protocol_, limits_, log_,
+                                                       [this](Connection& ended) { connections_.erase(ended.self()); });
+  connections_.insert(connection);
+  connection->start();
+}
+
+} // namespace naocal

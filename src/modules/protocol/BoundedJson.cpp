@@ -1,0 +1,36 @@
+#include "protocol/BoundedJson.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+namespace {
+
+constexpr int deepest = 100;
+
+} // namespace
+
+nlohmann::json parseBoundedJson(std::string_view text, bool withComments) {
+  const auto shallow = [](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+    if (depth > deepest) {
+      throw nlohmann::json::out_of_range::create(0, "expected at most 100 levels of brackets, found more", nullptr);
+    }
+    return true;
+  };
+  return nlohmann::json::parse(text, shallow, true, withComments);
+}
+
+std::string parseErrorReason(const std::exception& error) {
+  const std::string_view message = error.what(); // "[json.exception.type_error.302] type must be string, but is ..."
+  const std::size_t mark = message.rfind("[json.exception", 0) == 0 ? message.find("] ") : std::string_view::npos;
+  return std::string{message.substr(mark == std::string_view::npos ? 0 : mark + 2)};
+}
+
+std::string jsonText(const nlohmann::json& value) {
+  return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string jsonLine(const nlohmann::json& value) {
+  return jsonText(value) + "\n";
+}
+
+} // namespace naocal

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace naocal {
+
+/// The joints of a NAO in the order of every list in src/hardware, src/motion and src/brain: HULKs' order. The right
+/// hip yaw-pitch has a place of its own although one motor drives both; hands are 0 (closed) to 1 (open). Source: HULKs
+/// code release 2019, Modules/NaoProvider.h.
+inline constexpr std::array<std::string_view, 26> jointNames{
+    "HeadYaw",       "HeadPitch",    "LShoulderPitch", "LShoulderRoll", "LElbowYaw",   "LElbowRoll",  "LWristYaw",
+    "LHand",         "LHipYawPitch", "LHipRoll",       "LHipPitch",     "LKneePitch",  "LAnklePitch", "LAnkleRoll",
+    "RHipYawPitch",  "RHipRoll",     "RHipPitch",      "RKneePitch",    "RAnklePitch", "RAnkleRoll",  "RShoulderPitch",
+    "RShoulderRoll", "RElbowYaw",    "RElbowRoll",     "RWristYaw",     "RHand"};
+
+inline constexpr std::size_t jointCount = jointNames.size();
+
+/// Where a joint stands in that order; absent for a name that no joint has.
+constexpr std::optional<std::size_t> jointIndex(std::string_view name) {
+  for (std::size_t joint = 0; joint < jointCount; ++joint) {
+    if (jointNames[joint] == name) {
+      return joint;
+    }
+  }
+  return std::nullopt;
+}
+
+} // namespace naocal

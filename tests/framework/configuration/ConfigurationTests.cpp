@@ -1,0 +1,425 @@
+#include "framework/ConfiguredRobot.hpp"
+#include "framework/configuration/ConfigurationLayers.hpp"
+#include "framework/network/Sockets.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace naocal {
+namespace {
+
+using nlohmann::json;
+
+template <class Action> std::string refusal(const Action& action) {
+  try {
+    action();
+  } catch (const ConfigurationError& error) {
+    return error.what();
+  }
+  return "not refused";
+}
+
+} // namespace
+
+TEST_CASE("six layers are read in their order and later ones replace whole top-level keys") {
+  // Proves order and shallowness: each layer sets the key of its own number and all later ones.
+  const ConfiguredRobot robot;
+  const std::vector<std::string> layers{"default/Camera.json",           "default/head/default/Camera.json",
+                                        "default/head/Ada/Camera.json",  "Home/Camera.json",
+                                        "Home/head/default/Camera.json", "Home/head/Ada/Camera.json"};
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    json content = {{"list", {i, i}}, {"inner", {{fmt::format("of{}", i), i}}}};
+    for (std::size_t k = i; k < layers.size(); ++k) {
+      content[fmt::format("key{}", k)] = i;
+    }
+    robot.file(layers[i], "// a comment\n" + content.dump());
+  }
+  robot.file("default/body/Bob/Camera.json", R"({"list": "the body's"})");
+  robot.file("default/head/Eve/Camera.json", R"({"list": "another head's"})");
+  const_cast<Configuration&>(robot.configuration).mount("Brain.Camera", "Camera.json", RobotPart::head);
+  const json keys = robot.readKeys("Brain.Camera");
+  CHECK(keys == json::parse(R"({"list": [5, 5], "inner": {"of5": 5}, "key0": 0, "key1": 1, "key2": 2, "key3": 3,
+                                "key4": 4, "key5": 5})"));
+}
+
+TEST_CASE("a robot at the default location has three layers and files may be missing") {
+  // Proves that absent files are skipped and that `mounts` names the most specific one that exists.
+  ConfiguredRobot robot{{"default", "Ada", "Bob"}};
+  robot.file("default/body/default/Offsets.json", R"({"a": 1, /* and */ "b": 2})");
+  robot.configuration.mount("Motion.Offsets", "Offsets.json", RobotPart::body);
+  CHECK(robot.readKeys("Motion.Offsets") == json{{"a", 1}, {"b", 2}});
+  CHECK(robot.configuration.mounts().at(0).file == robot.path("default/body/default/Offsets.json"));
+  CHECK(robot.readKeys("Motion.Nothing") == json::object());
+}
+
+TEST_CASE("a robot is known by the ids of its head and its body") {
+  // Proves exchanged heads, a V5's four characters, and that who is not listed is called by its id.
+  const ConfiguredRobot robot;
+  robot.file("default/id_map.json", R"({"idmap.nao": [
+    {"name": "Ada", "headid": "P1A", "bodyid": "P1B0012"}, {"name": "Bob", "headid": "P2A", "bodyid": "P2B0034"}]})");
+  const auto names = [&](const char* head, const char* body) {
+    const RobotNames found = findRobotNames(robot.folder.path(), head, body);
+    return found.head + "/" + found.body;
+  };
+  CHECK(names("P1A", "P1B0012") == "Ada/Ada");
+  CHECK(names("P2A", "P1B0012") == "Bob/Ada");
+  CHECK(names("P1A", "0034") == "Ada/Bob");
+  CHECK(names("P9A", "P9B0099") == "P9A/P9B0099");
+  robot.file("default/id_map.json", R"({"idmap.nao": [{"name": 7}]})");
+  CHECK(refusal([&] { names("P1A", "P1B"); }).find("expected {\"idmap.nao\"") != std::string::npos);
+}
+
+TEST_CASE("only what was set is saved, into the robot's own file") {
+  // Proves the layer (the body's for a body's file, the head's for a head's), that nothing else is written, that other
+  // keys of that file stay, and that a second robot reads none of it.
+  ConfiguredRobot robot;
+  robot.file("default/body/default/Offsets.json", R"({"headYaw": 0.0, "lKneePitch": 0.0, "mode": {"fast": true}})");
+  robot.file("default/head/default/Camera.json", R"({"top": [0, 0, 0], "bottom": [0, 0, 0]})");
+  robot.file("default/head/Ada/Camera.json", "// measured by hand\n{\"bottom\": [1, 2, 3]}");
+  robot.configuration.mount("Motion.Offsets", "Offsets.json", RobotPart::body);
+  robot.configuration.mount("Brain.Camera", "Camera.json", RobotPart::head);
+  robot.configuration.set("Motion.Offsets", "lKneePitch", 1.5);
+  robot.configuration.set("Motion.Offsets", "mode.fast", false);
+  robot.configuration.set("Brain.Camera", "top[1]", 0.25);
+  CHECK_FALSE(std::filesystem::exists(robot.path("default/body/Bob")));
+  robot.configuration.save();
+  CHECK(robot.content("default/body/Bob/Offsets.json") == json{{"lKneePitch", 1.5}, {"mode", {{"fast", false}}}});
+  CHECK(robot.content("default/head/Ada/Camera.json") == json{{"top", {0, 0.25, 0}}, {"bottom", {1, 2, 3}}});
+  CHECK(robot.content("default/body/default/Offsets.json")["lKneePitch"] == 0.0);
+
+  Configuration other{robot.folder.path(), {"Home", "Eve", "Eve"}, writeAtomically};
+  other.mount("Motion.Offsets", "Offsets.json", RobotPart::body);
+  json keys;
+  other.readKeys("Motion.Offsets", keys);
+  CHECK(keys["lKneePitch"] == 0.0);
+}
+
+TEST_CASE("what is saved is what is read back, also where the location overrides it") {
+  // Proves that saving into a layer that a later one would hide does not happen.
+  for (const bool overridden : {false, true}) {
+    ConfiguredRobot robot;
+    robot.file("default/body/default/Offsets.json", R"({"headYaw": 0.0})");
+    if (overridden) {
+      robot.file("Home/Offsets.json", R"({"headYaw": 3.0})");
+    }
+    robot.configuration.mount("Motion.Offsets", "Offsets.json", RobotPart::body);
+    robot.configuration.set("Motion.Offsets", "headYaw", 1.5);
+    robot.configuration.save();
+    CHECK(robot.content(overridden ? "Home/body/Bob/Offsets.json" : "default/body/Bob/Offsets.json")["headYaw"] == 1.5);
+    Configuration again{robot.folder.path(), robot.names, writeAtomically};
+    again.mount("Motion.Offsets", "Offsets.json", RobotPart::body);
+    json keys;
+    again.readKeys("Motion.Offsets", keys);
+    CHECK(keys["headYaw"] == 1.5);
+  }
+}
+
+TEST_CASE("a save is undone once, comments included") {
+  // Proves that the previous file comes back byte for byte, that keys follow, and that a second undo, which would bring
+  // back what was undone, is refused until something is saved again.
+  ConfiguredRobot robot;
+  const std::string before = "// by hand\n{\"headYaw\": 1.0}";
+  robot.file("default/body/Bob/Offsets.json", before);
+  robot.configuration.mount("Motion.Offsets", "Offsets.json", RobotPart::body);
+  CHECK(refusal([&] { robot.configuration.undo("Motion.Offsets"); }) ==
+        "Motion.Offsets: nothing was saved that could be undone");
+  robot.configuration.set("Motion.Offsets", "headYaw", 2.0);
+  robot.configuration.save();
+  robot.configuration.undo("Motion.Offsets");
+  CHECK(fileContent(robot.path("default/body/Bob/Offsets.json")) == before);
+  CHECK(robot.readKeys("Motion.Offsets")["headYaw"] == 1.0);
+  CHECK(refusal([&] { robot.configuration.undo("Motion.Offsets"); }) ==
+        "Motion.Offsets: nothing was saved that could be undone");
+  CHECK(robot.readKeys("Motion.Offsets")["headYaw"] == 1.0);
+  robot.configuration.set("Motion.Offsets", "headYaw", 3.0);
+  robot.configuration.save();
+  robot.configuration.undo("Motion.Offsets");
+  CHECK(robot.readKeys("Motion.Offsets")["headYaw"] == 1.0);
+}
+
+TEST_CASE("what is kept together goes back together, whoever saved one of it in between") {
+  // Proves that a save of one mount alone, by its name or as what has changed, is one of its partner too, so that an
+  // undo of either takes back that save and nothing of the one before; others are left alone.
+  for (const bool byName : {true, false}) {
+    ConfiguredRobot robot;
+    for (const std::string name : {"Offsets", "Cameras", "Other"}) {
+      robot.file("default/head/default/" + name + ".json", R"({"value": 0})");
+      robot.configuration.mount(name, name + ".json", RobotPart::head);
+    }
+    robot.configuration.saveTogether({"Offsets", "Cameras", "Absent"});
+    robot.configuration.set("Offsets", "value", 1);
+    robot.configuration.set("Cameras", "value", 1);
+    robot.configuration.save("Offsets"); // a calibration
+    robot.configuration.set("Cameras", "value", 2);
+    byName ? robot.configuration.save("Cameras") : robot.configuration.save(); // somebody in between
+    robot.configuration.undo("Offsets");
+    CHECK(robot.readKeys("Cameras")["value"] == 1);
+    CHECK(robot.readKeys("Offsets")["value"] == 1);
+    CHECK_THROWS_AS(robot.configuration.undo("Cameras"), ConfigurationError);
+    CHECK_THROWS_AS(robot.configuration.undo("Other"), ConfigurationError);
+  }
+}
+
+TEST_CASE("orders are never saved, and all else is written elsewhere as it would be saved") {
+  // Proves it for a key that no file shall get; the other place gets unsaved changes, and no secret.
+  ConfiguredRobot robot;
+  robot.file("default/head/default/Runner.json", R"({"run": "", "repeats": 1})");
+  robot.file("default/access.json", R"({"secret": "psst"})");
+  robot.configuration.mount("Brain.Runner", "Runner.json", RobotPart::head, {}, {"run"});
+  robot.configuration.set("Brain.Runner", "run", "left leg");
+  robot.configuration.set("Brain.Runner", "repeats", 2);
+  const TemporaryFolder other;
+  robot.configuration.writeTo(other.path());
+  CHECK_FALSE(std::filesystem::exists(robot.path("default/head/Ada/Runner.json")));
+  CHECK_FALSE(std::filesystem::exists(other.path() / "location/default/access.json"));
+  Configuration copy{other.path(), robot.names, writeAtomically};
+  copy.mount("Brain.Runner", "Runner.json", RobotPart::head);
+  json keys;
+  copy.readKeys("Brain.Runner", keys);
+  CHECK(keys == json{{"run", ""}, {"repeats", 2}});
+  robot.configuration.save();
+  CHECK(robot.content("default/head/Ada/Runner.json") == json{{"repeats", 2}});
+}
+
+TEST_CASE("a save that changes nothing leaves what an undo goes back to") {
+  // Proves it for values that were put back before anything is saved, for a save by name of what is saved already, and
+  // for a value that its file has got meanwhile.
+  for (const std::string way : {"put back", "saved already", "in the file"}) {
+    ConfiguredRobot robot;
+    for (const std::string name : {"Offsets", "Cameras", "Other"}) {
+      robot.file("default/head/default/" + name + ".json", R"({"value": 0})");
+      robot.configuration.mount(name, name + ".json", RobotPart::head);
+    }
+    robot.configuration.saveTogether({"Offsets", "Cameras"});
+    robot.configuration.set("Offsets", "value", 1);
+    robot.configuration.save("Offsets"); // a calibration
+    if (way == "put back") {
+      robot.configuration.set("Offsets", "value", 2); // one that is rejected
+      robot.configuration.set("Offsets", "value", 1);
+    } else if (way == "in the file") {
+      robot.configuration.set("Offsets", "value", 2);
+      robot.file("default/head/Ada/Offsets.json", R"({"value": 2})");
+    } else {
+      robot.configuration.save("Cameras");
+    }
+    robot.configuration.set("Other", "value", 3);
+    robot.configuration.save();
+    CHECK(robot.configuration.isSaved("Offsets"));
+    robot.configuration.undo("Offsets");
+    CHECK(robot.readKeys("Offsets")["value"] == 0);
+    CHECK(robot.content("default/head/Ada/Other.json")["value"] == 3);
+  }
+}
+
+TEST_CASE("what is put back to what the files say counts as saved") {
+  // Proves it key by key, and that no file of the robot's own is made for it.
+  ConfiguredRobot robot;
+  robot.file("default/body/default/Offsets.json", R"({"knee": 0, "hip": [1, 2]})");
+  robot.configuration.mount("Offsets", "Offsets.json", RobotPart::body);
+  robot.configuration.set("Offsets", "knee", 1);
+  robot.configuration.set("Offsets", "hip[1]", 3);
+  robot.configuration.set("Offsets", "knee", 0);
+  CHECK_FALSE(robot.configuration.isSaved("Offsets"));
+  robot.configuration.set("Offsets", "hip[1]", 2);
+  CHECK(robot.configuration.isSaved("Offsets"));
+  robot.configuration.save("Offsets");
+  CHECK_FALSE(std::filesystem::exists(robot.path("default/body/Bob/Offsets.json")));
+}
+
+TEST_CASE("what is shipped stays as it is when what a robot learns is saved beside it") {
+  // Proves it for saves, an undo, and a save that was cut off: every byte of the shipped folder stays, the next start
+  // finds what was learned, and a newer shipped file counts for the keys that were not.
+  ConfiguredRobot robot;
+  const auto learned = robot.folder.path() / "learned", shipped = robot.folder.path() / "shipped";
+  robot.file("default/body/default/Offsets.json", R"({"knee": 0, "hip": 1})");
+  robot.file("Home/body/default/Mounts.json", R"({"pitch": 0})");
+  robot.file("default/sdk.json", R"({"network.basePort": 2000, "other": 0})");
+  std::filesystem::create_directory(shipped);
+  std::filesystem::rename(robot.folder.path() / "location", shipped / "location");
+  const auto bytes = [](const std::filesystem::path& root) {
+    std::map<std::string, std::string> all;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator{root}) {
+      all[entry.path().string()] = entry.is_directory() ? "" : fileContent(entry.path());
+    }
+    return all;
+  };
+  const auto open = [&](const FileWriter& writer) {
+    auto configuration = std::make_unique<Configuration>(ConfigurationFolders{shipped, learned}, robot.names, writer);
+    configuration->mount("Offsets", "Offsets.json", RobotPart::body);
+    configuration->mount("Mounts", "Mounts.json", RobotPart::body);
+    configuration->mount("Sdk", "sdk.json", RobotPart::none);
+    configuration->saveTogether({"Offsets", "Mounts"});
+    return configuration;
+  };
+  const auto values = [](const Configuration& configuration) {
+    json offsets, mounts;
+    configuration.readKeys("Offsets", offsets);
+    configuration.readKeys("Mounts", mounts);
+    return json{offsets["knee"], offsets["hip"], mounts["pitch"]};
+  };
+  const auto before = bytes(shipped);
+  auto configuration = open(writeAtomically);
+  CHECK_FALSE(std::filesystem::exists(learned));
+  configuration->set("Offsets", "knee", 2);
+  configuration->set("Mounts", "pitch", 3);
+  configuration->set("Sdk", "network.basePort", 3000);
+  configuration->save();
+  CHECK(configuration->saveTarget("Offsets") == learned / "location/default/body/Bob/Offsets.json");
+  CHECK(configuration->saveTarget("Mounts") == learned / "location/Home/body/Bob/Mounts.json");
+  CHECK(json::parse(fileContent(learned / "location/default/body/Bob/Offsets.json")) == json{{"knee", 2}});
+  CHECK(readSocketSettings({shipped, learned}, "Ada").debugPort == 3001);
+  CHECK(values(*open(writeAtomically)) == json{2, 1, 3});
+  configuration->set("Offsets", "knee", 4);
+  configuration->save();
+  const TemporaryFolder copy;
+  configuration->set("Offsets", "knee", 5);
+  configuration->writeTo(copy.path());
+  CHECK(json::parse(fileContent(copy.path() / "location/default/sdk.json")) ==
+        json{{"network.basePort", 3000}, {"other", 0}});
+  Configuration one{copy.path(), robot.names, writeAtomically};
+  one.mount("Offsets", "Offsets.json", RobotPart::body);
+  one.mount("Mounts", "Mounts.json", RobotPart::body);
+  CHECK(values(one) == json{5, 1, 3});
+  configuration->undo("Mounts");
+  CHECK(values(*configuration) == json{2, 1, 3});
+  int left = 1; // the journal
+  configuration = open([&](const std::filesystem::path& file, std::string_view content) {
+    if (left-- <= 0) {
+      throw std::runtime_error{"the power is off"};
+    }
+    writeAtomically(file, content);
+  });
+  configuration->set("Offsets", "knee", 6);
+  CHECK_THROWS_AS(configuration->save(), std::runtime_error);
+  CHECK(values(*open(writeAtomically)) == json{6, 1, 3});
+  CHECK(bytes(shipped) == before);
+  writeAtomically(shipped / "location/default/body/default/Offsets.json", R"({"knee": 0, "hip": 7})");
+  CHECK(values(*open(writeAtomically)) == json{6, 7, 3});
+}
+
+TEST_CASE("a save that has failed is not finished by a copy of the configuration") {
+  // Proves that what the save has noted stays where it is: read in another place it would write to this robot's files.
+  const ConfiguredRobot robot;
+  robot.file("default/head/default/Offsets.json", R"({"value": 0})");
+  const auto writer = [&](const std::filesystem::path& file, std::string_view content) {
+    if (file.filename() == "Offsets.json" && file.string().rfind(robot.folder.path().string(), 0) == 0) {
+      throw std::runtime_error{"the disk is full"};
+    }
+    writeAtomically(file, content);
+  };
+  Configuration configuration{robot.folder.path(), robot.names, writer};
+  configuration.mount("Offsets", "Offsets.json", RobotPart::head);
+  configuration.set("Offsets", "value", 1);
+  CHECK_THROWS_AS(configuration.save(), std::runtime_error);
+  REQUIRE(std::filesystem::exists(robot.path("unfinished-save.json")));
+  const TemporaryFolder other;
+  configuration.writeTo(other.path());
+  Configuration copy{other.path(), robot.names, writeAtomically};
+  copy.mount("Offsets", "Offsets.json", RobotPart::head);
+  json keys;
+  copy.readKeys("Offsets", keys);
+  CHECK(keys["value"] == 1);
+  CHECK_FALSE(std::filesystem::exists(robot.path("default/head/Ada/Offsets.json")));
+}
+
+TEST_CASE("what is saved together is old or new together, wherever the program ends") {
+  // Proves it for every write of a save and of an undo: the program ends there, and the next one finishes what was
+  // noted or finds nothing changed. A mount without changes is left as it is by both.
+  for (const bool undone : {false, true}) {
+    for (int writes = 0; writes <= (undone ? 3 : 6); ++writes) {
+      ConfiguredRobot robot;
+      int left = 1000;
+      const auto writer = [&](const std::filesystem::path& file, std::string_view content) {
+        if (left-- <= 0) {
+          throw std::runtime_error{"the power is off"};
+        }
+        writeAtomically(file, content);
+      };
+      robot.file("default/body/default/Offsets.json", R"({"knee": 0})");
+      robot.file("default/head/default/Cameras.json", R"({"pitch": 0})");
+      robot.file("default/head/default/Other.json", R"({"kept": 0})");
+      const auto open = [&] {
+        auto configuration = std::make_unique<Configuration>(robot.folder.path(), robot.names, writer);
+        configuration->mount("Offsets", "Offsets.json", RobotPart::body);
+        configuration->mount("Cameras", "Cameras.json", RobotPart::head);
+        configuration->mount("Other", "Other.json", RobotPart::head);
+        configuration->saveTogether({"Offsets", "Cameras", "Other"});
+        return configuration;
+      };
+      auto configuration = open();
+      const auto change = [&](int value) {
+        configuration->set("Offsets", "knee", value);
+        configuration->set("Cameras", "pitch", value);
+        configuration->save("Offsets");
+      };
+      change(1);
+      left = writes;
+      CHECK_THROWS_AS(undone ? configuration->undo("Cameras") : change(2), std::runtime_error);
+      left = 1000;
+      configuration = open();
+      json offsets, cameras, other;
+      configuration->readKeys("Offsets", offsets);
+      configuration->readKeys("Cameras", cameras);
+      configuration->readKeys("Other", other);
+      CHECK(offsets["knee"] == cameras["pitch"]);
+      CHECK(offsets["knee"] == (writes == 0 ? 1 : undone ? 0 : 2));
+      CHECK(other["kept"] == 0);
+      CHECK_FALSE(std::filesystem::exists(robot.path("unfinished-save.json")));
+    }
+  }
+}
+
+TEST_CASE("keys may hold dots, and places that do not exist cannot be set") {
+  // Proves the reading of paths and pins the refusals; a refused value changes nothing.
+  ConfiguredRobot robot;
+  robot.file("default/sdk.json", R"({"network.basePort": 12440, "network": {"basePort": 1, "a.b": [5, {"c": 6}]}})");
+  robot.configuration.mount("tuhhSDK.base", "sdk.json", RobotPart::none, [](const std::string&, const json& value) {
+    if (value == 13) {
+      throw ConfigurationError{"thirteen is refused"};
+    }
+  });
+  robot.configuration.set("tuhhSDK.base", "network.basePort", 1);
+  robot.configuration.set("tuhhSDK.base", "network.a.b[1].c", 7);
+  const json expected = json::parse(R"({"network.basePort": 1, "network": {"basePort": 1, "a.b": [5, {"c": 7}]}})");
+  CHECK(robot.readKeys("tuhhSDK.base") == expected);
+  for (const char* path : {"network.a.b[2]", "network.a.b[-1]", "network.a.b[1", "network.a.b[]", "port", "", ".",
+                           "[0]", "network.", "network.basePort.x"}) {
+    CHECK(refusal([&] { robot.configuration.set("tuhhSDK.base", path, 7); }) ==
+          fmt::format("tuhhSDK.base: there is no {} to set; keys cannot be added and lists cannot grow", path));
+  }
+  CHECK(refusal([&] { robot.configuration.set("tuhhSDK.base", "network.basePort", 13); }) == "thirteen is refused");
+  CHECK(refusal([&] { robot.configuration.set("Brain.Nothing", "a", 13); }) ==
+        "there is no mount Brain.Nothing; ask for the list of mounts");
+  CHECK(robot.readKeys("tuhhSDK.base") == expected);
+}
+
+TEST_CASE("published keys are served beside a file's and never saved") {
+  // Proves it for what the desktop asks of a robot when it connects.
+  ConfiguredRobot robot;
+  robot.file("default/sdk.json", R"({"location": "Home"})");
+  robot.configuration.mount("tuhhSDK.base", "sdk.json", RobotPart::none);
+  robot.configuration.publish("tuhhSDK.base", "NaoInfo.headName", "Ada");
+  CHECK(robot.readKeys("tuhhSDK.base") == json{{"location", "Home"}, {"NaoInfo.headName", "Ada"}});
+  CHECK(refusal([&] { robot.configuration.set("tuhhSDK.base", "NaoInfo.headName", "Eve"); }) != "not refused");
+  robot.configuration.set("tuhhSDK.base", "location", "default");
+  robot.configuration.save();
+  CHECK(robot.content("default/sdk.json") == json{{"location", "default"}});
+}
+
+TEST_CASE("broken files are refused with a sentence that names them") {
+  // Pins what a person reads: the file, the line, what was expected.
+  ConfiguredRobot robot;
+  const auto mounting = [&](const std::string& content) {
+    robot.file("default/Broken.json", content);
+    return refusal([&] { robot.configuration.mount("Brain.Broken", "Broken.json", RobotPart::head); });
+  };
+  const std::string name = robot.path("default/Broken.json").string();
+  CHECK(mounting("{\"a\": }").rfind(name + ": expected valid JSON, found a parse error at line 1, column 7", 0) == 0);
+  CHECK(mounting("[1]") == name + ": expected an object with keys at its top level");
+  CHECK(mounting("{} // gr\xfc\xdf dich") == name + ": expected text in UTF-8, found other bytes; save it as UTF-8");
+  CHECK(mounting("").rfind(name + ": expected valid JSON", 0) == 0);
+  CHECK(refusal([] {
+          layerFiles(std::filesystem::path{"/c"}, "a.json", RobotPart::head, {"default", "../x", "Bob"});
+        }) == "the robot's head is called \"../x\"; expected a name that can be a folder's");
+}
+
+} // namespace naocal

@@ -1,0 +1,271 @@
+#include "framework/ShownRobot.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace naocal {
+namespace {
+
+using nlohmann::json;
+
+enum { set, getMounts, getKeys, save, sendKeys, sendMounts }; // the protocol's numbers
+
+json change(const char* mount, const char* key, const json& value) {
+  return {{{"mp", mount}, {"key", key}, {"value", value}}};
+}
+
+/// A mount's keys; the answer comes after what was sent before it was done.
+json keysOf(MateClient& client, const std::string& mount) {
+  client.send(getKeys, mount);
+  const json answer = client.receiveJson(sendKeys);
+  CHECK(answer["mountPoint"] == mount);
+  json keys = json::object();
+  for (const json& entry : answer["keys"]) {
+    keys[entry["key"].get<std::string>()] = entry["value"];
+  }
+  return keys;
+}
+
+SocketSettings wide(const std::string& secret, bool trusted = false) {
+  SocketSettings settings;
+  settings.access = {"0.0.0.0", secret, trusted};
+  return settings;
+}
+
+} // namespace
+
+TEST_CASE("what MATE asks for when it connects is answered at once") {
+  // Proves the mounts with their files, the keys of tuhhSDK.base, and an empty list for a mount that is not there.
+  ShownRobot robot;
+  auto client = robot.config();
+  client.send(getMounts);
+  const json mounts = client.receiveJson(sendMounts)["keys"];
+  REQUIRE(mounts.size() == 2);
+  CHECK(mounts[0] ==
+        json{{"key", "Brain.Counter"}, {"filename", robot.robot.path("default/head/default/Counter.json").string()}});
+  CHECK(keysOf(client, "tuhhSDK.base") ==
+        json{{"NaoInfo.bodyName", "Bob"}, {"NaoInfo.headName", "Ada"}, {"location", "Home"}});
+  CHECK(keysOf(client, "Brain.Nothing").empty());
+}
+
+TEST_CASE("a mount's keys have the bytes of HULKs' protocol") {
+  // Proves it byte for byte, put together by hand from the protocol's description.
+  ShownRobot robot;
+  auto client = robot.config();
+  client.send(getKeys, "Brain.Counter");
+  const auto received = client.receive();
+  REQUIRE(received);
+  const std::string body = R"({"keys":[{"key":"factor","value":0.5},{"key":"list","value":[1,2]}],)"
+                           R"("mountPoint":"Brain.Counter"})"
+                           "\n";
+  CHECK(received->type == sendKeys);
+  CHECK(received->body == body);
+}
+
+TEST_CASE("a second process does not take the first one's UNIX sockets") {
+  // Proves that it is refused with a sentence, and that the first one is reached there before and after.
+  ShownRobot robot;
+  SocketSettings second = robot.settings;
+  second.tcp = false;
+  CHECK_THROWS_WITH((SocketServers{second, {}, robot.robot.configuration, Clock::now(), [](std::string_view) {}}),
+                    Catch::Contains("sockets/debug: another process listens there; stop what listens there"));
+  auto client = MateClient::config(robot.settings.unixFolder / "config");
+  client.send(getMounts);
+  CHECK(client.receive().has_value());
+}
+
+TEST_CASE("a value set over the network reaches the module and is saved") {
+  // Proves the way from the socket to the next cycle and into the robot's own file, by two clients, and undo.
+  ShownRobot robot;
+  auto one = robot.config();
+  auto two = MateClient::config(robot.settings.unixFolder / "config");
+  auto debug = robot.debug();
+  debug.send(0, "Brain.Counter.scaled");
+  debug.send(3);
+  debug.receive(4);
+  robot.brain.cycle();
+  CHECK(debug.receiveJson(2).at(0)["value"][0] == 0.5);
+  one.send(set, change("Brain.Counter", "factor", 2.0).dump());
+  CHECK(keysOf(one, "Brain.Counter")["factor"] == 2.0);
+  robot.brain.cycle();
+  CHECK(debug.receiveJson(2).at(0)["value"][0] == 4.0);
+  two.send(set, change("Brain.Counter", "list[1]", 7).dump());
+  two.send(save);
+  CHECK(keysOf(two, "Brain.Counter")["list"] == json{1, 7});
+  CHECK(robot.robot.content("default/head/Ada/Counter.json") == json{{"factor", 2.0}, {"list", {1, 7}}});
+  one.send(set, change("naocal.configuration", "undo", "Brain.Counter").dump());
+  CHECK(keysOf(one, "Brain.Counter") == json{{"factor", 0.5}, {"list", {1, 2}}});
+  robot.brain.cycle();
+  CHECK(debug.receiveJson(2).at(0)["value"][0] == 1.5);
+}
+
+TEST_CASE("a client's last will is done when its connection ends, unless another client has taken over") {
+  // Proves both, that a broken will is a logged sentence, and that nothing of it happens before.
+  ShownRobot robot;
+  auto other = robot.config();
+  const auto leave = [&](double value, const std::function<void(MateClient&)>& meanwhile) {
+    auto client = robot.config();
+    client.send(set, change("Brain.Counter", "factor", 2.0).dump());
+    client.send(set, change("naocal.configuration", "lastWill", change("Brain.Counter", "factor", value)).dump());
+    CHECK(keysOf(client, "Brain.Counter")["factor"] == 2.0);
+    meanwhile(client);
+  };
+  const auto becomes = [&](double value) {
+    for (int i = 0; i < 1000 && keysOf(other, "Brain.Counter")["factor"] != value; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds{2});
+    }
+    return keysOf(other, "Brain.Counter")["factor"] == value;
+  };
+  leave(7.0, [](MateClient&) {});
+  CHECK(becomes(7));
+  leave(8.0, [&](MateClient&) {
+    other.send(set, change("Brain.Counter", "factor", 3.0).dump());
+    CHECK(becomes(3));
+  });
+  std::this_thread::sleep_for(std::chrono::milliseconds{50});
+  CHECK(becomes(3));
+  leave(9.0, [](MateClient& client) {
+    client.send(set, change("naocal.configuration", "lastWill", json::array({1})).dump());
+  });
+  CHECK(becomes(9));
+  CHECK(robot.isLogged("setting lastWill of naocal.configuration failed"));
+}
+
+TEST_CASE("a value that cannot be set is a logged sentence and the others are set") {
+  // Pins the sentences; the client stays connected, as MATE also sets keys that no module reads.
+  ShownRobot robot;
+  auto client = robot.config();
+  json changes = change("Brain.Counter", "factor", "much");
+  changes.push_back(change("Brain.Counter", "useEffectiveYawVelocity", true)[0]);
+  changes.push_back(change("Brain.Nothing", "a", 1)[0]);
+  changes.push_back(change("Brain.Counter", "list[0]", 5)[0]);
+  client.send(set, changes.dump());
+  CHECK(keysOf(client, "Brain.Counter") == json{{"factor", 0.5}, {"list", {5, 2}}});
+  CHECK(robot.hasLogged("Client 127.0.0.1: setting factor of Brain.Counter failed: Brain.Counter: factor: expected a "
+                        "number, found \"much\"."));
+  CHECK(robot.hasLogged("there is no useEffectiveYawVelocity to set"));
+  CHECK(robot.hasLogged("there is no mount Brain.Nothing"));
+}
+
+TEST_CASE("a robot that listens wide lets nobody change it or look without the secret") {
+  // Proves the secret's effects on both sockets of an address, that they end with the connection that sent it, and that
+  // another config connection of that address still needs it.
+  ShownRobot robot{wide("open sesame")};
+  auto debug = robot.debug();
+  debug.send(0, "Brain.count");
+  debug.send(3);
+  CHECK(debug.receiveJson(4)["keys"].empty());
+  robot.brain.cycle();
+  auto other = robot.config();
+  other.send(set, change("Brain.Counter", "factor", 3.0).dump());
+  other.send(save);
+  CHECK(keysOf(other, "Brain.Counter")["factor"] == 0.5);
+  CHECK(robot.hasLogged("setting factor of Brain.Counter was refused, as all that it asks for will be; it has not sent "
+                        "the secret of access.json."));
+  CHECK_FALSE(robot.hasLogged("saving the configuration was refused")); // once is enough
+  {
+    auto owner = robot.config();
+    owner.send(set, change("naocal.access", "secret", "open sesame").dump());
+    owner.send(set, change("Brain.Counter", "factor", 3.0).dump());
+    CHECK(keysOf(owner, "Brain.Counter")["factor"] == 3.0);
+    other.send(set, change("Brain.Counter", "factor", 4.0).dump());
+    CHECK(keysOf(other, "Brain.Counter")["factor"] == 3.0);
+    CHECK(debug.receiveJson(4)["keys"].size() == 6); // sent by itself
+    robot.brain.cycle();
+    CHECK(debug.receiveJson(2).at(0)["value"] == 2);
+  }
+  bool closed = false;
+  for (int i = 0; i < 1000 && !closed; ++i) { // until the owner's end has been noticed
+    debug.send(3);
+    closed = debug.receiveJson(4)["keys"].empty();
+  }
+  CHECK(closed);
+}
+
+TEST_CASE("a wrong secret closes the connection") {
+  // Proves it for another text, a part of it, an empty one and a number.
+  ShownRobot robot{wide("open sesame")};
+  for (const json& secret : {json("open"), json("open sesamf"), json(""), json(7), json("open sesameopen sesame")}) {
+    auto client = robot.config();
+    client.send(set, change("naocal.access", "secret", secret).dump());
+    CHECK(client.isClosed());
+  }
+  CHECK(robot.isLogged("expected the secret of access.json, found another one; the connection was closed."));
+}
+
+TEST_CASE("whoever has not sent the secret keeps no place from those who have it") {
+  // Proves it with two places: strangers make room, for the owner and for each other; the owner's place stays.
+  SocketSettings two = wide("open sesame");
+  two.maxClients = 2;
+  ShownRobot robot{two};
+  const auto answers = [](MateClient& client) { return keysOf(client, "Brain.Counter").contains("factor"); };
+  std::vector<MateClient> strangers;
+  for (int i = 0; i < 2; ++i) {
+    strangers.push_back(robot.config());
+    REQUIRE(answers(strangers.back()));
+  }
+  auto owner = robot.config();
+  owner.send(set, change("naocal.access", "secret", "open sesame").dump());
+  CHECK(answers(owner));
+  for (int i = 0; i < 5; ++i) {
+    auto another = robot.config();
+    CHECK(answers(another));
+    CHECK(answers(owner));
+  }
+  auto second = robot.config();
+  second.send(set, change("naocal.access", "secret", "open sesame").dump());
+  CHECK(answers(second));
+  CHECK(robot.config().isClosed());
+  CHECK(robot.isLogged("2 clients are connected already, which is the limit"));
+}
+
+TEST_CASE("on a trusted network plain MATE may do everything") {
+  // Proves the switch, and that a secret is not needed on UNIX sockets either.
+  ShownRobot trusting{wide("", true)};
+  auto client = trusting.config();
+  client.send(set, change("Brain.Counter", "factor", 3.0).dump());
+  CHECK(keysOf(client, "Brain.Counter")["factor"] == 3.0);
+  ShownRobot robot{wide("open sesame")};
+  auto local = MateClient::config(robot.settings.unixFolder / "config");
+  local.send(set, change("Brain.Counter", "factor", 3.0).dump());
+  CHECK(keysOf(local, "Brain.Counter")["factor"] == 3.0);
+}
+
+TEST_CASE("a robot does not listen wide without a secret") {
+  // Pins the refusals of access.json, and proves that no client can read the secret.
+  const ConfiguredRobot robot;
+  const auto reading = [&](const std::string& content) {
+    robot.file("default/access.json", content);
+    try {
+      return readAccess(robot.folder.path()).address;
+    } catch (const std::exception& error) {
+      return std::string{error.what()}.substr(robot.path("default/access.json").string().size());
+    }
+  };
+  CHECK(readAccess(robot.folder.path()).address == "127.0.0.1");
+  CHECK(reading(R"({"address": "0.0.0.0", "secret": "s"})") == "0.0.0.0");
+  CHECK(reading(R"({"address": "0.0.0.0", "trustedNetwork": true})") == "0.0.0.0");
+  CHECK(reading(R"({"address": "0.0.0.0"})") ==
+        ": listening on 0.0.0.0 lets others reach the robot; give a secret, or set trustedNetwork to true if everybody "
+        "there may move it");
+  CHECK(reading(R"({"adress": "0.0.0.0"})") ==
+        ": adress: expected only address and secret (texts) and trustedNetwork (true or false)");
+}
+
+TEST_CASE("where the sockets listen is read from HULKs' keys") {
+  // Proves ports, switch and folder, and that a port in use is refused with a sentence.
+  const ConfiguredRobot robot;
+  robot.file("default/sdk.json", R"({"network.basePort": 2000, "network.enableDebugTCPTransport": false,
+                                     "local.unixSocketDirectory": "/run/robot/"})");
+  const auto settings = readSocketSettings(robot.folder.path(), "Ada");
+  CHECK(settings.debugPort == 2001);
+  CHECK(settings.configPort == 2002);
+  CHECK_FALSE(settings.tcp);
+  CHECK(settings.unixFolder == "/run/robot/Ada");
+  ShownRobot first;
+  SocketSettings same;
+  same.debugPort = first.sockets->debugPort();
+  CHECK_THROWS_WITH(SocketServers(same, {}, first.robot.configuration, first.base, [](auto) {}),
+                    Catch::Contains("cannot listen on 127.0.0.1 port") && Catch::Contains("already in use"));
+}
+
+} // namespace naocal

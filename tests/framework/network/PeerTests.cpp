@@ -1,0 +1,201 @@
+#include "DebugNumbers.hpp"
+#include "framework/ShownRobot.hpp"
+#include "framework/network/Access.hpp"
+#include "framework/network/ConfigServer.hpp"
+#include "framework/network/Connection.hpp"
+#include "framework/network/DebugServer.hpp"
+#include "protocol/Frames.hpp"
+
+#include <boost/asio/io_context.hpp>
+#include <catch2/catch.hpp>
+#include <new>
+
+namespace naocal {
+namespace {
+
+using nlohmann::json;
+
+/// A client of a network that takes everything and says nothing.
+class QuietPeer : public Peer {
+public:
+  void send(std::shared_ptr<const std::string>) override {}
+  bool isBusy() const override { return false; }
+  const std::string& address() const override { return address_; }
+
+private:
+  std::string address_ = "10.1.24.7";
+};
+
+/// Memory in which one client follows another at the same address, as happens by itself on a busy robot.
+struct OnePlace {
+  std::shared_ptr<Peer> next() {
+    return {new (memory) QuietPeer, [](QuietPeer* peer) { peer->~QuietPeer(); }};
+  }
+  alignas(QuietPeer) std::byte memory[sizeof(QuietPeer)];
+};
+
+/// A protocol that counts the frames of clients that are there, and of those that have ended.
+struct Counted : Protocol {
+  const FrameFormat& format() const override { return debugFormat; }
+  void onOpened(Peer&) override {}
+  void onReceived(Peer&, std::uint8_t, std::string) override { ++(isClosed ? late : timely); }
+  void onClosed(Peer&) override { isClosed = true; }
+  bool isTrusted(const Peer&) const override { return true; }
+  int timely = 0, late = 0;
+  bool isClosed = false;
+};
+
+/// One connection to which a frame with a body was sent, driven step by step.
+struct SteppedConnection {
+  SteppedConnection() {
+    REQUIRE(::socketpair(AF_UNIX, SOCK_STREAM, 0, ends) == 0);
+    connection = std::make_shared<Connection>(
+        Socket{context, boost::asio::generic::stream_protocol{AF_UNIX, 0}, ends[0]}, "", protocol, ClientLimits{},
+        [](std::string_view) {}, [](Connection&) {});
+    const std::string frame = encodeDebugFrame(DebugType::subscribe, "Brain.count");
+    REQUIRE(::send(ends[1], frame.data(), frame.size(), MSG_NOSIGNAL) == ssize_t(frame.size()));
+    connection->start();
+  }
+  ~SteppedConnection() {
+    connection->end();
+    context.poll();
+    ::close(ends[1]);
+  }
+  boost::asio::io_context context;
+  Counted protocol;
+  int ends[2]{};
+  std::shared_ptr<Connection> connection;
+};
+
+std::string secretMessage(const std::string& secret) {
+  return json{{{"mp", "naocal.access"}, {"key", "secret"}, {"value", secret}}}.dump();
+}
+
+} // namespace
+
+TEST_CASE("a frame that was read before its connection ended is dropped") {
+  // Proves it at each step on the way of a frame, the last one before it is handled among them: it is read then, and
+  // ending the connection no longer stops it.
+  int steps = 0;
+  SteppedConnection undisturbed;
+  for (; undisturbed.protocol.timely == 0; ++steps) {
+    REQUIRE(undisturbed.context.run_one() == 1);
+  }
+  for (int before = 0; before < steps; ++before) {
+    CAPTURE(before);
+    SteppedConnection one;
+    for (int step = 0; step < before; ++step) {
+      one.context.run_one();
+    }
+    one.connection->end();
+    one.context.run();
+    CHECK(one.protocol.isClosed);
+    CHECK(one.protocol.timely == 0);
+    CHECK(one.protocol.late == 0);
+  }
+}
+
+TEST_CASE("a debug client that has left wants nothing any more, whatever still comes from it") {
+  // Proves it for every kind of request, at the server itself; a cycle after it would write to freed memory.
+  ShownRobot robot;
+  robot.sockets.reset();
+  Access access{{}};
+  DebugServer server{{&robot.brain}, access, robot.base};
+  const AnyProduction* count = robot.database.find("Brain.count");
+  const std::pair<int, std::string> requests[] = {
+      {subscribe, "Brain.count"}, {subscribeBulk, R"({"keys": ["Brain.count"]})"}, {unsubscribe, "Brain.picture"}};
+  for (const auto& [type, body] : requests) {
+    auto peer = std::make_shared<QuietPeer>();
+    server.onOpened(*peer);
+    server.onReceived(*peer, subscribe, "Brain.count");
+    CHECK(count->isWanted());
+    server.onClosed(*peer);
+    server.onReceived(*peer, std::uint8_t(type), body);
+    CHECK_FALSE(count->isWanted());
+    CHECK(peer.use_count() == 1);
+  }
+}
+
+TEST_CASE("a client at the address in memory of one that showed the secret has not shown it") {
+  // Proves it for a secret that arrives after its connection has ended, and for a server that was never told of the
+  // end; nor does such a client keep its network address open, or leave a will.
+  ConfiguredRobot robot;
+  robot.file("default/head/default/Counter.json", R"({"factor": 0.5})");
+  robot.configuration.mount("Brain.Counter", "Counter.json", RobotPart::head);
+  Access access{{"0.0.0.0", "open sesame", false}};
+  ConfigServer server{robot.configuration, access, [](std::string_view) {}};
+  const json will = {{{"mp", "Brain.Counter"}, {"key", "factor"}, {"value", 7.0}}};
+  const json leaving = {{{"mp", "naocal.configuration"}, {"key", "lastWill"}, {"value", will}}};
+  OnePlace place;
+  auto late = place.next();
+  server.onOpened(*late);
+  server.onClosed(*late);
+  server.onReceived(*late, 0, secretMessage("open sesame"));
+  server.onReceived(*late, 0, leaving.dump());
+  CHECK_FALSE(access.isOpen(late->address()));
+  late.reset();
+  auto forgotten = place.next();
+  server.onOpened(*forgotten);
+  CHECK_FALSE(server.isTrusted(*forgotten));
+  server.onReceived(*forgotten, 0, secretMessage("open sesame"));
+  CHECK(server.isTrusted(*forgotten));
+  forgotten.reset();
+  auto stranger = place.next();
+  server.onOpened(*stranger);
+  CHECK_FALSE(server.isTrusted(*stranger));
+  server.onClosed(*stranger);
+  CHECK(robot.readKeys("Brain.Counter")["factor"] == 0.5);
+}
+
+TEST_CASE("clients that come, ask and leave at once leave nothing behind while values flow") {
+  // Proves it over real sockets: the robot cycles for a second and a half for one that looks at it, while hundreds of
+  // others subscribe, ask for the list, unsubscribe and leave without reading, in MATE's frames. What is left behind
+  // shows as a production that is wanted when all have gone, or ends this program.
+  ShownRobot robot{{.maxClients = 2000}}; // those that have left may not be noticed at once
+  auto onlooker = robot.debug();
+  onlooker.send(subscribe, "Brain.count");
+  std::string requests = onlooker.frame(subscribe, "Brain.Counter.scaled");
+  for (int i = 0; i < 20; ++i) {
+    requests += onlooker.frame(requestList, "") + onlooker.frame(unsubscribe, "a") +
+                onlooker.frame(subscribeBulk, R"({"keys": ["Brain.history", "b"]})");
+  }
+  std::atomic<bool> stop = false;
+  std::thread reader{[&] {
+    while (onlooker.receive()) {
+    }
+  }};
+  std::thread cycles{[&] {
+    while (!stop) {
+      robot.brain.cycle();
+      std::this_thread::sleep_for(std::chrono::microseconds{50});
+    }
+  }};
+  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds{1500};
+  while (std::chrono::steady_clock::now() < end) {
+    std::vector<MateClient> leaving;
+    for (int i = 0; i < 8; ++i) {
+      leaving.push_back(robot.debug());
+    }
+    for (MateClient& client : leaving) {
+      client.sendBytes(requests);
+    }
+  }
+  stop = true;
+  cycles.join();
+  auto last = robot.debug();
+  const auto wanted = [&](const char* key) {
+    const AnyProduction* production = robot.database.find(key);
+    for (int i = 0; i < 1000 && production->isWanted(); ++i) {
+      last.send(requestList); // until the ends of all have been noticed
+      last.receive(list);
+    }
+    return production->isWanted();
+  };
+  CHECK_FALSE(wanted("Brain.Counter.scaled"));
+  CHECK_FALSE(wanted("Brain.history"));
+  CHECK(robot.database.find("Brain.count")->isWanted());
+  robot.sockets.reset();
+  reader.join();
+}
+
+} // namespace naocal

@@ -1,0 +1,120 @@
+#include "analysis/AnalysisWorker.hpp"
+
+#include "TemporaryFolder.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "io/Files.hpp"
+#include "simulation/Simulation.hpp"
+#include "simulation/StandingPoses.hpp"
+
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <deque>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+using namespace naocal;
+using Json = nlohmann::json;
+
+namespace {
+
+/// What another thread wants done on this one, and the kinds of what panels were told.
+struct Thread {
+  /// Does what comes until that kind was told, or something was refused; false after a minute.
+  bool until(const std::string& kind) {
+    told.clear();
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes{1};
+    while (std::chrono::steady_clock::now() < end) {
+      std::unique_lock lock{mutex};
+      if (waiting.empty()) {
+        lock.unlock();
+        std::this_thread::sleep_for(std::chrono::milliseconds{5});
+        continue;
+      }
+      const std::function<void()> action = std::move(waiting.front());
+      waiting.pop_front();
+      lock.unlock();
+      action();
+      if (!told.empty() && told.back() == kind) {
+        return true;
+      }
+    }
+    return false;
+  }
+  std::vector<std::string> kept() const {
+    std::vector<std::string> kinds;
+    for (const auto& [kind, message] : desks.latest()) {
+      if (kind != "work") {
+        kinds.push_back(kind);
+      }
+    }
+    return kinds;
+  }
+
+  std::mutex mutex;
+  std::deque<std::function<void()>> waiting;
+  std::vector<std::string> told;
+  AnalysisSlot desks{[this](std::function<void()> action) {
+                       const std::lock_guard lock{mutex};
+                       waiting.push_back(std::move(action));
+                     },
+                     [this](const Message& message) { told.push_back(Json::parse(*message.bytes)["kind"]); }};
+};
+
+/// A few captures of a simulated robot.
+void writeCaptures(const std::filesystem::path& folder) {
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  SimulationPlan plan;
+  plan.poses = standingPoses(robot, plan, SupportFoot::left, 8, 1);
+  writeCaptureSet(simulate(robot, plan, 1).set, folder);
+}
+
+} // namespace
+
+TEST_CASE("who comes later is told what is true of the present fit, in the order in which it was told") {
+  // Proves that opening returns at once and its captures come later, that what was said of a fit goes with it, and that
+  // what cannot be opened is told and leaves the desk as it is.
+  const TemporaryFolder folder;
+  writeCaptures(folder.path() / "few");
+  Thread thread;
+  std::string problem;
+  const auto refused = [&](const std::string& why) {
+    problem = why;
+    thread.told.emplace_back("refused");
+  };
+  thread.desks.open({(folder.path() / "few").string()}, refused);
+  CHECK(thread.desks.worker() == nullptr);
+  REQUIRE(thread.until("questions"));
+  CHECK(thread.kept() == std::vector<std::string>{"set", "fit", "ladder", "questions"});
+  thread.desks.worker()->drop("jointOffset@HeadYaw");
+  REQUIRE(thread.until("fit"));
+  CHECK(thread.kept() == std::vector<std::string>{"set", "ladder", "fit"});
+  REQUIRE(thread.until("questions"));
+
+  const AnalysisWorker* const desk = thread.desks.worker();
+  thread.desks.open({(folder.path() / "none").string()}, refused);
+  REQUIRE(thread.until("refused"));
+  CHECK_FALSE(problem.empty());
+  CHECK(thread.desks.worker() == desk);
+}
+
+TEST_CASE("why there is no fit at all is told to whoever comes later, until there is one") {
+  // Proves it for a model that names what no robot has, and that its mending ends the sentence.
+  const TemporaryFolder folder;
+  writeCaptures(folder.path() / "few");
+  const std::string label = "elasticity@LKneePitsch";
+  const Json model{{"format", "naocal-model"}, {"version", 1}, {"with", {label}}};
+  writeAtomically(folder.path() / "model.json", model.dump());
+  Thread thread;
+  std::string problem;
+  const std::vector<std::string> paths{(folder.path() / "few").string(), (folder.path() / "model.json").string()};
+  thread.desks.open(paths, [&](const std::string& why) { problem = why; });
+  REQUIRE(thread.until("unfitted"));
+  CHECK(problem.empty());
+  CHECK(thread.kept() == std::vector<std::string>{"set", "unfitted"});
+  CHECK(Json::parse(*thread.desks.latest().back().second.bytes)["sentence"].get<std::string>().find(label) !=
+        std::string::npos);
+  thread.desks.worker()->drop(label);
+  REQUIRE(thread.until("fit"));
+  CHECK(thread.kept() == std::vector<std::string>{"set", "ladder", "fit"});
+}

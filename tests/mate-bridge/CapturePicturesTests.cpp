@@ -1,0 +1,75 @@
+#include "robot/CapturePictures.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A robot's list after so many captures, pose by pose with the top camera.
+Json captures(int count, const std::string& calibration = "L") {
+  Json list = Json::array();
+  for (int i = 1; i <= count; ++i) {
+    list.push_back({{"number", i}, {"round", 0}, {"pose", calibration + std::to_string(i)}, {"camera", "top"}});
+  }
+  return list;
+}
+
+} // namespace
+
+TEST_CASE("each capture keeps the picture of its own moment, whoever asks later") {
+  // Proves that the picture nearest to a capture is taken, before or after it was told, and that later ones change
+  // nothing; and the list that panels are told.
+  CapturePictures taken;
+  taken.beginWatch();
+  taken.onCaptures(captures(0), 500);
+  taken.onImage("top", 900, "early");
+  taken.onImage("bottom", 1000, "of the other camera");
+  CHECK(taken.onCaptures(captures(1), 1000));
+  CHECK(taken.picture(0, 0) == "early");
+  CHECK(taken.onImage("top", 1010, "right"));
+  CHECK_FALSE(taken.onImage("top", 1200, "later"));
+  CHECK(taken.picture(0, 0) == "right");
+  CHECK(taken.onCaptures(captures(2), 3000) == false); // no picture is near
+  CHECK(taken.list() == Json{{"series", 0}, {"places", {0}}});
+  CHECK_FALSE(taken.picture(0, 1));
+  CHECK_FALSE(taken.picture(1, 0));
+  CHECK_FALSE(taken.picture(0, 7));
+}
+
+TEST_CASE("captures that nobody watched have no picture, whatever the cameras show now") {
+  // Proves that neither captures from before the first look nor those taken in a gap get the present picture.
+  CapturePictures taken;
+  taken.beginWatch();
+  taken.onImage("top", 8990, "now");
+  taken.onCaptures(captures(3), 9000);
+  taken.onImage("top", 9010, "now");
+  CHECK(taken.list()["places"].empty());
+  CHECK(taken.onCaptures(captures(4), 9020));
+  CHECK(taken.picture(0, 3) == "now");
+  taken.beginWatch(); // it was away in between
+  taken.onCaptures(captures(6), 20000);
+  taken.onImage("top", 20001, "later");
+  CHECK(taken.list()["places"] == Json{3});
+  CHECK(taken.picture(0, 3) == "now"); // what was seen is kept
+}
+
+TEST_CASE("a new calibration begins with no pictures of the old one") {
+  // Proves it for a list that is shorter and for one that is as long but of other poses; addresses do not meet.
+  CapturePictures taken;
+  taken.beginWatch();
+  taken.onCaptures(captures(0), 0);
+  taken.onImage("top", 1000, "first");
+  taken.onCaptures(captures(2), 1000);
+  CHECK(taken.list()["places"].size() == 2);
+  CHECK(taken.onCaptures(captures(0), 2000));
+  CHECK(taken.list() == Json{{"series", 1}, {"places", Json::array()}});
+  taken.onCaptures(captures(2), 60000);
+  CHECK(taken.onCaptures(captures(2, "R"), 61000));
+  CHECK(taken.list()["series"] == 2);
+  CHECK_THROWS_AS(taken.onCaptures({{{"number", "one"}}}, 1), Json::exception);
+}
+
+} // namespace naocal

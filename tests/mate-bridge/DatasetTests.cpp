@@ -1,0 +1,144 @@
+#include "analysis/Dataset.hpp"
+
+#include "TemporaryFolder.hpp"
+#include "analysis/AnalysisSession.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "estimation/ModelBuilder.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+#include "simulation/Simulation.hpp"
+#include "simulation/StandingPoses.hpp"
+
+#include <catch2/catch.hpp>
+#include <map>
+#include <nlohmann/json.hpp>
+
+using namespace naocal;
+using Catch::Contains;
+using Json = nlohmann::json;
+
+namespace {
+
+/// A set "few" and, beside it, a result of it with one more effect that names the set where it is not any more.
+void writeSetAndResult(const std::filesystem::path& folder) {
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  SimulationPlan plan;
+  plan.poses = standingPoses(robot, plan, SupportFoot::left, 8, 1);
+  const std::vector<CaptureSet> sets{simulate(robot, plan, 1).set};
+  writeCaptureSet(sets.front(), folder / "few");
+  const Measurements measurements = measurementsOf(sets, robot);
+  const Model model = makeModel(measurements, {"elasticity@LKneePitch"}, {"jointOffset@HeadYaw"});
+  const Json result = resultJson(sets, measurements, model, calibrate(measurements, model), {{"/gone/few"}, {""}});
+  writeAtomically(folder / "result.json", result.dump());
+}
+
+} // namespace
+
+TEST_CASE("a result is opened with its captures and its model") {
+  // Proves that captures are found beside the result, and that the laboratory begins with the result's model.
+  const TemporaryFolder folder;
+  writeSetAndResult(folder.path());
+  std::map<std::string, Json> told;
+  AnalysisSession laboratory{openDataset({(folder.path() / "result.json").string()}),
+                             [&](const std::string& kind, const Json& content) { told[kind] = content; }};
+  laboratory.fit();
+  CHECK(told["fit"]["with"] == Json::array({"elasticity@LKneePitch"}));
+  CHECK(told["fit"]["without"] == Json::array({"jointOffset@HeadYaw"}));
+  CHECK_FALSE(told["fit"]["pictures"].empty());
+}
+
+TEST_CASE("a recording is opened with all its sets, a diagnosis with what it suggests") {
+  // Proves both, and that an older diagnosis is opened with the sets that are named behind it and refused without.
+  const TemporaryFolder folder;
+  writeSetAndResult(folder.path() / "recording");
+  std::filesystem::rename(folder.path() / "recording" / "few", folder.path() / "recording" / "second");
+  std::filesystem::copy(folder.path() / "recording" / "second", folder.path() / "recording" / "first",
+                        std::filesystem::copy_options::recursive);
+  const std::string recording = (folder.path() / "recording").string();
+  const Dataset opened = openDataset({recording});
+  REQUIRE(opened.sets.size() == 2);
+  CHECK(opened.sets.front().name == "first");
+
+  const std::string first = recording + "/first", file = (folder.path() / "diagnosis.json").string();
+  Json diagnosis{{"format", "naocal-diagnosis"}, {"version", 1}, {"suggested", {"elasticity@LKneePitch"}}};
+  writeAtomically(file, diagnosis.dump());
+  CHECK_THROWS_WITH(openDataset({file}), Contains("name them behind it"));
+  CHECK(openDataset({file, first}).with == std::vector<std::string>{"elasticity@LKneePitch"});
+  diagnosis["inputs"] = {{"sets", {first}}, {"sha256", {""}}};
+  writeAtomically(file, diagnosis.dump());
+  CHECK(openDataset({file}).sets.size() == 1);
+}
+
+TEST_CASE("a model that was saved is opened with captures") {
+  // Proves that its effects are in, or out, and that its own definitions come along; alone it is refused.
+  const TemporaryFolder folder;
+  writeSetAndResult(folder.path());
+  const std::string model = (folder.path() / "model.json").string(), set = (folder.path() / "few").string();
+  const Json spring{{"name", "softness"},
+                    {"at", "LKneePitch"},
+                    {"correction", "a*tau"},
+                    {"unknowns", {{"a", {{"unit", "rad/Nm"}, {"sigma", 0.01}}}}}};
+  writeAtomically(model, Json{{"format", "naocal-model"},
+                              {"version", 1},
+                              {"with", {"softness@LKneePitch"}},
+                              {"without", {"jointOffset@HeadYaw"}},
+                              {"define", {spring}}}
+                             .dump());
+  std::map<std::string, Json> told;
+  AnalysisSession laboratory{openDataset({model, set}),
+                             [&](const std::string& kind, const Json& content) { told[kind] = content; }};
+  laboratory.fit();
+  CHECK(told["fit"]["with"] == Json::array({"softness@LKneePitch"}));
+  CHECK(told["fit"]["without"] == Json::array({"jointOffset@HeadYaw"}));
+  CHECK(told["set"]["own"][0] == spring);
+  CHECK_THROWS_WITH(openDataset({model}), Contains("name them behind it"));
+}
+
+TEST_CASE("a session is kept as it goes, and gone on from") {
+  // Proves that the file holds the ladder after each change, that it is opened alone, with its captures, and by a
+  // panel that keeps it, with where one stood and what was found; and that captures that changed since are refused.
+  const TemporaryFolder folder;
+  writeSetAndResult(folder.path());
+  const std::string set = (folder.path() / "few").string(), file = (folder.path() / "kept").string();
+  std::map<std::string, Json> told;
+  const auto tell = [&](const std::string& kind, const Json& content) { told[kind] = content; };
+  {
+    AnalysisSession laboratory{openSession({set}, file), tell};
+    laboratory.fit();
+    laboratory.add("elasticity@LKneePitch");
+    laboratory.testCandidates();
+    laboratory.add("focalLength@top");
+    laboratory.goTo(1);
+  }
+  const Json ladder = told["ladder"];
+  for (const Dataset& opened : {openDataset({file}), openDataset({file, set}), openSession({set}, file)}) {
+    told.clear();
+    AnalysisSession laboratory{opened, tell};
+    laboratory.fit();
+    CHECK(told["fit"]["with"] == Json::array({"elasticity@LKneePitch"}));
+    CHECK(told["ladder"] == ladder);
+    CHECK(ladder["rungs"][1].contains("heldOut"));
+    CHECK(Json::parse(laboratory.generateFile("session.json")) == Json::parse(fileContent(file)));
+  }
+  writeAtomically(std::filesystem::path{set} / "captures.json",
+                  fileContent(std::filesystem::path{set} / "captures.json") + "\n");
+  CHECK_THROWS_WITH(openSession({set}, file), Contains("expected a session of these captures"));
+}
+
+TEST_CASE("what cannot be opened is refused with its name and what to do") {
+  // Proves the sentences for what is neither a set nor a result, and for a result without its captures.
+  const TemporaryFolder folder;
+  writeSetAndResult(folder.path());
+  const std::string result = (folder.path() / "result.json").string();
+  CHECK_THROWS_AS(openDataset({(folder.path() / "nowhere").string()}), InputError);
+  CHECK_THROWS_WITH(openDataset({result, result}), Contains("opened by itself"));
+  writeAtomically(folder.path() / "other.json", R"({"format": "naocal-poses"})");
+  CHECK_THROWS_WITH(openDataset({(folder.path() / "other.json").string()}),
+                    Contains("opens capture sets, recordings, results, diagnoses, sessions and models"));
+  const std::string overlong(5000, 'x'); // no system opens it
+  CHECK_THROWS_AS(openDataset({overlong}), InputError);
+  CHECK_THROWS_AS(openDataset({overlong + ".json"}), InputError);
+  std::filesystem::remove_all(folder.path() / "few");
+  CHECK_THROWS_WITH(openDataset({result}),
+                    Contains("is not there any more") && Contains("open the captures themselves"));
+}

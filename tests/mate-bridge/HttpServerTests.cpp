@@ -1,0 +1,101 @@
+#include "server/HttpServer.hpp"
+
+#include "server/RequestGuard.hpp"
+
+#include <boost/asio/connect.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/read.hpp>
+#include <boost/asio/write.hpp>
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+#include <thread>
+
+using namespace naocal;
+using Tcp = boost::asio::ip::tcp;
+using Catch::Contains;
+
+namespace {
+
+/// A server that answers "page" to its address, and what it was sent live.
+struct Serving {
+  Serving() : thread{[this] { context.run(); }} {}
+  ~Serving() {
+    context.stop();
+    thread.join();
+  }
+
+  /// What the server writes in answer to these bytes, until it closes or has written `enough`.
+  std::string answer(const std::string& request, const std::string& enough = "no end") const {
+    const std::string address = server.address();
+    const std::string port = address.substr(17, address.find('/', 17) - 17);
+    boost::asio::io_context own;
+    Tcp::socket socket{own};
+    boost::asio::connect(socket, Tcp::resolver{own}.resolve("127.0.0.1", port));
+    boost::asio::write(socket, boost::asio::buffer(request));
+    std::string bytes;
+    boost::system::error_code error;
+    for (char byte = 0;
+         bytes.find(enough) == std::string::npos && socket.read_some(boost::asio::buffer(&byte, 1), error) > 0;) {
+      bytes += byte;
+    }
+    return bytes;
+  }
+  std::string host() const { return server.address().substr(7, server.address().find('/', 7) - 7); }
+  std::string path() const { return server.address().substr(7 + host().size()); }
+  std::string upgrade(const std::string& origin) const {
+    return fmt::format("GET {}live HTTP/1.1\r\nHost: {}\r\nOrigin: {}\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
+                       "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n",
+                       path(), host(), origin);
+  }
+
+  boost::asio::io_context context;
+  HttpServer server{
+      context,
+      0,
+      makeToken(),
+      {[](std::string_view path) {
+         return path.empty() ? HttpReply{200, "text/html", "the page"} : HttpReply{404, "text/plain", "nothing"};
+       },
+       [](std::size_t) {}, [](std::size_t) {}, [](std::size_t, const std::string&) {}}};
+  std::thread thread;
+};
+
+} // namespace
+
+TEST_CASE("the page is served with a policy that lets nothing from elsewhere in") {
+  // Proves status, body and the headers on which the page's safety rests; browsers' obedience is tested in a browser.
+  const Serving serving;
+  const std::string answer =
+      serving.answer(fmt::format("GET {} HTTP/1.1\r\nHost: {}\r\n\r\n", serving.path(), serving.host()));
+  CHECK_THAT(answer, Contains("200 OK") && Contains("the page"));
+  CHECK_THAT(answer, Contains("default-src 'none'") && Contains("frame-ancestors 'none'") && Contains("nosniff") &&
+                         Contains("Cross-Origin-Resource-Policy: same-origin") && Contains("no-referrer"));
+  CHECK_THAT(serving.answer(fmt::format("GET / HTTP/1.1\r\nHost: {}\r\n\r\n", serving.host())), Contains("404"));
+  CHECK_THAT(serving.answer(fmt::format("GET {} HTTP/1.1\r\nHost: evil.example\r\n\r\n", serving.path())),
+             Contains("421"));
+}
+
+TEST_CASE("a live connection is refused to other origins") {
+  // Proves it at the socket, for whoever knows the token: 101 switches protocols, 403 does not.
+  const Serving serving;
+  CHECK_THAT(serving.answer(serving.upgrade("http://" + serving.host()), "\r\n\r\n"),
+             Contains("101 Switching Protocols"));
+  CHECK_THAT(serving.answer(serving.upgrade("http://evil.example")), Contains("403") && !Contains("101"));
+  CHECK_THAT(serving.answer(serving.upgrade("null")), Contains("403"));
+}
+
+TEST_CASE("what is no HTTP is closed without harm") {
+  // Proves it for garbage and for a head beyond all bounds; the server answers the next one.
+  const Serving serving;
+  CHECK(serving.answer(std::string(100, '\xff') + "\r\n\r\n").find("200") == std::string::npos);
+  CHECK(serving.answer("GET / HTTP/1.1\r\nX: " + std::string(20000, 'x')).find("200") == std::string::npos);
+  CHECK_THAT(serving.answer(fmt::format("GET {} HTTP/1.1\r\nHost: {}\r\n\r\n", serving.path(), serving.host())),
+             Contains("200"));
+}
+
+TEST_CASE("codes in an address are letters again") {
+  // Proves it for spaces and umlauts, as browsers encode them, and that what is no code stays.
+  CHECK(decodePercents("a%20robot/%C3%BCbung/3") == "a robot/\u00fcbung/3");
+  CHECK(decodePercents("100%/%zz%4") == "100%/%zz%4");
+}

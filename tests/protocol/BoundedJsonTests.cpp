@@ -1,0 +1,37 @@
+#include "protocol/BoundedJson.hpp"
+
+#include <catch2/catch.hpp>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+TEST_CASE("brackets without end are refused before they exhaust the stack") {
+  // Proves that 100 levels pass and somewhat more do not, closed or not.
+  CHECK(parseBoundedJson(R"({"a": [1, 2]})")["a"][1] == 2);
+  CHECK_NOTHROW(parseBoundedJson(std::string(100, '[') + std::string(100, ']')));
+  CHECK_THROWS_AS(parseBoundedJson(std::string(110, '[') + std::string(110, ']')), nlohmann::json::exception);
+  CHECK_THROWS_AS(parseBoundedJson(std::string(100000, '[')), nlohmann::json::exception);
+  CHECK_THROWS_AS(parseBoundedJson("{"), nlohmann::json::exception);
+}
+
+TEST_CASE("comments are read only where they are allowed") {
+  // Proves it for both kinds of comments, and that the reason of a refusal has no marks of the library.
+  const char* const text = "{\"a\": 1 /* one */} // end";
+  CHECK(parseBoundedJson(text, true)["a"] == 1);
+  try {
+    parseBoundedJson(text);
+    FAIL("comments were read");
+  } catch (const nlohmann::json::exception& error) {
+    CHECK(parseErrorReason(error).rfind("parse error at line 1", 0) == 0);
+  }
+}
+
+TEST_CASE("whatever a value holds, its text is JSON on one line") {
+  // Proves it for bytes that are not UTF-8, line breaks, and a number that JSON does not know.
+  const nlohmann::json value = {{"b", "\xff\n"}, {"a", std::numeric_limits<double>::infinity()}};
+  CHECK(jsonText(value) == "{\"a\":null,\"b\":\"\xef\xbf\xbd\\n\"}");
+  CHECK(jsonLine(value) == jsonText(value) + "\n");
+}
+
+} // namespace naocal

@@ -1,0 +1,117 @@
+#include "writer/FlawSizing.hpp"
+
+#include <Eigen/SVD>
+#include <cmath>
+
+namespace blind {
+
+FlawSizing::FlawSizing(const Robot& robot, const Session& session, const Noncentrality& noncentrality)
+    : robot_{robot}, session_{session}, noncentrality_{noncentrality}, without_{Noncentrality::stacked(
+                                                                           TruePictures{robot, session}, session)} {}
+
+Eigen::VectorXd FlawSizing::change(const FlawFamily& family, const std::string& place,
+                                   std::span<const double> values) const {
+  Robot robot = robot_;
+  family.apply(robot.flaws, *robot.drawing, place, values);
+  return Noncentrality::stacked(TruePictures{robot, session_}, session_) - without_;
+}
+
+HiddenFlaw FlawSizing::makeFlaw(const FlawFamily& family, const std::string& place, std::vector<double> values) const {
+  const Eigen::VectorXd difference = change(family, place, values);
+  const double noncentrality = noncentrality_.product(difference, difference);
+  const double known = noncentrality_.knownProduct(difference, difference);
+  return {&family, place, std::move(values), noncentrality, known > 0 ? noncentrality / known : 0};
+}
+
+std::optional<HiddenFlaw> FlawSizing::scaleTo(const FlawFamily& family, const std::string& place,
+                                              std::vector<double> shape, double wanted, double most) const {
+  constexpr double closeEnough = 0.02;
+  double size = 0.3;
+  for (int round = 0; round < 12; ++round) {
+    std::vector<double> values = shape;
+    for (double& value : values) {
+      value *= size;
+    }
+    HiddenFlaw hidden = makeFlaw(family, place, std::move(values));
+    if (std::abs(hidden.noncentrality - wanted) < closeEnough * wanted) {
+      return hidden;
+    }
+    if (!(hidden.noncentrality > 0)) {
+      return std::nullopt;
+    }
+    size *= std::clamp(std::sqrt(wanted / hidden.noncentrality), 0.01, 100.0);
+    if (size > most) {
+      return std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+Eigen::MatrixXd FlawSizing::signatures(const HiddenFlaw& hidden) const {
+  const std::size_t count = hidden.family->unknowns.size();
+  Eigen::MatrixXd columns{without_.size(), static_cast<Eigen::Index>(count)};
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<double> values(count, 0.0);
+    values[i] = 0.3 * hidden.family->unknowns[i].physical;
+    columns.col(static_cast<Eigen::Index>(i)) = change(*hidden.family, hidden.place, values);
+  }
+  return columns;
+}
+
+double FlawSizing::correlation(const HiddenFlaw& first, const HiddenFlaw& second) const {
+  const auto gram = [&](const Eigen::MatrixXd& left, const Eigen::MatrixXd& right) {
+    Eigen::MatrixXd products{left.cols(), right.cols()};
+    for (Eigen::Index i = 0; i < left.cols(); ++i) {
+      for (Eigen::Index j = 0; j < right.cols(); ++j) {
+        products(i, j) = noncentrality_.product(left.col(i), right.col(j));
+      }
+    }
+    return products;
+  };
+  const Eigen::MatrixXd a = signatures(first), b = signatures(second);
+  const Eigen::LLT<Eigen::MatrixXd> ofA{gram(a, a)}, ofB{gram(b, b)};
+  const Eigen::MatrixXd half = ofA.matrixL().solve(gram(a, b));
+  const Eigen::MatrixXd whitened = ofB.matrixL().solve(half.transpose());
+  return whitened.jacobiSvd().singularValues()[0];
+}
+
+namespace {
+
+/// A random direction, as long as one of these sizes.
+template <typename Size> std::vector<double> drawnShape(const FlawFamily& family, Size size, RandomStream& chance) {
+  std::vector<double> shape;
+  double square = 0;
+  for (std::size_t i = 0; i < family.unknowns.size(); ++i) {
+    shape.push_back(chance.normal(1));
+    square += shape.back() * shape.back();
+  }
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    shape[i] *= size(family.unknowns[i]) / std::sqrt(square);
+  }
+  const bool neverNegative = family.effect == "backlash" || family.effect == "hysteresis" ||
+                             family.effect == "gearPlay" || family.effect == "elasticity" ||
+                             family.effect == "soleCompliance" || family.effect == "rollingShutter" ||
+                             family.effect == "kneeRootSag";
+  for (double& value : shape) {
+    value = neverNegative ? std::abs(value) : value;
+  }
+  return shape;
+}
+
+} // namespace
+
+std::vector<double> randomShape(const FlawFamily& family, RandomStream& chance) {
+  return drawnShape(
+      family, [](const FlawFamily::Unknown& unknown) { return unknown.physical; }, chance);
+}
+
+std::vector<double> plausibleShape(const FlawFamily& family, RandomStream& chance) {
+  return drawnShape(
+      family, [](const FlawFamily::Unknown& unknown) { return unknown.wide(); }, chance);
+}
+
+void applyFlaw(const HiddenFlaw& hidden, Robot& robot) {
+  hidden.family->apply(robot.flaws, *robot.drawing, hidden.place, hidden.values);
+}
+
+} // namespace blind

@@ -1,0 +1,280 @@
+#include "analysis/AnalysisSession.hpp"
+
+#include "analysis/PanelJson.hpp"
+#include "calibration/Prediction.hpp"
+#include "calibration/ResultFile.hpp"
+#include "diagnosis/DiagnosisFile.hpp"
+#include "diagnosis/Session.hpp"
+#include "effects/UserEffect.hpp"
+#include "estimation/ModelBuilder.hpp"
+#include "estimation/ModelFile.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+#include "poses/PoseFile.hpp"
+#include "report/ReportPage.hpp"
+#include "server/TemporaryDirectory.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+namespace {
+
+using Json = nlohmann::json;
+
+std::vector<std::string> without(const std::vector<std::string>& labels, const std::vector<std::string>& others) {
+  std::vector<std::string> rest;
+  std::copy_if(labels.begin(), labels.end(), std::back_inserter(rest), [&](const std::string& label) {
+    return std::find(others.begin(), others.end(), label) == others.end();
+  });
+  return rest;
+}
+
+/// Where to begin: the base model, or that of the result that was opened.
+Rung initialRevision(const Dataset& opened, const Measurements& measurements) {
+  if (opened.terms.empty()) {
+    return {.with = opened.with, .without = opened.without, .definitions = opened.definitions};
+  }
+  const std::vector<std::string> base = termLabels(makeModel(measurements));
+  std::vector<std::string> with = without(opened.terms, base);
+  // the base has every offset that can be asked for; others are along because torques depend on them
+  std::erase_if(with, [](const std::string& label) { return label.starts_with("jointOffset@"); });
+  return {.with = std::move(with), .without = without(base, opened.terms), .definitions = opened.definitions};
+}
+
+std::filesystem::path written(const TemporaryDirectory& folder, const Json& content) {
+  std::filesystem::path file = folder.path() / "content.json"; // readers of files read files
+  writeAtomically(file, content.dump());
+  return file;
+}
+
+} // namespace
+
+AnalysisSession::AnalysisSession(Dataset opened, MessageSink tell)
+    : opened_{std::move(opened)}, measurements_{measurementsOf(opened_.sets, opened_.robot)}, tell_{std::move(tell)},
+      session_{opened_.ladder.empty() ? std::vector{initialRevision(opened_, measurements_)} : opened_.ladder,
+               opened_.at, opened_.inputs} {
+  tellSet(session_.current());
+}
+
+std::vector<Effect> AnalysisSession::effects(const Rung& rung) const {
+  return effectsWith(Json::parse(rung.definitions), definitionsName, opened_.robot);
+}
+
+void AnalysisSession::tellSet(const Rung& rung) {
+  if (toldDefinitions_ == rung.definitions) {
+    return;
+  }
+  toldDefinitions_ = rung.definitions;
+  Json joints = Json::array();
+  for (const Joint& joint : opened_.robot.joints) {
+    joints.push_back(joint.name);
+  }
+  tell_("set", {{"names", opened_.inputs.sets},
+                {"robot", measurements_.robot.model},
+                {"headId", opened_.sets.front().headId},
+                {"bodyId", opened_.sets.front().bodyId},
+                {"pictures", measurements_.pictures.size()},
+                {"poses", measurements_.poses.size()},
+                {"corners", measurements_.cornerCount},
+                {"joints", std::move(joints)},
+                {"own", Json::parse(rung.definitions)},
+                {"effects", effectsJson(effects(rung))}});
+}
+
+void AnalysisSession::tellLadder() const {
+  Json rungs = Json::array();
+  for (const Rung& rung : session_.ladder) {
+    rungs.push_back(revisionPanelJson(rung));
+  }
+  tell_("ladder", {{"at", session_.at}, {"rungs", std::move(rungs)}});
+}
+
+void AnalysisSession::keepSession() const {
+  if (!opened_.sessionFile.empty()) {
+    writeAtomically(opened_.sessionFile, sessionJson(session_).dump(2) + "\n");
+  }
+}
+
+void AnalysisSession::fit() {
+  enter(session_);
+}
+
+/// Goes on with this session once the fit of its current model has come out well; whatever is thrown before leaves
+/// everything as it was.
+void AnalysisSession::enter(Session session) {
+  Rung& rung = session.current();
+  const Model model = makeModel(measurements_, rung.with, rung.without, effects(rung));
+  const CalibrationResult result = calibrate(measurements_, model);
+  rung.rmsPx = result.rmsPx;
+  const Json document = resultJson(opened_.sets, measurements_, model, result, opened_.inputs);
+  Json told = fitJson(document, opened_, measurements_, model, result);
+  told["with"] = rung.with;
+  told["without"] = rung.without;
+  told["labels"] = termLabels(model);
+  told["candidates"] = testableTerms(measurements_, model, effects(rung)).size();
+  result_ = document;
+  session_ = std::move(session);
+  diagnosis_.reset();
+  next_.reset();
+  tellSet(session_.current());
+  tellLadder();
+  tell_("fit", told);
+  keepSession();
+}
+
+std::vector<std::string> AnalysisSession::terms() const {
+  const Rung& rung = session_.current();
+  return termLabels(makeModel(measurements_, rung.with, rung.without, effects(rung)));
+}
+
+void AnalysisSession::add(const std::string& label) {
+  Session session = session_;
+  session.add(label, [this] { return terms(); });
+  enter(std::move(session));
+}
+
+void AnalysisSession::drop(const std::string& label) {
+  Session session = session_;
+  session.drop(label, [this] { return terms(); });
+  enter(std::move(session));
+}
+
+void AnalysisSession::goTo(std::size_t number) {
+  Session session = session_;
+  session.goTo(number);
+  enter(std::move(session));
+}
+
+DiagnosisOptions AnalysisSession::options(const Rung& rung) const {
+  DiagnosisOptions result;
+  result.with = rung.with;
+  result.without = rung.without;
+  result.effects = effects(rung);
+  return result;
+}
+
+const Diagnosis& AnalysisSession::diagnosis() {
+  if (!diagnosis_) {
+    DiagnosisOptions asked = options(session_.current());
+    asked.grow = false;
+    diagnosis_ = diagnose(opened_.sets, measurements_, asked);
+  }
+  return *diagnosis_;
+}
+
+void AnalysisSession::testCandidates() {
+  const Diagnosis& here = diagnosis();
+  if (!here.steps.empty()) {
+    session_.current().questioned = here.steps.front();
+    tellLadder();
+  }
+  tell_("questions", diagnosisPanelJson(here));
+  keepSession();
+}
+
+void AnalysisSession::searchMissing(const std::function<bool()>& goesOn) {
+  DiagnosisOptions asked = options(session_.current());
+  asked.goesOn = goesOn;
+  Json found = diagnosisPanelJson(diagnose(opened_.sets, measurements_, asked));
+  found["stopped"] = !goesOn();
+  found["with"] = session_.current().with; // of the model that it began with
+  tell_("found", found);
+}
+
+void AnalysisSession::defineEffect(const Json& effect) {
+  const Effect made = userEffect(JsonPlace{effect, definitionsName}, opened_.robot);
+  Rung rung = session_.current();
+  Json kept = Json::array();
+  for (Json& other : Json::parse(rung.definitions)) {
+    if (other["name"] != made.name) {
+      kept.push_back(std::move(other));
+    }
+  }
+  kept.push_back(effect);
+  rung.definitions = kept.dump();
+  const std::string at = effect["at"].get<std::string>(), label = made.name + "@" + at;
+  const auto isIt = [&](const std::string& other) { return other.starts_with(made.name + "@"); };
+  const bool isIn = std::any_of(rung.with.begin(), rung.with.end(), isIt);
+  const std::string step = isIn        ? "changed " + made.name
+                           : at == "*" ? made.name + " offered at every joint"
+                                       : "+ " + label;
+  if (at != "*") { // where it was before, it is no more
+    std::erase_if(rung.with, isIt);
+    rung.with.push_back(label);
+  }
+  Session session = session_;
+  session.revise(std::move(rung), step);
+  enter(std::move(session));
+}
+
+Json AnalysisSession::checkEffect(const Json& effect) const {
+  try {
+    const Effect made = userEffect(JsonPlace{effect, definitionsName}, opened_.robot);
+    const std::vector<Effect> all = effectsWith(Json::array({effect}), definitionsName, opened_.robot);
+    if (effect["at"] != "*") {
+      makeModel(measurements_, {fmt::format("{}@{}", made.name, effect["at"].get<std::string>())}, {}, all);
+    }
+    return {{"ok", true}};
+  } catch (const CorrectionError& error) {
+    return {{"ok", false}, {"sentence", error.what()}, {"letter", error.letter}};
+  } catch (const InputError& error) {
+    return {{"ok", false}, {"sentence", error.what()}};
+  }
+}
+
+void AnalysisSession::proposePoses(std::size_t count) {
+  NextOptions wanted;
+  wanted.count = count;
+  next_ = nextPoses(opened_.sets, measurements_, diagnosis(), options(session_.current()), wanted);
+  Json told = nextJson(*next_, opened_.robot);
+  told["whyNone"] = next_->whyNone;
+  tell_("next", told);
+}
+
+void AnalysisSession::compareWith(const Dataset& others) {
+  const TemporaryDirectory passing;
+  const StoredResult stored = readResult(written(passing, result_));
+  Json told = comparisonJson(compare(stored, others.sets, opened_.robot, false));
+  told["names"] = others.inputs.sets;
+  tell_("compared", told);
+}
+
+std::string AnalysisSession::generateFile(const std::string& name) {
+  const TemporaryDirectory passing;
+  if (name == "result.json") {
+    return result_.dump(2) + "\n";
+  }
+  if (name == "session.json") {
+    return sessionJson(session_).dump(2) + "\n";
+  }
+  if (name == "report.html") {
+    return reportPage(written(passing, result_));
+  }
+  if (name == "model.json") {
+    const Rung& rung = session_.current();
+    return modelJson(rung.with, rung.without, Json::parse(rung.definitions)).dump(2) + "\n";
+  }
+  if (name == "poses.json") {
+    if (!next_ || next_->poses.empty()) {
+      throw InputError{"no poses were proposed for this model yet; ask for them first"};
+    }
+    return posesJson(*next_, opened_.robot).dump(2) + "\n";
+  }
+  if (name != "diagnosis.json" && name != "diagnosis.html") {
+    throw InputError{fmt::format("there is no file {} to be made", name)};
+  }
+  Json document = diagnosisJson(diagnosis());
+  if (next_) {
+    document["next"] = nextJson(*next_, opened_.robot);
+  }
+  document["inputs"] = {{"sets", opened_.inputs.sets}, {"sha256", opened_.inputs.sha256}};
+  return name == "diagnosis.json" ? document.dump(2) + "\n" : reportPage(written(passing, document));
+}
+
+} // namespace naocal

@@ -1,0 +1,211 @@
+#include "analysis/AnalysisWorker.hpp"
+
+#include "analysis/AnalysisSession.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+#include "server/Wire.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+namespace naocal {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::string_view fitting = "fitting";
+
+/// Pictures below the sets' own folders only, whatever a captures.json names.
+std::map<std::string, std::filesystem::path> imagesOf(const Dataset& opened) {
+  std::map<std::string, std::filesystem::path> images;
+  for (const CaptureSet& set : opened.sets) {
+    std::error_code ignored; // what no path can be is no picture
+    const std::filesystem::path folder = std::filesystem::weakly_canonical(opened.folders.at(set.name), ignored);
+    for (const Capture& capture : set.captures) {
+      const std::filesystem::path file = std::filesystem::weakly_canonical(folder / capture.image, ignored);
+      const std::string inside = file.lexically_relative(folder).string();
+      if (!capture.image.empty() && !file.empty() && !inside.starts_with("..")) {
+        images[fmt::format("{}/{}", set.name, capture.id)] = file;
+      }
+    }
+  }
+  return images;
+}
+
+} // namespace
+
+AnalysisWorker::AnalysisWorker(Dataset opened, MessageSink tell)
+    : tell_{std::move(tell)}, images_{imagesOf(opened)}, session_{std::make_shared<AnalysisSession>(
+                                                             std::move(opened),
+                                                             [this](const std::string& kind, const Json& content) {
+                                                               isFitted_ = isFitted_ || kind == "fit";
+                                                               Json message = content;
+                                                               message["kind"] = kind;
+                                                               tell_(kind, wireText(message));
+                                                             })} {
+  work(fitting, [](AnalysisSession& session) { session.fit(); });
+  testCandidates();
+}
+
+AnalysisWorker::~AnalysisWorker() {
+  cancelled_ = true; // its thread ends sooner
+}
+
+void AnalysisWorker::work(std::string_view what, std::function<void(AnalysisSession&)> task) {
+  jobs_.add([this, what, task = std::move(task)] {
+    tell_("work", wireText({{"kind", "work"}, {"what", what}}));
+    try {
+      task(*session_);
+    } catch (const std::exception& error) { // a full disk, too, must not end the bridge
+      tell_("refused", wireText({{"kind", "refused"}, {"sentence", error.what()}}));
+      if (!isFitted_ && what == fitting) {
+        tell_("unfitted", wireText({{"kind", "unfitted"}, {"sentence", error.what()}}));
+      }
+    }
+    tell_("work", wireText({{"kind", "work"}, {"what", nullptr}}));
+  });
+}
+
+void AnalysisWorker::testCandidates() {
+  ++questions_;
+  work("testing causes", [this](AnalysisSession& session) {
+    if (--questions_ == 0 && isFitted_) { // else the model has changed since: the last one answers
+      session.testCandidates();
+    }
+  });
+}
+
+void AnalysisWorker::change(std::function<void(AnalysisSession&)> change) {
+  work(fitting, std::move(change));
+  testCandidates();
+}
+
+void AnalysisWorker::add(const std::string& label) {
+  change([label](AnalysisSession& session) { session.add(label); });
+}
+
+void AnalysisWorker::drop(const std::string& label) {
+  change([label](AnalysisSession& session) { session.drop(label); });
+}
+
+void AnalysisWorker::goTo(std::size_t number) {
+  change([number](AnalysisSession& session) { session.goTo(number); });
+}
+
+void AnalysisWorker::defineEffect(const Json& effect) {
+  change([effect](AnalysisSession& session) { session.defineEffect(effect); });
+}
+
+void AnalysisWorker::searchMissing() {
+  cancelled_ = false;
+  work("searching", [this](AnalysisSession& session) { session.searchMissing([this] { return !cancelled_; }); });
+}
+
+void AnalysisWorker::cancelSearch() {
+  cancelled_ = true;
+}
+
+void AnalysisWorker::proposePoses(int count) {
+  const std::size_t bounded = std::clamp(count, 1, 20);
+  work("choosing poses", [bounded](AnalysisSession& session) { session.proposePoses(bounded); });
+}
+
+void AnalysisWorker::compareWith(const std::vector<std::string>& paths) {
+  work("comparing", [paths](AnalysisSession& session) { session.compareWith(openDataset(paths)); });
+}
+
+void AnalysisWorker::generateFile(const std::string& name) {
+  work("writing", [this, name](AnalysisSession& session) {
+    std::string content = session.generateFile(name);
+    {
+      const std::lock_guard lock{mutex_};
+      made_[name] = std::move(content);
+    }
+    tell_("made", wireText({{"kind", "made"}, {"file", name}}));
+  });
+}
+
+std::optional<std::string> AnalysisWorker::generatedFile(const std::string& name) const {
+  const std::lock_guard lock{mutex_};
+  const auto found = made_.find(name);
+  return found == made_.end() ? std::nullopt : std::optional{found->second};
+}
+
+Json AnalysisWorker::checkEffect(const Json& effect) const {
+  return session_->checkEffect(effect);
+}
+
+std::optional<std::string> AnalysisWorker::picture(std::string_view path) const {
+  const auto found = images_.find(std::string{path});
+  try {
+    return found == images_.end() ? std::nullopt : std::optional{fileContent(found->second)};
+  } catch (const InputError&) { // it was taken away
+    return std::nullopt;
+  }
+}
+
+void AnalysisSlot::setDataset(Dataset opened) {
+  const std::size_t number = number_ + 1;
+  auto fresh =
+      std::make_unique<AnalysisWorker>(std::move(opened), [this, number](const std::string& kind, std::string json) {
+        later_([this, number, kind, told = makeMessage(std::move(json))] {
+          if (number == number_) { // else other captures were opened since
+            remember(kind, told);
+            all_(told);
+          }
+        });
+      });
+  number_ = number;
+  latest_.clear();
+  all_(makeMessage(R"({"kind": "opened"})"));
+  if (worker_) { // it ends what it is at, which may take seconds
+    leaving_.add([old = std::shared_ptr<AnalysisWorker>{std::move(worker_)}] {});
+  }
+  worker_ = std::move(fresh);
+}
+
+void AnalysisSlot::open(const std::vector<std::string>& paths,
+                        std::function<void(const std::string& problem)> refused) {
+  tellWork("opening captures");
+  opening_.add([this, paths, refused = std::move(refused)] {
+    std::shared_ptr<Dataset> opened;
+    std::string problem;
+    try {
+      opened = std::make_shared<Dataset>(openDataset(paths));
+    } catch (const std::exception& error) {
+      problem = error.what();
+    }
+    later_([this, opened, problem, refused] {
+      tellWork(nullptr);
+      try {
+        opened ? setDataset(std::move(*opened)) : refused(problem);
+      } catch (const std::exception& error) {
+        refused(error.what());
+      }
+    });
+  });
+}
+
+/// What was said of another fit is not true of a new one.
+void AnalysisSlot::remember(const std::string& kind, const Message& told) {
+  constexpr std::array<std::string_view, 4> ofFit{"questions", "next", "compared", "unfitted"};
+  if (kind == "refused" || kind == "made") {
+    return;
+  }
+  std::erase_if(latest_, [&](const auto& before) {
+    return before.first == kind ||
+           (kind == "fit" && std::find(ofFit.begin(), ofFit.end(), before.first) != ofFit.end());
+  });
+  latest_.emplace_back(kind, told);
+}
+
+void AnalysisSlot::tellWork(const char* what) {
+  const nlohmann::json work{{"kind", "work"}, {"what", what ? nlohmann::json(what) : nlohmann::json()}};
+  all_(makeMessage(work.dump()));
+}
+
+} // namespace naocal

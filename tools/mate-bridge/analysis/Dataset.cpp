@@ -1,0 +1,226 @@
+#include "analysis/Dataset.hpp"
+
+#include "data/CaptureSetFile.hpp"
+#include "detect/BoardDetector.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+#include "io/JsonReader.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace naocal {
+
+namespace {
+
+/// A path that cannot be looked at holds none: whose reader says what is wrong.
+bool isSet(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  return std::filesystem::exists(folder / "captures.json", ignored);
+}
+
+/// A set to those that are opened; pictures whose corners were not looked for are searched. Throws InputError.
+void addSet(const std::string& folder, Dataset& opened) {
+  CaptureSet set = readCaptureSet(folder, BadCaptures::refuse).set;
+  if (std::any_of(set.captures.begin(), set.captures.end(), [](const Capture& one) { return !one.corners; })) {
+    detectInSet(set, folder, std::max(1U, std::thread::hardware_concurrency()),
+                [](std::size_t, std::size_t) { return true; });
+  }
+  if (!opened.folders.emplace(set.name, folder).second) {
+    throw InputError{fmt::format("two sets are called \"{}\"; rename the folder of one", set.name)};
+  }
+  opened.inputs.sets.push_back(std::filesystem::weakly_canonical(folder).string());
+  opened.inputs.sha256.push_back(sha256(fileContent(std::filesystem::path{folder} / "captures.json")));
+  opened.sets.push_back(std::move(set));
+}
+
+/// Whether that is a folder; what cannot be looked at is none.
+bool isDirectory(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored);
+}
+
+/// The folder of a set as a document names it: as it is written, else beside the document. Throws InputError.
+std::string resolveFolder(const std::string& written, const std::filesystem::path& document) {
+  const std::filesystem::path beside =
+      document.parent_path() / std::filesystem::path{written}.lexically_normal().filename();
+  for (const std::filesystem::path& folder : {std::filesystem::path{written}, beside}) {
+    if (isSet(folder)) {
+      return folder.string();
+    }
+  }
+  throw InputError{
+      fmt::format("{}: the capture set {} that it was made from is not there any more, nor is {}; open the "
+                  "captures themselves",
+                  document.string(), written, beside.string())};
+}
+
+/// A set, or the sets that lie in a folder of them, as the robot records a calibration. Throws InputError.
+void addFolder(const std::string& folder, Dataset& opened) {
+  std::vector<std::string> sets;
+  if (!isSet(folder) && isDirectory(folder)) {
+    std::error_code unreadable;
+    for (const auto& entry : std::filesystem::directory_iterator{folder, unreadable}) {
+      if (isDirectory(entry.path()) && isSet(entry.path())) {
+        sets.push_back(entry.path().string());
+      }
+    }
+    std::sort(sets.begin(), sets.end());
+  }
+  if (sets.empty()) {
+    sets.push_back(folder); // whose reader says what is wrong
+  }
+  for (const std::string& set : sets) {
+    addSet(set, opened);
+  }
+}
+
+bool isDocument(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored) || (!isDirectory(path) && path.ends_with(".json"));
+}
+
+/// The sets that a document was made from.
+void addInputs(const JsonPlace& inputs, const std::string& file, Dataset& opened) {
+  for (const JsonPlace& set : inputs.at("sets").elements()) {
+    addSet(resolveFolder(set.text(), file), opened);
+  }
+}
+
+/// A diagnosis: its sets, unless they are named, and what it suggests.
+void addDiagnosis(const JsonPlace& diagnosis, const std::string& file, bool setsAreNamed, Dataset& opened) {
+  for (const JsonPlace& label : diagnosis.at("suggested").elements()) {
+    opened.with.push_back(label.text());
+  }
+  if (!setsAreNamed) {
+    if (!diagnosis.find("inputs")) {
+      throw InputError{
+          fmt::format("{}: this diagnosis does not say of which captures it is; name them behind it", file)};
+    }
+    addInputs(diagnosis.at("inputs"), file, opened);
+  }
+}
+
+void takeModel(const std::string& resultFile, Dataset& opened) {
+  const StoredResult stored = readResult(resultFile);
+  opened.terms = stored.terms;
+  opened.definitions = stored.definitions;
+}
+
+void addResult(const JsonPlace& result, const std::string& file, Dataset& opened) {
+  takeModel(file, opened);
+  addInputs(result.at("inputs"), file, opened);
+}
+
+/// The round of a robot's recording that its calibration was solved from: the recording's first, or the folder itself.
+std::optional<std::filesystem::path> solvedRound(const std::filesystem::path& folder) {
+  for (const std::filesystem::path& round : {folder / "first", folder}) {
+    std::error_code ignored;
+    if (std::filesystem::exists(round / "captures.json", ignored) &&
+        std::filesystem::exists(round / "offsets.json", ignored) &&
+        std::filesystem::exists(round / "result.json", ignored)) {
+      return round;
+    }
+  }
+  return std::nullopt;
+}
+
+/// A folder that is opened alone: of a robot's recording the solved round, with the model that it was solved with. What
+/// was taken to check it was taken with other offsets, and is opened by its own name.
+void addAlone(const std::string& folder, Dataset& opened) {
+  if (const auto round = solvedRound(folder)) {
+    addSet(round->string(), opened);
+    takeModel((*round / "result.json").string(), opened);
+  } else {
+    addFolder(folder, opened);
+  }
+}
+
+/// A model: what was added, taken out and defined; of which captures is for others to say.
+void addModel(const JsonPlace& model, const std::string& file, bool alone, Dataset& opened) {
+  if (alone) {
+    throw InputError{fmt::format("{}: a model is opened together with captures; name them behind it", file)};
+  }
+  for (const auto& [key, list] : {std::pair{"with", &opened.with}, std::pair{"without", &opened.without}}) {
+    if (const auto labels = model.find(key)) {
+      for (const JsonPlace& label : labels->elements()) {
+        list->push_back(label.text());
+      }
+    }
+  }
+  if (const auto define = model.find("define")) {
+    opened.definitions = define->value().dump();
+  }
+}
+
+/// A session: its ladder, and its sets unless they are named.
+void addSession(const JsonPlace& document, const std::string& file, bool alone, Dataset& opened) {
+  Session session = readSession(file);
+  if (alone) {
+    addInputs(document, file, opened);
+  }
+  requireSameCaptures(session, opened.inputs, file);
+  opened.ladder = std::move(session.ladder);
+  opened.at = session.at;
+}
+
+/// A result, a diagnosis, a session or a model, which may stand with its sets.
+void addDocument(const std::string& file, bool alone, Dataset& opened) {
+  const nlohmann::json document = parseJson(fileContent(file), file);
+  const JsonPlace place{document, file};
+  const std::string format = place.at("format").text();
+  if (format == "naocal-diagnosis") {
+    return addDiagnosis(place, file, !alone, opened);
+  }
+  if (format == "naocal-model") {
+    return addModel(place, file, alone, opened);
+  }
+  if (format == "naocal-session") {
+    return addSession(place, file, alone, opened);
+  }
+  if (format != "naocal-result") {
+    place.at("format").refuse("\"naocal-result\", \"naocal-diagnosis\", \"naocal-session\" or \"naocal-model\": "
+                              "mate-bridge opens capture sets, recordings, results, diagnoses, sessions and models");
+  }
+  if (!alone) {
+    throw InputError{fmt::format("{}: a result is opened by itself, with the sets that it was made from", file)};
+  }
+  addResult(place, file, opened);
+}
+
+} // namespace
+
+Dataset openDataset(const std::vector<std::string>& paths) {
+  Dataset opened;
+  for (const std::string& path : paths) {
+    if (!isDocument(path)) {
+      paths.size() == 1 ? addAlone(path, opened) : addFolder(path, opened);
+    }
+  }
+  for (const std::string& path : paths) {
+    if (isDocument(path)) {
+      addDocument(path, paths.size() == 1, opened);
+    }
+  }
+  if (opened.sets.empty()) {
+    throw InputError{"expected a folder with captures.json, a result or a diagnosis; found none"};
+  }
+  opened.robot = loadRobot(configurationDirectory(), opened.sets.front().model);
+  return opened;
+}
+
+Dataset openSession(std::vector<std::string> paths, const std::string& file) {
+  if (std::filesystem::exists(file)) {
+    paths.push_back(file);
+  }
+  Dataset opened = openDataset(paths);
+  opened.sessionFile = file;
+  return opened;
+}
+
+} // namespace naocal

@@ -1,0 +1,175 @@
+#include "analysis/PanelJson.hpp"
+
+#include "calibration/EffectiveOffsets.hpp"
+#include "calibration/Verdict.hpp"
+#include "diagnosis/DiagnosisFile.hpp"
+#include "diagnosis/views/TellingPairs.hpp"
+#include "inference/DriverBasis.hpp"
+#include "io/Units.hpp"
+#include "math/Angles.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "report/DiagnosisData.hpp"
+#include "report/ResultData.hpp"
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+namespace {
+
+using Json = nlohmann::json;
+
+Json driversJson(const std::vector<DriverValues>& drivers, const Robot& robot) {
+  Json list = Json::array();
+  for (const DriverValues& driver : drivers) {
+    const auto [unit, scale] = shownUnit(driver.unit);
+    Json values = Json::array();
+    for (const double value : driver.atPicture) {
+      values.push_back(withDecimals(scale * value, 4));
+    }
+    list.push_back(
+        {{"name", driver.name}, {"what", drivenBy(driver, robot)}, {"unit", unit}, {"values", std::move(values)}});
+  }
+  return list;
+}
+
+/// What is plotted first and next, and the errors of joints that can be plotted beside those of corners: a joint's
+/// points are [pictures, error, sigma] [°].
+Json tellingJson(const TellingPairs& telling, const std::vector<DriverValues>& drivers, const Robot& robot) {
+  constexpr std::size_t mostPairs = 6;
+  const auto errorOf = [&](const TellingPair& pair) -> std::string {
+    return pair.error == TellingPair::Error::right  ? "du"
+           : pair.error == TellingPair::Error::down ? "dv"
+                                                    : robot.joints[pair.motor].name;
+  };
+  const auto overOf = [](const TellingPair& pair) -> std::string {
+    return pair.over == TellingPair::Over::column ? "u"
+           : pair.over == TellingPair::Over::row  ? "v"
+                                                  : "driver" + std::to_string(pair.driver);
+  };
+  Json pairs = Json::array(), joints = Json::array();
+  for (const TellingPair& pair : telling.pairs) {
+    if (pairs.size() < mostPairs) {
+      pairs.push_back({{"error", errorOf(pair)},
+                       {"over", overOf(pair)},
+                       {"label", tellingLabel(pair, drivers, robot)},
+                       {"sentence", tellingSentence(pair, drivers, robot)},
+                       {"share", withDecimals(pair.share, 4)},
+                       {"chance", pair.chance}});
+    }
+  }
+  for (const WhatIfs& joint : telling.joints) {
+    Json points = Json::array();
+    for (const WhatIf& point : joint.points) {
+      points.push_back(
+          {point.pictures, withDecimals(degrees(point.deflection), 4), withDecimals(degrees(point.sigma), 4)});
+    }
+    joints.push_back({{"joint", robot.joints[joint.motor].name}, {"points", std::move(points)}});
+  }
+  return {{"sentence", tellingSentence(telling, drivers, robot)},
+          {"pairs", std::move(pairs)},
+          {"joints", std::move(joints)}};
+}
+
+/// The pictures, worst first; `index` says where a driver has its value.
+Json picturesJson(const Dataset& opened, const Measurements& measurements, const JsonPlace& result) {
+  std::map<std::pair<std::string, int>, std::size_t> indices;
+  for (std::size_t i = 0; i < measurements.pictures.size(); ++i) {
+    const CaptureSet& set = opened.sets[measurements.pictures[i].set];
+    indices[{set.name, set.captures[measurements.pictures[i].capture].id}] = i;
+  }
+  Json list = Json::array();
+  for (const SeenPicture& seen : seenPictures(result)) {
+    list.push_back(pictureJson(seen));
+    list.back()["index"] = indices.at({seen.set, seen.capture});
+    list.back()["kept"] = !seen.image.empty();
+  }
+  return list;
+}
+
+/// What a robot's own calibration would set of this fit: offsets that a constant angle can compensate and that the
+/// captures tell, and cameras' mounts.
+Json compensationJson(const Measurements& measurements, const Model& model, const CalibrationResult& result) {
+  Json offsets = Json::array(), untold = Json::array(), mounts = Json::array();
+  for (const ShownOffset& offset : shownOffsets(measurements, model, result)) {
+    isLearned(offset) ? offsets.push_back({{"joint", offset.joint}, {"value", degrees(offset.value)}})
+                      : untold.push_back(offset.joint);
+  }
+  for (const Term& term : model.terms()) {
+    if (term.effect.name == "cameraRotation") {
+      const Eigen::Vector3d rotation = result.unknowns.segment<3>(at(term.first));
+      mounts.push_back({{"camera", term.place}, {"rotation", {rotation.x(), rotation.y(), rotation.z()}}});
+    }
+  }
+  return {{"offsets", std::move(offsets)}, {"untold", std::move(untold)}, {"mounts", std::move(mounts)}};
+}
+
+} // namespace
+
+Json fitJson(const Json& document, const Dataset& opened, const Measurements& measurements, const Model& model,
+             const CalibrationResult& result) {
+  const JsonPlace place{document, "the fit"};
+  const VerdictWords words = verdictWords(place);
+  const std::vector<DriverValues> drivers = driversOf(measurements, model, result.unknowns);
+  const TellingPairs telling = tellingPairs(measurements, model, result, drivers);
+  Json fit{{"usable", result.usable},
+           {"verdict", nameOf(result.verdict)},
+           {"headline", words.headline},
+           {"sentence", words.sentence},
+           {"warnings", sentences(result.warnings)},
+           {"rms", result.rmsPx},
+           {"median", result.medianPx},
+           {"pValue", result.pValue},
+           {"pixelNoise", result.noise.pixel},
+           {"corners", measurements.cornerCount},
+           {"seconds", result.seconds},
+           {"groups", estimatesData(place.at("effects"))},
+           {"terms", document["model"]["terms"]},
+           {"compensation", compensationJson(measurements, model, result)}, // [deg], mounts [rad]
+           {"facts", Json::array()},
+           {"pictures", picturesJson(opened, measurements, place)},
+           {"drivers", driversJson(drivers, measurements.robot)},
+           {"telling", tellingJson(telling, drivers, measurements.robot)}};
+  for (const auto& [figure, sentence] : facts(place, fit["pictures"].size(), std::nullopt)) {
+    fit["facts"].push_back({{"figure", figure}, {"sentence", sentence}});
+  }
+  return fit;
+}
+
+Json effectsJson(const std::vector<Effect>& effects) {
+  Json list = Json::array();
+  for (const Effect& effect : effects) {
+    Json unknowns = Json::array();
+    for (const Unknown& unknown : effect.unknowns) {
+      const auto [unit, scale] = shownUnit(unknown.unit);
+      unknowns.push_back({{"name", unknown.name}, {"unit", unit}, {"sigma", scale * unknown.sigma}});
+    }
+    list.push_back({{"name", effect.name},
+                    {"what", effect.what},
+                    {"formula", effect.formula},
+                    {"own", !effect.definition.empty()},
+                    {"unknowns", std::move(unknowns)}});
+  }
+  return list;
+}
+
+Json diagnosisPanelJson(const Diagnosis& diagnosis) {
+  const Json document = diagnosisJson(diagnosis);
+  return diagnosisData(JsonPlace{document, "the diagnosis"});
+}
+
+Json revisionPanelJson(const Rung& rung) {
+  Json json{{"with", rung.with}, {"without", rung.without}, {"step", rung.step}, {"rms", rung.rmsPx}};
+  json["from"] = rung.from ? Json(*rung.from) : Json(nullptr);
+  if (rung.questioned) {
+    if (rung.questioned->heldOutPx) {
+      json["heldOut"] = *rung.questioned->heldOutPx;
+    }
+    json["floor"] = rung.questioned->noiseFloorPx;
+    json["alarm"] = rung.questioned->alarm;
+  }
+  return json;
+}
+
+} // namespace naocal

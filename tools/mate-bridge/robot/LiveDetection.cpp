@@ -1,0 +1,196 @@
+#include "robot/LiveDetection.hpp"
+
+#include "server/Wire.hpp"
+
+#include "data/BoardFile.hpp"
+#include "detect/BoardDetector.hpp"
+#include "io/GreyImage.hpp"
+#include "io/InputError.hpp"
+#include "io/JsonReader.hpp"
+
+#include <mutex>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+namespace {
+
+using Json = nlohmann::json;
+using SteadyClock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds betweenScenes{100}, betweenLooks{250};
+constexpr std::uint64_t remembered = 2000; // of the joints' angles [ms]
+
+LiveCameras camerasOf(const Json& value) {
+  LiveCameras cameras;
+  for (const auto& [name, camera] : value.items()) {
+    LiveCamera& made = cameras[name];
+    made.intrinsics.fx = camera.at("fc").at(0);
+    made.intrinsics.fy = camera.at("fc").at(1);
+    made.intrinsics.cx = camera.at("cc").at(0);
+    made.intrinsics.cy = camera.at("cc").at(1);
+    for (int axis = 0; axis < 3; ++axis) {
+      made.rotation[axis] = camera.at("ext").at(static_cast<std::size_t>(axis));
+    }
+  }
+  return cameras;
+}
+
+/// Focal length and centre for a picture of another size than they were told for.
+CameraIntrinsics scaled(CameraIntrinsics lens, int width, int height) {
+  const double factor = double(width) / lens.width;
+  lens.fx *= factor;
+  lens.fy *= factor;
+  lens.cx = (lens.cx + 0.5) * factor - 0.5;
+  lens.cy = (lens.cy + 0.5) * factor - 0.5;
+  lens.width = width;
+  lens.height = height;
+  return lens;
+}
+
+Json listOf(const std::vector<Eigen::Vector2d>& pixels) {
+  Json list = Json::array();
+  for (const Eigen::Vector2d& pixel : pixels) {
+    list.push_back(std::round(100 * pixel.x()) / 100);
+    list.push_back(std::round(100 * pixel.y()) / 100);
+  }
+  return list;
+}
+
+} // namespace
+
+/// What the thread works with.
+struct LiveDetection::Sight {
+  std::mutex mutex;
+  std::vector<Board> boards;
+  FloorBoardTracker places{{}};
+  std::map<std::string, bool> busy; // by camera
+};
+
+LiveDetection::LiveDetection(std::string robot, MessageSink tell)
+    : robot_{std::move(robot)}, tell_{std::move(tell)}, drawing_{loadRobot(configurationDirectory(), "V6")},
+      sight_{std::make_shared<Sight>()} {}
+
+LiveDetection::~LiveDetection() = default;
+
+void LiveDetection::onUpdate(const Json& update) {
+  const Json& value = update.at("value");
+  if (update.at("key") == keys[1]) {
+    if (wireText(value) != camerasText_) { // calibrated: boards lie elsewhere than they seemed to
+      camerasText_ = wireText(value);
+      cameras_ = camerasOf(value);
+      const std::lock_guard lock{sight_->mutex};
+      sight_->places = FloorBoardTracker{sight_->boards};
+    }
+  } else if (auto angles = parseOrderedAngles(value, drawing_)) {
+    const std::uint64_t now = update.at("timestamp").get<std::uint64_t>();
+    if (!angles_.empty() && now + remembered < angles_.rbegin()->first) {
+      angles_.clear(); // the robot was started anew
+    }
+    angles_[now] = std::move(*angles);
+    angles_.erase(angles_.begin(), angles_.lower_bound(now < remembered ? 0 : now - remembered));
+    tellScene();
+  }
+}
+
+void LiveDetection::tellScene() {
+  const auto now = SteadyClock::now();
+  if (now - told_ < betweenScenes) {
+    return;
+  }
+  told_ = now;
+  Json scene = RobotOutline{drawing_, angles_.rbegin()->second}.toJson(cameras_);
+  {
+    const std::lock_guard lock{sight_->mutex};
+    scene["boards"] = sight_->places.toJson();
+  }
+  scene["kind"] = "scene";
+  scene["robot"] = robot_;
+  tell_(wireText(scene));
+}
+
+void LiveDetection::onImage(const std::string& key, std::uint64_t timestamp, int width, int height,
+                            std::string_view file) {
+  const std::string camera = cameraOf(key);
+  const auto belief = cameras_.find(camera);
+  const auto now = SteadyClock::now();
+  if (angles_.empty() || belief == cameras_.end() || now - looked_[camera] < betweenLooks) {
+    return;
+  }
+  const auto after = angles_.lower_bound(timestamp);
+  const Eigen::VectorXd& angles = after == angles_.end() ? angles_.rbegin()->second : after->second;
+  const auto floorFromOptical = RobotOutline{drawing_, angles}.floorFromOptical(camera, belief->second);
+  if (!floorFromOptical) {
+    return;
+  }
+  const CameraView eye{*floorFromOptical, scaled(belief->second.intrinsics, width, height)};
+  {
+    const std::lock_guard lock{sight_->mutex};
+    bool& busy = sight_->busy[camera];
+    if (sight_->boards.empty() || busy) {
+      return;
+    }
+    busy = true;
+  }
+  looked_[camera] = now;
+  LiveCamera seenWith = belief->second;
+  seenWith.intrinsics = eye.lens;
+  jobs_.add([sight = sight_, tell = tell_, robot = robot_, key, camera, timestamp, eye, bytes = std::string{file},
+             angles, seenWith, unknown = findUncalibrated(drawing_, offsets_, cameras_),
+             offsetsKnown = !offsets_.is_null(), &drawing = drawing_] {
+    Json boards = Json::array();
+    std::vector<Eigen::Vector2d> corners;
+    try {
+      std::unique_lock lock{sight->mutex};
+      const std::vector<Board> described = sight->boards;
+      lock.unlock();
+      for (const BoardCorners& seen : detect(decodedPicture(bytes, "a live picture"), described, eye.lens).boards) {
+        lock.lock();
+        const auto predicted = sight->places.update(seen, eye);
+        lock.unlock();
+        corners.insert(corners.end(), seen.uv.begin(), seen.uv.end());
+        boards.push_back({{"board", seen.board}, {"measured", listOf(seen.uv)}, {"predicted", listOf(predicted)}});
+      }
+    } catch (const std::exception&) { // a picture that was cut short, or no picture: the next one comes
+    }
+    {
+      const std::lock_guard lock{sight->mutex};
+      sight->busy[camera] = false;
+    }
+    Json seen{{"kind", "seen"}, {"robot", robot}, {"key", key}, {"timestamp", timestamp}, {"boards", boards}};
+    if (!corners.empty() && offsetsKnown) {
+      seen["rests"] = predictLiveError(drawing, angles, camera, seenWith, corners, unknown).sentence(drawing, camera);
+    }
+    tell(wireText(seen));
+  });
+}
+
+std::string LiveDetection::cameraOf(std::string_view key) {
+  return key == keys[2] ? "top" : key == keys[3] ? "bottom" : "";
+}
+
+void LiveDetection::onOffsets(const Json& offsets) {
+  findUncalibrated(drawing_, offsets, {}); // throws for what are none
+  offsets_ = offsets;
+}
+
+void LiveDetection::onConfiguration(const Json& settings) {
+  for (const Json& entry : settings.is_array() ? settings : Json::array()) {
+    if (entry.at("key") != "boards") {
+      continue;
+    }
+    std::vector<Board> boards;
+    try {
+      for (const JsonPlace& place : JsonPlace{entry.at("value"), "the robot's boards"}.elements()) {
+        boards.push_back(readBoard(place));
+      }
+    } catch (const InputError&) { // the robot itself says what is wrong with them
+      return;
+    }
+    const std::lock_guard lock{sight_->mutex};
+    sight_->boards = boards;
+    sight_->places = FloorBoardTracker{std::move(boards)};
+  }
+}
+
+} // namespace naocal

@@ -1,0 +1,185 @@
+#include "robot/LiveExpectation.hpp"
+
+#include "calibration/Wording.hpp"
+#include "detect/LensDistortion.hpp"
+#include "effects/Catalogue.hpp"
+#include "robot/Kinematics.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+namespace {
+
+using Json = nlohmann::json;
+
+double sigmaOf(const std::string& effect) {
+  const std::vector<Effect>& all = allEffects();
+  return std::find_if(all.begin(), all.end(), [&](const Effect& one) { return one.name == effect; })
+      ->unknowns.front()
+      .sigma;
+}
+
+/// soleFromOptical of the drawing at angles, the mount turned.
+RigidTransform seenFrom(const Sole& sole, const Robot& drawing, const Eigen::VectorXd& angles, std::size_t camera,
+                        const Eigen::Vector3d& turned) {
+  const Posture torsoFromLink = posture(drawing, angles);
+  Belief believed = drawnBelief(drawing, {drawing.joints.size(), drawing.lengths.size(), 0});
+  believed.mountRotation() = turned;
+  const CameraMount& mount = drawing.cameras[camera];
+  return torsoFromLink[sole.link].inverse() * torsoFromLink[mount.link] * linkFromOptical(mount, believed);
+}
+
+/// A motion of the camera over the floor without what the boards take up: their turn and shift within the plane.
+RigidTransform withoutPlane(const RigidTransform& motion) {
+  const double yaw =
+      std::atan2(motion.rotation(1, 0) - motion.rotation(0, 1), motion.rotation(0, 0) + motion.rotation(1, 1));
+  const RigidTransform plane{rotationZ(yaw), {motion.translation.x(), motion.translation.y(), 0}};
+  return plane.inverse() * motion;
+}
+
+/// Mean square of how far corners move when the camera sits elsewhere [px^2]; absent corners lie above the horizon.
+double meanSquare(const RigidTransform& floorFromOptical, const RigidTransform& moved, const CameraIntrinsics& lens,
+                  const std::vector<Eigen::Vector2d>& pixels) {
+  const RigidTransform left = withoutPlane(moved * floorFromOptical.inverse()) * floorFromOptical;
+  double sum = 0;
+  std::size_t count = 0;
+  for (const Eigen::Vector2d& pixel : pixels) {
+    const auto place = intersectFloor(floorFromOptical, lens, pixel);
+    if (!place) {
+      continue;
+    }
+    const Eigen::Vector3d seen = left.inverse() * Eigen::Vector3d{place->x(), place->y(), 0};
+    if (seen.z() <= 0) {
+      continue;
+    }
+    const Eigen::Vector2d there =
+        Lens{lens}.withDistortion({lens.fx * seen.x() / seen.z() + lens.cx, lens.fy * seen.y() / seen.z() + lens.cy});
+    sum += (there - pixel).squaredNorm();
+    ++count;
+  }
+  return count > 0 ? sum / double(count) : 0;
+}
+
+/// The soles that carry; the lower one, or both.
+std::vector<const Sole*> carrying(const Robot& drawing, const Eigen::VectorXd& angles) {
+  const std::string carries = RobotOutline{drawing, angles}.carries();
+  std::vector<const Sole*> soles;
+  for (const char* const name : {"left", "right"}) {
+    if (const Sole* const sole = drawing.sole(name); sole && (carries == "both" || carries == name)) {
+      soles.push_back(sole);
+    }
+  }
+  return soles;
+}
+
+/// "left leg" when all of its joints are among these, which are taken out then.
+void takeLimb(const Robot& drawing, const std::string& side, std::vector<std::string>& joints,
+              std::vector<std::string>& limbs) {
+  std::vector<std::string> all;
+  for (const std::size_t joint : jointsTowards(drawing, drawing.sole(side)->link)) {
+    all.push_back(drawing.joints[joint].name);
+  }
+  const auto has = [&](const std::string& name) {
+    return std::find(joints.begin(), joints.end(), name) != joints.end();
+  };
+  if (std::all_of(all.begin(), all.end(), has)) {
+    std::erase_if(joints,
+                  [&](const std::string& name) { return std::find(all.begin(), all.end(), name) != all.end(); });
+    limbs.push_back("the " + side + " leg");
+  }
+}
+
+} // namespace
+
+Uncalibrated findUncalibrated(const Robot& drawing, const Json& offsets, const LiveCameras& cameras) {
+  Uncalibrated result;
+  for (const Json& entry : offsets) {
+    std::string name = entry.at("key");
+    name[0] = static_cast<char>(std::toupper(name[0]));
+    if (drawing.jointIndex(name) && entry.at("value").is_number() && entry.at("value").get<double>() == 0) {
+      result.joints.insert(name);
+    }
+  }
+  for (const auto& [name, camera] : cameras) {
+    if (camera.rotation.isZero(0)) {
+      result.cameras.insert(name);
+    }
+  }
+  return result;
+}
+
+LiveExpectation predictLiveError(const Robot& drawing, const Eigen::VectorXd& angles, const std::string& camera,
+                                 const LiveCamera& belief, const std::vector<Eigen::Vector2d>& pixels,
+                                 const Uncalibrated& uncalibrated) {
+  const auto index = drawing.cameraIndex(camera);
+  const std::vector<const Sole*> soles = carrying(drawing, angles);
+  LiveExpectation result;
+  if (!index || soles.empty()) {
+    return result;
+  }
+  // small steps, in proportion: far from zero a tilted camera would see boards beyond the horizon
+  constexpr double step = 1e-3; // [rad]
+  const double ofJoint = sigmaOf("jointOffset") / step, ofMount = sigmaOf("cameraRotation") / step;
+  std::set<std::size_t> counted;
+  double squares = 0;
+  for (const Sole* const sole : soles) {
+    const RigidTransform here = seenFrom(*sole, drawing, angles, *index, belief.rotation);
+    const double share = 1.0 / double(soles.size() * soles.size()); // of a mean of independent legs' variances
+    std::vector<std::size_t> chain = jointsTowards(drawing, sole->link);
+    const std::vector<std::size_t> neck = jointsTowards(drawing, drawing.cameras[*index].link);
+    chain.insert(chain.end(), neck.begin(), neck.end());
+    for (const std::size_t joint : chain) {
+      if (!uncalibrated.joints.contains(drawing.joints[joint].name)) {
+        continue;
+      }
+      Eigen::VectorXd moved = angles;
+      moved[static_cast<Eigen::Index>(joint)] -= step;
+      const double square =
+          meanSquare(here, seenFrom(*sole, drawing, moved, *index, belief.rotation), belief.intrinsics, pixels) *
+          ofJoint * ofJoint;
+      const bool isOfNeck = std::find(neck.begin(), neck.end(), joint) != neck.end(); // the same seen from either sole
+      squares += square * (isOfNeck ? 1.0 / double(soles.size()) : share);
+      constexpr double unseen = 1; // [px^2]: what shows nowhere is not worth a word
+      if (square > unseen) {
+        counted.insert(joint);
+      }
+    }
+    for (int axis = 0; axis < 3 && uncalibrated.cameras.contains(camera); ++axis) {
+      Eigen::Vector3d turned = belief.rotation;
+      turned[axis] += step;
+      squares += meanSquare(here, seenFrom(*sole, drawing, angles, *index, turned), belief.intrinsics, pixels) *
+                 ofMount * ofMount / double(soles.size());
+      result.camera = true;
+    }
+  }
+  for (const std::size_t joint : counted) {
+    result.joints.push_back(drawing.joints[joint].name);
+  }
+  result.px = std::sqrt(squares);
+  return result;
+}
+
+std::string LiveExpectation::sentence(const Robot& drawing, const std::string& name) const {
+  std::vector<std::string> rest = joints, what;
+  for (const char* const side : {"left", "right"}) {
+    takeLimb(drawing, side, rest, what);
+  }
+  what.insert(what.end(), rest.begin(), rest.end());
+  if (camera) {
+    what.push_back(fmt::format("the {} camera's mount", name));
+  }
+  if (what.empty()) {
+    return "All joints between the floor and this camera are calibrated.";
+  }
+  std::string list = enumerated(what);
+  list[0] = static_cast<char>(std::toupper(list[0]));
+  return fmt::format("{} {} never calibrated: errors up to {:.0f} px are plausible.", list,
+                     what.size() > 1 ? "were" : "was", px);
+}
+
+} // namespace naocal

@@ -1,0 +1,90 @@
+#include "commands/Commands.hpp"
+#include "console/CommandLine.hpp"
+#include "console/OutputFiles.hpp"
+
+#include "calibration/Prediction.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace naocal {
+
+namespace {
+
+struct CompareCommand {
+  std::string result, against, json;
+  std::vector<std::string> sets;
+  bool samePlace = false, skipBad = false;
+};
+
+/// Two results on the same captures, at the noise that the first was found with.
+struct Versus {
+  double own = 0, other = 0; // px per corner, the joints' random errors allowed for
+  double otherRms = 0;       // [px]
+};
+
+Versus compareTwo(const StoredResult& result, const StoredResult& other, const LoadedSets& given, bool samePlace) {
+  const auto error = [&](const StoredResult& one) {
+    return weightedError(one, given.sets, given.robot, samePlace, result.noise);
+  };
+  return {error(result), error(other), compare(other, given.sets, given.robot, samePlace).all.rmsPx};
+}
+
+void compareSets(const CompareCommand& command) {
+  const StoredResult result = readResult(command.result);
+  const LoadedSets given = loadSets(command.sets, command.skipBad);
+  const Comparison comparison = compare(result, given.sets, given.robot, command.samePlace);
+  nlohmann::json json = comparisonJson(comparison);
+  std::optional<Versus> versus;
+  if (!command.against.empty()) {
+    versus = compareTwo(result, readResult(command.against), given, command.samePlace);
+    json["against"] = {{"rmsPx", versus->otherRms}, {"weightedPx", versus->other}};
+    json["weightedPx"] = versus->own;
+  }
+  if (!command.json.empty()) {
+    writeJson(json, command.json);
+  }
+  if (command.json == "-") {
+    return;
+  }
+  fmt::print("{} corners that the result has not seen: {:.2f} px rms from their predictions (median {:.2f}); with the "
+             "drawing alone {:.2f} px\n\n",
+             comparison.all.corners, comparison.all.rmsPx, comparison.all.medianPx, comparison.nominal.rmsPx);
+  for (const auto& [title, groups] :
+       {std::pair{"board", &comparison.byBoard}, std::pair{"camera", &comparison.byCamera}}) {
+    for (const auto& [name, distances] : *groups) {
+      fmt::print("  {:<7} {:<12} {:>7.2f} px rms {:>7.2f} px median {:>7} corners\n", title, name, distances.rmsPx,
+                 distances.medianPx, distances.corners);
+    }
+  }
+  if (versus) {
+    fmt::print(
+        "\nthe other result: {:.2f} px rms. With the joints' random errors allowed for, {:.3f} px against {:.3f} px "
+        "of the other: {} predicts better\n",
+        versus->otherRms, versus->own, versus->other, versus->own < versus->other ? "this one" : "the other");
+  }
+  if (!comparison.ignored.empty()) {
+    fmt::print("\nnot touched by these captures: {}\n", fmt::join(comparison.ignored, ", "));
+  }
+}
+
+} // namespace
+
+void addCompare(CLI::App& app) {
+  auto command = std::make_shared<CompareCommand>();
+  CLI::App* comparer = app.add_subcommand("compare", "predicts captures that a result has not seen");
+  comparer->footer("Example: naocal compare result.json other-captures/");
+  comparer->add_option("RESULT", command->result, "a result file of 'naocal solve'")->required();
+  comparer->add_option("SET", command->sets, "folders with captures.json")->required();
+  comparer->add_option("--against", command->against, "another result file: which of the two predicts better?");
+  comparer->add_option("--json", command->json, "write JSON to a file, or - for standard output")
+      ->check(replaceableFile("naocal-compare"));
+  comparer->add_flag("--same-place", command->samePlace, "boards and feet are where the result found them");
+  comparer->add_flag("--skip-bad", command->skipBad, "use the other captures when some cannot be used, and list those");
+  comparer->callback([command] { compareSets(*command); });
+}
+
+} // namespace naocal

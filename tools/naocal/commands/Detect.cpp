@@ -1,0 +1,175 @@
+#include "commands/Commands.hpp"
+#include "console/CommandLine.hpp"
+#include "console/OutputFiles.hpp"
+
+#include "data/CaptureSetFile.hpp"
+#include "detect/BoardDetector.hpp"
+#include "io/InputError.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <fmt/core.h>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+namespace naocal {
+
+namespace {
+
+struct DetectCommand {
+  std::string set, json;
+  unsigned threads = std::max(1u, std::thread::hardware_concurrency());
+  bool dryRun = false, skipBad = false;
+};
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// How often each board was found.
+struct BoardCount {
+  std::size_t pictures = 0, corners = 0;
+};
+
+std::map<std::string, BoardCount> boardCounts(const CaptureSet& set) {
+  std::map<std::string, BoardCount> counts;
+  for (const Board& board : set.boards) {
+    if (board.pattern) {
+      counts[board.id];
+    }
+  }
+  for (const Capture& capture : set.captures) {
+    if (!capture.image.empty() && capture.corners) {
+      for (const BoardCorners& corners : *capture.corners) {
+        if (const auto count = counts.find(corners.board); count != counts.end()) {
+          ++count->second.pictures;
+          count->second.corners += corners.ids.size();
+        }
+      }
+    }
+  }
+  return counts;
+}
+
+nlohmann::json detectionJson(const CaptureSet& set, const SetDetection& detection) {
+  nlohmann::json document{{"format", "naocal-detection"},        {"version", 1},
+                          {"pictures", detection.pictures},      {"boards", nlohmann::json::object()},
+                          {"findings", nlohmann::json::array()}, {"unreadable", detection.unreadable}};
+  for (const auto& [board, count] : boardCounts(set)) {
+    document["boards"][board] = {{"pictures", count.pictures}, {"corners", count.corners}};
+  }
+  for (const auto& [capture, finding] : detection.findings) {
+    nlohmann::json entry{{"capture", capture}, {"kind", name(finding.kind)}, {"sentence", finding.sentence}};
+    if (!finding.board.empty()) {
+      entry["board"] = finding.board;
+    }
+    if (finding.corner && finding.place) {
+      entry["corner"] = *finding.corner;
+      entry["uv"] = {finding.place->x(), finding.place->y()};
+    }
+    document["findings"].push_back(entry);
+  }
+  return document;
+}
+
+/// Captures about which the same is to be said.
+struct Remark {
+  std::string sentence;
+  std::vector<int> captures;
+};
+
+/// A few findings of each kind, those that say the same together; all of them are in the JSON.
+void printFindings(const SetDetection& detection) {
+  constexpr std::size_t shown = 5;
+  std::map<FindingKind, std::vector<Remark>> remarks;
+  for (const auto& [capture, finding] : detection.findings) {
+    auto& ofKind = remarks[finding.kind];
+    auto same = std::find_if(ofKind.begin(), ofKind.end(), [&sentence = finding.sentence](const Remark& remark) {
+      return remark.sentence == sentence;
+    });
+    if (same == ofKind.end()) {
+      same = ofKind.insert(same, {finding.sentence, {}});
+    }
+    same->captures.push_back(capture);
+  }
+  for (const auto& [kind, ofKind] : remarks) {
+    if (kind == FindingKind::hiddenCorner) {
+      fmt::print("  {} corners of boards that were found are hidden or too blurred\n", ofKind.size());
+      continue;
+    }
+    for (std::size_t i = 0; i < std::min(shown, ofKind.size()); ++i) {
+      const auto& [sentence, captures] = ofKind[i];
+      fmt::print("  {}: {}\n",
+                 captures.size() == 1 ? fmt::format("capture {}", captures.front())
+                                      : fmt::format("{} captures", captures.size()),
+                 sentence);
+    }
+    if (ofKind.size() > shown) {
+      fmt::print("  {} more of kind {} (--json lists all)\n", ofKind.size() - shown, name(kind));
+    }
+  }
+}
+
+void detectSet(const DetectCommand& command) {
+  CaptureSet set = readCaptureSet(command.set).set;
+  std::signal(SIGINT, [](int) { interrupted = 1; });
+  const bool onTerminal = isatty(STDERR_FILENO) != 0;
+  std::size_t all = 0;
+  const auto start = std::chrono::steady_clock::now();
+  const SetDetection detection = detectInSet(set, command.set, command.threads, [&](std::size_t done, std::size_t of) {
+    all = of;
+    if (onTerminal) {
+      fmt::print(stderr, "\r{} of {} pictures{}", done, of, done == of ? "\n" : "");
+    }
+    return interrupted == 0;
+  });
+  std::signal(SIGINT, SIG_DFL);
+  if (!detection.unreadable.empty() && !command.skipBad) {
+    throw InputError{fmt::format("{}; nothing was written (--skip-bad goes on with the other pictures)",
+                                 detection.unreadable.front())};
+  }
+  if (!command.dryRun) {
+    writeCaptureSet(set, command.set);
+  }
+  if (!command.json.empty()) {
+    writeJson(detectionJson(set, detection), command.json);
+  }
+  if (command.json == "-") {
+    return;
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  fmt::print("{} pictures in {:.1f} s\n", detection.pictures, seconds.count());
+  for (const auto& [board, count] : boardCounts(set)) {
+    fmt::print("  board {:<6} in {:>5} pictures, {:>7} corners\n", board, count.pictures, count.corners);
+  }
+  printFindings(detection);
+  for (const std::string& sentence : detection.unreadable) {
+    fmt::print("  left as it was: {}\n", sentence);
+  }
+  if (interrupted != 0) {
+    fmt::print("stopped: {} pictures were not looked at and are left as they were\n",
+               all - detection.pictures - detection.unreadable.size());
+  }
+  fmt::print("{}\n", command.dryRun ? "nothing was written" : "the corners are written into the set");
+}
+
+} // namespace
+
+void addDetect(CLI::App& app) {
+  auto command = std::make_shared<DetectCommand>();
+  CLI::App* detector = app.add_subcommand("detect", "finds the boards' corners in a set's pictures");
+  detector->footer("Example: naocal detect captures/ --json findings.json");
+  detector->add_option("SET", command->set, "a folder with captures.json and pictures")->required();
+  detector->add_option("--json", command->json, "what was found and refused, to a file or - for standard output")
+      ->check(replaceableFile("naocal-detection"));
+  detector->add_option("--threads", command->threads, "how many pictures at once")->check(CLI::PositiveNumber);
+  detector->add_flag("--dry-run", command->dryRun, "look, but leave the set as it is");
+  detector->add_flag("--skip-bad", command->skipBad, "leave captures whose picture cannot be used as they are");
+  detector->callback([command] { detectSet(*command); });
+}
+
+} // namespace naocal

@@ -1,0 +1,160 @@
+#include "commands/Commands.hpp"
+#include "console/CommandLine.hpp"
+#include "console/OutputFiles.hpp"
+#include "console/PrintDiagnosis.hpp"
+#include "console/Progress.hpp"
+
+#include "diagnosis/DiagnosisFile.hpp"
+#include "diagnosis/OwnEffect.hpp"
+#include "estimation/ModelFile.hpp"
+#include "io/InputError.hpp"
+#include "poses/PoseFile.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+namespace {
+
+struct DiagnoseCommand {
+  std::vector<std::string> sets;
+  std::string json, model, poses, own;
+  std::string definitions = "[]"; // of the model's file
+  bool skipBad = false, full = false;
+  DiagnosisOptions options;
+  NextOptions next;
+};
+
+/// Adds a model file's terms and effects to what the command line gave.
+void readModel(DiagnoseCommand& command, const Robot& robot) {
+  if (command.model.empty()) {
+    return;
+  }
+  ModelFile file = readModelFile(command.model, robot);
+  DiagnosisOptions& options = command.options;
+  options.with.insert(options.with.end(), file.with.begin(), file.with.end());
+  options.without.insert(options.without.end(), file.without.begin(), file.without.end());
+  options.effects = std::move(file.effects);
+  command.definitions = file.definitions;
+}
+
+/// What to measure next; only what is open where nobody asked for poses.
+NextPoses asked(const DiagnoseCommand& command, const LoadedSets& given, const Measurements& measurements,
+                const Diagnosis& diagnosis) {
+  NextOptions options = command.next;
+  options.count = command.json.empty() && command.poses.empty() ? 0 : options.count;
+  options.seed = command.options.inquiry.seed;
+  try {
+    return nextPoses(given.sets, measurements, diagnosis, command.options, options);
+  } catch (const InputError& error) { // the diagnosis stands all the same
+    NextPoses none;
+    none.whyNone = error.what();
+    return none;
+  }
+}
+
+/// The curve that no effect of the catalogue explains; nullptr: there is none that an expression follows.
+const DriverFinding* beyondTheCatalogue(const Diagnosis& diagnosis) {
+  return diagnosis.verdict == Verdict::unknownEffect && !diagnosis.drivers.empty() &&
+                 !diagnosis.drivers.front().coefficients.empty()
+             ? &diagnosis.drivers.front()
+             : nullptr;
+}
+
+/// The model as it was asked for, with what was suggested and that curve as an effect of the person's own.
+nlohmann::json modelWith(const DriverFinding& curve, const DiagnoseCommand& command, const Diagnosis& diagnosis) {
+  std::vector<std::string> with = command.options.with;
+  with.insert(with.end(), diagnosis.suggested.begin(), diagnosis.suggested.end());
+  nlohmann::json effect = curveEffect(curve), define = nlohmann::json::parse(command.definitions);
+  if (!diagnosis.own) {
+    with.push_back(fmt::format("{}@{}", effect["name"].get<std::string>(), curve.place));
+  }
+  define.push_back(std::move(effect));
+  return modelJson(with, command.options.without, std::move(define));
+}
+
+/// Ctrl-C ends it with what it has found so far.
+Diagnosis withProgress(const LoadedSets& given, const Measurements& measurements, DiagnosisOptions options) {
+  const Progress progress{"models looked at (at most)"};
+  const std::size_t most = 2 + measurements.poses.size() / 4;
+  std::size_t done = 0;
+  options.goesOn = [&] { return progress(std::min(++done, most - 1), most); };
+  Diagnosis diagnosis = diagnose(given.sets, measurements, options);
+  progress(most, most);
+  return diagnosis;
+}
+
+int diagnose(DiagnoseCommand& command) {
+  const LoadedSets given = loadSets(command.sets, command.skipBad);
+  const Measurements measurements = measurementsOf(given.sets, given.robot, command.next.samePlace);
+  const GivenOptions asIs{command.sets,  command.options.with,   command.options.without,
+                          command.model, command.next.samePlace, command.skipBad};
+  readModel(command, measurements.robot);
+  const Diagnosis diagnosis = withProgress(given, measurements, command.options);
+  const NextPoses next = asked(command, given, measurements, diagnosis);
+  if (!command.json.empty()) {
+    nlohmann::json json = diagnosisJson(diagnosis, command.full ? allOfThem : drawable);
+    json["next"] = nextJson(next, given.robot);
+    json["inputs"] = {{"sets", given.inputs.sets}, {"sha256", given.inputs.sha256}};
+    writeJson(json, command.json);
+  }
+  if (!command.poses.empty() && !next.poses.empty()) {
+    writeJson(posesJson(next, given.robot), command.poses);
+  }
+  const DriverFinding* beyond = beyondTheCatalogue(diagnosis);
+  if (beyond && !command.own.empty()) {
+    writeJson(modelWith(*beyond, command, diagnosis), command.own);
+  }
+  if (command.json != "-") {
+    printDiagnosis(diagnosis, asIs);
+    if (beyond || !command.own.empty()) {
+      printOwnEffectHint(beyond, diagnosis, asIs, command.own);
+    }
+    printNextPoses(next, asIs, command.poses);
+  }
+  return diagnosis.verdict == Verdict::badCaptures ? 3 : 0;
+}
+
+} // namespace
+
+void addDiagnose(CLI::App& app, int& exitCode) {
+  auto command = std::make_shared<DiagnoseCommand>();
+  CLI::App* diagnoser =
+      app.add_subcommand("diagnose", "says where and why the model fails, and which effect is missing");
+  diagnoser->footer("Example: naocal diagnose captures/ --json diagnosis.json --next poses.json");
+  diagnoser->add_option("SET", command->sets, "folders with captures.json")->required();
+  diagnoser->add_option("--json", command->json, "the diagnosis as JSON to a file, or - for standard output")
+      ->check(replaceableFile("naocal-diagnosis"));
+  diagnoser->add_flag("--full", command->full,
+                      fmt::format("all points of every figure in the JSON, not only {} of them", drawable));
+  diagnoser->add_option("--with", command->options.with, "effects that are in the model already: EFFECT@PLACE")
+      ->delimiter(',');
+  diagnoser->add_option("--without", command->options.without, "leave effects out")->delimiter(',');
+  diagnoser->add_option("--model", command->model, "a model file: further terms, and effects of your own");
+  diagnoser
+      ->add_option("--own,--save-model", command->own,
+                   "a model file for what is beyond the catalogue, as an effect of your own to go on with")
+      ->check(replaceableFile("naocal-model"));
+  diagnoser->add_option("--next", command->poses, "a file for the poses that would best tell what is left open")
+      ->check(replaceableFile("naocal-poses"));
+  diagnoser->add_option("--next-count", command->next.count, "how many of them")
+      ->check(CLI::Range(0, 100))
+      ->capture_default_str();
+  diagnoser
+      ->add_option("--seed", command->options.inquiry.seed,
+                   "of the draws of pure noise, and of the poses to choose from")
+      ->capture_default_str();
+  diagnoser->add_option("--draws", command->options.inquiry.draws, "of pure noise, for the rate of false alarms")
+      ->check(CLI::Range(19, 100000))
+      ->capture_default_str();
+  diagnoser->add_flag("--same-place", command->next.samePlace,
+                      "boards and stances of equal names lie at the same place in all sets");
+  diagnoser->add_flag("--skip-bad", command->skipBad,
+                      "use the other captures when some cannot be used, and list those");
+  diagnoser->callback([command, &exitCode] { exitCode = diagnose(*command); });
+}
+
+} // namespace naocal

@@ -1,0 +1,159 @@
+#include "commands/Commands.hpp"
+#include "console/CommandLine.hpp"
+#include "console/OutputFiles.hpp"
+
+#include "estimation/ModelFile.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+namespace {
+
+struct EffectsCommand {
+  std::string json, model;
+};
+
+const char* places(const Effect& effect) {
+  switch (effect.place) {
+  case Place::motor:
+    return effect.only ? "one joint" : "joint";
+  case Place::joint:
+    return "joint (each hip yaw-pitch)";
+  case Place::camera:
+    return "top, bottom";
+  case Place::board:
+    return effect.shared ? "board id, or all" : "board id";
+  case Place::sole:
+    return "left, right (soles)";
+  case Place::length:
+    return "neckZ, hipZ, hipY, thigh, tibia, footZ";
+  case Place::all:
+    return "all";
+  case Place::stance:
+    break;
+  }
+  return "stance";
+}
+
+/// What a capture file must hold for a driver, beside angles and corners; null: nothing more.
+const char* key(Driver driver) {
+  switch (driver) {
+  case Driver::torque:
+  case Driver::torqueGrowth:
+    return "fsr (on both feet)";
+  case Driver::com:
+    return "a support foot";
+  case Driver::approach:
+    return "joints.approach";
+  case Driver::temperature:
+    return "joints.temperature";
+  case Driver::velocity:
+    return "joints.velocity";
+  case Driver::current:
+    return "joints.current";
+  case Driver::time:
+    return "time";
+  case Driver::imu:
+    return "imu";
+  case Driver::angle:
+    break;
+  }
+  return nullptr;
+}
+
+std::vector<std::string> neededKeys(const Effect& effect, const Robot& robot) {
+  std::vector<std::string> result;
+  const auto add = [&](const std::string& needed) {
+    if (std::find(result.begin(), result.end(), needed) == result.end()) {
+      result.push_back(needed);
+    }
+  };
+  for (const Driver driver : effect.needs) {
+    if (const char* const needed = key(driver)) {
+      add(needed);
+    }
+  }
+  for (const Elsewhere& other : effect.elsewhere) {
+    add("joints.measured of " + robot.joints[other.joint].name);
+    if (const char* const needed = key(other.driver)) {
+      add(needed);
+    }
+  }
+  return result;
+}
+
+nlohmann::json effectsJson(const std::vector<Effect>& effects, const Robot& robot) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const Effect& effect : effects) {
+    nlohmann::json unknowns;
+    for (const Unknown& unknown : effect.unknowns) {
+      unknowns[unknown.name] = {{"unit", unknown.unit}, {"sigma", unknown.sigma}};
+    }
+    list.push_back({{"effect", effect.name},
+                    {"what", effect.what},
+                    {"at", places(effect)},
+                    {"formula", effect.formula},
+                    {"unknowns", std::move(unknowns)},
+                    {"needs", neededKeys(effect, robot)},
+                    {"smooth", !effect.kink}});
+    if (!effect.alias.empty()) {
+      list.back()["alias"] = effect.alias;
+    }
+  }
+  return {{"format", "naocal-effects"}, {"version", 1}, {"effects", std::move(list)}};
+}
+
+void print(const Effect& effect, const Robot& robot) {
+  std::vector<std::string> unknowns;
+  for (const Unknown& unknown : effect.unknowns) {
+    unknowns.push_back(
+        fmt::format("{} ± {:g}{}", unknown.name, unknown.sigma, unknown.unit == "1" ? "" : " " + unknown.unit));
+  }
+  const std::vector<std::string> needs = neededKeys(effect, robot);
+  fmt::print("{}\n  {}\n  {:<9} {}\n  {:<9} {}\n  {:<9} {}\n", effect.name, effect.what, "formula", effect.formula,
+             "at", places(effect), "unknowns", fmt::join(unknowns, ", "));
+  if (!effect.alias.empty()) {
+    fmt::print("  {:<9} {}\n", "alias", effect.alias);
+  }
+  if (!needs.empty()) {
+    fmt::print("  {:<9} {}\n", "needs", fmt::join(needs, ", "));
+  }
+  fmt::print("\n");
+}
+
+void listEffects(const EffectsCommand& command) {
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  const std::vector<Effect> effects =
+      command.model.empty() ? allEffects() : readModelFile(command.model, robot).effects;
+  if (!command.json.empty()) {
+    writeJson(effectsJson(effects, robot), command.json);
+  }
+  if (command.json == "-") {
+    return;
+  }
+  fmt::print(
+      "Each can be added to a calibration: naocal solve SET --with EFFECT@PLACE. The number behind ± says how far\n"
+      "from zero an unknown plausibly lies (1 sigma).\n\n");
+  for (const Effect& effect : effects) {
+    print(effect, robot);
+  }
+}
+
+} // namespace
+
+void addEffects(CLI::App& app) {
+  auto command = std::make_shared<EffectsCommand>();
+  CLI::App* lister = app.add_subcommand("effects", "lists the physical effects that a calibration can estimate");
+  lister->footer("Example: naocal effects --model my-model.json");
+  lister->add_option("--json", command->json, "write JSON to a file, or - for standard output")
+      ->check(replaceableFile("naocal-effects"));
+  lister->add_option("--model", command->model, "a model file: lists the effects that it defines too");
+  lister->callback([command] { listEffects(*command); });
+}
+
+} // namespace naocal

@@ -1,0 +1,401 @@
+#include "commands/Commands.hpp"
+#include "commands/EvaluateThesis.hpp"
+#include "console/CommandLine.hpp"
+#include "console/Progress.hpp"
+#include "console/Subprocess.hpp"
+#include "estimation/ModelFile.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+#include "robot/Robot.hpp"
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace naocal {
+
+namespace {
+
+/// Which sets of the blind benchmark are to be asked, and how.
+struct BlindPlan {
+  std::filesystem::path out;
+  std::uint64_t seed = 1;
+  int controls = 4;        // per regime of noise
+  int sets = 1;            // per effect and size, per case otherwise
+  double pictureShare = 0; // of controls and catalogued effects: rendered instead of corners
+  std::string only;        // one group alone; empty: all
+  bool keep = false;       // sets stay after their answers are written
+};
+
+/// Asks naocal about robots whose flaws it cannot know. Everything goes through programs and files as a person would
+/// use them: blind-writer, naocal detect, diagnose, solve and compare. Thread-safe.
+class BlindRun {
+public:
+  /// Finds the programs beside this one. Throws InputError where they are missing.
+  explicit BlindRun(BlindPlan plan);
+
+  /// How many sets the plan has.
+  std::size_t size() const { return size_; }
+  bool isAnswered(std::size_t number) const;
+  /// Writes the set, answers it and writes the answer; nothing remains half done. False where a program was stopped.
+  bool runSet(std::size_t number) const;
+
+private:
+  std::vector<std::string> writerCommand() const;
+  std::filesystem::path answerFile(std::size_t number) const;
+
+  BlindPlan plan_;
+  std::filesystem::path naocal_, writer_;
+  std::size_t size_ = 0;
+};
+
+namespace files = std::filesystem;
+
+nlohmann::json jsonOf(const files::path& file) {
+  return nlohmann::json::parse(fileContent(file));
+}
+
+std::string setName(std::size_t number) {
+  return fmt::format("s{:06}", number);
+}
+
+/// One question on its way through the programs, in a folder of its own for what lies in between.
+class Question {
+public:
+  Question(files::path naocal, files::path out, std::string name)
+      : naocal_{std::move(naocal)}, set_{out / "sets" / name}, locked_{out / "locked" / name}, between_{out /
+                                                                                                        "between" /
+                                                                                                        name} {
+    files::create_directories(between_);
+  }
+  ~Question() { files::remove_all(between_); }
+  Question(const Question&) = delete;
+  Question& operator=(const Question&) = delete;
+
+  /// What naocal says. Absent: it was stopped.
+  std::optional<nlohmann::json> answer(bool pictures) const {
+    if (pictures) {
+      const ProcessResult found = runProcess({naocal_, "detect", set_.string(), "--threads", "1"});
+      if (found.exitCode != 0) {
+        return refused(found);
+      }
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const ProcessResult said =
+        runProcess({naocal_, "diagnose", set_.string(), "--json", between_ / "diagnosis.json", "--next-count", "0"});
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    if (said.exitCode != 0 && said.exitCode != 3) {
+      return refused(said);
+    }
+    nlohmann::json answer{
+        {"exitCode", said.exitCode}, {"seconds", seconds.count()}, {"locked", nlohmann::json::object()}};
+    answer["diagnosis"] = jsonOf(between_ / "diagnosis.json");
+    const auto suggested = answer["diagnosis"].value("suggested", std::vector<std::string>{});
+    answer["solved"] = solved({}, "before.json");
+    answer["solvedWithFixedNoise"] = solved({"--fixed-noise"}, "fixed.json");
+    if (!suggested.empty()) {
+      answer["solvedWithSuggested"] = solved(adding(suggested, answer["diagnosis"]), "after.json");
+      answer["locked"] = locked();
+    }
+    return answer;
+  }
+
+private:
+  static std::optional<nlohmann::json> refused(const ProcessResult& finished) {
+    if (finished.stopped) {
+      return std::nullopt;
+    }
+    return nlohmann::json{{"exitCode", finished.exitCode},
+                          {"error", finished.said},
+                          {"diagnosis", nullptr},
+                          {"locked", nlohmann::json::object()}};
+  }
+
+  /// The errors on poses that were never used for choosing, without and with what was suggested. Empty where they
+  /// cannot be found.
+  nlohmann::json locked() const {
+    if (!files::exists(between_ / "before.json") || !files::exists(between_ / "after.json") ||
+        runProcess({naocal_, "compare", between_ / "after.json", locked_, "--against", between_ / "before.json",
+                    "--json", between_ / "compared.json"})
+                .exitCode != 0) {
+      return nlohmann::json::object();
+    }
+    const nlohmann::json compared = jsonOf(between_ / "compared.json");
+    const nlohmann::json& before = compared.at("against");
+    return {{"beforePx", before.at("rmsPx")},
+            {"afterPx", compared.at("rmsPx")},
+            {"weightedBeforePx", before.at("weightedPx")},
+            {"weightedAfterPx", compared.at("weightedPx")}};
+  }
+
+  /// How solve adds what a diagnosis suggests: by a model file where that defines effects of its own.
+  std::vector<std::string> adding(const std::vector<std::string>& suggested, const nlohmann::json& diagnosis) const {
+    const nlohmann::json define = diagnosis.value("define", nlohmann::json::array());
+    if (define.empty()) {
+      return {"--with", fmt::format("{}", fmt::join(suggested, ","))};
+    }
+    writeAtomically(between_ / "model.json", modelJson(suggested, {}, define).dump());
+    return {"--model", between_ / "model.json"};
+  }
+
+  /// What RESULT.json says of the calibration itself; null where there is none.
+  nlohmann::json solved(const std::vector<std::string>& options, const char* file) const {
+    std::vector<std::string> solve{naocal_, "solve", set_.string(), "-o", between_ / file};
+    solve.insert(solve.end(), options.begin(), options.end());
+    const int exitCode = runProcess(solve).exitCode;
+    if ((exitCode != 0 && exitCode != 3) || !files::exists(between_ / file)) {
+      return nullptr;
+    }
+    const nlohmann::json result = jsonOf(between_ / file);
+    nlohmann::json told{{"exitCode", exitCode}};
+    for (const char* key : {"usable", "verdict", "pValue", "rmsPx", "noise", "effects", "converged"}) {
+      if (result.contains(key)) {
+        told[key] = result.at(key);
+      }
+    }
+    return told;
+  }
+
+  std::string naocal_;
+  files::path set_, locked_, between_;
+};
+
+files::path thisProgram() {
+  return files::read_symlink("/proc/self/exe");
+}
+
+files::path besideThisProgram(const char* name) {
+  const files::path program = thisProgram().parent_path() / name;
+  if (!files::exists(program)) {
+    throw InputError{
+        fmt::format("{}: expected the program beside naocal, found none; build the target {}", program.string(), name)};
+  }
+  return program;
+}
+
+BlindRun::BlindRun(BlindPlan plan)
+    : plan_{std::move(plan)}, naocal_{thisProgram()}, writer_{besideThisProgram("blind-writer")} {
+  std::vector<std::string> command = writerCommand();
+  command.emplace_back("--size");
+  const ProcessResult counted = runProcess(command);
+  if (counted.exitCode != 0) {
+    throw InputError{counted.said};
+  }
+  size_ = std::stoul(counted.printed);
+}
+
+std::vector<std::string> BlindRun::writerCommand() const {
+  std::vector<std::string> command{writer_,      plan_.out,
+                                   "--seed",     fmt::format("{}", plan_.seed),
+                                   "--controls", fmt::format("{}", plan_.controls),
+                                   "--sets",     fmt::format("{}", plan_.sets),
+                                   "--pictures", fmt::format("{}", plan_.pictureShare),
+                                   "--drawing",  configurationDirectory() / "drawings" / "NaoV6.json"};
+  if (!plan_.only.empty()) {
+    command.insert(command.end(), {"--only", plan_.only});
+  }
+  return command;
+}
+
+files::path BlindRun::answerFile(std::size_t number) const {
+  return plan_.out / "answers" / (setName(number) + ".json");
+}
+
+bool BlindRun::isAnswered(std::size_t number) const {
+  return files::exists(answerFile(number));
+}
+
+bool BlindRun::runSet(std::size_t number) const {
+  const std::string name = setName(number);
+  std::vector<std::string> write = writerCommand();
+  write.insert(write.end(), {"--first", fmt::format("{}", number), "--count", "1"});
+  const ProcessResult written = runProcess(write);
+  if (written.stopped) {
+    return false;
+  }
+  if (written.exitCode != 0) {
+    throw InputError{written.said};
+  }
+  const nlohmann::json manifest = jsonOf(plan_.out / "manifest" / (name + ".json"));
+  auto answer = Question{naocal_, plan_.out, name}.answer(manifest.at("pictures").get<bool>());
+  if (!answer) {
+    return false;
+  }
+  answer->update(
+      {{"format", "naocal-blind-answer"}, {"version", 1}, {"set", name}, {"truthSha256", manifest.at("truthSha256")}});
+  files::create_directories(plan_.out / "answers");
+  writeAtomically(answerFile(number), answer->dump(1) + "\n");
+  if (!plan_.keep) {
+    files::remove_all(plan_.out / "sets" / name);
+    files::remove_all(plan_.out / "locked" / name);
+  }
+  return true;
+}
+
+/// Lets blind-judge open a folder's truths and prints what it says. `json`, `page`: files to write, or nothing.
+void runJudge(const files::path& folder, const std::string& json, const std::string& page) {
+  std::vector<std::string> command{besideThisProgram("blind-judge"), folder};
+  if (!json.empty()) {
+    command.insert(command.end(), {"--json", json});
+  }
+  if (!page.empty()) {
+    command.insert(command.end(), {"--page", page});
+  }
+  const ProcessResult judged = runProcess(command);
+  if (judged.exitCode != 0) {
+    throw InputError{judged.said};
+  }
+  fmt::print("{}", judged.printed);
+}
+
+struct EvaluateCommand {
+  BlindPlan plan;
+  std::string out, shard = "0/1", json, page;
+  unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
+  bool full = false;
+  std::vector<std::string> shards;
+};
+
+/// Asks all sets that have no answer yet, several at a time.
+void askAll(const BlindRun& run, const std::vector<std::size_t>& numbers, unsigned jobs) {
+  const Progress progress{"sets answered"};
+  std::atomic<std::size_t> next = 0, done = 0;
+  std::atomic<bool> stopped = false;
+  std::mutex telling;
+  std::string problem;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < numbers.size() && !stopped; i = next++) {
+      try {
+        if (!run.isAnswered(numbers[i]) && !run.runSet(numbers[i])) {
+          stopped = true;
+        }
+      } catch (const std::exception& error) {
+        const std::lock_guard lock{telling};
+        problem = error.what();
+        stopped = true;
+      }
+      const std::lock_guard lock{telling};
+      if (!progress(++done, numbers.size())) {
+        stopped = true;
+      }
+    }
+  };
+  std::vector<std::thread> workers;
+  for (unsigned job = 0; job < jobs; ++job) {
+    workers.emplace_back(work);
+  }
+  for (std::thread& worker : workers) {
+    worker.join();
+  }
+  if (!problem.empty()) {
+    throw InputError{problem};
+  }
+}
+
+void evaluateEffects(EvaluateCommand command) {
+  if (command.full) { // what the figures are promised for
+    command.plan.controls = 1000;
+    command.plan.sets = 40;
+    command.plan.pictureShare = 0.2;
+  }
+  command.plan.out = command.out;
+  const BlindRun run{command.plan};
+  const auto [part, parts] = parseShard(command.shard);
+  std::vector<std::size_t> numbers;
+  for (std::size_t number = part; number < run.size(); number += parts) {
+    numbers.push_back(number);
+  }
+  askAll(run, numbers, command.jobs);
+  if (Progress::wasInterrupted()) {
+    fmt::print("stopped; the answers so far are kept, the same command goes on\n");
+  }
+  runJudge(command.out, command.json, command.page);
+}
+
+/// Brings seals, truths and answers of all shards into one folder and judges them; files are of the thesis's
+/// evaluation.
+void mergeShards(const EvaluateCommand& command) {
+  namespace files = std::filesystem;
+  if (files::is_regular_file(command.shards.front())) {
+    mergeThesis(command.shards, command.json);
+    return;
+  }
+  if (command.out.empty()) {
+    throw InputError{"--out: expected the folder that gets all shards of 'naocal evaluate effects', found none"};
+  }
+  for (const std::string& shard : command.shards) {
+    for (const char* folder : {"manifest", "truth", "answers"}) {
+      if (!files::is_directory(files::path{shard} / folder)) {
+        throw InputError{fmt::format("{}: expected a folder that 'naocal evaluate effects' wrote, found no {} in it",
+                                     shard, folder)};
+      }
+      files::create_directories(files::path{command.out} / folder);
+      files::copy(files::path{shard} / folder, files::path{command.out} / folder,
+                  files::copy_options::recursive | files::copy_options::overwrite_existing);
+    }
+  }
+  runJudge(command.out, command.json, command.page);
+}
+
+void addReports(CLI::App& app, EvaluateCommand& command) {
+  app.add_option("--json", command.json, "the evaluation as JSON to a file, or - for standard output");
+  app.add_option("--page", command.page, "a page with plots");
+}
+
+} // namespace
+
+void addEvaluate(CLI::App& app) {
+  CLI::App* evaluate =
+      app.add_subcommand("evaluate", "how good the tool is, measured on many robots whose truth is known");
+  evaluate->require_subcommand(1);
+
+  auto asked = std::make_shared<EvaluateCommand>();
+  CLI::App* effects =
+      evaluate->add_subcommand("effects", "a blind benchmark of the diagnosis: hidden effects, sealed truths");
+  effects->footer("Example: naocal evaluate effects --out /tmp/blind --page /tmp/blind.html\n"
+                  "Stopped with Ctrl-C or killed, the same command goes on where it was.");
+  effects->add_option("--out", asked->out, "the folder for sets, seals and answers")->required();
+  effects->add_option("--seed", asked->plan.seed, "another benchmark for every seed")->capture_default_str();
+  effects->add_option("--controls", asked->plan.controls, "robots without effect, per noise regime")
+      ->capture_default_str();
+  effects->add_option("--sets", asked->plan.sets, "robots per effect and size, and per case otherwise")
+      ->capture_default_str();
+  effects->add_option("--pictures", asked->plan.pictureShare, "share that is rendered")->check(CLI::Range(0.0, 0.9));
+  effects->add_option(
+      "--only", asked->plan.only,
+      "one group: control, decoy, catalogue, pair, outside, absorbed, corrupted, sized, camera, twin, event, jitter");
+  effects->add_option("--shard", asked->shard, "i/n: only every n-th set, from the i-th on (counted from 0)");
+  effects->add_option("--jobs", asked->jobs, "sets at a time")->check(CLI::PositiveNumber);
+  effects->add_flag("--full", asked->full,
+                    "the full table: 1000 controls per regime, 40 sets per cell, a fifth rendered");
+  effects->add_flag("--keep", asked->plan.keep, "keep the sets after their answers");
+  addReports(*effects, *asked);
+  effects->callback([asked] { evaluateEffects(*asked); });
+
+  auto merged = std::make_shared<EvaluateCommand>();
+  CLI::App* merge = evaluate->add_subcommand("merge", "judges the shards of an evaluation together");
+  merge->footer("Example: naocal evaluate merge --out /tmp/all shard0 shard1 --json evaluation.json\n"
+                "         naocal evaluate merge part0.json part1.json --json evaluation.json");
+  merge
+      ->add_option("SHARDS", merged->shards,
+                   "folders of 'naocal evaluate effects', or files of 'naocal evaluate thesis'")
+      ->required();
+  merge->add_option("--out", merged->out, "the folder that gets all of them, where they are folders");
+  addReports(*merge, *merged);
+  merge->callback([merged] { mergeShards(*merged); });
+  addEvaluateNext(*evaluate);
+  addEvaluateThesis(*evaluate);
+}
+
+} // namespace naocal

@@ -1,0 +1,248 @@
+#include "commands/Commands.hpp"
+#include "console/CommandLine.hpp"
+#include "console/OutputFiles.hpp"
+#include "console/PrintDiagnosis.hpp"
+#include "diagnosis/Diagnosis.hpp"
+#include "diagnosis/Session.hpp"
+#include "estimation/ModelBuilder.hpp"
+#include "estimation/ModelFile.hpp"
+#include "io/InputError.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+namespace {
+
+/// The loop of a person with a set: add, drop, look, undo. Every model that was tried is kept, and written to the
+/// session's file, from which the same loop goes on another day.
+class ExploreLoop {
+public:
+  /// `first`: the model to begin with; of a session that goes on, only its own effects are new. `file`: the session's;
+  /// may be empty.
+  ExploreLoop(const LoadedSets& given, Rung first, std::string file);
+
+  void add(const std::string& label);
+  void drop(const std::string& label);
+  /// Back to the model that this one was made from.
+  void undo();
+
+  void printLadder() const;
+  void printCandidates() const;
+
+private:
+  /// Puts a model to the question. Throws InputError where no fit can start.
+  Rung questioned(Rung rung);
+  std::vector<Effect> effects(const Rung& rung) const;
+  std::vector<std::string> terms() const;
+  void enter(Session session);
+  void save() const;
+
+  const LoadedSets& given_;
+  Measurements measurements_;
+  std::string file_;
+  Session session_;
+  Diagnosis latest_;
+};
+
+using Json = nlohmann::json;
+
+/// These definitions, and the others whose names they have not.
+std::string joined(const std::string& definitions, const std::string& others) {
+  Json all = Json::parse(definitions);
+  const Json further = Json::parse(others);
+  for (const Json& one : further) {
+    if (std::none_of(all.begin(), all.end(), [&](const Json& has) { return has["name"] == one["name"]; })) {
+      all.push_back(one);
+    }
+  }
+  return all.dump();
+}
+
+std::string modelWords(const Rung& rung) {
+  std::string words = rung.with.empty() ? "base" : fmt::format("+ {}", fmt::join(rung.with, " + "));
+  return rung.without.empty() ? words : fmt::format("{}, without {}", words, fmt::join(rung.without, ", "));
+}
+
+ExploreLoop::ExploreLoop(const LoadedSets& given, Rung first, std::string file)
+    : given_{given}, measurements_{measurementsOf(given.sets, given.robot)}, file_{std::move(file)} {
+  if (!file_.empty() && std::filesystem::exists(file_)) {
+    session_ = readSession(file_);
+    requireSameCaptures(session_, given_.inputs, file_);
+    for (Rung& rung : session_.ladder) {
+      effectsWith(Json::parse(rung.definitions), file_, given_.robot); // refuses what is none
+      rung.definitions = joined(rung.definitions, first.definitions);
+    }
+    session_.current() = questioned(session_.current());
+  } else {
+    session_.inputs = given_.inputs;
+    session_.ladder.push_back(questioned(std::move(first)));
+  }
+  save();
+}
+
+std::vector<Effect> ExploreLoop::effects(const Rung& rung) const {
+  return effectsWith(Json::parse(rung.definitions), "the person's own effects", given_.robot);
+}
+
+Rung ExploreLoop::questioned(Rung rung) {
+  DiagnosisOptions options{.with = rung.with, .without = rung.without};
+  options.effects = effects(rung);
+  options.grow = false;
+  Diagnosis diagnosis = diagnose(given_.sets, measurements_, options);
+  if (diagnosis.steps.empty()) {
+    throw InputError{diagnosis.sentence};
+  }
+  latest_ = std::move(diagnosis);
+  rung.rmsPx = latest_.steps.front().rmsPx;
+  rung.questioned = latest_.steps.front();
+  return rung;
+}
+
+/// The labels of the current model's terms.
+std::vector<std::string> ExploreLoop::terms() const {
+  const Rung& rung = session_.current();
+  return termLabels(makeModel(measurements_, rung.with, rung.without, effects(rung)));
+}
+
+/// Goes on with this session once its current model was fitted; whatever is thrown before leaves everything as it was.
+void ExploreLoop::enter(Session session) {
+  session.current() = questioned(session.current());
+  session_ = std::move(session);
+  save();
+}
+
+void ExploreLoop::add(const std::string& label) {
+  Session session = session_;
+  session.add(label, [this] { return terms(); });
+  enter(std::move(session));
+}
+
+void ExploreLoop::drop(const std::string& label) {
+  Session session = session_;
+  session.drop(label, [this] { return terms(); });
+  enter(std::move(session));
+}
+
+void ExploreLoop::undo() {
+  Session session = session_;
+  session.undo();
+  enter(std::move(session));
+}
+
+void ExploreLoop::printLadder() const {
+  fmt::print("  {:>3}  {:>9}  {:>9}  {:>9}  {:>7}  model (*: the one you are at)\n", "", "rms", "unseen", "noise",
+             "alarm p");
+  for (std::size_t i = 0; i < session_.ladder.size(); ++i) {
+    const Rung& rung = session_.ladder[i];
+    const auto& step = rung.questioned;
+    const std::string unseen = step && step->heldOutPx ? fmt::format("{:6.3f} px", *step->heldOutPx) : "-";
+    fmt::print("{} {:>3}  {:6.3f} px  {:>9}  {:>9}  {:>7}  {}\n", i == session_.at ? '*' : ' ', i, rung.rmsPx, unseen,
+               step ? fmt::format("{:6.3f} px", step->noiseFloorPx) : "-",
+               step ? fmt::format("{:7.3f}", step->alarm) : "-", modelWords(rung));
+  }
+}
+
+void ExploreLoop::printCandidates() const {
+  naocal::printCandidates(latest_);
+}
+
+void ExploreLoop::save() const {
+  if (!file_.empty()) {
+    writeJson(sessionJson(session_), file_);
+  }
+}
+
+void printHelp() {
+  fmt::print("  add EFFECT@PLACE    put an effect into the model and fit\n"
+             "  drop EFFECT@PLACE   take it out again\n"
+             "  undo                back to the model that this one was made from\n"
+             "  what                the candidates that would help most now\n"
+             "  ladder              all models tried, and their errors\n"
+             "  quit\n");
+}
+
+/// One line of what a person typed; false: leave.
+bool obey(ExploreLoop& exploration, const std::string& line) {
+  std::istringstream words{line};
+  std::string verb, label;
+  words >> verb >> label;
+  if (verb.empty()) {
+    return true;
+  }
+  if (verb == "quit" || verb == "exit") {
+    return false;
+  }
+  if (verb == "add" || verb == "drop" || verb == "undo") {
+    if (verb == "undo") {
+      exploration.undo();
+    } else {
+      verb == "add" ? exploration.add(label) : exploration.drop(label);
+    }
+    exploration.printLadder();
+  } else if (verb == "ladder") {
+    exploration.printLadder();
+  } else if (verb == "what") {
+    exploration.printCandidates();
+  } else {
+    printHelp();
+  }
+  return true;
+}
+
+struct ExploreCommand {
+  std::vector<std::string> sets;
+  std::string session, model;
+};
+
+void explore(const ExploreCommand& command) {
+  const LoadedSets given = loadSets(command.sets, false);
+  Rung first;
+  if (!command.model.empty()) {
+    ModelFile file = readModelFile(command.model, given.robot);
+    first = {.with = std::move(file.with), .without = std::move(file.without), .definitions = file.definitions};
+  }
+  ExploreLoop exploration{given, std::move(first), command.session};
+  exploration.printLadder();
+  exploration.printCandidates();
+  fmt::print("type 'help' for what you can do\n> ");
+  std::fflush(stdout);
+  for (std::string line; std::getline(std::cin, line);) {
+    try {
+      if (!obey(exploration, line)) {
+        return;
+      }
+    } catch (const InputError& error) {
+      fmt::print("  {}\n", error.what());
+    }
+    fmt::print("> ");
+    std::fflush(stdout);
+  }
+  fmt::print("\n");
+}
+
+} // namespace
+
+void addExplore(CLI::App& app) {
+  auto command = std::make_shared<ExploreCommand>();
+  CLI::App* explorer =
+      app.add_subcommand("explore", "add and remove effects by hand and watch the error fall, with history");
+  explorer->footer("Example: naocal explore captures/ --session captures.session.json");
+  explorer->add_option("SET", command->sets, "folders with captures.json")->required();
+  explorer->add_option("--session", command->session,
+                       "keeps the ladder in this file, and goes on from it; so does mate-bridge");
+  explorer->add_option("--model", command->model, "a model file: terms to begin with, and effects of your own");
+  explorer->callback([command] { explore(*command); });
+}
+
+} // namespace naocal

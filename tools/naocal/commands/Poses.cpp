@@ -1,0 +1,203 @@
+#include "commands/Commands.hpp"
+#include "console/CommandLine.hpp"
+#include "console/OutputFiles.hpp"
+#include "console/PrintPlan.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "io/InputError.hpp"
+#include "math/Angles.hpp"
+#include "poses/PoseFile.hpp"
+#include "poses/PosePlan.hpp"
+#include "poses/criteria/PlanOptions.hpp"
+#include "simulation/SimulationPlan.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <fmt/core.h>
+#include <fmt/format.h>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+namespace {
+
+/// What `naocal poses` plans for.
+struct PlanInputs {
+  std::vector<Board> boards; // placements seen from the sole
+  std::map<std::string, CameraIntrinsics> cameras;
+};
+
+/// Four A2 boards around the robot.
+PlanInputs defaultPlanInputs() {
+  const SimulationPlan usual;
+  return {usual.boards, usual.cameras};
+}
+
+/// Boards and cameras of a capture set; placements that are only guessed are where planning begins. Throws InputError
+/// where none lies on the floor.
+PlanInputs readPlanInputs(const std::string& captureSet) {
+  const CaptureSet set = readCaptureSet(captureSet, BadCaptures::skip).set;
+  PlanInputs result{{}, set.cameras};
+  for (Board board : set.boards) {
+    if (board.link == "floor") {
+      board.placement = board.placement || !board.hasGuess ? board.placement : board.placementGuess;
+      result.boards.push_back(board);
+    }
+  }
+  if (result.boards.empty()) {
+    throw InputError{fmt::format("{}: expected a board on the floor, found none", captureSet)};
+  }
+  return result;
+}
+
+/// Has the poses of an earlier plan stay, and the `boards` where it has them. Throws InputError where these are not
+/// its own, or its poses are on another foot.
+void extendPlan(const std::string& earlier, const Robot& robot, std::vector<Board>& boards, PlanOptions& plan) {
+  const PoseFile file = readPoseFile(earlier, robot);
+  for (const PlayablePose& pose : file.poses) {
+    if (pose.supportFoot != plan.poses.supportFoot) {
+      throw InputError{fmt::format("{}: expected poses on the foot of --support, found {} on another; extend a plan of "
+                                   "one foot",
+                                   earlier, pose.id)};
+    }
+    plan.kept.push_back(pose.angles);
+  }
+  for (Board& board : boards) {
+    const auto place = file.boards.find(board.id);
+    if (place == file.boards.end()) {
+      throw InputError{fmt::format("{}: expected where board {} lies, found nothing; name the set that has the plan's "
+                                   "boards with --boards",
+                                   earlier, board.id)};
+    }
+    board.placement = place->second;
+  }
+  plan.moveBoards = false;
+}
+
+/// Of NAME=NUMBER. Throws InputError for anything else.
+std::map<std::string, double> readWeights(const std::vector<std::string>& texts) {
+  std::map<std::string, double> result;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    char* end = nullptr;
+    const double weight = equals == std::string::npos ? -1 : std::strtod(text.c_str() + equals + 1, &end);
+    if (!(weight >= 0) || *end != '\0' || end == text.c_str() + equals + 1) {
+      throw InputError{fmt::format("--weight: expected NAME=NUMBER such as LKneePitch=2, found {}", text)};
+    }
+    result[text.substr(0, equals)] = weight;
+  }
+  return result;
+}
+
+const std::map<std::string, SupportFoot> supportFeet{
+    {"left", SupportFoot::left}, {"right", SupportFoot::right}, {"both", SupportFoot::both}};
+const std::map<std::string, Sampling> samplings{
+    {"even", Sampling::even}, {"grid", Sampling::grid}, {"random", Sampling::random}};
+
+std::map<std::string, Criterion> criteria() {
+  std::map<std::string, Criterion> result;
+  for (std::size_t i = 0; i < criterionNames.size(); ++i) {
+    result[std::string{criterionNames[i]}] = static_cast<Criterion>(i);
+  }
+  return result;
+}
+
+struct PosesCommand {
+  std::string robot = "V6", output, poseFiles, boards, extend;
+  double jointErrorDegrees = 6.5, sigmaDegrees = 0.2;
+  std::vector<std::string> weights;
+  PlanOptions plan;
+
+  void run() {
+    const Robot drawn = loadRobot(configurationDirectory(), robot);
+    if (plan.mirrored && plan.poses.supportFoot == SupportFoot::both) {
+      throw InputError{"--mirror: expected --support left or right, found both; poses on both feet look at both legs"};
+    }
+    if (plan.criterion == Criterion::discriminate && plan.effects.empty()) {
+      throw InputError{"--criterion discriminate: expected --effects with two effects to tell apart, found none"};
+    }
+    plan.poses.limitMargin = plan.poses.stability.jointError = radians(jointErrorDegrees);
+    plan.sigma = radians(sigmaDegrees);
+    plan.weights = readWeights(weights);
+    PlanInputs scene = boards.empty() ? defaultPlanInputs() : readPlanInputs(boards);
+    if (!extend.empty()) {
+      extendPlan(extend, drawn, scene.boards, plan);
+    }
+    const PosePlan result = posePlan(drawn, scene.boards, scene.cameras, plan,
+                                     [](const std::string& what) { fmt::print(stderr, "{}\n", what); });
+    printPlan(result);
+    writeJson(planJson(result, drawn), output);
+    fmt::print("{} holds the poses and where the boards are\n", output);
+    if (!poseFiles.empty()) {
+      writePoseFiles(result, drawn, poseFiles);
+      fmt::print("{} holds a .pose file for each\n", poseFiles);
+    }
+  }
+};
+
+} // namespace
+
+void addPoses(CLI::App& app) {
+  const auto command = std::make_shared<PosesCommand>();
+  PlanOptions& plan = command->plan;
+  plan.poses.count = 8;
+  plan.poses.tries = 1'000'000;
+  plan.poses.sampling = Sampling::even;
+  CLI::App* const poses = app.add_subcommand("poses", "plans poses worth taking, and where to lay the boards");
+  poses->add_option("-o,--output", command->output, "POSES.json, to be written")
+      ->required()
+      ->check(replaceableFile("naocal-poses"));
+  poses->add_option("--pose-files", command->poseFiles, "a folder for HULKs' .pose files too");
+  poses->add_option("--robot", command->robot, "its model")->capture_default_str();
+  poses->add_option("--support", plan.poses.supportFoot, "the foot to stand on: left, right or both")
+      ->transform(CLI::CheckedTransformer(supportFeet, CLI::ignore_case));
+  poses->add_option("--candidates", plan.poses.tries, "attitudes to draw and sieve")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100'000'000));
+  poses->add_option("--sampling", plan.poses.sampling, "how their ranges are filled")
+      ->transform(CLI::CheckedTransformer(samplings, CLI::ignore_case));
+  poses->add_option("--select", plan.poses.count, "poses to plan")->capture_default_str()->check(CLI::Range(1, 1000));
+  poses
+      ->add_option(
+          "--criterion", plan.criterion,
+          "what to make small: D volume, A mean, E worst direction, the worst joint; thesis: what looks alike to "
+          "the cameras, poses selected only; discriminate: which of two effects is there; time: seconds to play")
+      ->transform(CLI::CheckedTransformer(criteria()));
+  poses->add_option("--sigma", command->sigmaDegrees, "that --criterion time must reach for every offset [degrees]")
+      ->capture_default_str()
+      ->check(CLI::Range(0.001, 10.0));
+  poses
+      ->add_option("--effects", plan.effects,
+                   "two, such as elasticity@LKneePitch,backlash@LKneePitch: how well the poses "
+                   "tell them apart")
+      ->delimiter(',')
+      ->expected(2);
+  poses->add_option("--weight", command->weights,
+                    "NAME=NUMBER: how much a joint or camera counts in the thesis's criterion; 1 if not given");
+  poses->add_flag("--mirror", plan.mirrored,
+                  "boards lie alike to the left and right, and every pose's mirror image is added for the other leg");
+  poses->add_option("--extend", command->extend, "POSES.json: its poses stay, --select as many more; boards stay, too")
+      ->excludes("--mirror");
+  poses->add_option(
+      "--boards", command->boards,
+      "a capture set whose boards and cameras to plan for, placements seen from the sole; else four A2 boards");
+  poses->add_flag("--whole-boards", plan.poses.sight.wholeBoards,
+                  "a board counts only where it is wholly in the picture");
+  poses->add_option("--worn", plan.wornRobots, "robots with joint errors that poses and boards are refined for besides")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 100));
+  poses->add_flag("--compare", plan.compare, "what every criterion selects among the same candidates");
+  poses->add_flag("--known", plan.known, "plan for cameras and boards whose places are known");
+  poses->add_flag("!--fixed-boards", plan.moveBoards, "the boards remain where they are drawn");
+  poses->add_option("--joint-error", command->jointErrorDegrees, "how far joints may be off, each way [degrees]")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 20.0));
+  poses->add_option("--seed", plan.poses.seed, "the same seed plans the same")->capture_default_str();
+  poses->callback([command] { command->run(); });
+  poses->footer("Example: naocal poses -o poses.json --select 8, then naocal simulate set --poses poses.json");
+}
+
+} // namespace naocal

@@ -1,0 +1,41 @@
+#include "commands/Commands.hpp"
+#include "console/OutputFiles.hpp"
+
+#include "report/ReportPage.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <memory>
+#include <string>
+
+namespace naocal {
+
+namespace {
+
+struct ReportCommand {
+  std::string file, output;
+};
+
+} // namespace
+
+void addReport(CLI::App& app) {
+  auto command = std::make_shared<ReportCommand>();
+  CLI::App* reporter = app.add_subcommand(
+      "report", "one HTML page to look at a result, a diagnosis or an evaluation, readable without a network");
+  reporter->footer("Example: naocal report result.json -o report.html");
+  reporter
+      ->add_option(
+          "FILE", command->file,
+          "a result of 'naocal solve', a diagnosis of 'naocal diagnose' or what 'naocal evaluate thesis --json' writes")
+      ->required();
+  reporter->add_option("-o,--output", command->output, "the page to write")
+      ->required()
+      ->check(replaceableFile(std::string{pageFormat}));
+  reporter->callback([command] {
+    const std::string page = reportPage(command->file);
+    writePage(command->output, page);
+    fmt::print("written to {} ({:.1f} MB): open it in any browser\n", command->output, 1e-6 * double(page.size()));
+  });
+}
+
+} // namespace naocal

@@ -1,0 +1,293 @@
+#include "commands/Commands.hpp"
+#include "console/CommandLine.hpp"
+#include "console/OutputFiles.hpp"
+#include "console/Progress.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+#include "math/Angles.hpp"
+#include "poses/PoseFile.hpp"
+#include "simulation/Renderer.hpp"
+#include "simulation/SimulatedPictures.hpp"
+#include "simulation/SimulationPlan.hpp"
+#include "simulation/StandingPoses.hpp"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdio>
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <thread>
+
+namespace naocal {
+
+namespace {
+
+/// What `naocal simulate` is told. Angles in degrees and shifts in millimetres, as people give them.
+struct SimulateOptions {
+  std::string output, robot = "V6", support = "left", repeatKind = "rest", size = "640x480", json;
+  std::string poses = "24"; // how many, or a pose file
+  std::uint64_t seed = 1;
+  double offsetDegrees = 6.5, mountDegrees = 2, mountMillimetres = 0, poseDegrees = 0, approachDegrees = 0;
+  bool displacedBoard = false, samePlace = false, force = false;
+  SimulationPlan plan;
+  Appearance appearance;
+};
+
+const std::map<std::string, SupportFoot> feet{
+    {"left", SupportFoot::left}, {"right", SupportFoot::right}, {"both", SupportFoot::both}};
+const std::map<std::string, RepeatKind> kinds{
+    {"rest", RepeatKind::rest}, {"reapproach", RepeatKind::reapproach}, {"restand", RepeatKind::restand}};
+
+std::map<std::string, CameraIntrinsics> cameras(const std::string& size) {
+  int width = 0, height = 0;
+  char end = 0;
+  if (std::sscanf(size.c_str(), "%dx%d%c", &width, &height, &end) != 2 || width < 64 || height < 48 || width > 8192 ||
+      height > 8192) {
+    throw InputError{fmt::format("--size: expected WIDTHxHEIGHT in pixels such as 640x480, found {}", size)};
+  }
+  return drawnCameras(width, height);
+}
+
+/// As many as asked for, or those of a file.
+void addPoses(const SimulateOptions& options, const Robot& robot, SimulationPlan& plan) {
+  constexpr std::size_t most = 1000;
+  std::size_t count = 0;
+  const char* end = options.poses.data() + options.poses.size();
+  if (const auto [rest, error] = std::from_chars(options.poses.data(), end, count); rest == end) {
+    if (error != std::errc{} || count < 1 || count > most) {
+      throw InputError{fmt::format("--poses: expected 1 to {} or a pose file, found {}", most, options.poses)};
+    }
+    plan.poses = standingPoses(robot, plan, feet.at(options.support), count, options.seed);
+    return;
+  }
+  PoseFile file = readPoseFile(options.poses, robot);
+  plan.firstStance = file.firstStance;
+  for (PlayablePose& pose : file.poses) {
+    plan.poses.push_back({std::move(pose.id), pose.supportFoot, std::move(pose.angles), std::move(pose.approach)});
+  }
+}
+
+void addNoise(CLI::App& simulator, SimulateOptions& options) {
+  simulator.add_option("--offset-degrees", options.offsetDegrees, "joint offsets lie within this, both ways")
+      ->check(CLI::Range(0.0, 45.0))
+      ->capture_default_str();
+  simulator.add_option("--mount-degrees", options.mountDegrees, "camera rotations, per axis")
+      ->check(CLI::Range(0.0, 45.0))
+      ->capture_default_str();
+  simulator.add_option("--mount-millimetres", options.mountMillimetres, "camera shifts, per axis")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  simulator.add_option("--pixel-noise", options.plan.corners.pixel, "of corners, per axis [px]")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  simulator.add_flag("--heavy-tails", options.plan.corners.heavyTails, "corner noise after Student's t4, not normal");
+  simulator.add_option("--gross-share", options.plan.corners.grossShare, "of corners that are grossly wrong")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  simulator.add_option("--gross-pixels", options.plan.corners.grossSize, "how wrong those are [px]")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str();
+  simulator.add_flag("--displaced-board", options.displacedBoard, "a board lies 3 cm off its place in one picture");
+  simulator.add_option("--stiction-degrees", options.poseDegrees, "gears stick differently in every pose (1 sigma)")
+      ->check(CLI::Range(0.0, 10.0))
+      ->capture_default_str();
+  simulator.add_option("--approach-stiction-degrees", options.approachDegrees, "and differently at every approach")
+      ->check(CLI::Range(0.0, 10.0))
+      ->capture_default_str();
+}
+
+void addPictures(CLI::App& simulator, SimulateOptions& options) {
+  simulator.add_flag("--images", options.plan.images, "render pictures instead of giving corners");
+  simulator.add_option("--size", options.size, "of the pictures, WIDTHxHEIGHT [px]")->capture_default_str();
+  simulator.add_option("--blur", options.appearance.blur, "of the pictures (sigma) [px]")
+      ->check(CLI::Range(0.0, 20.0))
+      ->capture_default_str();
+  simulator.add_option("--grey-noise", options.appearance.noise, "of the pictures (sigma) [grey levels]")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  simulator.add_option("--vignetting", options.appearance.vignetting, "share of light lost in the corners")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  simulator.add_option("--jpeg-quality", options.appearance.jpegQuality, "compress with losses, 1 to 100")
+      ->check(CLI::Range(1, 100));
+}
+
+void addOptions(CLI::App& simulator, SimulateOptions& options) {
+  simulator.add_option("OUT", options.output, "the folder to write; the truth goes to OUT/../<name>.truth.json")
+      ->required();
+  simulator.add_option("--robot", options.robot, "its model")->capture_default_str();
+  simulator.add_option("--support", options.support, "the foot it stands on")
+      ->check(CLI::IsMember(feet))
+      ->capture_default_str();
+  simulator.add_option("--poses", options.poses, "how many, or a pose file to play")->capture_default_str();
+  simulator.add_option("--samples", options.plan.samples, "per pose")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  simulator.add_option("--repeat-kind", options.repeatKind, "what happens between the samples of a pose")
+      ->check(CLI::IsMember(kinds))
+      ->capture_default_str();
+  simulator.add_flag("--hidden-flaw", options.plan.hiddenFlaw,
+                     "a part of the leg is not as drawn; which one, only the truth file tells");
+  simulator.add_option("--flaw", options.plan.flaw,
+                       "that part: elasticity (a spring), hysteresis or gearPlay at a joint, linkLength at a length, "
+                       "such as gearPlay@LKneePitch");
+  simulator.add_option("--flaw-scale", options.plan.flawScale, "how bad that part is: 1 as in a worn NAO")
+      ->check(CLI::Range(0.01, 10.0))
+      ->capture_default_str();
+  simulator.add_flag("--surveyed", options.plan.surveyed, "the set states where boards and feet are");
+  simulator.add_option("--seed", options.seed, "the same seed gives the same set")->capture_default_str();
+  CLI::Option* other = simulator.add_option("--robot-seed", options.plan.robotSeed,
+                                            "takes the robot of another set, by that set's seed");
+  simulator.add_flag("--same-place", options.samePlace, "the boards of that set too, still where they lay")
+      ->needs(other);
+  simulator.add_flag("--force", options.force, "replace the captures that OUT holds, and their pictures");
+  simulator.add_option("--json", options.json, "what was written, as JSON to a file or - for standard output")
+      ->check(replaceableFile("naocal-simulation"));
+  addNoise(simulator, options);
+  addPictures(simulator, options);
+}
+
+/// The plan that the options describe, with its poses. Throws InputError for what is no size, and no number of poses
+/// nor a pose file.
+SimulationPlan makePlan(const SimulateOptions& options, const Robot& robot) {
+  SimulationPlan plan = options.plan;
+  if (options.samePlace) {
+    plan.boardSeed = plan.robotSeed;
+  }
+  plan.repeatKind = kinds.at(options.repeatKind);
+  plan.offsetRange = radians(options.offsetDegrees);
+  plan.mountRange = radians(options.mountDegrees);
+  plan.mountShiftRange = options.mountMillimetres / 1000;
+  plan.mechanics.poseScatter = radians(options.poseDegrees);
+  plan.mechanics.approachScatter = radians(options.approachDegrees);
+  plan.corners.displacedBoard = options.displacedBoard ? 0.03 : 0;
+  plan.cameras = cameras(options.size);
+  addPoses(options, robot, plan);
+  return plan;
+}
+
+/// Only an empty folder is written into unasked; with --force a set is replaced, but nothing else is.
+void refuseWhatIsThere(const std::filesystem::path& folder, bool force) {
+  if (folder.empty()) {
+    throw InputError{"OUT: expected the name of a folder, found nothing"};
+  }
+  requireSameKind(truthFile(folder), "naocal-truth");
+  if (!std::filesystem::exists(folder)) {
+    return;
+  }
+  if (!std::filesystem::is_directory(folder)) {
+    throw InputError{fmt::format("{}: expected a folder or nothing there, found a file", folder.string())};
+  }
+  if (std::filesystem::is_empty(folder)) {
+    return;
+  }
+  if (!std::filesystem::exists(folder / "captures.json")) {
+    throw InputError{fmt::format("{}: expected an empty folder, found one with something else than captures; it is "
+                                 "left alone, name another one",
+                                 folder.string())};
+  }
+  if (!force) {
+    throw InputError{fmt::format("{}: expected an empty folder, found one with captures; they are left alone, name "
+                                 "another folder, or replace them with --force",
+                                 folder.string())};
+  }
+}
+
+/// The pictures inside a set's folder that its captures name; none where the set cannot be read.
+std::set<std::filesystem::path> picturesIn(const std::filesystem::path& folder) {
+  std::set<std::filesystem::path> pictures;
+  try {
+    for (const Capture& capture : readCaptureSet(folder, BadCaptures::skip).set.captures) {
+      const auto picture = std::filesystem::path{capture.image}.lexically_normal();
+      if (!capture.image.empty() && picture.is_relative() && *picture.begin() != "..") {
+        pictures.insert(folder / picture);
+      }
+    }
+  } catch (const InputError&) { // there is no set, or a broken one
+  }
+  return pictures;
+}
+
+/// Else the pictures of the set that was replaced would lie among the others and belong to nothing.
+void removePictures(const std::set<std::filesystem::path>& before, const std::filesystem::path& folder) {
+  const auto now = picturesIn(folder);
+  for (const auto& picture : before) {
+    if (!now.contains(picture)) {
+      std::error_code ignored; // it may be gone
+      std::filesystem::remove(picture, ignored);
+    }
+  }
+}
+
+/// Takes the pictures; after Ctrl-C the set keeps the captures whose picture was taken.
+void takePictures(const SimulateOptions& options, Simulation& simulation) {
+  const Progress progress{"pictures"};
+  const std::size_t all = simulation.set.captures.size();
+  const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
+  const auto proceed = [&](std::size_t done) { return progress(done, all); };
+  simulation.set.captures.resize(
+      takePictures(simulation, options.appearance, options.seed, options.output, threads, proceed));
+}
+
+std::size_t cornerCount(const CaptureSet& set) {
+  std::size_t count = 0;
+  for (const Capture& capture : set.captures) {
+    for (const BoardCorners& board : capture.corners.value_or(std::vector<BoardCorners>{})) {
+      count += board.ids.size();
+    }
+  }
+  return count;
+}
+
+void simulateSet(const SimulateOptions& options) {
+  refuseWhatIsThere(options.output, options.force);
+  const auto before = picturesIn(options.output);
+  const Robot robot = loadRobot(configurationDirectory(), options.robot);
+  const SimulationPlan plan = makePlan(options, robot);
+  Simulation simulation = simulate(robot, plan, options.seed);
+  if (plan.images) {
+    takePictures(options, simulation);
+  }
+  const std::filesystem::path truth = truthFile(options.output);
+  writeCaptureSet(simulation.set, options.output);
+  writeAtomically(truth, truthText(simulation.truth));
+  removePictures(before, options.output);
+  if (!options.json.empty()) {
+    writeJson({{"format", "naocal-simulation"},
+               {"version", 1},
+               {"set", options.output},
+               {"truth", truth.string()},
+               {"captures", simulation.set.captures.size()},
+               {"corners", cornerCount(simulation.set)},
+               {"seed", options.seed}},
+              options.json);
+  }
+  if (options.json != "-") {
+    fmt::print("{}: {} captures of {} poses in {} stance{}, {}\n", robot.model, simulation.set.captures.size(),
+               plan.poses.size(), simulation.set.stances.size(), simulation.set.stances.size() == 1 ? "" : "s",
+               plan.images ? "with pictures (naocal detect finds their corners)"
+                           : fmt::format("{} corners", cornerCount(simulation.set)));
+    fmt::print("set:   {}\ntruth: {}\n", options.output, truth.string());
+    if (Progress::wasInterrupted()) {
+      fmt::print("stopped: the set holds the captures whose picture was taken\n");
+    }
+  }
+}
+
+} // namespace
+
+void addSimulate(CLI::App& app) {
+  auto options = std::make_shared<SimulateOptions>();
+  CLI::App* simulator =
+      app.add_subcommand("simulate", "writes a synthetic robot's captures; the truth lies beside them");
+  simulator->footer("Example: naocal simulate simulated/left --poses 24 --images\n"
+                    "The same robot in further poses, its other flags repeated:\n"
+                    "  naocal simulate simulated/more --poses poses.json --seed 2 --robot-seed 1 --same-place");
+  addOptions(*simulator, *options);
+  simulator->callback([options] { simulateSet(*options); });
+}
+
+} // namespace naocal

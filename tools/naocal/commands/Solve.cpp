@@ -1,0 +1,94 @@
+#include "commands/Commands.hpp"
+#include "console/CommandLine.hpp"
+#include "console/OutputFiles.hpp"
+#include "console/PrintCalibration.hpp"
+
+#include "calibration/Calibration.hpp"
+#include "estimation/ModelBuilder.hpp"
+#include "estimation/ModelFile.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+namespace {
+
+struct SolveCommand {
+  std::vector<std::string> sets, with, without;
+  std::string output, json, model;
+  bool samePlace = false, skipBad = false, fixedNoise = false, plain = false;
+  CalibrationOptions options;
+};
+
+/// The model that options and model file ask for together.
+Model askedModel(const SolveCommand& command, const Measurements& measurements) {
+  if (command.model.empty()) {
+    return makeModel(measurements, command.with, command.without);
+  }
+  ModelFile file = readModelFile(command.model, measurements.robot);
+  file.with.insert(file.with.end(), command.with.begin(), command.with.end());
+  file.without.insert(file.without.end(), command.without.begin(), command.without.end());
+  return makeModel(measurements, file.with, file.without, file.effects);
+}
+
+int solve(SolveCommand& command) {
+  command.options.estimateNoise = !command.fixedNoise;
+  command.options.robust = !command.plain;
+  const LoadedSets given = loadSets(command.sets, command.skipBad);
+  const Measurements measurements = measurementsOf(given.sets, given.robot, command.samePlace);
+  const Model model = askedModel(command, measurements);
+  const CalibrationResult result = calibrate(measurements, model, command.options);
+  const auto json = resultJson(given.sets, measurements, model, result, given.inputs);
+  if (!command.output.empty()) {
+    writeJson(json, command.output);
+  }
+  if (!command.json.empty()) {
+    writeJson(json, command.json);
+  }
+  if (command.json != "-") {
+    printCalibration(given.sets, measurements, model, result);
+    if (!command.output.empty()) {
+      fmt::print("written to {}\n", command.output);
+    }
+  }
+  return result.usable ? 0 : 3;
+}
+
+} // namespace
+
+void addSolve(CLI::App& app, int& exitCode) {
+  auto command = std::make_shared<SolveCommand>();
+  CLI::App* solver = app.add_subcommand("solve", "calibrates joints and cameras from capture sets");
+  solver->footer("Example: naocal solve captures/ -o result.json --with cameraTranslation@top");
+  solver->add_option("SET", command->sets, "folders with captures.json")->required();
+  solver->add_option("-o,--output", command->output, "the result file to write")
+      ->check(replaceableFile("naocal-result"));
+  solver->add_option("--json", command->json, "the same as JSON to a file, or - for standard output")
+      ->check(replaceableFile("naocal-result"));
+  solver->add_option("--with", command->with, "add effects: EFFECT@PLACE, * allowed")->delimiter(',');
+  solver->add_option("--without", command->without, "leave effects out")->delimiter(',');
+  solver->add_option("--model", command->model, "a model file: effects to add, to leave out, and effects of your own");
+  solver->add_option("--restarts", command->options.restarts, "random starts beside the ordinary one");
+  solver->add_option("--seed", command->options.seed, "of the random starts");
+  solver->add_flag("--same-place", command->samePlace,
+                   "boards and stances of equal names lie at the same place in all sets");
+  solver->add_flag("--skip-bad", command->skipBad, "use the other captures when some cannot be used, and list those");
+  solver->add_flag("--alternate", command->options.alternate, "joints and cameras in turns instead of together");
+  solver->add_flag("--plain", command->plain, "every corner counts fully, however far off");
+  solver->add_flag("--fixed-noise", command->fixedNoise, "take noise levels as given instead of estimating them");
+  auto* pixel = solver->add_option("--pixel-noise", command->options.noise.pixel, "of a corner, per axis [px]");
+  solver->add_option("--encoder-noise", command->options.noise.encoder, "of a reading [rad]");
+  solver->add_option("--pose-noise", command->options.noise.pose, "deflection shared by a pose's captures [rad]");
+  solver->add_option("--stance-noise", command->options.noise.stance,
+                     "deflection shared by a pose's captures in one stance [rad]");
+  solver->callback([command, pixel, &exitCode] {
+    command->options.pixelGiven = pixel->count() > 0;
+    exitCode = solve(*command);
+  });
+}
+
+} // namespace naocal

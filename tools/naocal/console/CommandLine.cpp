@@ -1,0 +1,49 @@
+#include "console/CommandLine.hpp"
+
+#include "data/CaptureSetFile.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace naocal {
+
+std::string GivenOptions::commandLine(const std::vector<std::string>& added) const {
+  std::vector<std::string> all = with;
+  all.insert(all.end(), added.begin(), added.end());
+  std::string result = fmt::format("{}", fmt::join(sets, " "));
+  result += all.empty() ? "" : fmt::format(" --with {}", fmt::join(all, ","));
+  result += without.empty() ? "" : fmt::format(" --without {}", fmt::join(without, ","));
+  result += model.empty() ? "" : fmt::format(" --model {}", model);
+  result += samePlace ? " --same-place" : "";
+  return result + (skipBad ? " --skip-bad" : "");
+}
+
+Shard parseShard(const std::string& text) {
+  Shard shard;
+  if (std::sscanf(text.c_str(), "%zu/%zu", &shard.part, &shard.parts) != 2 || shard.part >= shard.parts) {
+    throw InputError{fmt::format("--shard: expected i/n with i from 0 to n - 1, found \"{}\"", text)};
+  }
+  return shard;
+}
+
+LoadedSets loadSets(const std::vector<std::string>& folders, bool skipBad) {
+  LoadedSets given;
+  for (const std::string& folder : folders) {
+    ReadCaptureSet read = readCaptureSet(folder, skipBad ? BadCaptures::skip : BadCaptures::refuse);
+    for (const std::string& sentence : read.skipped) {
+      fmt::print(stderr, "left out: {}\n", sentence);
+    }
+    given.inputs.sets.push_back(std::filesystem::weakly_canonical(folder).string()); // found from anywhere
+    given.inputs.sha256.push_back(sha256(fileContent(std::filesystem::path{folder} / "captures.json")));
+    given.sets.push_back(std::move(read.set));
+  }
+  given.robot = loadRobot(configurationDirectory(), given.sets.front().model);
+  return given;
+}
+
+} // namespace naocal

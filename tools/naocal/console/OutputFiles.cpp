@@ -1,0 +1,80 @@
+#include "console/OutputFiles.hpp"
+
+#include "data/CaptureSetFile.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+#include "simulation/Simulation.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+namespace {
+
+/// What a file holds: the format that it names, or words for what it is.
+std::string kindOf(const std::string& content) {
+  const std::string mark = "<script type=\"application/json\" id=\"data\">"; // of every report's page
+  if (content.starts_with("<!doctype html>")) {
+    return content.find(mark) != std::string::npos ? std::string{pageFormat} : "another page";
+  }
+  const auto json = nlohmann::json::parse(content, nullptr, false);
+  if (json.is_discarded()) {
+    return "something that is not JSON";
+  }
+  const bool isNamed = json.is_object() && json.contains("format") && json["format"].is_string();
+  return isNamed ? json["format"].get<std::string>() : "JSON of an unknown format";
+}
+
+} // namespace
+
+void requireSameKind(const std::filesystem::path& file, std::string_view format) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) {
+    return;
+  }
+  const std::string content = fileContent(file);
+  if (const std::string kind = content.empty() ? std::string{format} : kindOf(content); kind != format) {
+    throw InputError{fmt::format("{}: expected a new file or one with {} to replace, found {}; it is left alone, name "
+                                 "another file or remove it first",
+                                 file.string(), format, kind)};
+  }
+}
+
+CLI::Validator replaceableFile(std::string format) {
+  return CLI::Validator{[format = std::move(format)](const std::string& file) {
+                          if (file != "-") {
+                            requireSameKind(file, format);
+                          }
+                          return std::string{};
+                        },
+                        ""};
+}
+
+void requireReplaceableSet(const std::filesystem::path& folder) {
+  if (std::filesystem::exists(folder / "captures.json") &&
+      !readCaptureSet(folder, BadCaptures::skip).set.bodyId.starts_with(syntheticId)) {
+    throw InputError{
+        fmt::format("{}: expected a simulated set or none, found another robot's captures; they are left alone, "
+                    "name another folder",
+                    folder.string())};
+  }
+}
+
+void writeJson(const nlohmann::json& json, const std::string& file) {
+  if (file == "-") {
+    fmt::print("{}\n", json.dump(1));
+  } else {
+    requireSameKind(file, json.at("format").get_ref<const std::string&>());
+    writeAtomically(file, json.dump(1) + "\n");
+  }
+}
+
+void writePage(const std::filesystem::path& file, const std::string& page) {
+  requireSameKind(file, pageFormat);
+  writeAtomically(file, page);
+}
+
+} // namespace naocal

@@ -1,0 +1,78 @@
+#include "console/PrintCalibration.hpp"
+
+#include "calibration/Verdict.hpp"
+#include "io/Units.hpp"
+#include "math/Angles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+
+namespace naocal {
+
+namespace {
+
+std::string bar(double share) {
+  std::string result;
+  for (int i = 0; i < static_cast<int>(std::lround(10 * std::clamp(share, 0.0, 1.0))); ++i) {
+    result += "█";
+  }
+  return result;
+}
+
+void printEstimates(const Model& model, const CalibrationResult& result) {
+  fmt::print("\n  {:<38} {:>12}     {:>10}     learned\n", "unknown", "estimate", "±  1 sigma");
+  for (const Term& term : model.terms()) {
+    for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement && term.asked; ++i) {
+      const Unknown& unknown = term.effect.unknowns[i];
+      const Estimate& estimate = result.estimates[term.first + i];
+      const auto [unit, scale] = shownUnit(unknown.unit);
+      const std::string name =
+          term.effect.name == "jointOffset" ? term.place : fmt::format("{} {}", term.label(), unknown.name);
+      fmt::print("  {:<38} {:>10.4f} {:<4}  {:>8.4f} {:<4}  {:>3.0f} % {}\n", name, scale * estimate.best(), unit,
+                 scale * estimate.bestSigma(), unit, 100 * estimate.learned, bar(estimate.learned));
+    }
+  }
+}
+
+} // namespace
+
+void printCalibration(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& model,
+                      const CalibrationResult& result) {
+  fmt::print("{}: {} corners in {} pictures of {} poses, {} unknowns; {} after {} iterations in {:.1f} ms\n",
+             measurements.robot.model, measurements.cornerCount, measurements.pictures.size(),
+             measurements.poses.size(), model.unknownCount(), result.converged ? "converged" : "NOT converged",
+             result.iterations, 1e3 * result.seconds);
+  fmt::print(
+      "corners lie {:.2f} px rms from their predictions (median {:.2f}); noise: {:.3f} px, encoder {:.4f}°, pose "
+      "{:.4f}°{} ({}); chi2/dof {:.3f}, p {:.2g}\n",
+      result.rmsPx, result.medianPx, result.noise.pixel, degrees(result.noise.encoder), degrees(result.noise.pose),
+      result.noise.stance > 0 ? fmt::format(", stance {:.4f}°", degrees(result.noise.stance)) : "", result.noiseSource,
+      result.chi2 / std::max(1.0, result.dof), result.pValue);
+  if (result.floorErrorAt2m > 0) {
+    fmt::print("a floor point 2 m ahead will be seen {:.1f} mm off (1 sigma)\n", 1e3 * result.floorErrorAt2m);
+  }
+  printEstimates(model, result);
+  for (const WeakDirection& weak : result.weak) {
+    fmt::print("\nweak: {}\n", weak.sentence);
+  }
+  for (const Doubt& doubt : result.doubts) {
+    const Picture& picture = measurements.pictures[doubt.picture];
+    fmt::print("\ndoubtful: capture {} ({}), board {}: {} {:.1f} px off{}",
+               sets[picture.set].captures[picture.capture].id, sets[picture.set].captures[picture.capture].camera,
+               measurements.targets[picture.sightings[doubt.sighting].view.board()].name,
+               doubt.whole ? fmt::format("{} corners together", doubt.corners.size())
+                           : fmt::format("{} corner{}", doubt.corners.size(), doubt.corners.size() == 1 ? "" : "s"),
+               doubt.distance, doubt.whole ? ": was the board moved or the robot touched?" : "");
+  }
+  for (const std::string& warning : sentences(result.warnings)) {
+    fmt::print("\nwarning: {}", warning);
+  }
+  if (result.restartsTried > 0) {
+    fmt::print("\n{} random restarts {} the answer", result.restartsTried,
+               result.restartsChanged ? "CHANGED" : "did not change");
+  }
+  fmt::print("\n{}\n", result.sentence);
+}
+
+} // namespace naocal

@@ -1,0 +1,149 @@
+#include "console/PrintDiagnosis.hpp"
+
+#include "diagnosis/DiagnosisWording.hpp"
+#include "math/Angles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <string>
+
+namespace naocal {
+
+namespace {
+
+std::string bar(double value, double most, std::size_t width) {
+  const double eighths = most > 0 ? std::max(0.0, value / most) * static_cast<double>(width) * 8 : 0;
+  const auto full = static_cast<std::size_t>(eighths / 8);
+  static const char* const parts[] = {"", "▏", "▎", "▍", "▌", "▋", "▊", "▉"};
+  std::string result;
+  for (std::size_t i = 0; i < full; ++i) {
+    result += "█";
+  }
+  const std::size_t rest = full < width ? static_cast<std::size_t>(eighths) % 8 : 0;
+  result += parts[rest];
+  return result + std::string(width - std::min(width, full + (rest > 0 ? 1 : 0)), ' ');
+}
+
+void printLadder(const Diagnosis& diagnosis) {
+  const bool unseen = diagnosis.steps.front().heldOutPx.has_value();
+  fmt::print("\n{}\n", unseen ? "held-out error: on poses that neither the fit nor the choice of effects has seen"
+                              : "error of the fit (one pose: none is left to hold out)");
+  const auto error = [](const Step& step) { return step.heldOutPx.value_or(step.rmsPx); };
+  double most = diagnosis.steps.back().noiseFloorPx;
+  for (const Step& step : diagnosis.steps) {
+    most = std::max(most, error(step));
+  }
+  for (const Step& step : diagnosis.steps) {
+    fmt::print("  {:32} {} {:6.3f} px{}\n", step.added.empty() ? "base model" : "+ " + step.added,
+               bar(error(step), most, 30), error(step),
+               step.dropped.empty() ? "" : fmt::format("   no longer needed: {}", fmt::join(step.dropped, ", ")));
+  }
+  const double floor = diagnosis.steps.back().noiseFloorPx;
+  fmt::print("  {:32} {} {:6.3f} px\n", "noise floor", bar(floor, most, 30), floor);
+}
+
+void printCurves(const Diagnosis& diagnosis) {
+  if (diagnosis.verdict != Verdict::unknownEffect) {
+    return;
+  }
+  fmt::print("\nwhat is left over, by joint and what it varies with\n");
+  for (const DriverFinding& curve : diagnosis.drivers) {
+    std::string coefficients;
+    for (const auto& [name, value, unit] : curve.coefficients) {
+      coefficients +=
+          fmt::format("{}{} = {:.4g}{}", coefficients.empty() ? "" : ", ", name, value, unit == "1" ? "" : " " + unit);
+    }
+    const std::string like = curve.about.empty() ? fmt::format("{}  ({})", curve.expression, coefficients)
+                             : curve.unit == "rad"
+                                 ? fmt::format("the camera's mount turns about its {} axis", curve.about)
+                                 : fmt::format("corners are off along {}", curve.about);
+    fmt::print("  {:16} over {:18} {:>9}  evidence {:7.1f}   {}\n", curve.place, curve.driver, howFar(curve),
+               curve.bayes, like);
+  }
+}
+
+} // namespace
+
+void printCandidates(const Diagnosis& diagnosis) {
+  constexpr std::size_t shown = 8;
+  double most = 0;
+  for (const CandidateFinding& finding : diagnosis.ranking) {
+    most = std::max(most, finding.evidence.bayes);
+  }
+  fmt::print("\ncandidates, best first (bar: evidence, 2 ln of the Bayes factor against the model without it)\n");
+  for (std::size_t i = 0; i < std::min(shown, diagnosis.ranking.size()); ++i) {
+    const CandidateFinding& finding = diagnosis.ranking[i];
+    if (finding.state == State::noData) {
+      break;
+    }
+    const std::string fall = finding.chi2Drop ? fmt::format("; chi2 fell by {:.0f} on adding it, predicted {:.0f}",
+                                                            *finding.chi2Drop, finding.evidence.likelihoodRatio)
+                                              : "";
+    fmt::print("  {:32} {} {:8.1f}  {:12} {}{}\n", finding.term.label(),
+               bar(std::max(0.0, finding.evidence.bayes), most, 14), finding.evidence.bayes, nameOf(finding.state),
+               sizes(finding), fall);
+  }
+  std::size_t absorbed = 0, noData = 0, inconclusive = 0;
+  for (const CandidateFinding& finding : diagnosis.ranking) {
+    absorbed += finding.state == State::absorbed;
+    noData += finding.state == State::noData;
+    inconclusive += finding.state == State::inconclusive;
+  }
+  fmt::print("  {} candidates in all; {} not testable here, {} need data that was not recorded, {} could hide below "
+             "what these captures show\n",
+             diagnosis.ranking.size(), absorbed, noData, inconclusive);
+}
+
+void printDiagnosis(const Diagnosis& diagnosis, const GivenOptions& asked) {
+  fmt::print("{}: {}\n", nameOf(diagnosis.verdict), diagnosis.sentence);
+  if (!diagnosis.steps.empty()) { // else no fit was possible
+    printLadder(diagnosis);
+    printCandidates(diagnosis);
+    printCurves(diagnosis);
+  }
+  for (const Suspicion& suspicion : diagnosis.suspicious) {
+    fmt::print("  suspicious: {}\n", suspicion.why);
+  }
+  if (!diagnosis.suggested.empty() && !diagnosis.own) {
+    fmt::print("\nadd it:  naocal solve {} -o result.json\n", asked.commandLine(diagnosis.suggested));
+  }
+  fmt::print("({:.2f} s)\n", diagnosis.seconds);
+}
+
+void printOwnEffectHint(bool isThere, const Diagnosis& diagnosis, const GivenOptions& asked, const std::string& file) {
+  if (!isThere) {
+    fmt::print("nothing beyond the catalogue was found that an expression follows, so {} was not written\n", file);
+  } else if (file.empty()) {
+    fmt::print("{}:  naocal diagnose {} --own own.json\n",
+               diagnosis.own ? "add it as an effect of your own" : "try its expression as an effect of your own",
+               asked.commandLine());
+  } else {
+    const GivenOptions withIt{asked.sets, {}, {}, file, asked.samePlace, asked.skipBad};
+    fmt::print("{0} has its expression as an effect of your own; see what it explains:  naocal diagnose {1}\n"
+               "and calibrate with it:  naocal solve {1} -o result.json\n",
+               file, withIt.commandLine());
+  }
+}
+
+void printNextPoses(const NextPoses& next, GivenOptions asked, const std::string& file) {
+  if (!next.whyNone.empty()) {
+    if (!file.empty()) {
+      fmt::print("no poses are proposed, and {} is not written: {}\n", file, next.whyNone);
+    }
+    return;
+  }
+  if (next.poses.empty() || file.empty()) {
+    fmt::print("measure next what {}:  naocal diagnose {} --next poses.json\n", next.why, asked.commandLine());
+    return;
+  }
+  asked.sets.emplace_back("FURTHER-SET");
+  asked.samePlace = true;
+  fmt::print(
+      "\n{} holds {} poses; what {} grows {:.1f}-fold with them. Take them with the boards where they lie, number "
+      "their stance {}, then:\n  naocal diagnose {}\n",
+      file, next.poses.size(), next.why, next.growth, next.firstStance, asked.commandLine());
+}
+
+} // namespace naocal

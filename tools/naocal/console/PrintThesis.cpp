@@ -1,0 +1,173 @@
+#include "console/PrintThesis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+#include <limits>
+#include <map>
+#include <vector>
+
+namespace naocal {
+
+namespace {
+
+constexpr double withinPoints = 0.02; // of the limit
+
+/// Success of ours, of the thesis's solver here, its limit, and the thesis's own figure [%].
+std::string figures(const ThesisEvaluation& evaluation, const ThesisCell& cell, std::size_t tolerance) {
+  const ThesisTally* ours = evaluation.tally(cell.setting, ThesisSolver::ours);
+  const ThesisTally* theirs = evaluation.tally(cell.setting, cell.solver);
+  if (!ours || !theirs) {
+    return fmt::format("{:>26}", "not done");
+  }
+  return fmt::format("{:5.1f}  {:5.1f}  {:5.1f}  {:>5}", 100 * ours->successAt(tolerance),
+                     100 * theirs->successAt(tolerance), 100 * ours->limitAt(tolerance),
+                     cell.published ? fmt::format("{:.1f}", 100 * *cell.published) : "-");
+}
+
+std::string rowName(const ThesisCell& cell) {
+  const ThesisSetting& setting = cell.setting;
+  if (cell.table == "5.5") {
+    return fmt::format("{}, {}", setting.largeErrors ? "1..6.5 deg" : "6.5 deg", word(cell.solver));
+  }
+  if (cell.table == "beyond") {
+    return setting.bothLegs                             ? "both legs at once, 13 offsets"
+           : setting.unknownPlaces                      ? "mounts and places unknown"
+           : setting.choice == PoseChoice::chain        ? "poses of the thesis's chain"
+           : setting.jointNoise == AngleNoise::stiction ? "gears stick, 0.05 deg"
+                                                        : "our poses";
+  }
+  return fmt::format("{}{}{}", word(setting.noise),
+                     setting.angleNoise() ? fmt::format(" {}", word(setting.jointNoise)) : "",
+                     setting.samples > 1 ? fmt::format(", {} samples", setting.samples) : "");
+}
+
+const char* title(const std::string& table) {
+  return table == "5.5"   ? "table 5.5: floor grid, no noise"
+         : table == "5.6" ? "table 5.6: floor grid, Levenberg-Marquardt"
+         : table == "5.7" ? "table 5.7: boards, Levenberg-Marquardt"
+         : table == "5.8" ? "table 5.8: boards, random starts"
+                          : "beyond the thesis: boards, pixel noise and the real encoder's, Levenberg-Marquardt";
+}
+
+std::string trimmed(const std::string& line) {
+  return line.substr(0, line.find_last_not_of(' ') + 1);
+}
+
+/// One table: a row per noise, four figures per number of poses.
+void printTable(const ThesisEvaluation& evaluation, const std::string& table, std::size_t tolerance) {
+  std::vector<std::string> rows;
+  std::map<std::string, std::map<std::size_t, std::string>> cells;
+  std::map<std::size_t, bool> poses;
+  for (const ThesisCell& cell : thesisCells()) {
+    if (cell.table == table) {
+      const std::string row = rowName(cell);
+      if (!cells.contains(row)) {
+        rows.push_back(row);
+      }
+      cells[row][cell.setting.poses] = figures(evaluation, cell, tolerance);
+      poses[cell.setting.poses] = true;
+    }
+  }
+  std::string counts = fmt::format("{:30}", ""), heads = counts;
+  for (const auto& [count, used] : poses) {
+    counts += fmt::format("  {:<26}", fmt::format("{} poses", count));
+    heads += " ours     LM  limit thesis  ";
+  }
+  fmt::print("\n{}\n{}\n{}\n", title(table), trimmed(counts), trimmed(heads));
+  for (const std::string& row : rows) {
+    std::string line = fmt::format("{:30}", row);
+    for (const auto& [count, text] : cells[row]) {
+      line += fmt::format("{:<28}", text);
+    }
+    fmt::print("{}\n", trimmed(line));
+  }
+}
+
+/// What other solvers make of table 5.5's sets, where they were tried.
+void printOthers(const ThesisEvaluation& evaluation, std::size_t tolerance) {
+  const auto perSolve = [](const ThesisTally& tally) { return 1e3 * tally.seconds / static_cast<double>(tally.sets); };
+  for (const auto& [setting, solvers] : thesisSettings()) {
+    if (!ofTable55(setting) || !evaluation.tally(setting, ThesisSolver::numeric)) {
+      continue;
+    }
+    fmt::print("\nother solvers, {}:\n", setting.name());
+    for (const ThesisSolver solver : allSolvers) {
+      if (const ThesisTally* tally = evaluation.tally(setting, solver)) {
+        fmt::print("  {:<17} {:>6} sets {:>7.1f} % {:>10.3f} ms each\n", word(solver), tally->sets,
+                   100 * tally->successAt(tolerance), perSolve(*tally));
+      }
+    }
+  }
+}
+
+/// How ours fares against plain Levenberg-Marquardt on the same sets, and against the limit.
+struct Standing {
+  std::size_t settings = 0, atLeastPlain = 0, nearLimit = 0, noiseless = 0, perfect = 0;
+  double behindPlain = 0, aboveLimit = 1; // worst [1]
+  std::string worst;                      // where farthest below the limit
+  std::size_t leastSets = std::numeric_limits<std::size_t>::max();
+};
+
+Standing standing(const ThesisEvaluation& evaluation, std::size_t tolerance) {
+  Standing result;
+  for (const auto& [setting, solvers] : thesisSettings()) {
+    const ThesisTally* ours = evaluation.tally(setting, ThesisSolver::ours);
+    const ThesisTally* plain = evaluation.tally(setting, ThesisSolver::plain);
+    if (!ours || !plain) {
+      continue;
+    }
+    ++result.settings;
+    result.leastSets = std::min(result.leastSets, ours->sets);
+    result.atLeastPlain += ours->success[tolerance] >= plain->success[tolerance];
+    result.behindPlain = std::max(result.behindPlain, plain->successAt(tolerance) - ours->successAt(tolerance));
+    const double above = ours->successAt(tolerance) - ours->limitAt(tolerance);
+    result.nearLimit += above >= -withinPoints;
+    if (above < result.aboveLimit) {
+      result.aboveLimit = above;
+      result.worst = setting.name();
+    }
+    if (setting.noise == ThesisNoise::none) {
+      ++result.noiseless;
+      result.perfect += ours->success[tolerance] == ours->sets;
+    }
+  }
+  return result;
+}
+
+void printSummary(const ThesisEvaluation& evaluation, std::size_t tolerance) {
+  const Standing all = standing(evaluation, tolerance);
+  if (all.settings == 0) {
+    return;
+  }
+  const double uncertainty = 50 / std::sqrt(static_cast<double>(all.leastSets)); // points, of a share of one half
+  fmt::print(
+      "\nOf {} settings ours succeeds at least as often as plain Levenberg-Marquardt on the same sets in {}{}; in {} "
+      "it is at most {:.0f} points below the Cramer-Rao limit (worst: {:+.1f} points, {}; shares are uncertain by up "
+      "to {:.1f}). Without noise it never fails in {} of {}.\n",
+      all.settings, all.atLeastPlain,
+      all.behindPlain > 0 ? fmt::format(" (elsewhere at most {:.2f} points less)", 100 * all.behindPlain) : "",
+      all.nearLimit, 100 * withinPoints, 100 * all.aboveLimit, all.worst, uncertainty, all.perfect, all.noiseless);
+  if (const auto best = bestReading(evaluation); best && all.settings == thesisSettings().size()) {
+    fmt::print("The thesis's own solvers, run here, come nearest to its figures with joint noise {} and a tolerance of "
+               "{:.1f} deg: {:.0f} points apart (root mean square over the {} cells with joint noise in which the "
+               "thesis had any success).\n",
+               word(best->jointNoise), toleranceDegrees(best->tolerance), 100 * best->difference, best->cells);
+  }
+}
+
+} // namespace
+
+void printThesisTables(const ThesisEvaluation& evaluation, double degrees) {
+  const auto tolerance = static_cast<std::size_t>(std::lround(degrees / toleranceDegrees(0))) - 1;
+  fmt::print("success in % with all 8 offsets within {:.1f} deg: ours, the thesis's solver with our derivatives (LM), "
+             "Cramer-Rao limit, thesis\n",
+             toleranceDegrees(tolerance));
+  for (const char* table : {"5.5", "5.6", "5.7", "5.8", "beyond"}) {
+    printTable(evaluation, table, tolerance);
+  }
+  printOthers(evaluation, tolerance);
+  printSummary(evaluation, tolerance);
+}
+
+} // namespace naocal
