@@ -4,9 +4,28 @@
 #include "math/Parallel.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <string>
+#include <vector>
+
+namespace {
+
+/// Throws InputError where the first word is no command.
+void requireCommand(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(command->get_name());
+  }
+  if (!word.starts_with('-') && std::find(names.begin(), names.end(), word) == names.end()) {
+    throw naocal::InputError{
+        fmt::format("'{}' is no command; near it are {}", word, fmt::join(naocal::nearNames(word, names), ", "))};
+  }
+}
+
+} // namespace
 
 int main(int argc, char** argv) {
   naocal::keepMemory();
@@ -28,6 +47,9 @@ int main(int argc, char** argv) {
   naocal::addDemo(app, exitCode);
   naocal::addEvaluate(app);
   try {
+    if (argc > 1) {
+      requireCommand(app, argv[1]);
+    }
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <iterator>
 #include <set>
 
 namespace naocal {
@@ -224,12 +225,9 @@ bool matches(std::string_view pattern, std::string_view text) {
 
 [[noreturn]] void refuse(const std::string& wanted, const std::vector<std::string>& known) {
   const std::string_view effect = std::string_view{wanted}.substr(0, wanted.find('@'));
-  std::vector<std::string> places;
-  for (const std::string& label : known) {
-    if (label.size() > effect.size() && label.starts_with(effect) && label[effect.size()] == '@') {
-      places.push_back(label.substr(effect.size() + 1));
-    }
-  }
+  std::vector<std::string> places; // of that effect
+  std::copy_if(known.begin(), known.end(), std::back_inserter(places),
+               [&](const std::string& label) { return std::string_view{label}.substr(0, label.find('@')) == effect; });
   if (places.empty()) {
     throw InputError{fmt::format("'{}' names no effect at a place of these captures; near it are {} ('naocal effects' "
                                  "lists all effects)",
@@ -237,10 +235,10 @@ bool matches(std::string_view pattern, std::string_view text) {
   }
   if (wanted.find('@') == std::string::npos) {
     throw InputError{
-        fmt::format("'{0}' names no place: write {0}@PLACE, such as {0}@{1}, or {0}@*", wanted, places.front())};
+        fmt::format("'{0}' names no place: write {0}@PLACE, such as {1}, or {0}@*", wanted, places.front())};
   }
-  throw InputError{fmt::format("'{}' names no place of {} in these captures; its places are {}", wanted, effect,
-                               fmt::join(places, ", "))};
+  throw InputError{fmt::format("'{}' names no place of {} in these captures; near it are {}", wanted, effect,
+                               fmt::join(nearNames(wanted, places), ", "))};
 }
 
 /// "E@P" with '*', and whether it has named anything yet.
