@@ -4,6 +4,7 @@
 #include "analysis/AnalysisWorker.hpp"
 #include "io/InputError.hpp"
 #include "protocol/BoundedJson.hpp"
+#include "protocol/JointOrder.hpp"
 #include "robot/FloorScene.hpp"
 #include "robot/Robots.hpp"
 #include "server/HttpServer.hpp"
@@ -49,7 +50,10 @@ struct Panel::Implementation {
   }
 
   Message hello() const {
-    const Json hello{{"kind", "hello"}, {"laboratory", analysis.worker() != nullptr}, {"robots", robots.addresses()}};
+    const Json hello{{"kind", "hello"},
+                     {"laboratory", analysis.worker() != nullptr},
+                     {"robots", robots.addresses()},
+                     {"joints", jointNames}}; // the order in which robots send one number per joint
     return makeMessage(jsonText(hello));
   }
 
