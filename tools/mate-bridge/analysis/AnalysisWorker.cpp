@@ -56,7 +56,7 @@ AnalysisWorker::~AnalysisWorker() {
 }
 
 void AnalysisWorker::work(std::string_view what, std::function<void(AnalysisSession&)> task) {
-  jobs_.add([this, what, task = std::move(task)] {
+  thread_.enqueue([this, what, task = std::move(task)] {
     tell_("work", jsonText({{"kind", "work"}, {"what", what}}));
     try {
       task(*session_);
@@ -163,7 +163,7 @@ void AnalysisSlot::setDataset(Dataset opened) {
   latest_.clear();
   all_(makeMessage(R"({"kind": "opened"})"));
   if (worker_) { // it ends what it is at, which may take seconds
-    leaving_.add([old = std::shared_ptr<AnalysisWorker>{std::move(worker_)}] {});
+    leaving_.enqueue([old = std::shared_ptr<AnalysisWorker>{std::move(worker_)}] {});
   }
   worker_ = std::move(fresh);
 }
@@ -171,7 +171,7 @@ void AnalysisSlot::setDataset(Dataset opened) {
 void AnalysisSlot::open(const std::vector<std::string>& paths,
                         std::function<void(const std::string& problem)> refused) {
   tellWork("opening captures");
-  opening_.add([this, paths, refused = std::move(refused)] {
+  opening_.enqueue([this, paths, refused = std::move(refused)] {
     std::shared_ptr<Dataset> opened;
     std::string problem;
     try {

@@ -135,9 +135,9 @@ void LiveDetection::onImage(const std::string& key, std::uint64_t timestamp, int
   looked_[camera] = now;
   LiveCamera seenWith = belief->second;
   seenWith.intrinsics = eye.lens;
-  jobs_.add([sight = sight_, tell = tell_, robot = robot_, key, camera, timestamp, eye, bytes = std::string{file},
-             angles, seenWith, unknown = findUncalibrated(drawing_, offsets_, cameras_),
-             offsetsKnown = !offsets_.is_null(), &drawing = drawing_] {
+  worker_.enqueue([sight = sight_, tell = tell_, robot = robot_, key, camera, timestamp, eye, bytes = std::string{file},
+                   angles, seenWith, unknown = findUncalibrated(drawing_, offsets_, cameras_),
+                   offsetsKnown = !offsets_.is_null(), &drawing = drawing_] {
     Json boards = Json::array();
     std::vector<Eigen::Vector2d> corners;
     try {
