@@ -130,8 +130,8 @@ private:
   std::mutex resultsMutex_;
   std::deque<QueuedResult> results_;
   Latest<ProcessedCaptures> processed_;
-  ProcessedCaptures processedSoFar_; // the worker's
-  Worker worker_;                    // last: it uses the others
+  ProcessedCaptures processedSoFar_;       // the worker's
+  Worker worker_{Worker::AtEnd::allTasks}; // last: it uses the others
 };
 
 } // namespace naocal

@@ -26,8 +26,8 @@ private:
   const ReplayWorld& world_;
   Dependency<StillImage> picture_{*this, "stillPicture"};
   std::optional<CalibrationRecorder> session_;
-  std::exception_ptr failure_; // the worker's first
-  Worker worker_;              // last: it uses the others
+  std::exception_ptr failure_;             // the worker's first
+  Worker worker_{Worker::AtEnd::allTasks}; // last: it uses the others
 };
 
 } // namespace naocal

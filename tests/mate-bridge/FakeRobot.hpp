@@ -1,6 +1,6 @@
 #pragma once
 
-#include "robot/RobotFrames.hpp"
+#include "protocol/Frames.hpp"
 
 #include <boost/asio/local/stream_protocol.hpp>
 #include <boost/asio/read.hpp>
@@ -19,8 +19,8 @@ public:
       : mounts_{std::move(mounts)}, debug_{context, (folder / "debug").string()}, config_{
                                                                                       context,
                                                                                       (folder / "config").string()} {
-    accept(debug_, debugFrames);
-    accept(config_, configFrames);
+    accept(debug_, debugFormat);
+    accept(config_, configFormat);
   }
 
   std::vector<std::string> keysAskedFor; // mounts, by GET_KEYS
@@ -29,11 +29,11 @@ private:
   using Local = boost::asio::local::stream_protocol;
   struct Peer {
     Local::socket socket;
-    const RobotFormat& format;
+    const FrameFormat& format;
     std::string bytes;
   };
 
-  void accept(Local::acceptor& acceptor, const RobotFormat& format) {
+  void accept(Local::acceptor& acceptor, const FrameFormat& format) {
     acceptor.async_accept([this, &format, &acceptor](boost::system::error_code error, Local::socket socket) {
       if (!error) {
         readHeader(std::make_shared<Peer>(Peer{std::move(socket), format, {}}));
@@ -47,32 +47,31 @@ private:
     boost::asio::async_read(peer->socket, boost::asio::buffer(peer->bytes),
                             [this, peer](boost::system::error_code error, std::size_t) {
                               if (!error) {
-                                readBody(peer, robotHeader(peer->format, peer->bytes));
+                                readBody(peer, parseHeader(peer->format, peer->bytes, 1 << 20));
                               }
                             });
   }
 
-  void readBody(const std::shared_ptr<Peer>& peer, const RobotHeader& header) {
+  void readBody(const std::shared_ptr<Peer>& peer, const FrameHeader& header) {
     peer->bytes.resize(header.bodySize);
     boost::asio::async_read(peer->socket, boost::asio::buffer(peer->bytes),
                             [this, peer, type = header.type](boost::system::error_code error, std::size_t) {
                               if (!error) {
-                                answer(*peer, static_cast<ConfigFrame>(type));
+                                answer(*peer, static_cast<ConfigType>(type));
                                 readHeader(peer);
                               }
                             });
   }
 
-  void answer(Peer& peer, ConfigFrame asked) {
-    if (&peer.format != &configFrames) {
+  void answer(Peer& peer, ConfigType asked) {
+    if (&peer.format != &configFormat) {
       return;
     }
-    if (asked == ConfigFrame::getKeys) {
+    if (asked == ConfigType::getKeys) {
       keysAskedFor.push_back(peer.bytes);
-    } else if (asked == ConfigFrame::getMounts) {
+    } else if (asked == ConfigType::getMounts) {
       boost::system::error_code ignored;
-      const auto type = static_cast<std::uint8_t>(ConfigFrame::sendMounts);
-      boost::asio::write(peer.socket, boost::asio::buffer(robotFrame(configFrames, type, mounts_)), ignored);
+      boost::asio::write(peer.socket, boost::asio::buffer(encodeConfigFrame(ConfigType::sendMounts, mounts_)), ignored);
     }
   }
 

@@ -1,5 +1,7 @@
 #include "Panel.hpp"
 
+#include "protocol/JointOrder.hpp"
+
 #include <boost/asio/connect.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -88,6 +90,15 @@ TEST_CASE("what a page asks for goes by its verb, and what the bridge does not k
   const std::vector<Json> ended = page.answers(R"({"do": "endRun"})");
   REQUIRE(ended.size() == 1);
   CHECK(ended[0]["kind"] == "errand");
+}
+
+TEST_CASE("a page that comes is told the order of joints") {
+  // Proves that the first message names the joints in the order of the robot's lists.
+  Page page;
+  const Json hello = page.answers(R"({"do": "dance"})").front();
+  CHECK(hello["kind"] == "hello");
+  REQUIRE(hello["joints"].size() == jointCount);
+  CHECK(hello["joints"][*jointIndex("RKneePitch")] == "RKneePitch");
 }
 
 TEST_CASE("how a robot would stand is drawn for the angles that are given") {

@@ -203,7 +203,12 @@ TEST_CASE("a robot that comes back is connected and subscribed to again") {
 }
 
 TEST_CASE("whoever is no robot is told so, and the panel lives on") {
-  // Proves it over TCP for a server that answers with something else.
+  // Proves it over TCP for servers that answer with something else, with another version, or without end.
+  using namespace std::string_literals;
+  const auto [answer, sentence] = GENERATE(table<std::string, std::string>(
+      {{"HTTP/1.1 400 Bad Request\r\n\r\n", "does not speak HULKs' protocol (expected a frame that begins with DMSG)"},
+       {"DMSG\x02\x04\0\0\0\0\0\0\0\0\0\0"s, "speaks another version of HULKs' protocol (expected 1, found 2)"},
+       {"DMSG\x01\x04\0\0\x01\0\0\x02\0\0\0\0"s, "announced a frame of 33554433 bytes; at most 33554432 are taken"}}));
   Listening panel;
   using Tcp = boost::asio::ip::tcp;
   const auto loopback = boost::asio::ip::address_v4::loopback();
@@ -219,18 +224,13 @@ TEST_CASE("whoever is no robot is told so, and the panel lives on") {
     }
   }
   REQUIRE(config);
-  debug->async_accept([](boost::system::error_code, Tcp::socket socket) {
+  debug->async_accept([&bytes = answer](boost::system::error_code, Tcp::socket socket) {
     boost::system::error_code ignored;
-    boost::asio::write(socket, boost::asio::buffer("HTTP/1.1 400 Bad Request\r\n\r\n"), ignored);
+    boost::asio::write(socket, boost::asio::buffer(bytes), ignored);
   });
   panel.robots.connect(fmt::format("127.0.0.1:{}", base));
-  CHECK_FALSE(panel
-                  .heard("robot",
-                         [](const Json& state) {
-                           return state["sentence"].get<std::string>().find("does not speak HULKs' protocol") !=
-                                  std::string::npos;
-                         })
-                  .is_null());
+  CHECK_FALSE(
+      panel.heard("robot", [&wanted = sentence](const Json& state) { return state["sentence"] == wanted; }).is_null());
 }
 
 TEST_CASE("a robot's address is a host, a host with its base port, or a folder") {

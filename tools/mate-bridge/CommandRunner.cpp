@@ -1,7 +1,7 @@
 #include "CommandRunner.hpp"
 
 #include "io/InputError.hpp"
-#include "server/Wire.hpp"
+#include "protocol/BoundedJson.hpp"
 
 #include <algorithm>
 #include <array>
@@ -167,7 +167,7 @@ struct CommandRunner::Running : std::enable_shared_from_this<Running> {
   }
 
   std::string latest() const {
-    return wireText({{"kind", "errand"},
+    return jsonText({{"kind", "errand"},
                      {"program", program ? Json(program->string()) : Json(nullptr)},
                      {"folder", std::filesystem::current_path().string()},
                      {"words", words},

@@ -3,12 +3,13 @@
 #include "CommandRunner.hpp"
 #include "analysis/AnalysisWorker.hpp"
 #include "io/InputError.hpp"
+#include "protocol/BoundedJson.hpp"
+#include "protocol/JointOrder.hpp"
 #include "robot/FloorScene.hpp"
 #include "robot/Robots.hpp"
 #include "server/HttpServer.hpp"
 #include "server/PageFiles.hpp"
 #include "server/RequestGuard.hpp"
-#include "server/Wire.hpp"
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
@@ -49,8 +50,11 @@ struct Panel::Implementation {
   }
 
   Message hello() const {
-    const Json hello{{"kind", "hello"}, {"laboratory", analysis.worker() != nullptr}, {"robots", robots.addresses()}};
-    return makeMessage(wireText(hello));
+    const Json hello{{"kind", "hello"},
+                     {"laboratory", analysis.worker() != nullptr},
+                     {"robots", robots.addresses()},
+                     {"joints", jointNames}}; // the order in which robots send one number per joint
+    return makeMessage(jsonText(hello));
   }
 
   PanelCallbacks robotCalls() {
@@ -98,7 +102,7 @@ struct Panel::Implementation {
   }
 
   void refuse(std::size_t panel, const std::string& problem) {
-    server.send(panel, makeMessage(wireText({{"kind", "refused"}, {"sentence", problem}})));
+    server.send(panel, makeMessage(jsonText({{"kind", "refused"}, {"sentence", problem}})));
   }
 
   void greet(std::size_t panel) {
@@ -113,7 +117,7 @@ struct Panel::Implementation {
   void received(std::size_t panel, const std::string& text) {
     std::string problem;
     try {
-      const Json body = wireJson(text);
+      const Json body = parseBoundedJson(text);
       const Request request{*this, panel, body};
       const auto found = handlers().find(request.verb());
       found == handlers().end() ? request.refuseVerb() : found->second(request);
@@ -155,7 +159,7 @@ struct Panel::Implementation {
     void answer(const char* kind, Json content) const {
       content["kind"] = kind;
       content["number"] = at("number");
-      bridge.server.send(panel, makeMessage(wireText(content)));
+      bridge.server.send(panel, makeMessage(jsonText(content)));
     }
     void open() const {
       bridge.analysis.open(at("paths"),

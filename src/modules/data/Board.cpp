@@ -66,10 +66,9 @@ double symmetricReach(const CharucoPattern& pattern, int cellsPerMarker) {
 
 std::vector<Eigen::Vector3d> innerCorners(const CharucoPattern& pattern) {
   std::vector<Eigen::Vector3d> corners;
-  for (int row = 1; row < pattern.squaresY; ++row) {
-    for (int column = 1; column < pattern.squaresX; ++column) {
-      corners.push_back(pattern.squareLength * Eigen::Vector3d(column, -row, 0));
-    }
+  for (int id = 0; id < cornerCount(pattern); ++id) {
+    const Eigen::Vector2d corner = pattern.squareLength * cornerOnBoard(pattern, id);
+    corners.emplace_back(corner.x(), corner.y(), 0);
   }
   return corners;
 }

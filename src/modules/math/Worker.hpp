@@ -11,7 +11,10 @@ namespace naocal {
 /// A thread that does one task after another, so that whoever has them done need not wait. Tasks must not throw.
 class Worker {
 public:
-  Worker() : thread_{[this](const std::stop_token& stop) { run(stop); }} {}
+  /// What the destructor waits for. `presentTask`: those behind it are dropped.
+  enum class AtEnd { allTasks, presentTask };
+
+  explicit Worker(AtEnd atEnd) : atEnd_{atEnd}, thread_{[this](const std::stop_token& stop) { run(stop); }} {}
 
   void enqueue(std::function<void()> task) {
     const std::lock_guard lock{mutex_};
@@ -35,15 +38,20 @@ private:
   void run(const std::stop_token& stop) {
     std::unique_lock lock{mutex_};
     while (added_.wait(lock, stop, [this] { return !tasks_.empty(); })) {
-      const auto task = std::move(tasks_.front());
+      if (atEnd_ == AtEnd::presentTask && stop.stop_requested()) {
+        return;
+      }
+      std::function<void()> task = std::move(tasks_.front());
       lock.unlock();
       task();
+      task = nullptr; // Unlocked: what a task holds may take long to destroy.
       lock.lock();
       tasks_.pop_front();
       finished_.notify_all();
     }
   }
 
+  const AtEnd atEnd_;
   mutable std::mutex mutex_;
   std::condition_variable_any added_, finished_;
   std::deque<std::function<void()>> tasks_; // the first is being done

@@ -43,8 +43,8 @@ std::string describeProblem(const FrameHeader& header, const FrameFormat& format
 
 /// Header and body.
 std::string encodeFrame(const FrameFormat& format, std::uint8_t type, std::string_view body);
-std::string encodeDebugFrame(DebugType type, std::string_view body);
-std::string encodeConfigFrame(ConfigType type, std::string_view body);
+std::string encodeDebugFrame(DebugType type, std::string_view body = {});
+std::string encodeConfigFrame(ConfigType type, std::string_view body = {});
 
 /// An IMAGE's body: u64 timestamp [ms], u16 width, u16 height, u16 length of the key, key, file.
 struct ImageBody {

@@ -3,7 +3,7 @@
 #include "analysis/AnalysisSession.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
-#include "server/Wire.hpp"
+#include "protocol/BoundedJson.hpp"
 
 #include <algorithm>
 #include <array>
@@ -45,7 +45,7 @@ AnalysisWorker::AnalysisWorker(Dataset opened, MessageSink tell)
                                                                isFitted_ = isFitted_ || kind == "fit";
                                                                Json message = content;
                                                                message["kind"] = kind;
-                                                               tell_(kind, wireText(message));
+                                                               tell_(kind, jsonText(message));
                                                              })} {
   work(fitting, [](AnalysisSession& session) { session.fit(); });
   testCandidates();
@@ -56,17 +56,17 @@ AnalysisWorker::~AnalysisWorker() {
 }
 
 void AnalysisWorker::work(std::string_view what, std::function<void(AnalysisSession&)> task) {
-  jobs_.add([this, what, task = std::move(task)] {
-    tell_("work", wireText({{"kind", "work"}, {"what", what}}));
+  thread_.enqueue([this, what, task = std::move(task)] {
+    tell_("work", jsonText({{"kind", "work"}, {"what", what}}));
     try {
       task(*session_);
     } catch (const std::exception& error) { // a full disk, too, must not end the bridge
-      tell_("refused", wireText({{"kind", "refused"}, {"sentence", error.what()}}));
+      tell_("refused", jsonText({{"kind", "refused"}, {"sentence", error.what()}}));
       if (!isFitted_ && what == fitting) {
-        tell_("unfitted", wireText({{"kind", "unfitted"}, {"sentence", error.what()}}));
+        tell_("unfitted", jsonText({{"kind", "unfitted"}, {"sentence", error.what()}}));
       }
     }
-    tell_("work", wireText({{"kind", "work"}, {"what", nullptr}}));
+    tell_("work", jsonText({{"kind", "work"}, {"what", nullptr}}));
   });
 }
 
@@ -125,7 +125,7 @@ void AnalysisWorker::generateFile(const std::string& name) {
       const std::lock_guard lock{mutex_};
       made_[name] = std::move(content);
     }
-    tell_("made", wireText({{"kind", "made"}, {"file", name}}));
+    tell_("made", jsonText({{"kind", "made"}, {"file", name}}));
   });
 }
 
@@ -163,7 +163,7 @@ void AnalysisSlot::setDataset(Dataset opened) {
   latest_.clear();
   all_(makeMessage(R"({"kind": "opened"})"));
   if (worker_) { // it ends what it is at, which may take seconds
-    leaving_.add([old = std::shared_ptr<AnalysisWorker>{std::move(worker_)}] {});
+    leaving_.enqueue([old = std::shared_ptr<AnalysisWorker>{std::move(worker_)}] {});
   }
   worker_ = std::move(fresh);
 }
@@ -171,7 +171,7 @@ void AnalysisSlot::setDataset(Dataset opened) {
 void AnalysisSlot::open(const std::vector<std::string>& paths,
                         std::function<void(const std::string& problem)> refused) {
   tellWork("opening captures");
-  opening_.add([this, paths, refused = std::move(refused)] {
+  opening_.enqueue([this, paths, refused = std::move(refused)] {
     std::shared_ptr<Dataset> opened;
     std::string problem;
     try {

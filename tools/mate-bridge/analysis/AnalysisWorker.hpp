@@ -1,8 +1,8 @@
 #pragma once
 
 #include "analysis/Dataset.hpp"
+#include "math/Worker.hpp"
 #include "server/HttpServer.hpp"
-#include "server/JobQueue.hpp"
 
 #include <atomic>
 #include <functional>
@@ -64,8 +64,8 @@ private:
   std::atomic<bool> cancelled_ = false;
   std::atomic<int> questions_ = 0; // that wait
   mutable std::mutex mutex_;
-  std::map<std::string, std::string> made_; // files by name
-  JobQueue jobs_;
+  std::map<std::string, std::string> made_;   // files by name
+  Worker thread_{Worker::AtEnd::presentTask}; // last: it uses the others
 };
 
 /// The analysis of the captures that are open, and its replacement: captures are opened by a thread of their own, as
@@ -96,7 +96,7 @@ private:
   std::size_t number_ = 0;                              // of the worker
   std::vector<std::pair<std::string, Message>> latest_; // what it told last, by kind
   std::unique_ptr<AnalysisWorker> worker_;
-  JobQueue leaving_, opening_; // last: they end first
+  Worker leaving_{Worker::AtEnd::presentTask}, opening_{Worker::AtEnd::presentTask}; // last: they end first
 };
 
 } // namespace naocal

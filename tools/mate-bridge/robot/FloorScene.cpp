@@ -1,6 +1,7 @@
 #include "robot/FloorScene.hpp"
 
 #include "detect/LensDistortion.hpp"
+#include "protocol/JointOrder.hpp"
 #include "robot/Gravity.hpp"
 #include "robot/Kinematics.hpp"
 
@@ -16,13 +17,6 @@ using Json = nlohmann::json;
 
 constexpr double sameHeight = 0.01; // of soles that both carry [m]
 constexpr double farthest = 3;      // of what is drawn of a view [m]
-
-/// HULKs' order of joints on the wire (code release 2019, Modules/NaoProvider.h); hands are no joints of the drawing.
-constexpr std::array wireJoints{
-    "HeadYaw",       "HeadPitch",    "LShoulderPitch", "LShoulderRoll", "LElbowYaw",   "LElbowRoll",  "LWristYaw",
-    "LHand",         "LHipYawPitch", "LHipRoll",       "LHipPitch",     "LKneePitch",  "LAnklePitch", "LAnkleRoll",
-    "RHipYawPitch",  "RHipRoll",     "RHipPitch",      "RKneePitch",    "RAnklePitch", "RAnkleRoll",  "RShoulderPitch",
-    "RShoulderRoll", "RElbowYaw",    "RElbowRoll",     "RWristYaw",     "RHand"};
 
 Json rounded(const Eigen::Vector3d& point) {
   Json list = Json::array();
@@ -156,12 +150,12 @@ std::optional<Eigen::VectorXd> parseNamedAngles(const Json& byName, const Robot&
 }
 
 std::optional<Eigen::VectorXd> parseOrderedAngles(const Json& list, const Robot& drawing) {
-  if (!list.is_array() || list.size() != wireJoints.size()) {
+  if (!list.is_array() || list.size() != jointCount) {
     return std::nullopt;
   }
   Json byName = Json::object();
-  for (std::size_t i = 0; i < wireJoints.size(); ++i) {
-    byName[wireJoints[i]] = list[i];
+  for (std::size_t i = 0; i < jointCount; ++i) {
+    byName[std::string{jointNames[i]}] = list[i];
   }
   return parseNamedAngles(byName, drawing);
 }

@@ -1,6 +1,6 @@
 #include "robot/LiveDetection.hpp"
 
-#include "server/Wire.hpp"
+#include "protocol/BoundedJson.hpp"
 
 #include "data/BoardFile.hpp"
 #include "detect/BoardDetector.hpp"
@@ -76,8 +76,8 @@ LiveDetection::~LiveDetection() = default;
 void LiveDetection::onUpdate(const Json& update) {
   const Json& value = update.at("value");
   if (update.at("key") == keys[1]) {
-    if (wireText(value) != camerasText_) { // calibrated: boards lie elsewhere than they seemed to
-      camerasText_ = wireText(value);
+    if (jsonText(value) != camerasText_) { // calibrated: boards lie elsewhere than they seemed to
+      camerasText_ = jsonText(value);
       cameras_ = camerasOf(value);
       const std::lock_guard lock{sight_->mutex};
       sight_->places = FloorBoardTracker{sight_->boards};
@@ -106,7 +106,7 @@ void LiveDetection::tellScene() {
   }
   scene["kind"] = "scene";
   scene["robot"] = robot_;
-  tell_(wireText(scene));
+  tell_(jsonText(scene));
 }
 
 void LiveDetection::onImage(const std::string& key, std::uint64_t timestamp, int width, int height,
@@ -135,9 +135,9 @@ void LiveDetection::onImage(const std::string& key, std::uint64_t timestamp, int
   looked_[camera] = now;
   LiveCamera seenWith = belief->second;
   seenWith.intrinsics = eye.lens;
-  jobs_.add([sight = sight_, tell = tell_, robot = robot_, key, camera, timestamp, eye, bytes = std::string{file},
-             angles, seenWith, unknown = findUncalibrated(drawing_, offsets_, cameras_),
-             offsetsKnown = !offsets_.is_null(), &drawing = drawing_] {
+  worker_.enqueue([sight = sight_, tell = tell_, robot = robot_, key, camera, timestamp, eye, bytes = std::string{file},
+                   angles, seenWith, unknown = findUncalibrated(drawing_, offsets_, cameras_),
+                   offsetsKnown = !offsets_.is_null(), &drawing = drawing_] {
     Json boards = Json::array();
     std::vector<Eigen::Vector2d> corners;
     try {
@@ -161,7 +161,7 @@ void LiveDetection::onImage(const std::string& key, std::uint64_t timestamp, int
     if (!corners.empty() && offsetsKnown) {
       seen["rests"] = predictLiveError(drawing, angles, camera, seenWith, corners, unknown).sentence(drawing, camera);
     }
-    tell(wireText(seen));
+    tell(jsonText(seen));
   });
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "math/Worker.hpp"
 #include "robot/FloorScene.hpp"
 #include "robot/LiveExpectation.hpp"
-#include "server/JobQueue.hpp"
 
 #include <array>
 #include <chrono>
@@ -51,7 +51,7 @@ private:
   std::chrono::steady_clock::time_point told_;
   std::map<std::string, std::chrono::steady_clock::time_point> looked_; // by camera
   std::shared_ptr<VisibleBoard> sight_;                                 // shared with the thread
-  JobQueue jobs_;                                                       // last: it uses the others
+  Worker worker_{Worker::AtEnd::presentTask};                           // last: it uses the others
 };
 
 } // namespace naocal

@@ -1,7 +1,7 @@
 #include "robot/RobotClient.hpp"
 
 #include "io/InputError.hpp"
-#include "robot/RobotFrames.hpp"
+#include "protocol/Frames.hpp"
 
 #include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -64,11 +64,23 @@ namespace {
 
 constexpr std::chrono::milliseconds pauseBetweenTries{1000}, heartbeat{2000}, longestSilence{6000};
 
-std::string debugFrame(DebugFrame type, std::string_view body = {}) {
-  return robotFrame(debugFrames, static_cast<std::uint8_t>(type), body);
-}
-std::string configFrame(ConfigFrame type, std::string_view body = {}) {
-  return robotFrame(configFrames, static_cast<std::uint8_t>(type), body);
+/// Largest body that a robot sends: a list of all keys with their values, or an image [bytes].
+constexpr std::uint32_t maxBodyBytes = 32 << 20;
+
+/// What a robot did whose frame cannot be read; without the robot's name. Empty for a frame in order.
+std::string describeRobotProblem(const FrameHeader& header, const FrameFormat& format) {
+  switch (header.problem) {
+  case FrameProblem::magic:
+    return fmt::format("does not speak HULKs' protocol (expected a frame that begins with {})", format.magic);
+  case FrameProblem::version:
+    return fmt::format("speaks another version of HULKs' protocol (expected {}, found {})", format.version,
+                       header.version);
+  case FrameProblem::size:
+    return fmt::format("announced a frame of {} bytes; at most {} are taken", header.bodySize, maxBodyBytes);
+  case FrameProblem::none:
+    break;
+  }
+  return "";
 }
 
 /// One of a robot's two sockets: connects, cuts what comes into frames, sends frames. Ends once, with a sentence.
@@ -79,7 +91,7 @@ public:
     std::function<void(std::uint8_t type, std::string body)> received;
     std::function<void(const std::string& sentence)> ended; // without the robot's name: "refused the connection"
   };
-  RobotSocket(boost::asio::io_context& context, const RobotFormat& format, Callbacks calls);
+  RobotSocket(boost::asio::io_context& context, const FrameFormat& format, Callbacks calls);
 
   /// `offset`: of the TCP port above the base port; `name`: of the UNIX socket.
   void connect(const RobotAddress& place, std::uint16_t offset, const std::string& name);
@@ -95,7 +107,7 @@ private:
   void write();
   void end(const std::string& sentence);
 
-  const RobotFormat& format_;
+  const FrameFormat& format_;
   Callbacks calls_;
   Socket socket_;
   boost::asio::ip::tcp::resolver resolver_;
@@ -107,7 +119,7 @@ private:
 
 using Error = boost::system::error_code;
 
-RobotSocket::RobotSocket(boost::asio::io_context& context, const RobotFormat& format, Callbacks calls)
+RobotSocket::RobotSocket(boost::asio::io_context& context, const FrameFormat& format, Callbacks calls)
     : format_{format}, calls_{std::move(calls)}, socket_{context}, resolver_{context}, patience_{context} {}
 
 void RobotSocket::connect(const RobotAddress& place, std::uint16_t offset, const std::string& name) {
@@ -164,9 +176,9 @@ void RobotSocket::readHeader() {
       self->end("closed the connection");
       return;
     }
-    const RobotHeader header = robotHeader(self->format_, self->header_);
-    if (!header.problem.empty()) {
-      self->end(header.problem);
+    const FrameHeader header = parseHeader(self->format_, self->header_, maxBodyBytes);
+    if (header.problem != FrameProblem::none) {
+      self->end(describeRobotProblem(header, self->format_));
     } else {
       self->readBody(header.type, header.bodySize);
     }
@@ -244,14 +256,14 @@ public:
   /// As RobotClient.
   bool authenticate(const std::string& settings);
   /// False: not connected, so nothing was sent.
-  bool send(ConfigFrame type, std::string_view body = {});
+  bool send(ConfigType type, std::string_view body = {});
 
 private:
   void opened();
   void listen();
   void ended(const std::string& why);
-  void debugSaid(DebugFrame type, const std::string& body);
-  void configSaid(ConfigFrame type, const std::string& body);
+  void debugSaid(DebugType type, const std::string& body);
+  void configSaid(ConfigType type, const std::string& body);
 
   boost::asio::io_context& context_;
   RobotAddress place_;
@@ -283,15 +295,15 @@ void RobotClient::Implementation::connect() {
   const auto opened = guarded([](Implementation& self) { self.opened(); });
   const auto ended = guarded([](Implementation& self, const std::string& why) { self.ended(why); });
   debug_ = std::make_shared<RobotSocket>(
-      context_, debugFrames,
+      context_, debugFormat,
       RobotSocket::Callbacks{opened, guarded([](Implementation& self, std::uint8_t type, const std::string& body) {
-                               self.debugSaid(static_cast<DebugFrame>(type), body);
+                               self.debugSaid(static_cast<DebugType>(type), body);
                              }),
                              ended});
   config_ = std::make_shared<RobotSocket>(
-      context_, configFrames,
+      context_, configFormat,
       RobotSocket::Callbacks{opened, guarded([](Implementation& self, std::uint8_t type, const std::string& body) {
-                               self.configSaid(static_cast<ConfigFrame>(type), body);
+                               self.configSaid(static_cast<ConfigType>(type), body);
                              }),
                              ended});
   missing_ = 2;
@@ -307,12 +319,12 @@ void RobotClient::Implementation::opened() {
   heard_ = std::chrono::steady_clock::now();
   isWelcome_ = false;
   if (!introduction_.empty()) {
-    config_->send(configFrame(ConfigFrame::set, introduction_));
+    config_->send(encodeConfigFrame(ConfigType::set, introduction_));
   }
-  debug_->send(debugFrame(DebugFrame::requestList));
-  config_->send(configFrame(ConfigFrame::getMounts));
+  debug_->send(encodeDebugFrame(DebugType::requestList));
+  config_->send(encodeConfigFrame(ConfigType::getMounts));
   for (const std::string& key : keys_) {
-    debug_->send(debugFrame(DebugFrame::subscribe, key));
+    debug_->send(encodeDebugFrame(DebugType::subscribe, key));
   }
   listen();
   calls_.changed();
@@ -332,7 +344,7 @@ void RobotClient::Implementation::listen() {
       return;
     }
     if (silence > heartbeat / 2) {
-      self->debug_->send(debugFrame(DebugFrame::requestList));
+      self->debug_->send(encodeDebugFrame(DebugType::requestList));
     }
     self->listen();
   });
@@ -358,22 +370,22 @@ void RobotClient::Implementation::ended(const std::string& why) {
   }
 }
 
-void RobotClient::Implementation::debugSaid(DebugFrame type, const std::string& body) {
+void RobotClient::Implementation::debugSaid(DebugType type, const std::string& body) {
   heard_ = std::chrono::steady_clock::now();
-  if (type == DebugFrame::update) {
+  if (type == DebugType::update) {
     calls_.update(body);
-  } else if (type == DebugFrame::list) {
+  } else if (type == DebugType::list) {
     calls_.list(body);
-  } else if (type == DebugFrame::image) {
+  } else if (type == DebugType::image) {
     calls_.picture(body);
   }
 }
 
-void RobotClient::Implementation::configSaid(ConfigFrame type, const std::string& body) {
-  if (type == ConfigFrame::sendMounts) {
+void RobotClient::Implementation::configSaid(ConfigType type, const std::string& body) {
+  if (type == ConfigType::sendMounts) {
     isWelcome_ = isWelcome_ || body.find("\"key\"") != body.npos;
     calls_.mounts(body);
-  } else if (type == ConfigFrame::sendKeys) {
+  } else if (type == ConfigType::sendKeys) {
     calls_.keys(body);
   }
 }
@@ -401,24 +413,24 @@ void RobotClient::Implementation::resume() {
 
 void RobotClient::Implementation::subscribe(const std::string& key) {
   if (keys_.insert(key).second && isConnected()) {
-    debug_->send(debugFrame(DebugFrame::subscribe, key));
+    debug_->send(encodeDebugFrame(DebugType::subscribe, key));
   }
 }
 
 void RobotClient::Implementation::unsubscribe(const std::string& key) {
   if (keys_.erase(key) > 0 && isConnected()) {
-    debug_->send(debugFrame(DebugFrame::unsubscribe, key));
+    debug_->send(encodeDebugFrame(DebugType::unsubscribe, key));
   }
 }
 
 bool RobotClient::Implementation::authenticate(const std::string& settings) {
   introduction_ = settings;
-  return send(ConfigFrame::set, settings) && send(ConfigFrame::getMounts);
+  return send(ConfigType::set, settings) && send(ConfigType::getMounts);
 }
 
-bool RobotClient::Implementation::send(ConfigFrame type, std::string_view body) {
+bool RobotClient::Implementation::send(ConfigType type, std::string_view body) {
   if (isConnected()) {
-    config_->send(configFrame(type, body));
+    config_->send(encodeConfigFrame(type, body));
   }
   return isConnected();
 }
@@ -449,11 +461,11 @@ void RobotClient::unsubscribe(const std::string& key) {
 }
 
 void RobotClient::askForKeys(const std::string& mount) {
-  implementation_->send(ConfigFrame::getKeys, mount);
+  implementation_->send(ConfigType::getKeys, mount);
 }
 
 bool RobotClient::set(const std::string& settings) {
-  return implementation_->send(ConfigFrame::set, settings);
+  return implementation_->send(ConfigType::set, settings);
 }
 
 bool RobotClient::authenticate(const std::string& settings) {
@@ -469,7 +481,7 @@ void RobotClient::resume() {
 }
 
 bool RobotClient::save() {
-  return implementation_->send(ConfigFrame::save);
+  return implementation_->send(ConfigType::save);
 }
 
 } // namespace naocal

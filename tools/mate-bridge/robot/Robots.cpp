@@ -1,8 +1,8 @@
 #include "robot/Robots.hpp"
 
 #include "io/InputError.hpp"
-#include "robot/RobotFrames.hpp"
-#include "server/Wire.hpp"
+#include "protocol/BoundedJson.hpp"
+#include "protocol/Frames.hpp"
 
 #include <charconv>
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ constexpr std::size_t theWatch = std::numeric_limits<std::size_t>::max(); // amo
 /// What a robot sent as JSON; null where it is none.
 Json parsed(const std::string& body) {
   try {
-    return wireJson(body);
+    return parseBoundedJson(body);
   } catch (const Json::exception&) {
     return nullptr;
   }
@@ -89,7 +89,7 @@ WatchedRobot::WatchedRobot(boost::asio::io_context& context, std::string address
 }
 
 std::string WatchedRobot::state() const {
-  return wireText({{"kind", "robot"},
+  return jsonText({{"kind", "robot"},
                    {"robot", address_},
                    {"connected", link_ && link_->isConnected()},
                    {"sentence", link_ ? link_->sentence() : "connecting"}});
@@ -118,7 +118,7 @@ void WatchedRobot::listed(const std::string& kind, const std::string& body) {
   if (kind == "mounts") {
     whereItFits([&] { mounts_.onListed(told); });
   }
-  const std::string message = wireText({{"kind", kind}, {"robot", address_}, {"body", told}});
+  const std::string message = jsonText({{"kind", kind}, {"robot", address_}, {"body", told}});
   if (kind != "keys" && latest_[kind] == message) {
     return; // the robot only said that it is there
   }
@@ -148,16 +148,16 @@ void WatchedRobot::updated(const std::string& body) {
     }
   }
   for (const auto& [panel, list] : wanted) {
-    calls_.update(panel, wireText({{"kind", "update"}, {"robot", address_}, {"values", list}}));
+    calls_.update(panel, jsonText({{"kind", "update"}, {"robot", address_}, {"values", list}}));
   }
 }
 
 void WatchedRobot::pictured(const std::string& body) {
-  const auto picture = robotPicture(body);
+  const auto picture = parseImageBody(body);
   if (!picture) {
     return;
   }
-  const std::string head = wireText({{"kind", "picture"},
+  const std::string head = jsonText({{"kind", "picture"},
                                      {"robot", address_},
                                      {"key", std::string{picture->key}},
                                      {"timestamp", picture->timestamp},
@@ -178,7 +178,7 @@ void WatchedRobot::pictured(const std::string& body) {
 
 void WatchedRobot::set(const Json& settings) {
   const bool isSecret = settings.is_array() && settings.size() == 1 && settings[0].value("mp", "") == "naocal.access";
-  requireDone(isSecret ? link_->authenticate(wireText(settings)) : link_->set(wireText(settings)));
+  requireDone(isSecret ? link_->authenticate(jsonText(settings)) : link_->set(jsonText(settings)));
 }
 
 void WatchedRobot::save() {
@@ -231,7 +231,7 @@ std::string WatchedRobot::takenPictures() const {
   Json message = taken_.list();
   message["kind"] = "taken";
   message["robot"] = address_;
-  return wireText(message);
+  return jsonText(message);
 }
 
 void WatchedRobot::tellTaken() const {
@@ -289,7 +289,7 @@ void Robots::connect(const std::string& address) {
 
 void Robots::disconnect(const std::string& address) {
   if (robots_.erase(address) > 0) {
-    calls_.all(wireText({{"kind", "robotGone"}, {"robot", address}}));
+    calls_.all(jsonText({{"kind", "robotGone"}, {"robot", address}}));
   }
 }
 

@@ -3,6 +3,7 @@ import uPlot from "uplot";
 import {axes} from "naocal/lib/axes.js";
 import {button, csv, download, element} from "naocal/lib/dom.js";
 import {colours} from "naocal/lib/figure.js";
+import {on} from "../core/connection.js";
 import {svgOf} from "../core/figure-export.js";
 
 const shownSeconds = 20, atFirst = 6, tall = 190;
@@ -103,10 +104,10 @@ function plotIn(parent, names) {
   return plot;
 }
 
-// HULKs' order of joints.
-const arm = side => ["ShoulderPitch", "ShoulderRoll", "ElbowYaw", "ElbowRoll", "WristYaw", "Hand"].map(name => side + name);
-const leg = side => ["HipYawPitch", "HipRoll", "HipPitch", "KneePitch", "AnklePitch", "AnkleRoll"].map(name => side + name);
-const joints = ["HeadYaw", "HeadPitch", ...arm("L"), ...leg("L"), ...leg("R"), ...arm("R")];
+// The order in which robots send one number per joint, from the bridge.
+/** @type {string[]} */
+let joints = [];
+on("hello", message => { joints = message.joints; });
 
 // History of one key: its numbers by name, at most about `most` entries.
 export class History {
