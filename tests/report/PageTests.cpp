@@ -114,7 +114,7 @@ TEST_CASE("names cannot become part of the page's code") {
   }
   calibrated.result["warnings"] = json::array({name});
   writeAtomically(calibrated.resultFile(), calibrated.result.dump(-1, ' ', false, json::error_handler_t::replace));
-  const std::string page = reportPage(calibrated.resultFile());
+  const std::string page = renderReport(calibrated.resultFile());
   for (const std::string code : {"<script", "</script", "<!--", "<style"}) {
     INFO(code);
     CHECK(occurrences(page, code) == occurrences(harmless, code));
@@ -146,7 +146,7 @@ TEST_CASE("a broken result file is refused with one sentence") {
   CHECK_THAT(refusal("/sightings/3/predicted/0/1", nullptr), Catch::Contains("sightings[3].predicted[0][1]"));
   CHECK_THAT(refusal("/effects/0/unknowns/o/value", "much"), Catch::Contains("effects[0].unknowns.o.value"));
   CHECK_THAT(refusal("/noise", 3), Catch::Contains("noise: expected an object"));
-  CHECK_THROWS_AS(reportPage(calibrated.captures() / "nothing.json"), InputError);
+  CHECK_THROWS_AS(renderReport(calibrated.captures() / "nothing.json"), InputError);
   writeAtomically(calibrated.resultFile(), "{\"format\":");
-  CHECK_THROWS_AS(reportPage(calibrated.resultFile()), InputError);
+  CHECK_THROWS_AS(renderReport(calibrated.resultFile()), InputError);
 }

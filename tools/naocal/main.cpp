@@ -8,7 +8,7 @@
 #include <fmt/core.h>
 
 int main(int argc, char** argv) {
-  naocal::keepMemory();
+  naocal::tuneAllocator();
   CLI::App app{
       "naocal: a NAO calibrates its joints and cameras with printed boards on the floor, and says how sure it is.",
       "naocal"};

@@ -126,8 +126,8 @@ struct PosesCommand {
     if (!extend.empty()) {
       extendPlan(extend, drawn, scene.boards, plan);
     }
-    const PosePlan result = posePlan(drawn, scene.boards, scene.cameras, plan,
-                                     [](const std::string& what) { fmt::print(stderr, "{}\n", what); });
+    const PosePlan result = planPoses(drawn, scene.boards, scene.cameras, plan,
+                                      [](const std::string& what) { fmt::print(stderr, "{}\n", what); });
     printPlan(result);
     writeJson(planJson(result, drawn), output);
     fmt::print("{} holds the poses and where the boards are\n", output);
@@ -144,7 +144,7 @@ void addPoses(CLI::App& app) {
   const auto command = std::make_shared<PosesCommand>();
   PlanOptions& plan = command->plan;
   plan.poses.count = 8;
-  plan.poses.tries = 1'000'000;
+  plan.poses.maxAttempts = 1'000'000;
   plan.poses.sampling = SamplingMethod::even;
   CLI::App* const poses = app.add_subcommand("poses", "plans poses worth taking, and where to lay the boards");
   poses->add_option("-o,--output", command->output, "POSES.json, to be written")
@@ -154,7 +154,7 @@ void addPoses(CLI::App& app) {
   poses->add_option("--robot", command->robot, "its model")->capture_default_str();
   poses->add_option("--support", plan.poses.supportFoot, "the foot to stand on: left, right or both")
       ->transform(CLI::CheckedTransformer(supportFeet, CLI::ignore_case));
-  poses->add_option("--candidates", plan.poses.tries, "attitudes to draw and sieve")
+  poses->add_option("--candidates", plan.poses.maxAttempts, "attitudes to draw and sieve")
       ->capture_default_str()
       ->check(CLI::Range(1, 100'000'000));
   poses->add_option("--sampling", plan.poses.sampling, "how their ranges are filled")
@@ -186,7 +186,9 @@ void addPoses(CLI::App& app) {
       "a capture set whose boards and cameras to plan for, placements seen from the sole; else four A2 boards");
   poses->add_flag("--whole-boards", plan.poses.sight.wholeBoards,
                   "a board counts only where it is wholly in the picture");
-  poses->add_option("--worn", plan.wornRobots, "robots with joint errors that poses and boards are refined for besides")
+  poses
+      ->add_option("--worn", plan.perturbedRobots,
+                   "robots with joint errors that poses and boards are refined for besides")
       ->capture_default_str()
       ->check(CLI::Range(0, 100));
   poses->add_flag("--compare", plan.compare, "what every criterion selects among the same candidates");
