@@ -27,6 +27,9 @@ export function check(truth, sentence) {
   if (!truth) failures.push(sentence);
 }
 
+// Whether something awaited comes about before its time is over.
+export const happens = (awaited, sentence) => awaited.then(() => check(true, sentence), error => check(false, sentence + ": " + error.message.split("\n")[0]));
+
 // A program that runs until `stop`; the address is in the first line that it prints.
 export async function started(program, ...options) {
   const child = spawn(program, options, {stdio: ["ignore", "pipe", "inherit"]});

@@ -1,11 +1,11 @@
 // Drives the laboratory in a real browser: a set with a hidden flaw is opened, the flaw found and added by a click, the
-// shown error falls to the noise; an own effect; undo; a stranger's page gets nothing.
+// shown error falls to the noise; a custom effect; undo; a stranger's page gets nothing.
 // Proves that page, bridge and science work together and leaves pictures of every view; not that the numbers are right.
 // Usage: node laboratory.mjs NAOCAL MATE-BRIDGE NODE_MODULES PICTURES
 import {createServer} from "node:http";
 import {cpSync, mkdirSync, readFileSync, writeFileSync} from "node:fs";
 import {join} from "node:path";
-import {tools, check, panelOf, run, folder, quietPage, portrait, px, end} from "./browser.mjs";
+import {tools, check, happens, panelOf, run, folder, quietPage, portrait, px, end} from "./browser.mjs";
 
 const [, , naocal, bridge, modules, pictures] = process.argv;
 const {launch, axe} = tools(modules), here = folder();
@@ -54,7 +54,7 @@ const seen = await page.evaluate(() => window.seen), dimmed = seen.filter(one =>
 check(seen.every(({rows}) => rows > 0) && dimmed.length && dimmed.every(({note}) => /^Testing \d+ possible causes …$/.test(note)) && !seen.at(-1).dimmed,
   "the candidates stay in sight, dimmed, until the new ones are there: " + dimmed[0]?.note);
 const after = px(await rungs.nth(1).innerText()), floor = px(await page.locator(".ladder .floor").innerText());
-check(after < 0.6 * before && after < 1.3 * floor, "the shown error on unseen poses falls to the noise: " + before + " px, " + after + " px, noise " + floor + " px");
+check(after < 0.6 * before && after < 1.3 * floor, "the shown held-out error falls to the noise: " + before + " px, " + after + " px, noise " + floor + " px");
 check((await page.locator("h1").innerText()).startsWith("Nothing") || !(await page.locator("h1").innerText()).includes("is missing in the model"), "nothing is missing any more");
 await portrait(page, axe, pictures, "learn-adequate");
 
@@ -66,6 +66,7 @@ let other = first;
 for (let x = 0.15; x < 0.95 && other === first; x += 0.02) {
   for (let y = 0.3; y < 0.75 && other === first; y += 0.05) {
     await page.mouse.click(box.x + x * box.width, box.y + y * box.height);
+    await page.waitForFunction(() => document.querySelector(".split figcaption").textContent);
     other = await caption.innerText();
   }
 }
@@ -87,7 +88,7 @@ await tab("Map");
 await page.locator("#view h2", {hasText: "On the boards"}).waitFor();
 check((await page.locator("#view h2").allInnerTexts()).join() === "Curves,Joint error that would explain the misfit,Within the pictures,On the boards", "the map shows the other ways to look at what is left");
 await page.locator("#bent").selectOption("LKneePitch");
-const bent = page.getByRole("img", {name: /^deflection of LKneePitch over/}), bentBox = await bent.boundingBox();
+const bent = page.getByRole("img", {name: /^error of LKneePitch over/}), bentBox = await bent.boundingBox();
 check(await page.getByRole("img", {name: /^shape of board/}).count() > 1, "each board's shape is drawn");
 await portrait(page, axe, pictures, "map");
 let left = false; // the view, by a click on a point
@@ -144,12 +145,11 @@ await alone.close();
 await tab("Learn");
 await page.getByRole("button", {name: "Find missing effects"}).click();
 await page.getByRole("button", {name: "Stop searching"}).click();
-await page.getByText(/Stopped before its end/).waitFor({timeout: 60000});
-check(true, "a search can be stopped");
+await happens(page.getByText(/Stopped early/).waitFor({timeout: 60000}), "a search can be stopped");
 await idle();
 
-// An own effect: a broken one shows where, a good one can be added.
-await tab("Own effect");
+// A custom effect: a broken one shows where, a good one can be added.
+await tab("Custom effect");
 await page.getByLabel("Correction [rad]").fill("a*sin(3*q) + b*abs(tua)");
 await page.locator("#ownPointer mark").waitFor();
 check((await page.locator("#ownPointer").innerText()).includes("letter 20"), "a broken expression shows where: " + (await page.locator("#ownVerdict").innerText()));
@@ -159,13 +159,13 @@ await page.getByLabel("Correction [rad]").fill("a*sin(3*q) + b*abs(tau)");
 await page.getByText("This can be added").waitFor();
 await page.locator("#ownAdd").click();
 await rungs.nth(2).waitFor();
-await page.getByText("Yours").waitFor();
+await page.getByText("Your effects").waitFor();
 await portrait(page, axe, pictures, "own");
 await page.keyboard.press("Escape");
 await page.locator("#undo").click();
 await page.locator(".ladder li:nth-child(2) .rung[aria-current=step]").waitFor();
 await idle();
-check(await page.getByRole("button", {name: "remove kneeCable@LKneePitch"}).count() === 0, "undo takes the own effect out of the model");
+check(await page.getByRole("button", {name: "remove kneeCable@LKneePitch"}).count() === 0, "undo takes the custom effect out of the model");
 
 // What cannot be fitted says so to whoever comes; a set with photographs.
 run(naocal, "simulate", join(here, "photographed"), "--poses", "6", "--samples", "1", "--images", "--seed", "3");
@@ -262,13 +262,13 @@ await page.reload();
 await rungs.first().waitFor();
 check(await theme() === chosen, "the theme is remembered: " + chosen);
 await page.keyboard.press("?");
-await page.getByRole("dialog").getByText("Stop: whatever robot").waitFor();
+await page.getByRole("dialog").getByText("Stop: every calibration ends").waitFor();
 await page.screenshot({path: join(pictures, "keys.png")});
 await page.getByRole("button", {name: "Close", exact: true}).click();
-await tab("Own effect");
+await tab("Custom effect");
 await page.getByText("This can be added").waitFor();
 await page.locator("#ownAdd").click();
-await page.getByText("This is there already").waitFor();
+await page.getByText("This is in the model already").waitFor();
 await idle();
 await tab("Live");
 await page.locator("#model").waitFor({state: "hidden"});
@@ -287,7 +287,6 @@ await page.locator("#undo").click();
 await page.getByText("The bridge is not connected").waitFor();
 await page.screenshot({path: join(pictures, "bridge-away.png")});
 await page.locator("#notice button").click();
-await page.getByText("If it was started anew, open the address that it prints").waitFor({timeout: 30000});
-check(true, "the panel says what to do when the bridge was started anew");
+await happens(page.getByText("If it was restarted, open the address that it prints").waitFor({timeout: 30000}), "the panel says what to do when the bridge was started anew");
 await browser.close();
 end();

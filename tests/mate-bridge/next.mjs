@@ -4,7 +4,7 @@
 // Usage: node next.mjs NAOCAL NAOCAL-ROBOT MATE-BRIDGE NODE_MODULES CONFIGURATION PICTURES
 import {existsSync, readdirSync, readFileSync, writeFileSync} from "node:fs";
 import {join} from "node:path";
-import {tools, check, panelOf, run, folder, quietPage, livePicture, portrait, end} from "./browser.mjs";
+import {tools, check, happens, panelOf, run, folder, quietPage, livePicture, portrait, end} from "./browser.mjs";
 import {robotIn} from "./robotHere.mjs";
 
 const [, , naocal, robotProgram, bridge, modules, configuration, pictures] = process.argv;
@@ -24,8 +24,7 @@ await livePicture(page, 60000);
 await tab("Next poses");
 await page.getByLabel("How many").selectOption("2");
 await page.getByRole("button", {name: "Suggest poses"}).click();
-await page.locator("figure figcaption", {hasText: "foot, sees"}).nth(1).waitFor({timeout: 60000});
-check(true, "poses are suggested: " + (await page.locator("figure figcaption").allInnerTexts()).join("; "));
+await happens(page.locator("figure figcaption", {hasText: "foot, sees"}).nth(1).waitFor({timeout: 60000}), "poses are suggested");
 await portrait(page, axe, pictures, "next");
 await page.getByRole("button", {name: /^Play on/}).click();
 await portrait(page, axe, pictures, "next-confirm");
@@ -54,8 +53,7 @@ await page.getByLabel("path of what to open").fill(sessions.at(-1) ?? "");
 await page.getByRole("button", {name: "Open", exact: true}).click();
 await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor({timeout: 60000});
 await tab("Files");
-await page.getByText("Open now: " + sessions.at(-1)).waitFor({timeout: 60000});
-check(true, "and the recording is opened");
+await happens(page.getByText("Open now: " + sessions.at(-1)).waitFor({timeout: 60000}), "and the recording is opened");
 
 // Opens captures, and asks to put their result on the robot.
 async function toApply(name) {
@@ -91,8 +89,7 @@ await page.getByRole("button", {name: "Put back …"}).click();
 check((await changes.allInnerTexts()).find(row => row.startsWith("lKneePitch")).split("\t").at(-1) === had, "what it had can be put back: " + had);
 await page.getByRole("button", {name: /^Put back on/}).click();
 await tab("Configuration");
-await page.waitForFunction(wanted => Math.abs(Number(document.getElementById("parameter-lKneePitch")?.value) - wanted) < 0.006, Number(had.replace("−", "-").replace("°", "")));
-check(true, "and is on the robot again");
+await happens(page.waitForFunction(wanted => Math.abs(Number(document.getElementById("parameter-lKneePitch")?.value) - wanted) < 0.006, Number(had.replace("−", "-").replace("°", ""))), "and is on the robot again");
 
 // Another robot's captures are not put on it without a warning.
 run(naocal, "simulate", join(here, "strangers"), "--poses", "6", "--samples", "2", "--seed", "2");

@@ -4,7 +4,7 @@
 // Usage: node robot.mjs NAOCAL-ROBOT MATE-BRIDGE NODE_MODULES CONFIGURATION PICTURES
 import {existsSync, readdirSync, readFileSync} from "node:fs";
 import {join} from "node:path";
-import {tools, check, panelOf, folder, quietPage, livePicture, portrait, px, end} from "./browser.mjs";
+import {tools, check, happens, panelOf, folder, quietPage, livePicture, portrait, px, end} from "./browser.mjs";
 import {robotIn} from "./robotHere.mjs";
 
 const [, , robotProgram, bridge, modules, configuration, pictures] = process.argv;
@@ -32,12 +32,10 @@ await page.evaluate(() => { // what the page asks the bridge for from here on
 const wills = () => page.evaluate(() => window.sent.filter(({settings}) => settings?.[0].key === "lastWill").map(({settings}) => settings[0].value.length).join());
 await page.getByRole("button", {name: "Start", exact: true}).click();
 await page.getByText(/pose [1-9] of/).waitFor({timeout: 180000});
-await page.getByText(/, \d+ of \d+ of this round/).waitFor({timeout: 60000});
-check(true, "each pose is shown before it is played: " + await page.getByText(/of this round/).innerText());
+await happens(page.getByText(/, \d+ of \d+ of this round/).waitFor({timeout: 60000}), "each pose is shown before it is played");
 await page.locator(".thumbnails img").first().waitFor({timeout: 120000});
 const found = page.locator(".camera figcaption").filter({hasText: "corners, predicted"}).first(); // not in every pose
-await found.waitFor({timeout: 120000});
-check(true, "corners are found in the live pictures: " + await found.innerText());
+await happens(found.waitFor({timeout: 120000}), "corners are found in the live pictures");
 await page.screenshot({path: join(pictures, "calibrate-running.png")});
 await tab("Configuration"); // its captures are followed all the same
 await page.waitForTimeout(6000);
@@ -75,10 +73,8 @@ await later.close();
 await newcomer.stop("SIGTERM");
 await page.getByRole("button", {name: "Undo …"}).click();
 await page.getByRole("button", {name: /^Undo on/}).click();
-await page.getByText("No offsets: joint readings are used as they are.").waitFor();
-check(true, "undo takes the offsets back");
-await page.waitForFunction(() => [...document.querySelectorAll("button")].find(one => one.textContent === "Undo …")?.disabled);
-check(true, "what was taken back cannot be taken back again");
+await happens(page.getByText("No offsets: joint readings are used as they are.").waitFor(), "undo takes the offsets back");
+await happens(page.waitForFunction(() => [...document.querySelectorAll("button")].find(one => one.textContent === "Undo …")?.disabled), "what was taken back cannot be taken back again");
 
 // Stop ends a calibration at once, from any view, when it is pressed; so does s, but not the browser's own Ctrl+S.
 const begun = async () => {
@@ -97,33 +93,29 @@ await tab("Compare");
 const stop = await page.getByRole("button", {name: "Stop", exact: true}).boundingBox();
 await page.mouse.move(stop.x + 5, stop.y + 5);
 await page.mouse.down();
-await wasEnded();
+await happens(wasEnded(), "stop ends the calibration");
 await page.mouse.up();
-check(true, "stop ends the calibration");
 await begun();
 await page.keyboard.press("Control+s");
 await page.waitForTimeout(500);
 check(await page.locator("#stop.moving").count() === 1, "Ctrl+S does not stop the robot");
 await page.keyboard.press("S"); // as with Caps Lock
-await wasEnded();
-check(true, "s stops it, whatever the state of Caps Lock");
+await happens(wasEnded(), "s stops it, whatever the state of Caps Lock");
 await page.getByRole("button", {name: "Undo …"}).click(); // an older one may have been saved: the robot knows
 await page.getByRole("button", {name: /^Undo on/}).click();
-await page.getByText(/^Nothing was taken back: /).waitFor();
-check(true, "after a calibration that was ended the robot says whether there is something to take back");
+await happens(page.getByText(/^Nothing was taken back: /).waitFor(), "after a calibration that was ended the robot says whether there is something to take back");
 
 // The panel is closed while the robot moves: there is no Stop any more, so the robot ends it.
 await begun();
 await page.close();
 await new Promise(resolve => setTimeout(resolve, 8000));
 page = await quietPage(browser, panel.address);
-await wasEnded();
-check(true, "a calibration ends when its panel is closed");
+await happens(wasEnded(), "a calibration ends when its panel is closed");
 
 // A robot that is told off while it calibrates is asked about; an address that is none stays to be mended.
 await begun();
 await page.getByLabel("disconnect from " + address).click();
-await page.getByText("Without its panel it ends that").waitFor();
+await page.getByText("Without its panel it stops").waitFor();
 await page.getByRole("button", {name: "Not now"}).click();
 await page.getByRole("button", {name: "Stop", exact: true}).click();
 await wasEnded();
@@ -163,8 +155,7 @@ await portrait(page, axe, pictures, "configuration");
 check(await page.locator("#parameter-run").count() === 0, "nothing moves the robot from its parameters");
 await page.getByLabel("checkPoses", {exact: true}).fill('"many"');
 await page.getByRole("button", {name: "set checkPoses"}).click();
-await page.getByText(/did not take checkPoses = "many"/).waitFor();
-check(true, "a value that the robot refuses is said to be refused");
+await happens(page.getByText(/did not take checkPoses = "many"/).waitFor(), "a value that the robot refuses is said to be refused");
 await page.locator("#notice").getByRole("button", {name: "OK"}).click();
 const savedIn = folder => existsSync(join(here, folder)) && readdirSync(join(here, folder), {recursive: true}).filter(name => name.endsWith("CalibrationRunner.json"))
   .some(name => /"repeats": 3/.test(readFileSync(join(here, folder, name), "utf8")));
@@ -182,7 +173,7 @@ await page.getByLabel("filter values").click();
 await page.keyboard.press("End");
 await page.keyboard.type(".s");
 robot.kill();
-await page.getByText(/below is the last that it told/).waitFor();
+await page.getByText(/below are its last known values/).waitFor();
 await page.keyboard.type("1u");
 check((await page.getByLabel("filter values").inputValue()).endsWith(".s1u") && page.url().endsWith("#live"), "a filter that is typed stays while the robot goes: " + await page.getByLabel("filter values").inputValue());
 await page.getByLabel("filter values").fill("");
@@ -194,14 +185,13 @@ await page.keyboard.type("nao");
 await page.screenshot({path: join(pictures, "robot-gone.png")});
 await robot.start();
 await page.locator(".robot.connected").waitFor();
-await livePicture(page);
-check(true, "a robot that comes back is seen again");
+await happens(livePicture(page), "a robot that comes back is seen again");
 await page.keyboard.type("21");
 check(await page.getByLabel("robot to connect to").inputValue() === "nao21", "an address that is typed stays while the robot comes: " + await page.getByLabel("robot to connect to").inputValue());
 
 // The bridge ends: nothing looks as if it could still be reached.
 await panel.stop("SIGKILL");
-await page.getByText("is out of sight: the bridge is away").first().waitFor();
+await page.getByText("is unreachable: the bridge is away").first().waitFor();
 check(await page.locator(".robot.connected").count() === 0 && !await page.locator("#stop").isVisible(), "with the bridge away no robot seems connected, and no Stop seems to work");
 await page.screenshot({path: join(pictures, "robot-bridge-away.png")});
 await browser.close();

@@ -4,7 +4,7 @@
 import {chmodSync, existsSync, readFileSync, readdirSync, readlinkSync, writeFileSync} from "node:fs";
 import {spawn} from "node:child_process";
 import {join} from "node:path";
-import {tools, check, panelOf, folder, quietPage, portrait, end} from "./browser.mjs";
+import {tools, check, happens, panelOf, folder, quietPage, portrait, end} from "./browser.mjs";
 
 const [, , bridge, modules, pictures] = process.argv;
 const {launch, axe} = tools(modules), here = folder();
@@ -19,7 +19,7 @@ const statOf = pid => { try { return readFileSync("/proc/" + pid + "/stat", "utf
 await click("Tools");
 await click("Simulate");
 await page.getByLabel("write the captures to").fill(join(here, "a robot"));
-await page.getByLabel("poses, or a plan's file").fill("8");
+await page.getByLabel("number of poses, or a plan file").fill("8");
 await page.getByLabel("hide a flaw in it").check();
 check((await line.innerText()).trim() === "naocal simulate '" + join(here, "a robot") + "' --poses 8 --samples 3 --support left --seed 1 --hidden-flaw", "the line is what one would type: " + await line.innerText());
 await portrait(page, axe, pictures, "tools");
@@ -32,15 +32,14 @@ await page.screenshot({path: join(here, "a robot", "kept.png")}); // a picture t
 set.captures[0].image = "kept.png";
 writeFileSync(setFile, JSON.stringify(set));
 await page.getByRole("button", {name: /^Open /}).click();
-await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor({timeout: 60000});
-check(true, "they are opened by a click");
+await happens(page.getByRole("heading", {name: "Where the prediction fails"}).waitFor({timeout: 60000}), "they are opened by a click");
 const kept = await page.evaluate(id => fetch("picture/" + encodeURIComponent("a robot") + "/" + id).then(answer => answer.status), set.captures[0].id);
 check(kept === 200, "pictures of a set whose name has a space are shown: " + kept);
 
 await click("Tools");
 await click("Plan poses");
 await page.getByLabel("write the plan to").fill(join(here, "poses.json"));
-await page.getByLabel("chosen among").fill("20000");
+await page.getByLabel("candidate poses").fill("20000");
 await page.getByLabel("poses", {exact: true}).fill("5");
 await click("Run");
 await page.waitForFunction(() => /^naocal poses .*finished/.test(document.getElementById("toolStatus")?.textContent), null, {timeout: 120000});
@@ -61,8 +60,7 @@ await click("Run");
 await page.waitForFunction(() => /^naocal solve .*finished/.test(document.getElementById("toolStatus")?.textContent), null, {timeout: 120000});
 await portrait(page, axe, pictures, "tools-solve");
 await click("Open " + join(here, "result.json"));
-await page.getByRole("button", {name: "remove focalLength@top"}).waitFor({timeout: 60000});
-check(true, "a result that was solved for is opened by a click, with its model");
+await happens(page.getByRole("button", {name: "remove focalLength@top"}).waitFor({timeout: 60000}), "a result that was solved for is opened by a click, with its model");
 
 await click("Tools");
 await click("Evaluate: next poses");
@@ -77,8 +75,7 @@ check(child && !open.some(one => one.startsWith("socket:")), "a command holds no
 await click("End it");
 await page.getByText("finishes what it has begun").waitFor();
 await click("End it");
-await page.waitForFunction(() => /was ended/.test(document.getElementById("toolStatus")?.textContent), null, {timeout: 30000});
-check(true, "a long command is ended: " + await status.innerText());
+await happens(page.waitForFunction(() => /was ended/.test(document.getElementById("toolStatus")?.textContent), null, {timeout: 30000}), "a long command is ended");
 
 const refused = await page.evaluate(words => new Promise(resolve => {
   const socket = new WebSocket(location.href.replace(/^http/, "ws").replace(/#.*$/, "") + "live");

@@ -3,11 +3,30 @@
 #include "io/InputError.hpp"
 
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <map>
 #include <tuple>
 
 using namespace naocal;
 using nlohmann::json;
+
+namespace {
+
+/// An address with its %XX as letters.
+std::string withoutEscapes(const std::string& address) {
+  std::string text;
+  for (std::size_t i = 0; i < address.size(); ++i) {
+    if (address[i] == '%') {
+      text += static_cast<char>(std::stoi(address.substr(i + 1, 2), nullptr, 16));
+      i += 2;
+    } else {
+      text += address[i];
+    }
+  }
+  return text;
+}
+
+} // namespace
 
 TEST_CASE("a report shows every corner of every picture as the result has it") {
   // Proves that no corner is lost, doubled or moved on the way to the page, in either way of showing errors. It does
@@ -96,11 +115,42 @@ TEST_CASE("the verdict is said in plain words") {
 TEST_CASE("a report loads nothing from elsewhere") {
   // Proves that no part of the page names another place, and that the page forbids browsers to load anything.
   const std::string page = CalibratedFolder{}.page();
-  for (const std::string reference : {"http:", "https:", "//www", "<link", "@import", "url(", "src="}) {
+  for (const std::string reference : {"http:", "https:", "//www", "<link", "url(", "src="}) {
     INFO(reference);
     CHECK(occurrences(page, reference) == 0);
   }
+  CHECK(occurrences(page, "@import") ==
+        occurrences(page, "@import {")); // of types, in comments; style sheets' have no {
   CHECK(occurrences(page, "default-src 'none'") == 1);
+}
+
+TEST_CASE("a page carries its scripts as their files have them") {
+  // Proves that the import map holds every script of web/, letter by letter but for its name at the end, and an entry
+  // for each that another one imports. That they run is the browser tests' matter.
+  const std::string page = CalibratedFolder{}.page(), before = "<script type=\"importmap\">";
+  const std::size_t start = page.find(before) + before.size();
+  const json imports = json::parse(page.substr(start, page.find("</script>", start) - start))["imports"];
+  const std::filesystem::path web = std::filesystem::path{NAOCAL_SOURCE_DIR} / "src/modules/report/web";
+  std::size_t scripts = 0;
+  for (const char* folder : {"lib", "plots", "pages"}) {
+    for (const auto& file : std::filesystem::directory_iterator{web / folder}) {
+      scripts += file.path().extension() == ".js" ? 1 : 0;
+    }
+  }
+  REQUIRE(scripts > 20);
+  CHECK(imports.size() == scripts);
+  for (const auto& [name, address] : imports.items()) {
+    INFO(name);
+    const std::string text = withoutEscapes(address.get<std::string>());
+    const std::string source = readFile(web / name.substr(std::string{"naocal/"}.size()));
+    CHECK(text == "data:text/javascript;charset=utf-8," + source + "//# sourceURL=" + name + "\n");
+    const std::string from = "} from \"";
+    for (std::size_t at = source.find(from); at != source.npos; at = source.find(from, at + 1)) {
+      const std::size_t first = at + from.size();
+      const std::string imported = source.substr(first, source.find('"', first) - first);
+      CHECK((imports.contains(imported) || imported == "naocal/lib/types.js")); // types alone, in comments
+    }
+  }
 }
 
 TEST_CASE("names cannot become part of the page's code") {

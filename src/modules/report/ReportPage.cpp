@@ -8,6 +8,7 @@
 #include "report/ResultData.hpp"
 
 #include <cassert>
+#include <fmt/format.h>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -62,8 +63,10 @@ std::string renderReport(const std::filesystem::path& file) {
   const pageFiles::Page& page = isDiagnosis    ? pageFiles::diagnosis
                                 : isEvaluation ? pageFiles::evaluation
                                                : pageFiles::result;
-  return filled(pageFiles::frame,
-                {{"style", page.style}, {"sections", page.sections}, {"data", data}, {"script", page.script}});
+  const std::string modules = fmt::format("{{\"imports\":{{{}}}}}", fmt::join(pageFiles::modules, ","));
+  return filled(
+      pageFiles::frame,
+      {{"style", page.style}, {"sections", page.sections}, {"data", data}, {"modules", modules}, {"page", page.name}});
 }
 
 } // namespace naocal

@@ -1,45 +1,46 @@
-// Puts the panel together: views, tabs, keys, what the bridge tells.
-import {make, button, empty} from "./elements.js";
-import {on, connect} from "./connection.js";
-import "./theme.js";
-import {waitingWords} from "./words.js";
-import {showLink} from "./link.js";
-import {state, act, notice, onNotice} from "./state.js";
-import {showModel, canUndo, canRedo, undo, redo} from "./model.js";
-import {showCompare} from "./compare.js";
-import {showLearn} from "./learn.js";
-import {showMap} from "./map.js";
-import {showOwn} from "./own.js";
-import {showResult} from "./result.js";
-import {showLive, leaveLive, liveTold} from "./live.js";
-import {showMatch, leaveMatch, matchTold, matchSummary, hasMatch} from "./match.js";
-import {showNext, refreshPlay} from "./next.js";
-import {showFiles, filesWorked} from "./files.js";
-import {offerViews} from "./session.js";
-import {told, lookedAt} from "./robots.js";
-import {followAll, stateKey} from "./follow.js";
-import {refreshStop} from "./stop.js";
-import {showKeys, keysTold} from "./keys.js";
-import {showTools} from "./tools.js";
+// The panel: views, tabs, keys, messages of the bridge.
+import "./core/theme.js";
+import {at, button, element, empty} from "naocal/lib/dom.js";
+import {waitingWords} from "naocal/lib/format.js";
+import {showLearn} from "./analysis/candidates.js";
+import {showCompare} from "./analysis/compare.js";
+import {showMap} from "./analysis/residual-views.js";
+import {filesWorked, showFiles} from "./analysis/files.js";
+import {canRedo, canUndo, redo, showModel, undo} from "./analysis/model.js";
+import {refreshPlay, showNext} from "./analysis/next-poses.js";
+import {showResult} from "./analysis/result.js";
+import {showUserEffect} from "./analysis/user-effect.js";
+import {showLink} from "./bridge-status.js";
+import {showTools} from "./command-runner.js";
+import {connect, on} from "./core/connection.js";
+import {offerViews} from "./core/session-export.js";
+import {notice, onNotice, state} from "./core/state.js";
+import {hasCalibration, leaveCalibrate, calibrationSummary, onMessage as onCalibrateMessage, showCalibrate} from "./robots/calibrate.js";
+import {onMessage as onConfigurationMessage, showKeys} from "./robots/configuration.js";
+import {refreshStop} from "./robots/controls.js";
+import {followAll, stateKey} from "./robots/health.js";
+import {leaveLive, onMessage as onLiveMessage, showLive} from "./robots/live.js";
+import {onMessage as onRobotMessage, selectedRobot} from "./robots/robots.js";
 
-const at = id => document.getElementById(id);
 
-// `kinds`: after which messages a view is drawn anew; `worked`: what changes when the bridge begins or ends a work.
+// `kinds`: messages after which a view is redrawn; `worked`: called when the bridge begins or ends a task.
 const views = [
   {id: "compare", name: "Compare", show: showCompare, kinds: ["fit"], laboratory: true},
   {id: "learn", name: "Learn", show: showLearn, kinds: ["fit", "questions"], laboratory: true},
   {id: "map", name: "Map", show: parent => showMap(parent, go), kinds: ["fit", "questions"], laboratory: true},
-  {id: "own", name: "Own effect", show: showOwn, kinds: ["set"], laboratory: true},
+  {id: "own", name: "Custom effect", show: showUserEffect, kinds: ["set"], laboratory: true},
   {id: "result", name: "Result", show: showResult, kinds: ["fit", "keys", "robot"], laboratory: true},
   {id: "next", name: "Next poses", show: showNext, kinds: ["fit", "next", "work", "keys", "robot"], laboratory: true},
   {id: "files", name: "Files", show: showFiles, worked: filesWorked, kinds: ["set", "compared"]},
-  {id: "match", name: "Calibrate", show: showMatch, leave: leaveMatch, kinds: []},
+  {id: "match", name: "Calibrate", show: showCalibrate, leave: leaveCalibrate, kinds: []},
   {id: "live", name: "Live", show: showLive, leave: leaveLive, kinds: []},
   {id: "keys", name: "Configuration", show: showKeys, kinds: []},
   {id: "tools", name: "Tools", show: showTools, kinds: []},
 ];
 const keyed = ["1", "2", "3", "4", "5", "6", "7", "8", "9", "0", "t"]; // the views' keys
-let current, complete = false; // whether everything that a view of the laboratory shows was told
+/** @type {any} */
+let current;
+let complete = false; // whether everything that a view of the laboratory shows was told
 
 function go(id) {
   if (location.hash === "#" + id) open();
@@ -57,14 +58,14 @@ function open() {
   }
   document.title = current.name + " – naocal panel";
   at("model").hidden = !(current.laboratory && state.laboratory);
-  document.querySelector("main").classList.toggle("wide", at("model").hidden);
+  /** @type {HTMLElement} */ (document.querySelector("main")).classList.toggle("wide", at("model").hidden);
   draw();
   if (!arrived) return;
   showTab();
   scrollTo(0, 0);
 }
 
-// In a narrow window; the page itself stays where it is.
+// Scrolls the tab strip of a narrow window, not the page.
 function showTab() {
   const strip = at("tabs"), tab = strip.querySelector("[aria-current]");
   if (tab) strip.scrollLeft += tab.getBoundingClientRect().left - strip.getBoundingClientRect().left - (strip.clientWidth - tab.clientWidth) / 2;
@@ -76,9 +77,9 @@ function draw() {
   complete = Boolean(state.fit && state.set && state.ladder);
   if (!current.laboratory) current.show(view);
   else if (!state.laboratory) {
-    view.replaceChildren(empty("No captures are open", "Start ", make("code", {}, "mate-bridge captures/"), " with the folder of a capture set, a result or a diagnosis, or open them in ",
+    view.replaceChildren(empty("No captures are open", "Start ", element("code", {}, "mate-bridge captures/"), " with a capture set, a result or a diagnosis, or open one in ",
       button("Files", () => go("files"), {class: "small"}), "."));
-  } else if (state.unfitted) view.replaceChildren(empty("These captures could not be fitted", state.unfitted.sentence.replace(/\.?$/, ". ") + "Take what it names out of the model or the captures, and open them again in ",
+  } else if (state.unfitted) view.replaceChildren(empty("These captures could not be fitted", state.unfitted.sentence.replace(/\.?$/, ". ") + "Remove what it names from the model or the captures, then open them again in ",
     button("Files", () => go("files"), {class: "small"}), "."));
   else if (!complete) view.replaceChildren(empty("Fitting", "The first fit takes less than a second for thirty poses."));
   else if (awaitsAnswers() && state.earlier) showEarlier(view);
@@ -87,10 +88,10 @@ function draw() {
   if (!at("model").hidden) showModel(at("model"));
 }
 
-// A view that needs the answers for this model, while they are being worked out.
+// The view needs answers for this model that the bridge is still computing.
 const awaitsAnswers = () => Boolean(current && current.laboratory && complete && current.kinds.includes("questions") && !state.questions && !state.unfitted);
 
-// What the model before had stays in sight, dimmed and out of reach, until the answers for this one are there.
+// Shows the previous model's answers, dimmed and inert, until those for this model arrive.
 function showEarlier(view) {
   state.questions = state.earlier;
   try {
@@ -100,7 +101,7 @@ function showEarlier(view) {
   }
   for (const part of view.children) part.inert = true;
   view.classList.add("earlier");
-  const note = make("p", {class: "waiting", role: "status"});
+  const note = element("p", {class: "waiting", role: "status"});
   view.prepend(note);
   sayWaiting(note);
 }
@@ -109,12 +110,12 @@ function sayWaiting(note) {
   note.classList.add("busy");
   clearTimeout(note.late);
   if (!state.work) note.late = setTimeout(() => { // between two works it is idle for a moment
-    note.textContent = "These are the answers for the model before: those for this one did not come.";
+    note.textContent = "These answers are for the previous model; those for this one did not arrive.";
     note.classList.remove("busy");
   }, 2000);
 }
 
-// What the laboratory tells; questions belong to the fit before them.
+// Messages about the open captures; questions belong to the fit before them.
 const laboratoryKinds = ["set", "ladder", "fit", "unfitted", "questions", "found", "next", "compared"];
 const forget = kinds => kinds.forEach(kind => { state[kind] = null; });
 for (const kind of laboratoryKinds) {
@@ -152,12 +153,12 @@ on("work", ({what}) => {
 });
 for (const kind of ["robot", "robotGone", "list", "mounts", "keys", "update", "picture", "taken", "scene", "seen", "stand"]) {
   on(kind, (message, more) => {
-    if (!told(message)) return;
+    if (!onRobotMessage(message)) return;
     if (["robot", "robotGone", "list"].includes(kind)) { followAll(); refreshStop(); }
-    if (message.robot === lookedAt() && current && current.kinds.includes(kind)) redraw(kind);
-    liveTold(message, more, current && current.id === "live");
-    matchTold(message, more, current && current.id === "match");
-    keysTold(message, current && current.id === "keys");
+    if (message.robot === selectedRobot() && current && current.kinds.includes(kind)) redraw(kind);
+    onLiveMessage(message, more, current && current.id === "live");
+    onCalibrateMessage(message, more, current && current.id === "match");
+    onConfigurationMessage(message, current && current.id === "keys");
     if (kind === "update" && message.values.some(({key}) => key === stateKey)) { refreshStop(); refreshPlay(); }
   });
 }
@@ -166,13 +167,13 @@ let fading = 0;
 onNotice((sentence, kind) => {
   at("notice").hidden = false;
   at("notice").className = kind;
-  at("notice").replaceChildren(make("span", {}, sentence), button("OK", () => { at("notice").hidden = true; }, {class: "small"}));
+  at("notice").replaceChildren(element("span", {}, sentence), button("OK", () => { at("notice").hidden = true; }, {class: "small"}));
   clearTimeout(fading);
   if (kind === "news") fading = setTimeout(() => { at("notice").hidden = true; }, 8000);
 });
 
 document.addEventListener("keydown", event => {
-  if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName)) return;
+  if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|TEXTAREA)$/.test(/** @type {Element} */ (event.target).tagName)) return;
   if (event.key === "?") showHelp();
   const place = keyed.indexOf(event.key) + 1;
   if (place >= 1) go(views[place - 1].id);
@@ -182,22 +183,22 @@ document.addEventListener("keydown", event => {
 });
 
 function showHelp() {
-  const row = (key, words) => make("tr", {}, make("td", {}, make("kbd", {}, key)), make("td", {}, words));
-  at("keys").replaceChildren(make("h2", {}, "Keys"), make("table", {class: "files"}, make("tbody", {}, row("s", "Stop: whatever robot calibrates ends that and goes back to its stand"), ...views.map(({name}, i) => row(keyed[i], name)),
-    row("u", "undo the last change of the model, beside it"), row("r", "redo it"), row("?", "this list"), row("Esc", "closes it, and takes a typed parameter back"))),
-    make("p", {class: "controls"}, button("Close", () => at("keys").close(), {class: "main"})));
+  const row = (key, words) => element("tr", {}, element("td", {}, element("kbd", {}, key)), element("td", {}, words));
+  at("keys").replaceChildren(element("h2", {}, "Keyboard shortcuts"), element("table", {class: "files"}, element("tbody", {}, row("s", "Stop: every calibration ends and its robot goes back to its stand"), ...views.map(({name}, i) => row(keyed[i], name)),
+    row("u", "undo the last change to the model"), row("r", "redo it"), row("?", "this list"), row("Esc", "close; discard an edited value"))),
+    element("p", {class: "controls"}, button("Close", () => at("keys").close(), {class: "main"})));
   at("keys").showModal();
 }
 at("help").addEventListener("click", showHelp);
 
 views.forEach((view, i) => {
-  if (view.id === "match") at("tabs").append(make("span", {class: "gap"}));
+  if (view.id === "match") at("tabs").append(element("span", {class: "gap"}));
   const tab = button(view.name, () => go(view.id), {title: "key " + keyed[i]});
   tab.dataset.view = view.id;
   at("tabs").append(tab);
 });
 offerViews([...views.filter(({laboratory}) => laboratory).map(({name, show}) => ({name, show, shows: () => Boolean(state.laboratory && state.fit && state.set && state.ladder)})),
-  {name: "Model", show: showModel, shows: () => Boolean(state.fit && state.ladder)}, {name: "Calibrate", show: matchSummary, shows: hasMatch}]);
+  {name: "Model", show: showModel, shows: () => Boolean(state.fit && state.ladder)}, {name: "Calibrate", show: calibrationSummary, shows: hasCalibration}]);
 addEventListener("hashchange", open);
 const linked = connected => showLink(connected, () => { if (current && !current.laboratory) draw(); });
 linked(false);

@@ -1,3 +1,0 @@
-// Poses and captures by name.
-
-const {poseName, poseTip, captureName} = takenNames(data);

@@ -1,0 +1,80 @@
+// Captures: their names, the corners in their pictures, and when they were taken.
+import {groupBy, mean, rms, extent} from "naocal/lib/statistics.js";
+
+/** @import {Picture, Corner, Layer, Taken} from "naocal/lib/types.js" */
+
+/** "capture 17, pose P05 (repeat 1), top camera" @param {Picture} picture */
+export const pictureName = ({capture, pose, repeat, camera}) =>
+  "capture " + capture + (pose ? ", pose " + pose : "") + (repeat ? " (repeat " + repeat + ")" : "") + ", " + camera + " camera";
+
+/** With their set where there are several. @param {Picture[]} pictures @returns {(picture: Picture) => string} */
+export function pictureNames(pictures) {
+  const severalSets = new Set(pictures.map(({set}) => set)).size > 1;
+  return picture => (severalSets ? picture.set + ", " : "") + pictureName(picture);
+}
+
+/** Names of the poses and captures of a diagnosis. @param {Taken} taken */
+export function captureNames({poses, pictures}) {
+  const severalSets = new Set(poses.map(({set}) => set)).size > 1;
+  const poseName = (/** @type {number} */ pose) => (severalSets ? poses[pose].set + ", " : "") + "pose " + poses[pose].name;
+  return {
+    poseName,
+    /** "pose P05\ncaptures 12 (top), 13 (bottom)" @param {number} pose */
+    poseTip: pose => poseName(pose) + "\ncaptures " + poses[pose].pictures.map(picture =>
+      pictures[picture].capture + " (" + pictures[picture].camera + ")").join(", "),
+    /** "capture 12, pose P05" @param {number} picture */
+    captureName: picture => "capture " + pictures[picture].capture + ", " + poseName(pictures[picture].pose),
+  };
+}
+
+/** Corners of a picture and their rms error by layer. @type {WeakMap<Picture, Record<string, {corners: Corner[], error: number}>>} */
+const known = new WeakMap();
+
+/** @param {Picture} picture @param {Layer} layer */
+function lookUp(picture, layer) {
+  const layers = known.get(picture) ?? {};
+  known.set(picture, layers);
+  if (!layers[layer]) {
+    const corners = picture.boards.flatMap(board => board.ids.map((id, i) => ({
+      id, board: board.board, picture, u: board.measured[2 * i], v: board.measured[2 * i + 1],
+      du: board[layer][2 * i], dv: board[layer][2 * i + 1], weight: board.weight ? board.weight[i] : 1,
+    })));
+    layers[layer] = {corners, error: errorOf(corners)};
+  }
+  return layers[layer];
+}
+
+/** The corners in a picture. @param {Picture} picture @param {Layer} layer */
+export const cornersOf = (picture, layer) => lookUp(picture, layer).corners;
+
+/** Their rms error [px]. @param {Picture} picture @param {Layer} layer */
+export const pictureError = (picture, layer) => lookUp(picture, layer).error;
+
+/** @param {Corner} corner */
+export const lengthOf = ({du, dv}) => Math.hypot(du, dv);
+
+/** The rms error of corners [px]. @param {Corner[]} corners */
+export const errorOf = corners => rms(corners.map(lengthOf));
+
+/** Their mean error, to the right and down [px]. @param {Corner[]} corners @returns {[number, number]} */
+export const meanErrorOf = corners => [mean(corners.map(({du}) => du)), mean(corners.map(({dv}) => dv))];
+
+/** Each picture's board views: {picture, board, corners}. @param {Picture[]} pictures @param {Layer} layer */
+export const boardViews = (pictures, layer) => pictures.flatMap(picture =>
+  [...groupBy(cornersOf(picture, layer), ({board}) => board)].map(([board, corners]) => ({picture, board: String(board), corners})));
+
+/**
+ * When each picture was taken [s]: from the first of its set on, sets one after the other.
+ * @param {Picture[]} pictures
+ * @returns {Map<Picture, number>}
+ */
+export function captureTimes(pictures) {
+  const times = new Map();
+  let start = 0;
+  for (const own of groupBy(pictures, ({set}) => set).values()) {
+    const [first, last] = extent(own.map(({time}) => time));
+    own.forEach(picture => times.set(picture, start + picture.time - first));
+    start += 1.05 * (last - first) + 1;
+  }
+  return times;
+}

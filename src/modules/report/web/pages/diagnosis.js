@@ -1,0 +1,42 @@
+// The page of a diagnosis.
+import {at, copyBox, element} from "naocal/lib/dom.js";
+import {errorLadder} from "naocal/plots/error-ladder.js";
+import {views} from "naocal/plots/views.js";
+import {showCandidates, untested} from "naocal/pages/candidates.js";
+import {readData, showHead} from "naocal/pages/head.js";
+
+/** @import {Diagnosis, Step} from "naocal/lib/types.js" */
+
+/** @type {Diagnosis} */
+const data = readData();
+
+const nameOf = (/** @type {Step} */ {added, dropped}) => added && "+ " + added + dropped.map(label => " − " + label).join("");
+
+function command() {
+  if (!data.suggested.length) return "";
+  return data.own ? copyBox("Calibrate with the suggested effects (SET: the captures' folder; model.json: the text below the first curve):",
+    "naocal solve SET --model model.json -o result.json")
+    : copyBox("Calibrate with the suggested effects (SET: the captures' folder):",
+      "naocal solve SET --with " + data.suggested.join(",") + " -o result.json");
+}
+
+/** @param {"candidates" | "misfit"} about */
+function sections(about) {
+  return views.filter(view => view.about === about).flatMap(({title, show}) => {
+    const parts = show(data, {});
+    return parts ? [element("section", {}, element("h2", {}, title), ...parts)] : [];
+  });
+}
+
+showHead({...data, warnings: data.suspicious});
+at("overLadder").hidden = !data.steps.length; // nothing could be fitted
+at("overCandidates").hidden = at("overUntested").hidden = !data.candidates.length;
+if (data.steps.length) at("ladder").append(errorLadder(data.steps.map(step => ({...step, name: nameOf(step)})), {floorName: data.floorName}), command());
+showCandidates(data.candidates);
+at("candidateViews").append(...sections("candidates"));
+at("untested").append(untested(data.candidates));
+at("overNext").hidden = !data.next;
+if (data.next) at("next").textContent = data.next.poses
+  ? data.next.poses + " poses are proposed in the diagnosis file: taking pictures in them " + data.next.why + "."
+  : "naocal diagnose SET --next poses.json proposes poses: taking pictures in them " + data.next.why + ".";
+at("misfitViews").append(...sections("misfit"));

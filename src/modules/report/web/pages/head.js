@@ -1,0 +1,19 @@
+// The page's data, and its head: the headline, a sentence, figures to remember, and what to take note of.
+import {at, element} from "naocal/lib/dom.js";
+import {readColours} from "naocal/lib/figure.js";
+
+/** @import {Fact} from "naocal/lib/types.js" */
+
+readColours();
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", readColours);
+
+export const readData = () => JSON.parse(at("data").textContent);
+
+/** @param {{headline: string, facts: Fact[], verdict: string, sentence: string, warnings: string[]}} head */
+export function showHead({headline, facts, verdict, sentence, warnings}) {
+  at("verdict").classList.add(verdict);
+  at("headline").textContent = document.title = headline;
+  at("sentence").textContent = sentence;
+  at("facts").append(...facts.map(fact => element("div", {}, element("dt", {}, fact.figure), element("dd", {}, fact.sentence))));
+  at("warnings").append(...warnings.map(warning => element("li", {}, warning)));
+}

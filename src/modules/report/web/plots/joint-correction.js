@@ -1,0 +1,69 @@
+// The error of each joint that alone would explain what is left over, over anything that was recorded.
+import {bold, choosing, element} from "naocal/lib/dom.js";
+import {captioned} from "naocal/lib/figure.js";
+import {short, withError, withUnit} from "naocal/lib/format.js";
+import {binnedMeans, mean, trendStrength} from "naocal/lib/statistics.js";
+import {captureNames} from "naocal/lib/captures.js";
+import {modelChoice} from "naocal/plots/model-choice.js";
+import {drawScatter} from "naocal/plots/residual-scatter.js";
+
+/** @import {Diagnosis, Driver, Left, View} from "naocal/lib/types.js" */
+
+/** The order of the poses, as something that was recorded. @param {Diagnosis} data @returns {Driver} */
+function poseOrder({poses, pictures}) {
+  const first = poses.map(pose => Math.min(...pose.pictures.map(picture => pictures[picture].capture)));
+  const sorted = [...first].sort((a, b) => a - b);
+  return {what: "the order of the poses", unit: "", joint: "", values: pictures.map(({pose}) => 1 + sorted.indexOf(first[pose]))};
+}
+
+/** A joint's points over a driver, and their means. @param {Diagnosis} data @param {Left} left @param {string} joint @param {Driver} driver */
+function pointsOf(data, left, joint, driver) {
+  const readings = left.whatIf.find(one => one.joint === joint)?.points ?? [];
+  const points = readings.map(([pictures, y, sigma]) => ({x: mean(pictures.map(picture => driver.values[picture])), y, sigma, pictures}));
+  return {points, means: binnedMeans(points, {groupOf: ({pictures}) => data.pictures[pictures[0]].pose, places: 10, most: 8})};
+}
+
+/** The joints that have points, each with the drivers that it can be drawn over; the strongest trends first. @param {Diagnosis} data @param {Left} left */
+function jointsByTrend(data, left) {
+  const drivers = [...data.drivers, poseOrder(data)];
+  const offered = (/** @type {string} */ joint) => drivers.filter(driver => !driver.joint || driver.joint === joint)
+    .map(driver => ({driver, strength: trendStrength(pointsOf(data, left, joint, driver).means)})).sort((a, b) => b.strength - a.strength);
+  return left.whatIf.filter(({points}) => points.length).map(({joint}) => ({joint, offered: offered(joint)}))
+    .sort((a, b) => b.offered[0].strength - a.offered[0].strength);
+}
+
+/** @param {Diagnosis} data @param {Left} left @param {string} joint @param {Driver} driver @param {(picture: number) => void} [open] */
+function jointCorrection(data, left, joint, driver, open) {
+  const {points, means} = pointsOf(data, left, joint, driver), {unit, what} = driver, {poseName} = captureNames(data);
+  const strength = trendStrength(means);
+  return captioned({height: 340, label: "error of " + joint + " over " + what, open, draw: (context, width, height, caption) => {
+    caption.replaceChildren(bold(joint + " over " + what), strength > 2
+      ? ": a trend, its means lie " + strength.toFixed(1) + " standard errors from zero."
+      : ": no trend, its means lie about as far from zero as by chance (" + strength.toFixed(1) + " standard errors).");
+    return drawScatter(context, width, height, {
+      points: points.map(({x, y, sigma, pictures}) => ({x, y, sigma, picture: pictures[0], tip: () =>
+        poseName(data.pictures[pictures[0]].pose) + "\ncaptures " + pictures.map(picture => data.pictures[picture].capture).join(", ") +
+        "\n" + what + ": " + withUnit(short(x), unit) + "\n" + joint + " off by " + withError(y, sigma, "°")})),
+      means, title: "error of " + joint + " that would explain the misfit [°]", xLabel: what + (unit ? " [" + unit + "]" : ""),
+    });
+  }});
+}
+
+/** @type {View} */
+export const view = {
+  place: 60, title: "Joint error that would explain the misfit", about: "misfit",
+  show: (data, {open}) => {
+    const {asGiven} = data.left, ranked = asGiven ? jointsByTrend(data, asGiven) : [];
+    if (!ranked.length) return null;
+    const best = data.candidates.length ? data.candidates[0].label.split("@")[1] : ""; // several joints move pictures alike
+    const first = ranked.some(({joint}) => joint === best) ? best : ranked[0].joint;
+    const driverOf = (/** @type {Left} */ left, /** @type {{joint: string, offered: {driver: Driver}[]}} */ {joint, offered}) =>
+      choosing("bentOver", "over", offered.map(({driver: {what}}) => ({value: what, text: what})),
+        what => jointCorrection(data, left, joint, offered.map(({driver}) => driver).find(one => one.what === what) ?? offered[0].driver, open));
+    return [element("p", {}, "Error of one joint that alone would explain the misfit, one point for each encoder reading of a pose with one " +
+      "standard error, over anything that was recorded. Squares: means over bins, with two standard errors. Good: squares stay at zero. " +
+      "Suspicious: a slope, a bend or a step. Both lists begin with the strongest trend."),
+    modelChoice("bentBy", data, left => choosing("bent", "Joint", ranked.map(({joint}) => ({value: joint, text: joint})),
+      joint => driverOf(left, ranked.find(one => one.joint === joint) ?? ranked[0]), first))];
+  },
+};

@@ -1,0 +1,10 @@
+// The views of a diagnosis, in report and panel alike: a new one is a file beside this one and a line here
+// (docs/adding-a-view.md). They are shown in the order of their places.
+export {view as addedVariable} from "naocal/plots/added-variable.js";
+export {view as aliasMatrix} from "naocal/plots/alias-matrix.js";
+export {view as effectSignature} from "naocal/plots/effect-signature.js";
+export {view as driverMap} from "naocal/plots/driver-map.js";
+export {view as driverCurve} from "naocal/plots/driver-curve.js";
+export {view as jointCorrection} from "naocal/plots/joint-correction.js";
+export {view as residualField} from "naocal/plots/residual-field.js";
+export {view as boardShape} from "naocal/plots/board-shape.js";

@@ -1,0 +1,7 @@
+// What pages need to show the views of a diagnosis.
+import * as registry from "naocal/plots/registry.js";
+
+/** @import {View} from "naocal/lib/types.js" */
+
+/** @type {View[]} */
+export const views = Object.values(registry).sort((a, b) => a.place - b.place);

@@ -1,0 +1,71 @@
+// Learn: every effect at every place, with its evidence.
+import {button, csv, download, element, empty} from "naocal/lib/dom.js";
+import {short, sizeWords, waitingWords} from "naocal/lib/format.js";
+import {brokenLabel, candidateTable, columns, ofState, stateButtons, stateChip} from "naocal/plots/candidate-table.js";
+import {views} from "naocal/plots/views.js";
+import {candidateDetail} from "./candidate-detail.js";
+import {act, state} from "../core/state.js";
+
+const shown = {state: "", all: false, label: ""};
+const shownFirst = 15;
+
+export function showLearn(parent) {
+  const {questions} = state;
+  if (!questions) {
+    parent.replaceChildren(element("h1", {}, "What is missing?"), empty(waitingWords(state.fit),
+      "How much of the misfit would each effect at each place explain?"));
+    return;
+  }
+  const again = () => showLearn(parent);
+  const candidates = inWords(questions.candidates), chosen = ofState(candidates, shown.state);
+  const looked = candidates.find(({label}) => label === shown.label) || candidates[0];
+  parent.replaceChildren(
+    verdict(questions),
+    element("div", {class: "split learn"},
+      element("div", {}, element("h2", {}, "Candidates"), element("div", {class: "controls"},
+        ...stateButtons(candidates, shown.state, value => { shown.state = value; again(); }).filter(Boolean),
+        button("CSV", () => save(candidates), {class: "small"})), table(chosen, candidates, looked, again), ...together(questions)),
+      element("div", {class: "looked"}, ...(looked ? candidateDetail(looked, questions) : []))));
+}
+
+// Candidates are tested one by one here: where several explain the misfit, none of them is needed yet.
+const inWords = candidates => candidates.filter(({state}) => state === "present").length < 2 ? candidates
+  : candidates.map(one => one.state === "present" ? {...one, says: "aliased"} : one);
+
+function verdict(questions) {
+  const {headline, sentence} = questions, stem = headline.replace(/\.$/, "");
+  const rest = sentence.startsWith(stem) ? sentence.slice(stem.length).replace(/^[\s:,;.]+/, "") : sentence; // it says the headline again
+  return element("div", {class: "verdict " + questions.verdict}, element("h1", {}, headline), element("p", {}, rest.charAt(0).toUpperCase() + rest.slice(1)));
+}
+
+function table(chosen, candidates, looked, again) {
+  if (!chosen.length) return element("p", {class: "soft"}, "There is no such candidate now.");
+  const most = Math.max(1, ...candidates.map(({evidence}) => evidence || 0));
+  const effect = {title: "effect", words: "an effect at a place", className: "name", cell: one => [
+    element("button", {type: "button", class: "plain", "aria-pressed": String(one === looked)}, ...brokenLabel(one.label)), stateChip(one)]};
+  const gain = {title: "what it would bring", className: "number", words: "held-out error now and with it; and the fall of χ², the sum of squared misfits: " +
+    "found by refitting for the best ones, predicted for the others", cell: one => [...columns.heldOut.cell(one, most),
+    one.state === "no-data" ? null : element("div", {class: "soft"}, "χ² falls by " + short(one.realDrop ?? one.predictedDrop))]};
+  const add = {title: "", cell: ({label, state: found}) => [found === "no-data" ? null
+    : button("Add", () => act({do: "add", label}), {class: "add small", "aria-label": "add " + label})]};
+  return element("div", {},
+    candidateTable(shown.all ? chosen : chosen.slice(0, shownFirst), [effect, columns.evidence, columns.size, gain, add], {most, rowOf: one => ({
+      class: one === looked ? "is-looked" : "",
+      onclick: event => { if (!event.target.closest(".add")) { shown.label = one.label; again(); } },
+    })}),
+    chosen.length > shownFirst ? button(shown.all ? "show fewer" : "show all " + chosen.length, () => { shown.all = !shown.all; again(); }) : null);
+}
+
+// Views of all candidates together; views of one candidate stand beside the table.
+const together = questions => views.filter(({about, ofCandidate}) => about === "candidates" && !ofCandidate).flatMap(({title, show}) => {
+  const parts = show(questions, {});
+  return parts ? [element("h2", {}, title), ...parts] : [];
+});
+
+function save(candidates) {
+  const rows = [["effect", "state", "evidence", "sizes", "p", "predicted fall of chi2", "found fall of chi2", "held-out error before [px]", "held-out error after [px]"]];
+  for (const one of candidates) {
+    rows.push([one.label, one.state, one.evidence, one.sizes.map(sizeWords).join("; "), one.pValue, one.predictedDrop, one.realDrop, one.before, one.after]);
+  }
+  download("candidates.csv", csv(rows), "text/csv");
+}

@@ -1,0 +1,108 @@
+// Compare: where the prediction fails. Residuals over anything, the chosen capture beside them, all pictures worst first.
+import {button, choice, csv, download, element, renew} from "naocal/lib/dom.js";
+import {px} from "naocal/lib/format.js";
+import {on} from "../core/connection.js";
+import {state} from "../core/state.js";
+import {cornersOf, errorOf, pictureFigure} from "./pictures.js";
+import {horizontals, isChosen, scatterFigure, verticals} from "./residual-scatter.js";
+
+const perPage = 6;
+const shown = {horizontal: "u", vertical: "du", isChosen: false, camera: "", first: 0, order: "worst"};
+on("opened", () => Object.assign(shown, {isChosen: false, camera: "", first: 0}));
+
+const isShown = ({error, over}) => shown.vertical === error && shown.horizontal === over;
+const look = ({error, over}) => Object.assign(shown, {vertical: error, horizontal: over});
+
+export function showCompare(parent) {
+  const {fit} = state, {telling} = fit;
+  if (!shown.isChosen) look(telling.pairs[0] || {error: "du", over: "u"});
+  const errors = verticals(fit), vertical = errors.find(({value}) => value === shown.vertical) || errors[0];
+  const options = horizontals(fit, vertical), horizontal = options.find(({value}) => value === shown.horizontal) || options[0];
+  const again = () => showCompare(parent), choose = change => { Object.assign(shown, change, {isChosen: true}); again(); };
+  const pictures = [...fit.pictures].sort((a, b) => shown.order === "worst" ? errorOf(b) - errorOf(a) : a.time - b.time || a.capture - b.capture);
+  const chosen = pictures.find(isChosen) || pictures[0];
+  const cameras = [...new Set(fit.pictures.map(({camera}) => camera))];
+  const scatter = scatterFigure({fit, horizontal, vertical, camera: shown.camera, choose: picture => { state.chosen = picture; again(); }});
+  renew(parent,
+    element("h1", {}, "Where the prediction fails"),
+    told(telling, choose),
+    element("p", {class: "soft"}, (vertical.joint ? "Each point is one reading of the joint: the error that would explain its pictures. "
+      : "Each point is a corner: predicted minus measured. ") + "Orange squares: means with two standard errors, each pose counted once. Good: squares stay at zero. " +
+      "Click a point to see its capture."),
+    element("div", {class: "controls"},
+      choice("Error", errors, vertical.value, value => choose({vertical: value}), "errorY"),
+      choice("over", options, horizontal.value, value => choose({horizontal: value}), "overX"),
+      choice("camera", [{value: "", text: "both"}, ...cameras.map(value => ({value, text: value}))], shown.camera,
+        value => { shown.camera = value; again(); }, "ofCamera"),
+      vertical.joint ? null : choice("joints", [{value: "reported", text: "as reported by the encoders"}, {value: "fitted", text: "moved within their noise"}],
+        state.layer, value => { state.layer = /** @type {import("naocal/lib/types.js").Layer} */ (value); again(); }, "layer"),
+      button("CSV", () => saveCorners(fit), {class: "small"})),
+    element("div", {class: "split"}, scatter, element("div", {}, pictureFigure(chosen))),
+    element("h2", {}, "Captures"),
+    ...captures(pictures, again));
+}
+
+// The pair of error and driver that explains most, and the next ones.
+function told({sentence, pairs}, choose) {
+  const here = pairs.find(isShown), words = here ? here.sentence : pairs.length ? "Most telling: " + sentence : sentence;
+  return element("div", {class: pairs.length ? "telling" : "telling none"}, element("p", {class: "sentence", role: "status"}, words),
+    pairs.length ? element("div", {class: "controls chips"}, ...pairs.flatMap((pair, i) => [
+      i < 2 ? element("span", {class: "soft"}, i ? "next:" : "Most telling:") : null,
+      button(pair.label, () => choose({vertical: pair.error, horizontal: pair.over}), {class: "small", "aria-pressed": String(isShown(pair)), title: pair.sentence}),
+    ])) : null);
+}
+
+const groupOf = picture => [picture.set, picture.pose || picture.capture, picture.camera].join("\n");
+
+// Pictures grouped by pose and camera.
+function byPose(pictures) {
+  const groups = new Map();
+  for (const picture of pictures) {
+    const key = groupOf(picture);
+    groups.set(key, [...(groups.get(key) || []), picture]);
+  }
+  return [...groups.values()];
+}
+
+function captures(pictures, again) {
+  const groups = byPose(pictures);
+  return [pager(groups, again),
+    pictures.some(({kept}) => kept) ? null : element("p", {class: "soft"}, "These captures have no photographs: only the corners found in them are drawn."),
+    element("div", {class: "grid"}, ...groups.slice(shown.first, shown.first + perPage).map(group => grouped(group, again)))];
+}
+
+// The picture last selected of each group stays in front.
+const inFront = new Map(); // by group: which of its pictures
+function grouped(group, again) {
+  const key = groupOf(group[0]);
+  const front = Math.min(inFront.get(key) || 0, group.length - 1), figure = pictureFigure(group[front]);
+  if (group.length > 1) {
+    figure.append(element("div", {class: "controls repeats"}, element("span", {class: "soft"}, "captures of this pose:"),
+      ...group.map((picture, i) => button(String(picture.capture), () => { inFront.set(key, i); again(); },
+        {class: "small", "aria-pressed": String(i === front), "aria-label": "show capture " + picture.capture, title: px(errorOf(picture)) + " rms"}))));
+  }
+  return figure;
+}
+
+function pager(groups, again) {
+  shown.first = Math.min(shown.first, Math.max(0, groups.length - 1));
+  const turn = pages => () => { shown.first = Math.max(0, shown.first + pages * perPage); again(); };
+  return element("div", {class: "controls"},
+    choice("Order", [{value: "worst", text: "worst first"}, {value: "time", text: "as taken"}], shown.order,
+      value => { shown.order = value; shown.first = 0; again(); }, "order"),
+    button("‹", turn(-1), {disabled: shown.first === 0, id: "previous", "aria-label": "captures before"}),
+    element("span", {}, shown.first + 1 + "–" + Math.min(shown.first + perPage, groups.length) + " of " + groups.length),
+    button("›", turn(1), {disabled: shown.first + perPage >= groups.length, id: "next", "aria-label": "captures after"}),
+    element("span", {class: "keys soft"}, element("span", {class: "key measured"}), " measured ", element("span", {class: "key predicted"}), " predicted ",
+      element("span", {class: "key doubtful"}), " doubtful"));
+}
+
+function saveCorners(fit) {
+  const rows = [["set", "capture", "pose", "camera", "board", "corner", "u [px]", "v [px]", "error right [px]", "error down [px]", "weight"]];
+  for (const picture of fit.pictures) {
+    for (const {id, board, u, v, du, dv, weight} of cornersOf(picture)) {
+      rows.push([picture.set, picture.capture, picture.pose, picture.camera, board, id, u, v, du, dv, weight]);
+    }
+  }
+  download("residuals.csv", csv(rows), "text/csv");
+}

@@ -1,0 +1,74 @@
+// The model beside every analysis view: ladder of errors, effects, undo, search.
+import {button, csv, download, element, renew} from "naocal/lib/dom.js";
+import {errorLadder} from "naocal/plots/error-ladder.js";
+import {act, state} from "../core/state.js";
+
+export function showModel(parent) {
+  const {ladder, fit} = state;
+  if (!ladder || !fit) {
+    parent.replaceChildren(element("p", {class: "soft"}, state.unfitted ? "There is no fit." : "Fitting the first model …"));
+    return;
+  }
+  renew(parent, element("h2", {}, "Ladder of errors ", button("CSV", () => saveLadder(ladder), {class: "small", "aria-label": "save as CSV: ladder of errors"})), ladderOf(ladder), historyButtons(ladder), modelOf(fit), search());
+}
+
+// The library's ladder; unknown numbers are null.
+const ladderOf = ({at, rungs}) => errorLadder(rungs.map(({step, from, rms, heldOut = null, floor = null, alarm = null}) =>
+  ({name: step, from, rms, heldOut, floor, alarm})), {at, choose: rung => act({do: "goTo", rung})});
+
+function saveLadder({rungs}) {
+  const rows = rungs.map(({step, rms, heldOut, floor, alarm}) => [step || "base model", rms, heldOut, floor, alarm]);
+  download("ladder.csv", csv([["model", "fitted poses [px]", "held-out error [px]", "noise floor [px]", "chance that noise alone looks this convincing"], ...rows]), "text/csv");
+}
+
+// Undo goes to the model that the present one was made from, redo to the newest one made from it.
+export const canUndo = ({at, rungs}) => rungs[at].from !== null;
+export const canRedo = ({at, rungs}) => rungs.some(({from}) => from === at);
+export const undo = ({at, rungs}) => act({do: "goTo", rung: rungs[at].from});
+export const redo = ({at, rungs}) => act({do: "goTo", rung: rungs.map(({from}) => from).lastIndexOf(at)});
+
+const historyButtons = ladder => element("p", {class: "controls"},
+  button("Undo", () => undo(ladder), {disabled: !canUndo(ladder), id: "undo", title: "u"}),
+  button("Redo", () => redo(ladder), {disabled: !canRedo(ladder), title: "r"}));
+
+// Effects of the model: added ones first, the base model below.
+function modelOf(fit) {
+  const base = fit.labels.filter(label => !fit.with.includes(label));
+  const row = label => element("li", {}, element("span", {}, label),
+    button("×", () => act({do: "drop", label}), {class: "small", "aria-label": "remove " + label, title: "remove " + label}));
+  /** @type {Node[]} */
+  const parts = [element("h2", {}, "In the model")];
+  parts.push(fit.with.length ? element("ul", {class: "terms"}, ...fit.with.map(row))
+    : element("p", {class: "soft"}, "The base model. Add effects in Learn."));
+  const folded = element("details", {}, element("summary", {}, "base model: " + base.length + " effects"), element("ul", {class: "terms"}, ...base.map(row)));
+  folded.open = openBase;
+  folded.addEventListener("toggle", () => { openBase = folded.open; });
+  parts.push(folded);
+  if (fit.without.length) {
+    parts.push(element("h3", {}, "Taken out"), element("ul", {class: "terms"}, ...fit.without.map(label => element("li", {},
+      element("span", {class: "soft"}, label), button("+", () => act({do: "add", label}),
+        {class: "small", "aria-label": "put " + label + " back"})))));
+  }
+  return element("div", {}, ...parts);
+}
+let openBase = false;
+
+// The search's finding stays valid while only suggested effects were added.
+const stillTrue = ({with: began, suggested}) => began.every(label => state.fit.with.includes(label)) &&
+  state.fit.with.every(label => began.includes(label) || suggested.includes(label));
+
+// Automatic search; its suggestions are added by hand.
+function search() {
+  const searching = Boolean(state.work && state.work.startsWith("searching"));
+  const part = element("div", {class: "search"}, element("h2", {}, "Automatic search"), element("p", {class: "controls"},
+    button("Find missing effects", () => act({do: "search"}), {disabled: searching}),
+    searching ? button("Stop searching", () => act({do: "cancel"}), {title: "stops after the present addition and keeps what it has found"}) : null));
+  if (state.found && stillTrue(state.found)) {
+    part.append(element("p", {}, (state.found.stopped ? "Stopped early. " : "") + state.found.sentence));
+    for (const label of state.found.suggested) {
+      const has = state.fit.with.includes(label);
+      part.append(element("p", {class: "controls"}, button(has ? label + " is in" : "Add " + label, () => act({do: "add", label}), {disabled: has})));
+    }
+  }
+  return part;
+}

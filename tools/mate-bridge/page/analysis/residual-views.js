@@ -1,0 +1,29 @@
+// Map: every view of the remaining misfit.
+import {button, element, empty} from "naocal/lib/dom.js";
+import {waitingWords} from "naocal/lib/format.js";
+import {views} from "naocal/plots/views.js";
+import {state} from "../core/state.js";
+import {draftFrom} from "./user-effect.js";
+
+const title = "What each joint's error depends on";
+
+export function showMap(parent, go) {
+  const {questions} = state;
+  if (!questions) {
+    parent.replaceChildren(element("h1", {}, title), empty(waitingWords(state.fit), "How well would a curve of each joint explain the misfit?"));
+    return;
+  }
+  const tools = {
+    open: index => { // a point that belongs to a picture leads to it
+      const {capture, pose} = questions.pictures[index], {set} = questions.poses[pose];
+      state.chosen = state.fit.pictures.find(picture => picture.capture === capture && picture.set === set) ?? null;
+      go("compare");
+    },
+    ownEffect: ({model}) => button("Turn into a custom effect", () => { draftFrom(model.define[0]); go("own"); }, {class: "small"}),
+  };
+  const sections = views.filter(({about}) => about === "misfit").map(view => ({...view, parts: (view.show(questions, tools) ?? []).filter(part => part !== null)}))
+    .filter(({parts}) => parts.length);
+  parent.replaceChildren(element("h1", {}, title),
+    ...(questions.map.length ? [] : [empty("There is no map", "No joint of these captures moved enough for a curve.")]),
+    ...sections.flatMap(section => [...(section.title === title ? [] : [element("h2", {}, section.title)]), ...section.parts]));
+}

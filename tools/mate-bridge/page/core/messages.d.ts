@@ -1,0 +1,130 @@
+// Messages of the bridge about the open captures, and the state that views share.
+import type {Diagnosis, EstimateGroup, Fact, Layer, Picture} from "naocal/lib/types.js";
+
+/** A user effect, as model files define it. */
+export interface UserEffect {
+  name: string;
+  at: string;
+  correction: string;
+  unknowns: Record<string, {unit: string, sigma: number}>;
+}
+
+/** "set": the open captures, and what models of them can have. */
+export interface SetMessage {
+  names: string[];
+  robot: string;
+  headId: string;
+  bodyId: string;
+  pictures: number;
+  poses: number;
+  corners: number;
+  joints: string[];
+  own: UserEffect[];
+  effects: {name: string, what: string, formula: string, own: boolean, unknowns: {name: string, unit: string, sigma: number}[]}[];
+}
+
+/** "ladder": all models so far; `at`: the present one; `from`: the one that each was made from. Errors in pixels. */
+export interface LadderMessage {
+  at: number;
+  rungs: {step: string, from: number | null, with: string[], without: string[], rms: number, heldOut?: number, floor?: number, alarm?: number}[];
+}
+
+/** A quantity recorded with each picture. */
+export interface RecordedDriver {
+  name: string;
+  what: string;
+  unit: string;
+  values: number[];
+}
+
+/** "fit": the present model's result. */
+export interface FitMessage {
+  usable: boolean;
+  verdict: string;
+  headline: string;
+  sentence: string;
+  warnings: string[];
+  facts: Fact[];
+  groups: EstimateGroup[];
+  pictures: (Picture & {index: number, kept: boolean})[];
+  drivers: RecordedDriver[];
+  /** Pairs of error and driver that explain most; joints' points [pictures, error, sigma] [°]. */
+  telling: {
+    sentence: string;
+    pairs: {error: string, over: string, label: string, sentence: string, share: number, chance: number}[];
+    joints: {joint: string, points: [number[], number, number][]}[];
+  };
+  /** What a robot can take over: offsets [°], mounts [rad]; `untold`: joints whose offsets the captures do not determine. */
+  compensation: {offsets: {joint: string, value: number}[], untold: string[], mounts: {camera: string, rotation: [number, number, number]}[]};
+  with: string[];
+  without: string[];
+  labels: string[];
+  /** Number of effects that are tested. */
+  candidates: number;
+}
+
+/** "next": suggested poses. */
+export interface NextMessage {
+  poses: {id: string, joints: Record<string, number>, supportFoot: string, observes: string[], secondsToReach?: number}[];
+  why: string;
+  whyNone: string;
+  /** Factor by which the evidence grows with them. */
+  growth: number;
+  /** Joint error that they are safe for [rad]. */
+  assumptions: {jointError: number};
+}
+
+interface Distances {
+  rmsPx: number;
+  medianPx: number;
+  corners: number;
+}
+
+/** "compared": prediction errors in other captures. */
+export interface ComparedMessage extends Distances {
+  names: string[];
+  nominal: Distances;
+  byBoard: Record<string, Distances>;
+  byCamera: Record<string, Distances>;
+  byPose: Record<string, Distances>;
+}
+
+/** A robot's key, as it lists it. */
+export interface ListedKey {
+  key: string;
+  value?: any;
+  isImage?: boolean;
+  filename?: string;
+}
+
+export interface RobotEntry {
+  connected: boolean;
+  sentence: string;
+  list: ListedKey[];
+  mounts: ListedKey[];
+  /** By mount; null: requested. */
+  keys: Map<string, ListedKey[] | null>;
+}
+
+/** Messages are null until the bridge has sent them; the panel shows a view of the captures only with set, ladder and fit. */
+export interface PanelState {
+  laboratory: boolean;
+  set: SetMessage;
+  ladder: LadderMessage;
+  fit: FitMessage;
+  questions: Diagnosis | null;
+  /** Answers for the previous model. */
+  earlier: Diagnosis | null;
+  /** Why there is no fit. */
+  unfitted: {sentence: string} | null;
+  /** Result of the automatic search. */
+  found: (Diagnosis & {stopped: boolean, with: string[]}) | null;
+  next: NextMessage | null;
+  compared: ComparedMessage | null;
+  /** The bridge's present task. */
+  work: string | null;
+  robots: Map<string, RobotEntry>;
+  layer: Layer;
+  /** The picture that was clicked on. */
+  chosen: Picture | null;
+}

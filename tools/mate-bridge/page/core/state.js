@@ -1,0 +1,30 @@
+// Last messages of the bridge, and state shared by views.
+import {send} from "./connection.js";
+
+/** @type {import("./messages.js").PanelState} */
+export const state = /** @type {any} */ ({
+  laboratory: false, set: null, ladder: null, fit: null, questions: null, earlier: null, unfitted: null, found: null, next: null, compared: null,
+  work: null, robots: new Map(), layer: "reported", chosen: null,
+});
+
+/** @type {(sentence: string, kind: "problem" | "news") => void} */
+let notify = () => {};
+export const onNotice = listener => { notify = listener; };
+export const notice = sentence => notify(sentence, "problem");
+export const say = sentence => notify(sentence, "news");
+
+// Sends a request; false, with a notice, if the bridge is not connected.
+export function act(request) {
+  const sent = send(request);
+  if (!sent) notice("The bridge is not connected: nothing was changed. The panel keeps trying.");
+  return sent;
+}
+
+// Last value of each key of a robot, and results of the bridge about it.
+const known = new Map(); // by robot
+
+export const of = robot => {
+  if (!known.has(robot)) known.set(robot, {values: new Map(), scene: null, before: null, pictures: {series: 0, places: []}});
+  return known.get(robot);
+};
+export const valueOf = (robot, key) => of(robot).values.get(key) ?? null;
