@@ -6,12 +6,12 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <fmt/core.h>
+#include <string>
 
 int main(int argc, char** argv) {
   naocal::tuneAllocator();
-  CLI::App app{
-      "naocal: a NAO calibrates its joints and cameras with printed boards on the floor, and says how sure it is.",
-      "naocal"};
+  CLI::App app{"naocal: calibrates a robot's joints and cameras from pictures of printed boards, with uncertainties.",
+               "naocal"};
   app.set_version_flag("--version", NAOCAL_VERSION);
   app.require_subcommand(1);
   app.footer("Example: naocal simulate /tmp/set && naocal solve /tmp/set -o /tmp/result.json");
@@ -33,7 +33,12 @@ int main(int argc, char** argv) {
     if (error.get_exit_code() == 0) {
       return app.exit(error); // --help, --version
     }
-    fmt::print(stderr, "naocal: {} (naocal --help says what there is)\n", error.what());
+    std::string command = "naocal"; // whose help tells more
+    for (const CLI::App* at = &app; !at->get_subcommands().empty();) {
+      at = at->get_subcommands().front();
+      command += " " + at->get_name();
+    }
+    fmt::print(stderr, "naocal: {} (see '{} --help')\n", error.what(), command);
     return 2;
   } catch (const naocal::InputError& error) {
     fmt::print(stderr, "naocal: {}\n", error.what());

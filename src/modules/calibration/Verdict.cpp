@@ -68,14 +68,15 @@ std::string sentenceOf(const CalibrationResult& result, const Accidents& acciden
     return fmt::format("This calibration is good: the model explains the captures ({}).",
                        formatSizes(result, accidents));
   case ResultVerdict::causeMissing:
-    return fmt::format("Usable, but a cause is missing: {}; {}. Offsets hold whatever it is. Find it with 'naocal "
-                       "diagnose'.",
+    return fmt::format("Usable, but a cause is missing: {}; {}. The intervals of the offsets already include this "
+                       "uncertainty. Find it with 'naocal diagnose'.",
                        formatSizes(result, accidents), cause);
   case ResultVerdict::doNotUse:
-    return firm.empty() ? fmt::format("Do not use this calibration yet: {}; {}, and offsets depend on it. Find it with "
-                                      "'naocal diagnose'.",
-                                      formatSizes(result, accidents), cause)
-                        : fmt::format("Do not use this calibration: {}.", firm);
+    return firm.empty()
+               ? fmt::format("Do not use this calibration yet: {}; {}, and the offsets depend on it. Find it with "
+                             "'naocal diagnose'.",
+                             formatSizes(result, accidents), cause)
+               : fmt::format("Do not use this calibration: {}.", firm);
   }
   return {};
 }
@@ -114,7 +115,7 @@ void assess(const Measurements& measurements, const Model& model, CalibrationRes
   std::string cause = "what is missing is open";
   if (missing && !result.explanations.empty() && !result.explanations.front().effects.empty()) {
     const Explanation& likeliest = result.explanations.front();
-    cause = fmt::format("the likeliest is {}{}{} ({:.0f} % of all that was considered)",
+    cause = fmt::format("most probable: {}{}{} (posterior probability {:.0f} % among the models considered)",
                         fmt::join(likeliest.effects, " and "), likeliest.without.empty() ? "" : " instead of ",
                         fmt::join(likeliest.without, " and "), 100 * likeliest.weight);
   }

@@ -107,8 +107,9 @@ private:
                       board_.id, pattern_.squaresX, pattern_.squaresY, pattern_.squareLength, pattern_.markerLength));
     } else {
       add(IssueKind::tooFewCorners,
-          fmt::format("board {}: {} of its markers were read, but fewer than {} corners could be confirmed", board_.id,
-                      markers.size(), requiredCorners()));
+          fmt::format(
+              "board {}: only {} marker{} read, fewer than {} corners confirmed; board not used in this picture",
+              board_.id, markers.size(), markers.size() == 1 ? "" : "s", requiredCorners()));
     }
   }
 

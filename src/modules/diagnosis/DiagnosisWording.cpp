@@ -201,9 +201,10 @@ std::string summarize(const Diagnosis& diagnosis) {
         "Undecided: the model does not fit (p = {:.1g}), but no single cause stands out. Take more poses.",
         diagnosis.lackOfFit.pValue);
   case Verdict::adequate:
-    return fmt::format("The model explains these captures: the error is {:.2f} px, the noise floor {:.2f} px. The best "
-                       "candidate is no more striking than pure noise (as striking in {} of cases).",
-                       diagnosis.rmsPx, diagnosis.lackOfFit.noiseFloorPx, percent(diagnosis.alarm));
+    return fmt::format(
+        "The model explains these captures: the error is {:.2f} px, the noise floor {:.2f} px. Pure noise "
+        "produces a best candidate this strong in {} of cases.",
+        diagnosis.rmsPx, diagnosis.lackOfFit.noiseFloorPx, percent(diagnosis.alarm));
   }
   return {};
 }

@@ -44,8 +44,8 @@ struct Limit {
 /// A physical cause of a difference between drawing and picture.
 ///
 /// `correct` changes what is believed at an instant. It is called once per joint that the motor drives for
-/// Place::motor, once per board for a board's effect that sits everywhere, and on pictures of that camera, board or
-/// stance, or on that sole, only for the others.
+/// EffectSite::motor, once per board for a board's effect that sits everywhere, and on pictures of that camera, board
+/// or stance, or on that sole, only for the others.
 struct Effect {
   std::string name;       // "jointOffset"
   std::string alias = ""; // another name that is accepted for it

@@ -224,8 +224,24 @@ bool matches(std::string_view pattern, std::string_view text) {
 }
 
 [[noreturn]] void refuse(const std::string& wanted, const std::vector<std::string>& known) {
-  throw InputError{fmt::format("'{}' names no effect at a place of these captures; near it are {}", wanted,
-                               fmt::join(closestNames(wanted, known), ", "))};
+  const std::string_view effect = std::string_view{wanted}.substr(0, wanted.find('@'));
+  std::vector<std::string> places;
+  for (const std::string& label : known) {
+    if (label.size() > effect.size() && label.starts_with(effect) && label[effect.size()] == '@') {
+      places.push_back(label.substr(effect.size() + 1));
+    }
+  }
+  if (places.empty()) {
+    throw InputError{fmt::format("'{}' names no effect at a place of these captures; near it are {} ('naocal effects' "
+                                 "lists all effects)",
+                                 wanted, fmt::join(closestNames(wanted, known), ", "))};
+  }
+  if (wanted.find('@') == std::string::npos) {
+    throw InputError{
+        fmt::format("'{0}' names no place: write {0}@PLACE, such as {0}@{1}, or {0}@*", wanted, places.front())};
+  }
+  throw InputError{fmt::format("'{}' names no place of {} in these captures; its places are {}", wanted, effect,
+                               fmt::join(places, ", "))};
 }
 
 /// "E@P" with '*', and whether it has named anything yet.

@@ -377,7 +377,7 @@ Fact alarmFact(double alarm, bool found) {
 
 Fact lackOfFitFact(const JsonCursor& lackOfFit) {
   return {fmt::format("{:.2f}", lackOfFit.at("statistic").number({0, 1e15, ""})),
-          "is the lack of fit of the base model, chi² per degree of freedom: noise alone makes 1."};
+          "is the lack of fit of the first model, chi² per degree of freedom; noise alone gives 1."};
 }
 
 } // namespace

@@ -50,9 +50,10 @@ void compareSets(const CompareCommand& command) {
   if (command.json == "-") {
     return;
   }
-  fmt::print("{} corners that the result has not seen: {:.2f} px rms from their predictions (median {:.2f}); with the "
-             "drawing alone {:.2f} px\n\n",
-             comparison.all.corners, comparison.all.rmsPx, comparison.all.medianPx, comparison.nominal.rmsPx);
+  fmt::print(
+      "{} corners: prediction error {:.2f} px rms (median {:.2f} px); with the robot's drawing alone {:.2f} px rms"
+      "\n\n",
+      comparison.all.corners, comparison.all.rmsPx, comparison.all.medianPx, comparison.nominal.rmsPx);
   for (const auto& [title, groups] :
        {std::pair{"board", &comparison.byBoard}, std::pair{"camera", &comparison.byCamera}}) {
     for (const auto& [name, distances] : *groups) {
@@ -75,14 +76,15 @@ void compareSets(const CompareCommand& command) {
 
 void addCompare(CLI::App& app) {
   auto command = std::make_shared<CompareCommand>();
-  CLI::App* comparer = app.add_subcommand("compare", "predicts captures that a result has not seen");
+  CLI::App* comparer = app.add_subcommand("compare", "measures a result's prediction error on other captures");
   comparer->footer("Example: naocal compare result.json other-captures/");
   comparer->add_option("RESULT", command->result, "a result file of 'naocal solve'")->required();
   comparer->add_option("SET", command->sets, "folders with captures.json")->required();
   comparer->add_option("--against", command->against, "another result file: which of the two predicts better?");
   comparer->add_option("--json", command->json, "write JSON to a file, or - for standard output")
       ->check(replaceableFile("naocal-compare"));
-  comparer->add_flag("--same-place", command->samePlace, "boards and feet are where the result found them");
+  comparer->add_flag("--same-place", command->samePlace,
+                     "use the placements of boards and feet from the result instead of fitting them");
   comparer->add_flag("--skip-bad", command->skipBad, "use the other captures when some cannot be used, and list those");
   comparer->callback([command] { compareSets(*command); });
 }

@@ -52,9 +52,10 @@ std::optional<Simulation> robotWithPictures(const DemoCommand& command, const Ro
 }
 
 /// Truth against estimate; returns how many true values lie inside their 95 % interval.
-std::size_t printTruth(const Truth& truth, const Model& model, const CalibrationResult& result) {
+std::pair<std::size_t, std::size_t> printTruth(const Truth& truth, const Model& model,
+                                               const CalibrationResult& result) {
   fmt::print("\n  {:<34} {:>12} {:>12} {:>11}\n", "unknown", "truth", "estimate", "± 1 sigma");
-  std::size_t inside = 0;
+  std::size_t inside = 0, all = 0;
   for (const Term& term : model.terms()) {
     for (std::size_t i = 0; i < term.effect.unknowns.size() && term.requested; ++i) {
       const Unknown& unknown = term.effect.unknowns[i];
@@ -63,15 +64,18 @@ std::size_t printTruth(const Truth& truth, const Model& model, const Calibration
         continue;
       }
       const Estimate& estimate = result.estimates[term.first + i];
-      inside += std::abs(estimate.value - *value) <= estimate.halfWidth;
+      const auto [low, high] = estimate.interval();
+      const bool isInside = low <= *value && *value <= high;
+      ++all;
+      inside += isInside;
       const auto [unit, scale] = displayUnit(unknown.unit);
       fmt::print("  {:<34} {:>9.3f}{:<6} {:>9.3f}    {:>8.3f}{}\n",
-                 term.effect.name == "jointOffset" ? term.place : term.label() + "." + unknown.name, scale * *value,
-                 appendUnit("", unit), scale * estimate.value, scale * estimate.sigma,
-                 std::abs(estimate.value - *value) <= estimate.halfWidth ? "" : "  outside 95 %");
+                 term.effect.name == "jointOffset" ? term.place : term.label() + " " + unknown.name, scale * *value,
+                 appendUnit("", unit), scale * estimate.best(), scale * estimate.bestSigma(),
+                 isInside ? "" : "  outside 95 %");
     }
   }
-  return inside;
+  return {inside, all};
 }
 
 /// Pictures, corners and files of a set; false: a person stopped it.
@@ -124,8 +128,8 @@ int demo(const DemoCommand& command) {
   printCalibration(given.sets, measurements, model, result);
   const TrueEffect& hidden = truth.effects.back();
   fmt::print("\nNow the truth is opened. Hidden was {}@{}.\n", hidden.effect, hidden.at);
-  const std::size_t inside = printTruth(truth, model, result);
-  fmt::print("\n{} of the true values lie inside their 95 % intervals.\n", inside);
+  const auto [inside, all] = printTruth(truth, model, result);
+  fmt::print("\n{} of {} true values lie within their 95 % intervals.\n", inside, all);
   writePage(reportFile, renderReport(resultFile));
   fmt::print("captures: {}\nresult:   {}\nreports (open them in any browser):\n  what was missing: {}\n  the "
              "calibration:  {}\n",

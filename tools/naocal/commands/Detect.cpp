@@ -141,6 +141,10 @@ void detectSet(const DetectCommand& command) {
   if (command.json == "-") {
     return;
   }
+  if (detection.pictures == 0 && detection.unreadable.empty() && interrupted == 0) {
+    fmt::print("no capture of {} names a picture; nothing was changed\n", command.set);
+    return;
+  }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   fmt::print("{} pictures in {:.1f} s\n", detection.pictures, seconds.count());
   for (const auto& [board, count] : boardCounts(set)) {

@@ -78,7 +78,7 @@ nlohmann::json modelWith(const DriverCurve& curve, const DiagnoseCommand& comman
 
 /// Ctrl-C ends it with what it has found so far.
 Diagnosis withProgress(const LoadedSets& given, const Measurements& measurements, DiagnosisOptions options) {
-  const Progress progress{"models looked at (at most)"};
+  const Progress progress{"models tested (at most)"};
   const std::size_t most = 2 + measurements.poses.size() / 4;
   std::size_t done = 0;
   options.shouldContinue = [&] { return progress(std::min(++done, most - 1), most); };
@@ -136,22 +136,22 @@ void addDiagnose(CLI::App& app, int& exitCode) {
   diagnoser->add_option("--model", command->model, "a model file: further terms, and effects of your own");
   diagnoser
       ->add_option("--own,--save-model", command->own,
-                   "a model file for what is beyond the catalogue, as an effect of your own to go on with")
+                   "write the unexplained misfit, if an expression fits it, as a custom effect into this model file")
       ->check(replaceableFile("naocal-model"));
-  diagnoser->add_option("--next", command->poses, "a file for the poses that would best tell what is left open")
+  diagnoser->add_option("--next", command->poses, "write poses that would decide what is still open into this file")
       ->check(replaceableFile("naocal-poses"));
-  diagnoser->add_option("--next-count", command->next.count, "how many of them")
+  diagnoser->add_option("--next-count", command->next.count, "number of poses for --next")
       ->check(CLI::Range(0, 100))
       ->capture_default_str();
   diagnoser
-      ->add_option("--seed", command->options.inquiry.seed,
-                   "of the draws of pure noise, and of the poses to choose from")
+      ->add_option("--seed", command->options.inquiry.seed, "seed of the noise simulations and of the candidate poses")
       ->capture_default_str();
-  diagnoser->add_option("--draws", command->options.inquiry.draws, "of pure noise, for the rate of false alarms")
+  diagnoser
+      ->add_option("--draws", command->options.inquiry.draws, "number of noise simulations behind the false-alarm rate")
       ->check(CLI::Range(19, 100000))
       ->capture_default_str();
   diagnoser->add_flag("--same-place", command->next.samePlace,
-                      "boards and stances of equal names lie at the same place in all sets");
+                      "boards and stances with the same id have the same placement in all sets");
   diagnoser->add_flag("--skip-bad", command->skipBad,
                       "use the other captures when some cannot be used, and list those");
   diagnoser->callback([command, &exitCode] { exitCode = diagnose(*command); });

@@ -357,7 +357,7 @@ void addReports(CLI::App& app, EvaluateCommand& command) {
 
 void addEvaluate(CLI::App& app) {
   CLI::App* evaluate =
-      app.add_subcommand("evaluate", "how good the tool is, measured on many robots whose truth is known");
+      app.add_subcommand("evaluate", "measures how good naocal is on simulated robots with known truth");
   evaluate->require_subcommand(1);
 
   auto asked = std::make_shared<EvaluateCommand>();
@@ -372,9 +372,9 @@ void addEvaluate(CLI::App& app) {
   effects->add_option("--sets", asked->plan.sets, "robots per effect and size, and per case otherwise")
       ->capture_default_str();
   effects->add_option("--pictures", asked->plan.pictureShare, "share that is rendered")->check(CLI::Range(0.0, 0.9));
-  effects->add_option(
-      "--only", asked->plan.only,
-      "one group: control, decoy, catalogue, pair, outside, absorbed, corrupted, sized, camera, twin, event, jitter");
+  effects->add_option("--only", asked->plan.only, "one group of sets")
+      ->check(CLI::IsMember({"control", "decoy", "catalogue", "pair", "outside", "absorbed", "corrupted", "sized",
+                             "camera", "twin", "event", "jitter"}));
   effects->add_option("--shard", asked->shard, "i/n: only every n-th set, from the i-th on (counted from 0)");
   effects->add_option("--jobs", asked->jobs, "sets at a time")->check(CLI::PositiveNumber);
   effects->add_flag("--full", asked->full,

@@ -141,8 +141,7 @@ void ExploreLoop::undo() {
 }
 
 void ExploreLoop::printLadder() const {
-  fmt::print("  {:>3}  {:>9}  {:>9}  {:>9}  {:>7}  model (*: the one you are at)\n", "", "rms", "unseen", "noise",
-             "alarm p");
+  fmt::print("  {:>3}  {:>9}  {:>9}  {:>9}  {:>7}  model (*: current)\n", "", "rms", "held-out", "floor", "chance");
   for (std::size_t i = 0; i < session_.ladder.size(); ++i) {
     const ModelRevision& rung = session_.ladder[i];
     const auto& step = rung.questioned;
@@ -195,6 +194,9 @@ bool obey(ExploreLoop& exploration, const std::string& line) {
   } else if (verb == "what") {
     exploration.printCandidates();
   } else {
+    if (verb != "help" && !verb.empty()) {
+      fmt::print("  '{}' is no command here\n", verb);
+    }
     printHelp();
   }
   return true;
@@ -235,8 +237,7 @@ void explore(const ExploreCommand& command) {
 
 void addExplore(CLI::App& app) {
   auto command = std::make_shared<ExploreCommand>();
-  CLI::App* explorer =
-      app.add_subcommand("explore", "add and remove effects by hand and watch the error fall, with history");
+  CLI::App* explorer = app.add_subcommand("explore", "adds and removes effects by hand, with history");
   explorer->footer("Example: naocal explore captures/ --session captures.session.json");
   explorer->add_option("SET", command->sets, "folders with captures.json")->required();
   explorer->add_option("--session", command->session,

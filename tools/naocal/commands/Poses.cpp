@@ -77,8 +77,8 @@ void extendPlan(const std::string& earlier, const Robot& robot, std::vector<Boar
   plan.moveBoards = false;
 }
 
-/// Of NAME=NUMBER. Throws InputError for anything else.
-std::map<std::string, double> readWeights(const std::vector<std::string>& texts) {
+/// Of NAME=NUMBER, a joint or camera of the robot. Throws InputError for anything else.
+std::map<std::string, double> readWeights(const std::vector<std::string>& texts, const Robot& robot) {
   std::map<std::string, double> result;
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
@@ -87,7 +87,11 @@ std::map<std::string, double> readWeights(const std::vector<std::string>& texts)
     if (!(weight >= 0) || *end != '\0' || end == text.c_str() + equals + 1) {
       throw InputError{fmt::format("--weight: expected NAME=NUMBER such as LKneePitch=2, found {}", text)};
     }
-    result[text.substr(0, equals)] = weight;
+    const std::string name = text.substr(0, equals);
+    if (!robot.jointIndex(name) && !robot.cameraIndex(name)) {
+      throw InputError{fmt::format("--weight: expected the name of a joint or camera of the robot, found {}", name)};
+    }
+    result[name] = weight;
   }
   return result;
 }
@@ -121,7 +125,7 @@ struct PosesCommand {
     }
     plan.poses.limitMargin = plan.poses.stability.jointError = radians(jointErrorDegrees);
     plan.sigma = radians(sigmaDegrees);
-    plan.weights = readWeights(weights);
+    plan.weights = readWeights(weights, drawn);
     PlanInputs scene = boards.empty() ? defaultPlanInputs() : readPlanInputs(boards);
     if (!extend.empty()) {
       extendPlan(extend, drawn, scene.boards, plan);
@@ -154,47 +158,53 @@ void addPoses(CLI::App& app) {
   poses->add_option("--robot", command->robot, "its model")->capture_default_str();
   poses->add_option("--support", plan.poses.supportFoot, "the foot to stand on: left, right or both")
       ->transform(CLI::CheckedTransformer(supportFeet, CLI::ignore_case));
-  poses->add_option("--candidates", plan.poses.maxAttempts, "attitudes to draw and sieve")
+  poses->add_option("--candidates", plan.poses.maxAttempts, "candidate poses to sample and filter")
       ->capture_default_str()
       ->check(CLI::Range(1, 100'000'000));
-  poses->add_option("--sampling", plan.poses.sampling, "how their ranges are filled")
+  poses->add_option("--sampling", plan.poses.sampling, "how the ranges of poses are sampled")
       ->transform(CLI::CheckedTransformer(samplings, CLI::ignore_case));
   poses->add_option("--select", plan.poses.count, "poses to plan")->capture_default_str()->check(CLI::Range(1, 1000));
   poses
       ->add_option(
           "--criterion", plan.criterion,
-          "what to make small: D volume, A mean, E worst direction, the worst joint; thesis: what looks alike to "
-          "the cameras, poses selected only; discriminate: which of two effects is there; time: seconds to play")
+          "what to minimise. Of the offsets' covariance: D its determinant, A its trace, E its largest eigenvalue, "
+          "worst the largest variance of a joint. thesis: the thesis's measure of joints that look alike (selects "
+          "poses, does not refine). discriminate: confusion of the two --effects. time: seconds to play, down to "
+          "--sigma")
       ->transform(CLI::CheckedTransformer(criteria()));
   poses->add_option("--sigma", command->sigmaDegrees, "that --criterion time must reach for every offset [degrees]")
       ->capture_default_str()
       ->check(CLI::Range(0.001, 10.0));
   poses
       ->add_option("--effects", plan.effects,
-                   "two, such as elasticity@LKneePitch,backlash@LKneePitch: how well the poses "
-                   "tell them apart")
+                   "two effects, such as elasticity@LKneePitch,backlash@LKneePitch; reports how well the "
+                   "poses distinguish them")
       ->delimiter(',')
       ->expected(2);
-  poses->add_option("--weight", command->weights,
-                    "NAME=NUMBER: how much a joint or camera counts in the thesis's criterion; 1 if not given");
+  poses->add_option(
+      "--weight", command->weights,
+      "NAME=NUMBER: weight of a joint or camera in --criterion thesis (default 1; ignored by other criteria)");
   poses->add_flag("--mirror", plan.mirrored,
                   "boards lie alike to the left and right, and every pose's mirror image is added for the other leg");
-  poses->add_option("--extend", command->extend, "POSES.json: its poses stay, --select as many more; boards stay, too")
+  poses
+      ->add_option("--extend", command->extend,
+                   "POSES.json, the plan to extend: its poses and boards stay, --select more poses are added")
       ->excludes("--mirror");
   poses->add_option(
       "--boards", command->boards,
-      "a capture set whose boards and cameras to plan for, placements seen from the sole; else four A2 boards");
+      "capture set with the boards and cameras to plan for (placements in the frame of the support sole); default: "
+      "four A2 boards");
   poses->add_flag("--whole-boards", plan.poses.sight.wholeBoards,
                   "a board counts only where it is wholly in the picture");
   poses
       ->add_option("--worn", plan.perturbedRobots,
-                   "robots with joint errors that poses and boards are refined for besides")
+                   "number of robots with random joint errors for which the plan must also hold")
       ->capture_default_str()
       ->check(CLI::Range(0, 100));
-  poses->add_flag("--compare", plan.compare, "what every criterion selects among the same candidates");
-  poses->add_flag("--known", plan.known, "plan for cameras and boards whose places are known");
-  poses->add_flag("!--fixed-boards", plan.moveBoards, "the boards remain where they are drawn");
-  poses->add_option("--joint-error", command->jointErrorDegrees, "how far joints may be off, each way [degrees]")
+  poses->add_flag("--compare", plan.compare, "also show what every criterion selects among the same candidates");
+  poses->add_flag("--known", plan.known, "assume camera mounts and board placements are known");
+  poses->add_flag("!--fixed-boards", plan.moveBoards, "keep the boards where they are");
+  poses->add_option("--joint-error", command->jointErrorDegrees, "largest joint error, both ways [degrees]")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 20.0));
   poses->add_option("--seed", plan.poses.seed, "the same seed plans the same")->capture_default_str();

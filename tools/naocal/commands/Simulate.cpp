@@ -80,21 +80,25 @@ void addNoise(CLI::App& simulator, SimulateOptions& options) {
   simulator.add_option("--mount-millimetres", options.mountMillimetres, "camera shifts, per axis")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
-  simulator.add_option("--pixel-noise", options.plan.corners.pixel, "of corners, per axis [px]")
+  simulator.add_option("--pixel-noise", options.plan.corners.pixel, "standard deviation of a corner, per axis [px]")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
   simulator.add_flag("--heavy-tails", options.plan.corners.heavyTails, "corner noise after Student's t4, not normal");
-  simulator.add_option("--gross-share", options.plan.corners.grossShare, "of corners that are grossly wrong")
+  simulator.add_option("--gross-share", options.plan.corners.grossShare, "share of grossly wrong corners")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   simulator.add_option("--gross-pixels", options.plan.corners.grossSize, "how wrong those are [px]")
       ->check(CLI::Range(0.0, 1000.0))
       ->capture_default_str();
   simulator.add_flag("--displaced-board", options.displacedBoard, "a board lies 3 cm off its place in one picture");
-  simulator.add_option("--stiction-degrees", options.poseDegrees, "gears stick differently in every pose (1 sigma)")
+  simulator
+      .add_option("--stiction-degrees", options.poseDegrees,
+                  "deflection of the gears, drawn anew in every pose (1 sigma)")
       ->check(CLI::Range(0.0, 10.0))
       ->capture_default_str();
-  simulator.add_option("--approach-stiction-degrees", options.approachDegrees, "and differently at every approach")
+  simulator
+      .add_option("--approach-stiction-degrees", options.approachDegrees,
+                  "further deflection, drawn anew at every approach (1 sigma)")
       ->check(CLI::Range(0.0, 10.0))
       ->capture_default_str();
 }
@@ -102,10 +106,10 @@ void addNoise(CLI::App& simulator, SimulateOptions& options) {
 void addPictures(CLI::App& simulator, SimulateOptions& options) {
   simulator.add_flag("--images", options.plan.images, "render pictures instead of giving corners");
   simulator.add_option("--size", options.size, "of the pictures, WIDTHxHEIGHT [px]")->capture_default_str();
-  simulator.add_option("--blur", options.appearance.blur, "of the pictures (sigma) [px]")
+  simulator.add_option("--blur", options.appearance.blur, "blur of the pictures, sigma [px]")
       ->check(CLI::Range(0.0, 20.0))
       ->capture_default_str();
-  simulator.add_option("--grey-noise", options.appearance.noise, "of the pictures (sigma) [grey levels]")
+  simulator.add_option("--grey-noise", options.appearance.noise, "grey noise, sigma [grey levels]")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
   simulator.add_option("--vignetting", options.appearance.vignetting, "share of light lost in the corners")
@@ -116,14 +120,14 @@ void addPictures(CLI::App& simulator, SimulateOptions& options) {
 }
 
 void addOptions(CLI::App& simulator, SimulateOptions& options) {
-  simulator.add_option("OUT", options.output, "the folder to write; the truth goes to OUT/../<name>.truth.json")
+  simulator.add_option("OUT", options.output, "folder to write; the truth goes beside it, into OUT.truth.json")
       ->required();
   simulator.add_option("--robot", options.robot, "its model")->capture_default_str();
   simulator.add_option("--support", options.support, "the foot it stands on")
       ->check(CLI::IsMember(feet))
       ->capture_default_str();
   simulator.add_option("--poses", options.poses, "how many, or a pose file to play")->capture_default_str();
-  simulator.add_option("--samples", options.plan.samples, "per pose")
+  simulator.add_option("--samples", options.plan.samples, "captures of each camera per pose")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   simulator.add_option("--repeat-kind", options.repeatKind, "what happens between the samples of a pose")
@@ -131,20 +135,22 @@ void addOptions(CLI::App& simulator, SimulateOptions& options) {
       ->capture_default_str();
   simulator.add_flag("--hidden-flaw", options.plan.hiddenFlaw,
                      "a part of the leg is not as drawn; which one, only the truth file tells");
-  simulator.add_option("--flaw", options.plan.flaw,
-                       "that part: elasticity (a spring), hysteresis or gearPlay at a joint, linkLength at a length, "
-                       "such as gearPlay@LKneePitch");
-  simulator.add_option("--flaw-scale", options.plan.flawScale, "how bad that part is: 1 as in a worn NAO")
+  simulator.add_option(
+      "--flaw", options.plan.flaw,
+      "hidden effect, such as gearPlay@LKneePitch: elasticity (a spring), hysteresis or gearPlay at a joint, "
+      "linkLength at a length");
+  simulator.add_option("--flaw-scale", options.plan.flawScale, "size of the hidden effect: 1 as in a worn NAO")
       ->check(CLI::Range(0.01, 10.0))
       ->capture_default_str();
   simulator.add_flag("--surveyed", options.plan.surveyed, "the set states where boards and feet are");
   simulator.add_option("--seed", options.seed, "the same seed gives the same set")->capture_default_str();
   CLI::Option* other = simulator.add_option("--robot-seed", options.plan.robotSeed,
                                             "takes the robot of another set, by that set's seed");
-  simulator.add_flag("--same-place", options.samePlace, "the boards of that set too, still where they lay")
+  simulator.add_flag("--same-place", options.samePlace, "use the board placements of the set with that --robot-seed")
       ->needs(other);
   simulator.add_flag("--force", options.force, "replace the captures that OUT holds, and their pictures");
-  simulator.add_option("--json", options.json, "what was written, as JSON to a file or - for standard output")
+  simulator
+      .add_option("--json", options.json, "write what was simulated as JSON to this file, or - for standard output")
       ->check(replaceableFile("naocal-simulation"));
   addNoise(simulator, options);
   addPictures(simulator, options);

@@ -65,26 +65,39 @@ void addSolve(CLI::App& app, int& exitCode) {
   CLI::App* solver = app.add_subcommand("solve", "calibrates joints and cameras from capture sets");
   solver->footer("Example: naocal solve captures/ -o result.json --with cameraTranslation@top");
   solver->add_option("SET", command->sets, "folders with captures.json")->required();
-  solver->add_option("-o,--output", command->output, "the result file to write")
+  solver->add_option("-o,--output", command->output, "write the result to this file")
       ->check(replaceableFile("naocal-result"));
-  solver->add_option("--json", command->json, "the same as JSON to a file, or - for standard output")
+  solver->add_option("--json", command->json, "write the result as JSON to this file, or - for standard output")
       ->check(replaceableFile("naocal-result"));
-  solver->add_option("--with", command->with, "add effects: EFFECT@PLACE, * allowed")->delimiter(',');
-  solver->add_option("--without", command->without, "leave effects out")->delimiter(',');
+  solver->add_option("--with", command->with, "effects to add, such as elasticity@LKneePitch; * matches any place")
+      ->delimiter(',');
+  solver->add_option("--without", command->without, "effects to leave out, such as jointOffset@HeadYaw")
+      ->delimiter(',');
   solver->add_option("--model", command->model, "a model file: effects to add, to leave out, and effects of your own");
-  solver->add_option("--restarts", command->options.restarts, "random starts beside the ordinary one");
-  solver->add_option("--seed", command->options.seed, "of the random starts");
+  solver->add_option("--restarts", command->options.restarts, "extra searches from random starting points")
+      ->check(CLI::Range(0, 1000));
+  solver->add_option("--seed", command->options.seed, "seed of the random starting points");
   solver->add_flag("--same-place", command->samePlace,
-                   "boards and stances of equal names lie at the same place in all sets");
+                   "boards and stances with the same id have the same placement in all sets");
   solver->add_flag("--skip-bad", command->skipBad, "use the other captures when some cannot be used, and list those");
-  solver->add_flag("--alternate", command->options.alternate, "joints and cameras in turns instead of together");
-  solver->add_flag("--plain", command->plain, "every corner counts fully, however far off");
-  solver->add_flag("--fixed-noise", command->fixedNoise, "take noise levels as given instead of estimating them");
-  auto* pixel = solver->add_option("--pixel-noise", command->options.noise.pixel, "of a corner, per axis [px]");
-  solver->add_option("--encoder-noise", command->options.noise.encoder, "of a reading [rad]");
-  solver->add_option("--pose-noise", command->options.noise.pose, "deflection shared by a pose's captures [rad]");
-  solver->add_option("--stance-noise", command->options.noise.stance,
-                     "deflection shared by a pose's captures in one stance [rad]");
+  solver->add_flag("--alternate", command->options.alternate, "fit joints and cameras alternately instead of jointly");
+  solver->add_flag("--plain", command->plain, "no outlier weighting");
+  solver->add_flag("--fixed-noise", command->fixedNoise, "use the noise options as given, do not estimate noise");
+  auto* pixel = solver
+                    ->add_option("--pixel-noise", command->options.noise.pixel,
+                                 "standard deviation of a corner, per axis [px]; a starting value unless --fixed-noise")
+                    ->check(CLI::Range(0.001, 100.0));
+  solver
+      ->add_option("--encoder-noise", command->options.noise.encoder, "standard deviation of an encoder reading [rad]")
+      ->check(CLI::Range(1e-7, 0.1));
+  solver
+      ->add_option("--pose-noise", command->options.noise.pose,
+                   "standard deviation of the joint deflection that a pose's captures share [rad]")
+      ->check(CLI::Range(0.0, 0.1));
+  solver
+      ->add_option("--stance-noise", command->options.noise.stance,
+                   "standard deviation of the joint deflection that a pose's captures in one stance share [rad]")
+      ->check(CLI::Range(0.0, 0.1));
   solver->callback([command, pixel, &exitCode] {
     command->options.pixelGiven = pixel->count() > 0;
     exitCode = solve(*command);

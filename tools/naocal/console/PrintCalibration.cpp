@@ -44,11 +44,12 @@ void printCalibration(const std::vector<CaptureSet>& sets, const Measurements& m
              measurements.poses.size(), model.unknownCount(), result.converged ? "converged" : "NOT converged",
              result.iterations, 1e3 * result.seconds);
   fmt::print(
-      "corners lie {:.2f} px rms from their predictions (median {:.2f}); noise: {:.3f} px, encoder {:.4f}°, pose "
-      "{:.4f}°{} ({}); chi2/dof {:.3f}, p {:.2g}\n",
-      result.rmsPx, result.medianPx, result.noise.pixel, degrees(result.noise.encoder), degrees(result.noise.pose),
-      result.noise.stance > 0 ? fmt::format(", stance {:.4f}°", degrees(result.noise.stance)) : "", result.noiseSource,
-      result.chi2 / std::max(1.0, result.dof), result.pValue);
+      "prediction error {:.2f} px rms (median {:.2f} px); chi2/dof {:.3f}, p {:.2g}\n"
+      "noise, 1 sigma ({}): corners {:.3f} px anew in each picture and {:.3f} px alike in all pictures of a rest, "
+      "encoders {:.4f}°, joint scatter {:.4f}° from pose to pose{}\n",
+      result.rmsPx, result.medianPx, result.chi2 / std::max(1.0, result.dof), result.pValue, result.noiseSource,
+      result.noise.pixel, result.noise.pixelAlike, degrees(result.noise.encoder), degrees(result.noise.pose),
+      result.noise.stance > 0 ? fmt::format(" and {:.4f}° from stance to stance", degrees(result.noise.stance)) : "");
   if (result.floorErrorAt2m > 0) {
     fmt::print("a floor point 2 m ahead will be seen {:.1f} mm off (1 sigma)\n", 1e3 * result.floorErrorAt2m);
   }

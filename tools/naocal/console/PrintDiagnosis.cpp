@@ -72,7 +72,8 @@ void printCandidates(const Diagnosis& diagnosis) {
   for (const CandidateFinding& finding : diagnosis.ranking) {
     most = std::max(most, finding.evidence.bayes);
   }
-  fmt::print("\ncandidates, best first (bar: evidence, 2 ln of the Bayes factor against the model without it)\n");
+  fmt::print("\ncandidates, most plausible first (bar and number: evidence, 2 ln of the Bayes factor against the model "
+             "without it)\n");
   for (std::size_t i = 0; i < std::min(shown, diagnosis.ranking.size()); ++i) {
     const CandidateFinding& finding = diagnosis.ranking[i];
     if (finding.state == CandidateState::noData) {
@@ -91,9 +92,10 @@ void printCandidates(const Diagnosis& diagnosis) {
     noData += finding.state == CandidateState::noData;
     inconclusive += finding.state == CandidateState::inconclusive;
   }
-  fmt::print("  {} candidates in all; {} not testable here, {} need data that was not recorded, {} could hide below "
-             "what these captures show\n",
-             diagnosis.ranking.size(), absorbed, noData, inconclusive);
+  fmt::print(
+      "  {} candidates in all: {} not testable with these poses, {} without recorded data, {} undecided (they may be "
+      "present, but too small to be seen here)\n",
+      diagnosis.ranking.size(), absorbed, noData, inconclusive);
 }
 
 void printDiagnosis(const Diagnosis& diagnosis, const GivenOptions& asked) {
@@ -114,14 +116,14 @@ void printDiagnosis(const Diagnosis& diagnosis, const GivenOptions& asked) {
 
 void printOwnEffectHint(bool isThere, const Diagnosis& diagnosis, const GivenOptions& asked, const std::string& file) {
   if (!isThere) {
-    fmt::print("nothing beyond the catalogue was found that an expression follows, so {} was not written\n", file);
+    fmt::print("no unexplained pattern was found that an expression fits, so {} was not written\n", file);
   } else if (file.empty()) {
     fmt::print("{}:  naocal diagnose {} --own own.json\n",
-               diagnosis.own ? "add it as an effect of your own" : "try its expression as an effect of your own",
+               diagnosis.own ? "add it as a custom effect" : "try its expression as a custom effect",
                asked.commandLine());
   } else {
     const GivenOptions withIt{asked.sets, {}, {}, file, asked.samePlace, asked.skipBad};
-    fmt::print("{0} has its expression as an effect of your own; see what it explains:  naocal diagnose {1}\n"
+    fmt::print("{0} has its expression as a custom effect; see what it explains:  naocal diagnose {1}\n"
                "and calibrate with it:  naocal solve {1} -o result.json\n",
                file, withIt.commandLine());
   }
@@ -135,15 +137,16 @@ void printNextPoses(const NextPoses& next, GivenOptions asked, const std::string
     return;
   }
   if (next.poses.empty() || file.empty()) {
-    fmt::print("measure next what {}:  naocal diagnose {} --next poses.json\n", next.why, asked.commandLine());
+    fmt::print("next poses, to measure what {}:  naocal diagnose {} --next poses.json\n", next.why,
+               asked.commandLine());
     return;
   }
   asked.sets.emplace_back("FURTHER-SET");
   asked.samePlace = true;
-  fmt::print(
-      "\n{} holds {} poses; what {} grows {:.1f}-fold with them. Take them with the boards where they lie, number "
-      "their stance {}, then:\n  naocal diagnose {}\n",
-      file, next.poses.size(), next.why, next.growth, next.firstStance, asked.commandLine());
+  fmt::print("\n{} holds {} poses. With them, what {} becomes {:.1f} times stronger. Leave the boards where they lie, "
+             "record the "
+             "poses as a new set with \"stance\": {}, then:\n  naocal diagnose {}\n",
+             file, next.poses.size(), next.why, next.growth, next.firstStance, asked.commandLine());
 }
 
 } // namespace naocal

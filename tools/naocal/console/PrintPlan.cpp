@@ -12,8 +12,8 @@ namespace naocal {
 namespace {
 
 void printSieve(const PassCounts& sieve) {
-  fmt::print("\n{:>10} attitudes drawn\n{:>10} the legs reach them, clear of the joints' limits\n"
-             "{:>10} no part touches another\n{:>10} stand, with joint errors too\n{:>10} see a board\n\n",
+  fmt::print("\n{:>10} attitudes drawn\n{:>10} within reach and joint limits\n{:>10} without self-collision\n"
+             "{:>10} stable, also with joint errors\n{:>10} with a board in view\n\n",
              sieve.generated, sieve.reachable, sieve.collisionFree, sieve.stable, sieve.seeing);
 }
 
@@ -22,9 +22,9 @@ void printSigmas(const PosePlan& plan) {
   for (const auto& [joint, sigma] : plan.sigma) {
     worst = std::max(worst, sigma);
   }
-  fmt::print("how well these {} poses tell the offsets (1 sigma, one picture of each camera per pose):\n",
+  fmt::print("standard error of each offset after these {} poses (one picture per camera and pose):\n",
              plan.poses.size());
-  fmt::print("  {:<14} {:>11}    {:>9}    {}\n", "", "as drawn", "worn", "cameras and boards known");
+  fmt::print("  {:<14} {:>11}    {:>9}    {}\n", "", "as drawn", "with errors", "cameras and boards known");
   for (const auto& [joint, sigma] : plan.sigma) {
     std::string bar;
     for (int i = 0; i < static_cast<int>(std::lround(20 * sigma / worst)); ++i) {
@@ -57,23 +57,23 @@ void printFloor(const PosePlan& plan) {
     }
   }
   floor[ahead][columns / 2] = '^';
-  fmt::print("\nwhere to lay the boards (^ the foot it stands on, of both the left one, looking up; a dot is 6 cm by "
-             "12 cm):\n");
+  fmt::print(
+      "\nwhere to lay the boards (top view, robot faces up; ^ is the support foot, with both feet the left one; a "
+      "character is 6 cm wide, 12 cm high):\n");
   for (const std::string& row : floor) {
     fmt::print("  {}\n", row);
   }
   for (std::size_t i = 0; i < plan.boards.size(); ++i) {
     const Board& board = plan.boards[i];
     const Placement& place = *board.placement;
-    fmt::print(
-        "  {}: its corner {:5.2f} m ahead, {:5.2f} m to the {}, turned by {:4.0f} °; may be off by {:.0f} cm, {:.0f} "
-        "°\n",
-        board.id, place.x, std::abs(place.y), place.y >= 0 ? "left " : "right", degrees(place.yaw),
-        100 * plan.tolerances[i].shift, degrees(plan.tolerances[i].turn));
+    fmt::print("  {}: its corner {:5.2f} m ahead, {:5.2f} m to the {}, turned by {:4.0f}°; tolerance {:.0f} cm, "
+               "{:.0f}°\n",
+               board.id, place.x, std::abs(place.y), place.y >= 0 ? "left " : "right", degrees(place.yaw),
+               100 * plan.tolerances[i].shift, degrees(plan.tolerances[i].turn));
   }
-  fmt::print("  (off by more, a board alone makes the worst offset a tenth more uncertain, or a pose sees none; beyond "
-             "30 cm and 45 ° "
-             "was not looked)\n");
+  fmt::print(
+      "  (tolerance of each board, the others in place: beyond it the worst offset's standard error grows by more than "
+      "10 %, or a pose sees no board; not checked beyond 30 cm / 45°)\n");
 }
 
 void printWay(const PosePlan& plan) {
@@ -87,10 +87,10 @@ void printWay(const PosePlan& plan) {
       ++(plan.ways[i]->via.empty() ? straight : round);
     }
   }
-  fmt::print("\n{:.0f} s to play, {:.0f} s of rest in each pose included; {} of {} ways lead straight on", seconds,
+  fmt::print("\nplaying time {:.0f} s, including {:.0f} s of rest per pose; {} of {} transitions are direct", seconds,
              plan.options.secondsPerPose, straight, ways);
   if (round > 0) {
-    fmt::print(", {} by other postures (\"via\")", round);
+    fmt::print(", {} go by other postures (\"via\")", round);
   }
   if (const std::size_t missing = ways - straight - round; missing > 0) {
     fmt::print(", {} are not safe: stand on both feet in between", missing);
