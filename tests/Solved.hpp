@@ -35,8 +35,8 @@ inline Robot robotOf(const CaptureSet& set) {
 
 inline Solved solved(const std::filesystem::path& folder, const std::vector<std::string>& with = {}) {
   Solved all{{readCaptureSet(folder).set}, {}, {}, {}};
-  all.measurements = measurementsOf(all.sets, robotOf(all.sets.front()));
-  all.model = makeModel(all.measurements, with);
+  all.measurements = buildMeasurements(all.sets, robotOf(all.sets.front()));
+  all.model = buildModel(all.measurements, with);
   all.result = calibrate(all.measurements, all.model);
   return all;
 }

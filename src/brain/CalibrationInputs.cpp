@@ -15,7 +15,7 @@ namespace {
 bool isAccepted(const Measurements& measurements, const std::vector<std::string>& with,
                 const std::vector<std::string>& without, const std::vector<Effect>& effects) {
   try {
-    makeModel(measurements, with, without, effects);
+    buildModel(measurements, with, without, effects);
     return true;
   } catch (const InputError&) {
     return false;
@@ -86,7 +86,7 @@ ModelFile loadCalibrationModel(const std::filesystem::path& configuration, const
 ReducedModel reduceModel(const Measurements& measurements, const ModelFile& model) {
   ReducedModel fitting{{.effects = model.effects}, {}};
   const bool onOneFoot =
-      std::all_of(measurements.standings.begin(), measurements.standings.end(), [](const StanceInstance& standing) {
+      std::all_of(measurements.stances.begin(), measurements.stances.end(), [](const StanceInstance& standing) {
         return standing.supportFoot == SupportFoot::left || standing.supportFoot == SupportFoot::right;
       });
   if (!onOneFoot) {

@@ -33,11 +33,11 @@ std::vector<BoardCorners> CalibrationRecorder::record(Capture capture, const Cam
   }
   capture.id = static_cast<int>(set_.captures.size());
   capture.image = fmt::format("images/{:04}.png", capture.id);
-  capture.corners = detect(*picture, set_.boards, set_.cameras.at(capture.camera)).boards;
+  capture.corners = detectBoards(*picture, set_.boards, set_.cameras.at(capture.camera)).boards;
   for (const BoardCorners& board : *capture.corners) {
     corners_ += board.ids.size();
   }
-  writePicture(*picture, folder_ / capture.image);
+  writeImage(*picture, folder_ / capture.image);
   set_.captures.push_back(std::move(capture));
   writeCaptureSet(set_, folder_);
   return *set_.captures.back().corners;
@@ -45,18 +45,18 @@ std::vector<BoardCorners> CalibrationRecorder::record(Capture capture, const Cam
 
 CalibrationRecorder::Solution CalibrationRecorder::solve() const {
   const std::vector<CaptureSet> sets{set_};
-  const Measurements measurements = measurementsOf(sets, drawing_);
+  const Measurements measurements = buildMeasurements(sets, drawing_);
   const auto [asked, leftOut] = reduceModel(measurements, model_);
-  const Model model = makeModel(measurements, asked.with, asked.without, asked.effects);
+  const Model model = buildModel(measurements, asked.with, asked.without, asked.effects);
   const CalibrationResult result = calibrate(measurements, model);
-  const ResultSources inputs{{folder_.string()}, {sha256(fileContent(folder_ / "captures.json"))}};
+  const ResultSources inputs{{folder_.string()}, {sha256(readFile(folder_ / "captures.json"))}};
   writeAtomically(folder_ / "result.json", resultJson(sets, measurements, model, result, inputs).dump(2) + "\n");
   if (!result.converged) {
     throw InputError{
         "the search for offsets and mounts did not converge. Nothing was changed. Look whether all boards are "
         "those of the configuration and lie still, and calibrate again"};
   }
-  Solution solved{readResult(folder_ / "result.json"), shownOffsets(measurements, model, result), result.warnings};
+  Solution solved{readResult(folder_ / "result.json"), effectiveOffsets(measurements, model, result), result.warnings};
   if (!leftOut.empty()) {
     solved.warnings.push_back(
         {Warning::About::fit,
@@ -73,7 +73,7 @@ CalibrationRecorder::Solution CalibrationRecorder::solve() const {
 
 std::string CalibrationRecorder::diagnose() const {
   const std::vector<CaptureSet> sets{set_};
-  const Measurements measurements = measurementsOf(sets, drawing_);
+  const Measurements measurements = buildMeasurements(sets, drawing_);
   const ModelFile asked = reduceModel(measurements, model_).model;
   DiagnosisOptions options;
   options.with = asked.with;

@@ -22,9 +22,9 @@ std::string takeHold(const std::string& why) {
 }
 
 Eigen::VectorXd drawn(const Robot& drawing, const CompensatedAngles& stand) {
-  Eigen::VectorXd angles{at(drawing.joints.size())};
+  Eigen::VectorXd angles{eigenIndex(drawing.joints.size())};
   for (std::size_t joint = 0; joint < drawing.joints.size(); ++joint) {
-    angles[at(joint)] = stand[jointIndex(drawing.joints[joint].name).value()];
+    angles[eigenIndex(joint)] = stand[jointIndex(drawing.joints[joint].name).value()];
   }
   return angles;
 }
@@ -85,7 +85,7 @@ LegRoundPlanner::LegRoundPlanner(const Robot& drawing, const PoseFile& file, Sup
 
 SingleSupportPlanner::Approach LegRoundPlanner::approach(const PlayablePose& pose, double distance,
                                                          std::mt19937_64& random) const {
-  auto found = ways_.approach(pose.angles, pose.approach, distance, random);
+  auto found = ways_.planApproach(pose.angles, pose.approach, distance, random);
   if (!found) {
     throw InputError{fmt::format("pose {}: there is no safe way to it from standing upright on the {} foot; plan other "
                                  "poses with 'naocal poses'",
@@ -97,7 +97,7 @@ SingleSupportPlanner::Approach LegRoundPlanner::approach(const PlayablePose& pos
 CompensatedAngles LegRoundPlanner::robotAngles(const Eigen::VectorXd& angles) const {
   CompensatedAngles result;
   for (std::size_t joint = 0; joint < drawing_.joints.size(); ++joint) {
-    result[jointIndex(drawing_.joints[joint].name).value()] = angles[at(joint)];
+    result[jointIndex(drawing_.joints[joint].name).value()] = angles[eigenIndex(joint)];
   }
   return result;
 }
@@ -105,7 +105,7 @@ CompensatedAngles LegRoundPlanner::robotAngles(const Eigen::VectorXd& angles) co
 CalibrationRound LegRoundPlanner::onto(bool isHeld) const {
   const std::string foot = nameOf(foot_), name = fmt::format("The {} foot", foot);
   std::vector<CompensatedAngles> points;
-  for (const Eigen::VectorXd& angles : ways_.onto()) {
+  for (const Eigen::VectorXd& angles : ways_.pathOnto()) {
     points.push_back(robotAngles(angles));
   }
   const std::string letGo =
@@ -133,7 +133,7 @@ CalibrationRound LegRoundPlanner::planRound(const RoundOptions& options, int sta
         back.clear();
         std::transform(first.way.rbegin(), first.way.rend(), std::back_inserter(back),
                        [this](const Eigen::VectorXd& angles) { return robotAngles(angles); });
-        back.push_back(robotAngles(ways_.onto().back()));
+        back.push_back(robotAngles(ways_.pathOnto().back()));
         std::transform(first.way.begin(), first.way.end(), std::back_inserter(step.points),
                        [this](const Eigen::VectorXd& angles) { return robotAngles(angles); });
       } else {

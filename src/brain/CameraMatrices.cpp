@@ -27,13 +27,13 @@ nlohmann::json kinematicMatrix(const Eigen::Isometry3d& transform, double metre)
 
 PanelCameraPose computePanelCameraPose(const Robot& drawing, const JointSample& moment, CameraName camera,
                                        const CameraModel& cameraBelief) {
-  ModelState belief = drawnBelief(drawing, StateLayout{drawing.joints.size(), drawing.lengths.size(), 0});
+  ModelState belief = nominalState(drawing, StateLayout{drawing.joints.size(), drawing.lengths.size(), 0});
   for (std::size_t joint = 0; joint < drawing.joints.size(); ++joint) {
     belief.angle(joint) = moment.angles[jointIndex(drawing.joints[joint].name).value()];
   }
   belief.mountRotation() = Eigen::Vector3d{cameraBelief.rotation.data()};
   const CameraMount& mount = drawing.cameras.at(drawing.cameraIndex(toString(camera)).value());
-  const LinkPoses torsoFromLink = posture(drawing, belief);
+  const LinkPoses torsoFromLink = forwardKinematics(drawing, belief);
   const RigidTransform& torsoFromHead = torsoFromLink[mount.link];
   Eigen::Vector3d sole = torsoFromLink[drawing.soles.front().link].translation;
   for (const Sole& other : drawing.soles) {

@@ -52,7 +52,7 @@ EncodedImage toImage(const DisplayFrame& shown) {
     pixels = {colours.data, 3 * colours.total()};
   }
   return {static_cast<std::uint16_t>(frame.width), static_cast<std::uint16_t>(frame.height),
-          jpeg(pixels, frame.width, frame.height, 75)};
+          encodeJpeg(pixels, frame.width, frame.height, 75)};
 }
 
 void to_json(nlohmann::json& out, const NewFrame& frame) {

@@ -31,7 +31,7 @@ void JointLimits::clamp(PerJoint<double>& values) const {
       if (!drawn_[joint]) {
         values[joint] = std::clamp(values[joint], 0.0, 1.0);
       } else if (robot_.joints[*drawn_[joint]].coupled.has_value() == dependent) {
-        const AngleRange range = limitsAt(robot_, *drawn_[joint], angles);
+        const AngleRange range = jointLimitsAt(robot_, *drawn_[joint], angles);
         values[joint] = drawnAngle(*drawn_[joint]) = std::clamp(values[joint], range.lower, range.upper);
       }
     }

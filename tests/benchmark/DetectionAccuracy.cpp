@@ -58,13 +58,13 @@ Statistics measured(const Condition& condition, int frames) {
   Statistics statistics;
   for (int frame = 0; frame < frames; ++frame) {
     const RenderedBoard rendered = placedBoard(condition, random);
-    const GreyPicture picture = renderer.picture({{rendered}, {}}, condition.appearance, std::uint64_t(frame));
+    const GreyPicture picture = renderer.render({{rendered}, {}}, condition.appearance, std::uint64_t(frame));
     const BoardCorners truth = trueCorners(rendered, renderer.intrinsics());
     Board board;
     board.id = std::string{"A"};
     board.pattern = rendered.pattern;
     const std::clock_t start = std::clock();
-    const Detection detection = detect(picture, {board}, renderer.intrinsics());
+    const Detection detection = detectBoards(picture, {board}, renderer.intrinsics());
     statistics.seconds += double(std::clock() - start) / CLOCKS_PER_SEC;
     statistics.possible += int(truth.ids.size());
     ++statistics.frames;

@@ -57,7 +57,7 @@ void scorePassWithMapAndAlarm(benchmark::State& state) {
 
 void wholeDiagnosis(benchmark::State& state, const std::vector<std::pair<std::string, double>>& gains) {
   const CaptureSet set = withGains(gains);
-  const Measurements measurements = measurementsOf({set}, loadRobot(configurationDirectory(), "V6"));
+  const Measurements measurements = buildMeasurements({set}, loadRobot(configurationDirectory(), "V6"));
   std::size_t rungs = 0;
   for (auto _ : state) {
     rungs = diagnose({set}, measurements).steps.size();
@@ -78,7 +78,7 @@ BENCHMARK_CAPTURE(wholeDiagnosis, twoFlaws, {{"LKneePitch", 0.01}, {"LHipRoll", 
 } // namespace naocal
 
 int main(int argc, char** argv) {
-  naocal::keepMemory(); // as naocal does
+  naocal::tuneAllocator(); // as naocal does
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

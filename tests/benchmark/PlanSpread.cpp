@@ -17,10 +17,10 @@ int main(int count, char** arguments) {
                               : support == "right" ? SupportFoot::right
                                                    : SupportFoot::left;
   options.poses.count = 8;
-  options.poses.tries = 200'000;
+  options.poses.maxAttempts = 200'000;
   options.poses.sampling = SamplingMethod::even;
   const SimulationPlan scene;
-  const PosePlan plan = posePlan(v6(), scene.boards, scene.cameras, options);
+  const PosePlan plan = planPoses(v6(), scene.boards, scene.cameras, options);
   fmt::print("{:<14} {:>12} {:>12} {:>8}\n", "offset", "predicted", "spread", "ratio");
   for (const auto& [joint, spread] : simulatedSpread(plan, robots)) {
     const double predicted = plan.sigmaOfRobots.at(joint);

@@ -14,7 +14,7 @@ namespace {
 
 PoseOptions options(std::int64_t candidates) {
   PoseOptions result;
-  result.tries = static_cast<std::size_t>(candidates);
+  result.maxAttempts = static_cast<std::size_t>(candidates);
   result.sampling = SamplingMethod::even;
   return result;
 }
@@ -35,8 +35,8 @@ double mostMemory() {
 
 void generateValidateScore(benchmark::State& state) {
   for (auto _ : state) {
-    const PoseCandidates candidates = poseCandidates(v6(), scene(), options(state.range(0)));
-    benchmark::DoNotOptimize(informations(v6(), scene(), candidates.attitudes, Noise{}));
+    const PoseCandidates candidates = samplePoses(v6(), scene(), options(state.range(0)));
+    benchmark::DoNotOptimize(computeInformation(v6(), scene(), candidates.attitudes, Noise{}));
     state.counters["reachable"] = static_cast<double>(candidates.sieve.reachable);
     state.counters["stable"] = static_cast<double>(candidates.sieve.stable);
     state.counters["seeing"] = static_cast<double>(candidates.sieve.seeing);
@@ -54,14 +54,14 @@ BENCHMARK(generateValidateScore)
     ->Unit(benchmark::kSecond);
 
 void selectEight(benchmark::State& state) {
-  const PoseCandidates candidates = poseCandidates(v6(), scene(), options(state.range(0)));
+  const PoseCandidates candidates = samplePoses(v6(), scene(), options(state.range(0)));
   const PoseCriterion judge{v6(), scene(), scene().joints(), Criterion::worst};
   for (auto _ : state) {
-    std::vector<Eigen::MatrixXd> parts = informations(v6(), scene(), candidates.attitudes, Noise{});
+    std::vector<Eigen::MatrixXd> parts = computeInformation(v6(), scene(), candidates.attitudes, Noise{});
     for (Eigen::MatrixXd& part : parts) {
-      part = judge.part(part);
+      part = judge.relevantInformation(part);
     }
-    benchmark::DoNotOptimize(selected(judge, judge.prior(), parts, 8));
+    benchmark::DoNotOptimize(selectPoses(judge, judge.prior(), parts, 8));
   }
 }
 BENCHMARK(selectEight)->Arg(1'000'000)->Iterations(1)->UseRealTime()->MeasureProcessCPUTime()->Unit(benchmark::kSecond);

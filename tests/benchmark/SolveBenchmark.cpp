@@ -24,13 +24,13 @@ constexpr Noise pixelOnly{.pixel = 0.3, .encoder = 0, .pose = 0};
 struct Prepared {
   Prepared(const Robot& robot, const CaptureSet& set, const std::vector<std::string>& without,
            const std::vector<std::string>& with = {})
-      : measurements{measurementsOf({set}, robot)}, model{makeModel(measurements, with, without)} {}
+      : measurements{buildMeasurements({set}, robot)}, model{buildModel(measurements, with, without)} {}
   Measurements measurements;
   Model model;
 };
 
 Eigen::VectorXd searched(const Residuals& residuals, const Eigen::VectorXd& start) {
-  return levenbergMarquardt(residuals, residuals.start(start)).value().state.unknowns;
+  return levenbergMarquardt(residuals, residuals.startState(start)).value().state.unknowns;
 }
 
 Eigen::VectorXd zero(const Model& model) {
@@ -133,14 +133,14 @@ int main(int argc, char** argv) {
   const Robot robot = loadRobot(configurationDirectory(), "V6");
 
   const Prepared full{robot, fullSet(robot, 1), {}};
-  const Eigen::VectorXd nominal = startingUnknowns(full.measurements, full.model, zero(full.model));
+  const Eigen::VectorXd nominal = initializePlacements(full.measurements, full.model, zero(full.model));
   time("full search", [&] { return searched(Residuals{full.measurements, full.model, Noise{}}, nominal); });
   const Prepared driven{robot, fullSet(robot, 1), {}, {"elasticity@*", "backlash@*"}};
-  const Eigen::VectorXd drivenNominal = startingUnknowns(driven.measurements, driven.model, zero(driven.model));
+  const Eigen::VectorXd drivenNominal = initializePlacements(driven.measurements, driven.model, zero(driven.model));
   const Residuals fullResiduals{full.measurements, full.model, Noise{}},
       drivenResiduals{driven.measurements, driven.model, Noise{}};
-  time("full step", [&] { return fullResiduals.linearised(fullResiduals.start(nominal))->gradient; });
-  time("driven step", [&] { return drivenResiduals.linearised(drivenResiduals.start(drivenNominal))->gradient; });
+  time("full step", [&] { return fullResiduals.linearise(fullResiduals.startState(nominal))->gradient; });
+  time("driven step", [&] { return drivenResiduals.linearise(drivenResiduals.startState(drivenNominal))->gradient; });
   time("driven search", [&] { return searched(drivenResiduals, drivenNominal); });
   time("full calibration", [&] { return calibrate(full.measurements, full.model).unknowns; });
   Times fullTimes;

@@ -98,7 +98,7 @@ PlainProblem plainProblem(const Robot& robot, const CameraIntrinsics& camera, Ra
   const CameraMount& mount = robot.cameras[*robot.cameraIndex("top")];
   PlainProblem problem;
   problem.torsoToHead = stepsTo(robot, mount.link);
-  problem.torsoToSole = stepsTo(robot, robot.sole("left")->link);
+  problem.torsoToSole = stepsTo(robot, robot.findSole("left")->link);
   const Eigen::Matrix3d cameraFromOptical = (Eigen::Matrix3d{} << 0, 0, 1, -1, 0, 0, 0, -1, 0).finished();
   problem.headFromOpticalRotation = rotationY(mount.pitch) * cameraFromOptical;
   problem.opticalInHead = mount.translation;
@@ -106,7 +106,7 @@ PlainProblem plainProblem(const Robot& robot, const CameraIntrinsics& camera, Ra
   problem.centre = {camera.cx, camera.cy};
   problem.trueOffsets.resize(static_cast<Eigen::Index>(offsetJoints.size()));
   for (double& offset : problem.trueOffsets) {
-    offset = chance.within(radians(6.5));
+    offset = chance.uniformWithin(radians(6.5));
   }
   return problem;
 }
@@ -115,7 +115,7 @@ PlainProblem plainProblem(const Robot& robot, const CameraIntrinsics& camera, Ra
 
 OffsetProblem offsetProblem(const Robot& robot, std::uint64_t seed) {
   RandomStream chance{seed, "offset problem"};
-  const CameraIntrinsics camera = drawnCameras(640, 480).at("top");
+  const CameraIntrinsics camera = nominalCameras(640, 480).at("top");
   OffsetProblem result{{}, plainProblem(robot, camera, chance)};
   CaptureSet& set = result.set;
   set.name = "offset problem";

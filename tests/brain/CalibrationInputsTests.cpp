@@ -22,7 +22,7 @@ TEST_CASE("the gear's play stands where load and friction leave it, on every mod
     const auto gap = [&](double torque, double approach, double logFriction) {
       instant.torque = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(robot.joints.size()), torque);
       instant.approach = Eigen::VectorXd::Constant(instant.torque.size(), approach);
-      ModelState belief = drawnBelief(robot, {robot.joints.size(), robot.lengths.size(), 0});
+      ModelState belief = nominalState(robot, {robot.joints.size(), robot.lengths.size(), 0});
       gear.correct(belief, instant, knee, std::vector{0.01, logFriction});
       return belief.angle(knee);
     };
@@ -40,7 +40,7 @@ TEST_CASE("a calibration leaves out of its model what its captures cannot tell")
   // instead of ending the calibration; and that on both feet, where no load is known, offsets and mounts alone are
   // left.
   const auto standing = [](SupportFoot foot) {
-    return measurementsOf({simulate(v6(), handMadePlan(v6(), 2, foot), 5).set}, v6());
+    return buildMeasurements({simulate(v6(), handMadePlan(v6(), 2, foot), 5).set}, v6());
   };
   ModelFile model = loadCalibrationModel(configurationDirectory(), v6());
   model.with.insert(model.with.end(), {"elasticity@LKneePitch", "elasticity@RKneePitch", "elastisity@LKneePitch"});

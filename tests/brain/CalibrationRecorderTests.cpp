@@ -101,7 +101,7 @@ TEST_CASE("a recording that is killed at any moment is readable up to its last c
     CHECK(int(set.captures.size()) <= said + 2);
     for (const Capture& capture : set.captures) {
       CHECK(capture.joints.measured == std::vector{0.001 * capture.id, 0.002 * capture.id});
-      CHECK(readPicture(std::filesystem::path{session} / capture.image).at(10, 10) == capture.id % 250);
+      CHECK(readImage(std::filesystem::path{session} / capture.image).grey(10, 10) == capture.id % 250);
     }
   }
   CHECK(begun > 0);

@@ -55,7 +55,7 @@ TEST_CASE("the shipped poses on one foot are reached safely, each from both side
         CHECK(step.taken.stance == 3);
         CHECK(step.taken.supportFoot == foot);
         const Eigen::VectorXd angles = drawn(robot, step.points.back());
-        CHECK(stands(robot, posture(robot, angles), foot, {}));
+        CHECK(isBalanced(robot, forwardKinematics(robot, angles), foot, {}));
         for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
           const auto motion = step.points.back()[*jointIndex(robot.joints[joint].name)] -
                               step.points[step.points.size() - 2][*jointIndex(robot.joints[joint].name)];
@@ -65,7 +65,7 @@ TEST_CASE("the shipped poses on one foot are reached safely, each from both side
         for (const CompensatedAngles& point : step.points) {
           const Eigen::VectorXd through = drawn(robot, point);
           for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-            const AngleRange limits = limitsAt(robot, joint, through);
+            const AngleRange limits = jointLimitsAt(robot, joint, through);
             CHECK(through[static_cast<Eigen::Index>(joint)] >= limits.lower);
             CHECK(through[static_cast<Eigen::Index>(joint)] <= limits.upper);
           }

@@ -24,8 +24,8 @@ struct Made {
     plan.samples = samples;
     plan.repeatKind = kind;
     simulation = simulate(robot, plan, seed);
-    measurements = measurementsOf({simulation.set}, robot);
-    model = makeModel(measurements);
+    measurements = buildMeasurements({simulation.set}, robot);
+    model = buildModel(measurements);
   }
   Robot robot;
   Simulation simulation;
@@ -40,8 +40,8 @@ TEST_CASE("shuffled captures give the same answer to the last digit") {
   const Made made;
   CaptureSet shuffled = made.simulation.set;
   std::shuffle(shuffled.captures.begin(), shuffled.captures.end(), std::mt19937{5});
-  const Measurements other = measurementsOf({shuffled}, made.robot);
-  const CalibrationResult a = calibrate(made.measurements, made.model), b = calibrate(other, makeModel(other));
+  const Measurements other = buildMeasurements({shuffled}, made.robot);
+  const CalibrationResult a = calibrate(made.measurements, made.model), b = calibrate(other, buildModel(other));
   CHECK(a.unknowns == b.unknowns);
   CHECK(a.covariance == b.covariance);
 }
@@ -123,12 +123,12 @@ TEST_CASE("captures without any corner and terms without any place are refused w
   for (Capture& capture : nothing.captures) {
     capture.corners->clear();
   }
-  const Measurements empty = measurementsOf({nothing}, made.robot);
-  CHECK_THROWS_AS(calibrate(empty, makeModel(empty)), InputError);
-  CHECK_THROWS_WITH(makeModel(made.measurements, {"jointOffset@LKnee"}), Catch::Contains("jointOffset@LKneePitch"));
+  const Measurements empty = buildMeasurements({nothing}, made.robot);
+  CHECK_THROWS_AS(calibrate(empty, buildModel(empty)), InputError);
+  CHECK_THROWS_WITH(buildModel(made.measurements, {"jointOffset@LKnee"}), Catch::Contains("jointOffset@LKneePitch"));
   CaptureSet other = made.simulation.set;
   other.bodyId = "somebody else";
-  CHECK_THROWS_WITH(measurementsOf({made.simulation.set, other}, made.robot), Catch::Contains("one robot"));
+  CHECK_THROWS_WITH(buildMeasurements({made.simulation.set, other}, made.robot), Catch::Contains("one robot"));
 }
 
 TEST_CASE("a fit that bends joints until it sees what lies behind the camera is refused") {
@@ -139,15 +139,15 @@ TEST_CASE("a fit that bends joints until it sees what lies behind the camera is 
   const Residuals residuals{made.measurements, made.model, noise};
   const std::size_t head = made.robot.jointIndex("HeadYaw").value();
   Fit fit{noise, {}, {}};
-  fit.minimum.state = residuals.start(calibrate(made.measurements, made.model).unknowns);
-  fit.minimum.linear = residuals.linearised(fit.minimum.state).value();
+  fit.minimum.state = residuals.startState(calibrate(made.measurements, made.model).unknowns);
+  fit.minimum.linear = residuals.linearise(fit.minimum.state).value();
   for (std::size_t pose = 0; pose < fit.minimum.linear.poses.size(); ++pose) {
     const PoseSystem& system = fit.minimum.linear.poses[pose];
     Eigen::VectorXd turned = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(system.joints.size()));
     for (std::size_t i = 0; i < system.joints.size(); ++i) {
       turned[static_cast<Eigen::Index>(i)] = system.joints[i] == head ? std::numbers::pi : 0;
     }
-    const Eigen::MatrixXd root = deflectionRoot(system, noise);
+    const Eigen::MatrixXd root = jointErrorRoot(system, noise);
     fit.minimum.state.deflections[pose] = root.lu().solve(turned);
   }
   for (const Term& term : made.model.terms()) {
@@ -155,8 +155,8 @@ TEST_CASE("a fit that bends joints until it sees what lies behind the camera is 
       fit.minimum.state.unknowns[static_cast<Eigen::Index>(term.first)] += std::numbers::pi;
     }
   }
-  REQUIRE(residuals.linearised(fit.minimum.state)); // so it sees them
-  CHECK_THROWS_AS(uncertain(made.measurements, made.model, fit, {noise}), InputError);
+  REQUIRE(residuals.linearise(fit.minimum.state)); // so it sees them
+  CHECK_THROWS_AS(estimateUncertainty(made.measurements, made.model, fit, {noise}), InputError);
 }
 
 } // namespace naocal

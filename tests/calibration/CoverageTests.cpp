@@ -100,8 +100,8 @@ Eigen::VectorXd trueUnknowns(const Simulation& simulation, const Model& model, c
 }
 
 void add(const Simulation& simulation, const Robot& robot, const Kind& kind, Tally& tally) {
-  const Measurements measurements = measurementsOf({simulation.set}, robot);
-  const Model model = makeModel(measurements);
+  const Measurements measurements = buildMeasurements({simulation.set}, robot);
+  const Model model = buildModel(measurements);
   CalibrationOptions options;
   options.noise.pose = kind.samples == 1 ? radians(kind.stictionDegrees) : 0; // configured where nothing can tell it
   const CalibrationResult result = calibrate(measurements, model, options);
@@ -109,7 +109,7 @@ void add(const Simulation& simulation, const Robot& robot, const Kind& kind, Tal
   const Eigen::VectorXd truth = trueUnknowns(simulation, model, result.unknowns);
   const Residuals residuals{measurements, model, trueNoise(kind)};
   const LinearMinimum best =
-      linearMinimum(*residuals.linearised(residuals.start(truth)), truth, model.sigmas(), trueNoise(kind));
+      solveLinearized(*residuals.linearise(residuals.startState(truth)), truth, model.sigmas(), trueNoise(kind));
   for (const Term& term : model.terms()) {
     for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement; ++i) {
       const std::size_t unknown = term.first + i;
@@ -144,7 +144,7 @@ Tally tally(const std::vector<Kind>& kinds, int robotsPerKind) {
     SimulationPlan plan;
     auto& chosen = poses[{kind.poses, kind.supportFoot}];
     if (chosen.empty()) {
-      chosen = standingPoses(robot, plan, kind.supportFoot, static_cast<std::size_t>(kind.poses), seed);
+      chosen = planStandingPoses(robot, plan, kind.supportFoot, static_cast<std::size_t>(kind.poses), seed);
     }
     plan.poses = chosen;
     plan.samples = kind.samples;

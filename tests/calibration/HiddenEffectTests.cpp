@@ -16,7 +16,7 @@ namespace {
 
 /// The estimate of an effect's first unknown.
 Estimate estimateOf(const Measurements& measurements, const std::string& label) {
-  const Model model = makeModel(measurements, {label});
+  const Model model = buildModel(measurements, {label});
   const CalibrationResult result = calibrate(measurements, model);
   CHECK(result.converged);
   CHECK(result.usable);
@@ -39,9 +39,9 @@ TEST_CASE("an effect that another simulator hid has its size within 3 sigma") {
   if (!folder) {
     return;
   }
-  const auto truth = nlohmann::json::parse(fileContent(folder->string() + ".truth.json"))["effects"].back();
+  const auto truth = nlohmann::json::parse(readFile(folder->string() + ".truth.json"))["effects"].back();
   const CaptureSet set = readCaptureSet(*folder).set;
-  const Measurements measurements = measurementsOf({set}, loadRobot(configurationDirectory(), set.model));
+  const Measurements measurements = buildMeasurements({set}, loadRobot(configurationDirectory(), set.model));
   const Estimate estimate = estimateOf(measurements, truth["effect"].get<std::string>() + "@" + place);
   INFO(name << ": " << estimate.value << " ± " << estimate.sigma);
   CHECK(std::abs(estimate.value - truth["size"].get<double>()) < 3 * estimate.sigma);
@@ -57,9 +57,9 @@ TEST_CASE("a spring at the angle that it gave way to, and play that load or moti
   if (!folder) {
     return;
   }
-  const auto truth = nlohmann::json::parse(fileContent(folder->string() + ".truth.json"));
+  const auto truth = nlohmann::json::parse(readFile(folder->string() + ".truth.json"));
   const CaptureSet set = readCaptureSet(*folder).set;
-  const Measurements measurements = measurementsOf({set}, loadRobot(configurationDirectory(), set.model));
+  const Measurements measurements = buildMeasurements({set}, loadRobot(configurationDirectory(), set.model));
   const Estimate estimate = estimateOf(measurements, label);
   INFO(label << ": " << estimate.value << " ± " << estimate.sigma);
   CHECK(std::abs(estimate.value - truth["effects"][0][2].get<double>()) < 3 * estimate.sigma);
@@ -76,7 +76,7 @@ TEST_CASE("what the simulator builds into a joint is estimated within 3 sigma, o
   plan.flaw = label;
   const Simulation simulation = simulate(robot, plan, 3);
   const TrueEffect& truth = simulation.truth.effects.back();
-  const Estimate estimate = estimateOf(measurementsOf({simulation.set}, robot), label);
+  const Estimate estimate = estimateOf(buildMeasurements({simulation.set}, robot), label);
   INFO(label << ": " << estimate.value << " ± " << estimate.sigma);
   CHECK(labelFor(label, robot) == truth.effect + "@" + truth.at);
   CHECK(std::abs(estimate.value - truth.unknowns.front().value) < 3 * estimate.sigma);
@@ -95,7 +95,7 @@ TEST_CASE("an effect that is larger than is plausible keeps its size") {
     capture.joints.measured[static_cast<std::size_t>(knee)] -=
         creep * (capture.time - set.captures.front().time).count();
   }
-  const Estimate estimate = estimateOf(measurementsOf({set}, robot), "timeDrift@LKneePitch");
+  const Estimate estimate = estimateOf(buildMeasurements({set}, robot), "timeDrift@LKneePitch");
   INFO(estimate.value << " ± " << estimate.sigma);
   CHECK(std::abs(estimate.value - creep) < 3 * estimate.sigma);
   CHECK(estimate.sigma < 0.2 * creep);
@@ -111,11 +111,11 @@ TEST_CASE("a model that lacks an effect lies nearly as near to the pictures as i
   CaptureSet set = simulate(robot, plan, 5).set;
   set.cameras.at("bottom").fx *= 1.04;
   set.cameras.at("bottom").fy *= 1.04;
-  const Measurements measurements = measurementsOf({set}, robot);
-  const Model model = makeModel(measurements);
+  const Measurements measurements = buildMeasurements({set}, robot);
+  const Model model = buildModel(measurements);
   CalibrationOptions least;
   least.noise.pixel = 10; // [px]: corners' distances are all that counts
-  least.estimateNoise = least.question = least.robust = least.setAside = false;
+  least.estimateNoise = least.question = least.robust = least.excludeDisplaced = false;
   const CalibrationResult result = calibrate(measurements, model);
   const double possible = calibrate(measurements, model, least).rmsPx;
   CHECK(possible > 3);
@@ -138,8 +138,8 @@ TEST_CASE("a result that has the hidden effect predicts other poses better, join
     (std::stoi(capture.pose.substr(1)) % 2 == 0 ? learned : others).captures.push_back(capture);
   }
   const auto solvedWith = [&](const std::vector<std::string>& with) {
-    Solved one{{learned}, measurementsOf({learned}, robot), {}, {}};
-    one.model = makeModel(one.measurements, with);
+    Solved one{{learned}, buildMeasurements({learned}, robot), {}, {}};
+    one.model = buildModel(one.measurements, with);
     one.result = calibrate(one.measurements, one.model);
     return one.stored();
   };
@@ -162,8 +162,8 @@ TEST_CASE("joints that come to rest a tenth of a degree off are allowed for in o
   const auto isOther = [](const Capture& capture) { return std::stoi(capture.pose.substr(1)) % 2 == 1; };
   std::erase_if(learned.captures, isOther);
   std::erase_if(others.captures, std::not_fn(isOther));
-  Solved one{{learned}, measurementsOf({learned}, robot), {}, {}};
-  one.model = makeModel(one.measurements);
+  Solved one{{learned}, buildMeasurements({learned}, robot), {}, {}};
+  one.model = buildModel(one.measurements);
   one.result = calibrate(one.measurements, one.model);
   const StoredResult result = one.stored();
   CHECK(weightedError(result, {others}, robot, false, result.noise) == Approx(0.3 * std::sqrt(2)).epsilon(0.15));
@@ -177,13 +177,13 @@ TEST_CASE("a tilted inertial unit is told from its readings, and only where ther
   for (Capture& capture : simulation.set.captures) {
     *capture.imu += Eigen::Vector2d{-0.03, 0.02}; // small tilts about the same axes: reading - tilt
   }
-  const Estimate roll = estimateOf(measurementsOf({simulation.set}, robot), "imuTilt@all");
+  const Estimate roll = estimateOf(buildMeasurements({simulation.set}, robot), "imuTilt@all");
   CHECK(std::abs(roll.value - 0.03) < 4 * roll.sigma + 0.001);
   CHECK(roll.sigma < 0.003);
   for (Capture& capture : simulation.set.captures) {
     capture.imu.reset();
   }
-  CHECK_THROWS_WITH(makeModel(measurementsOf({simulation.set}, robot), {"imuTilt@all"}),
+  CHECK_THROWS_WITH(buildModel(buildMeasurements({simulation.set}, robot), {"imuTilt@all"}),
                     Catch::Contains("no torso angles (imu) were recorded"));
 }
 
@@ -196,11 +196,11 @@ TEST_CASE("an effect whose driver was not recorded is refused with the reason") 
     capture.joints.temperature.clear();
     capture.fsr.reset();
   }
-  const Measurements measurements = measurementsOf({simulation.set}, robot);
-  CHECK_THROWS_WITH(makeModel(measurements, {"thermalDrift@*"}), Contains("no temperatures were recorded"));
-  CHECK_THROWS_WITH(makeModel(measurements, {"elasticity@LKneePitch"}), Contains("fsr"));
-  CHECK_NOTHROW(makeModel(measurements, {"elasticity@HeadPitch"}));
-  CHECK_NOTHROW(makeModel(measurements, {"elasticity@*"}));
+  const Measurements measurements = buildMeasurements({simulation.set}, robot);
+  CHECK_THROWS_WITH(buildModel(measurements, {"thermalDrift@*"}), Contains("no temperatures were recorded"));
+  CHECK_THROWS_WITH(buildModel(measurements, {"elasticity@LKneePitch"}), Contains("fsr"));
+  CHECK_NOTHROW(buildModel(measurements, {"elasticity@HeadPitch"}));
+  CHECK_NOTHROW(buildModel(measurements, {"elasticity@*"}));
 }
 
 } // namespace naocal

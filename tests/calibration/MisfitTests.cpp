@@ -12,7 +12,7 @@ namespace {
 
 SimulationPlan planOf(const Robot& robot, std::size_t poses) {
   SimulationPlan plan;
-  plan.poses = standingPoses(robot, plan, SupportFoot::left, poses, 1);
+  plan.poses = planStandingPoses(robot, plan, SupportFoot::left, poses, 1);
   return plan;
 }
 
@@ -29,8 +29,8 @@ TEST_CASE("a camera that sits elsewhere is no scatter of joints") {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     plan.robotSeed = plan.boardSeed = seed;
     const Simulation simulation = simulate(robot, plan, seed);
-    const Measurements measurements = measurementsOf({simulation.set}, robot);
-    const Model model = makeModel(measurements);
+    const Measurements measurements = buildMeasurements({simulation.set}, robot);
+    const Model model = buildModel(measurements);
     const CalibrationResult result = calibrate(measurements, model);
     const CalibrationResult fixed = calibrate(measurements, model, {.estimateNoise = false, .question = false});
     CAPTURE(seed, degrees(result.noise.pose), result.rmsPx, fixed.rmsPx);
@@ -64,8 +64,8 @@ TEST_CASE("joints that scatter more than noise may are a misfit of that size, ho
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     plan.robotSeed = plan.boardSeed = seed;
     const Simulation simulation = simulate(robot, plan, seed);
-    const Measurements measurements = measurementsOf({simulation.set}, robot);
-    const CalibrationResult result = calibrate(measurements, makeModel(measurements));
+    const Measurements measurements = buildMeasurements({simulation.set}, robot);
+    const CalibrationResult result = calibrate(measurements, buildModel(measurements));
     CAPTURE(seed, result.misfit, result.misfitLeft, degrees(result.noise.pose));
     CHECK(result.misfit > 1.5);
     CHECK(result.misfit < 8);

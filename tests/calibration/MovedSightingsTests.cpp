@@ -12,10 +12,10 @@ namespace {
 
 struct Seen {
   explicit Seen(CaptureSet set)
-      : measurements{measurementsOf({std::move(set)}, loadRobot(configurationDirectory(), "V6"))}, model{makeModel(
-                                                                                                       measurements)} {}
+      : measurements{buildMeasurements({std::move(set)}, loadRobot(configurationDirectory(), "V6"))},
+        model{buildModel(measurements)} {}
   Fit fit(const Noise& noise) const {
-    return robustFit(measurements, model, noise, firstFit(measurements, model, noise, {}));
+    return fitRobustly(measurements, model, noise, fitInitially(measurements, model, noise, {}));
   }
   Measurements measurements;
   Model model;
@@ -42,14 +42,14 @@ TEST_CASE("where no board moved, the test for moves is chi2 with six degrees of 
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const Seen seen{simulated(seed)};
     const Fit fit = seen.fit(simulatedNoise());
-    for (const BoardDisplacement& move : moves(seen.measurements, seen.model, fit)) {
+    for (const BoardDisplacement& move : testDisplacements(seen.measurements, seen.model, fit)) {
       if (seen.measurements.pictures[move.picture].sightings[move.sighting].ids.size() >= 6) {
         sum += move.chi2;
         ++count;
         beyond += move.chi2 > 12.59;
       }
     }
-    CHECK_FALSE(mostMoved(seen.measurements, seen.model, fit));
+    CHECK_FALSE(findDisplacedBoard(seen.measurements, seen.model, fit));
   }
   CAPTURE(count);
   CHECK(sum / count == Approx(6).margin(0.4));
@@ -70,7 +70,7 @@ TEST_CASE("a board that moved in one picture is found, and counts nothing once i
   };
   shift(2);
   Seen seen{set};
-  const auto moved = mostMoved(seen.measurements, seen.model, seen.fit(simulatedNoise()));
+  const auto moved = findDisplacedBoard(seen.measurements, seen.model, seen.fit(simulatedNoise()));
   REQUIRE(moved);
   const ImageObservation& picture = seen.measurements.pictures[moved->picture];
   CHECK(set.captures[picture.capture].id == capture.id);
@@ -78,12 +78,12 @@ TEST_CASE("a board that moved in one picture is found, and counts nothing once i
 
   shift(1); // of what is set aside
   Seen other{set};
-  setAside(seen.measurements, *moved);
-  setAside(other.measurements, *moved);
+  excludeObservation(seen.measurements, *moved);
+  excludeObservation(other.measurements, *moved);
   const Fit a = seen.fit(simulatedNoise()), b = other.fit(simulatedNoise());
   const Eigen::VectorXd sigmas = a.minimum.linear.hessian.inverse().diagonal().cwiseSqrt();
   CHECK((a.minimum.state.unknowns - b.minimum.state.unknowns).cwiseQuotient(sigmas).cwiseAbs().maxCoeff() < 1e-3);
-  CHECK_FALSE(mostMoved(seen.measurements, seen.model, a));
+  CHECK_FALSE(findDisplacedBoard(seen.measurements, seen.model, a));
 }
 
 } // namespace naocal

@@ -15,15 +15,15 @@ TEST_CASE("repeats tell what scatters from pose to pose and what at every approa
   // robot's levels vary by some 10 percent.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   SimulationPlan plan;
-  plan.poses = standingPoses(robot, plan, SupportFoot::left, 24, 1);
+  plan.poses = planStandingPoses(robot, plan, SupportFoot::left, 24, 1);
   plan.repeatKind = RepeatKind::reapproach;
   plan.mechanics.poseScatter = radians(0.06);
   plan.mechanics.approachScatter = radians(0.08);
   constexpr int robots = 6;
   double reapproach = 0, pose = 0;
   for (std::uint64_t seed = 1; seed <= robots; ++seed) {
-    const Measurements measurements = measurementsOf({simulate(robot, plan, seed).set}, robot);
-    const Noise noise = calibrate(measurements, makeModel(measurements)).noise;
+    const Measurements measurements = buildMeasurements({simulate(robot, plan, seed).set}, robot);
+    const Noise noise = calibrate(measurements, buildModel(measurements)).noise;
     reapproach += noise.reapproach / robots;
     pose += noise.pose / robots;
   }
@@ -59,14 +59,14 @@ TEST_CASE("a robot that was put down anew tells what standing anew changes") {
   // degrees) is not called the re-approach's, nor a scatter of poses; without a second stance it is the poses'.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   SimulationPlan plan;
-  plan.poses = standingPoses(robot, plan, SupportFoot::left, 24, 1);
+  plan.poses = planStandingPoses(robot, plan, SupportFoot::left, 24, 1);
   plan.repeatKind = RepeatKind::reapproach;
   plan.mechanics.poseScatter = radians(0.06);
   constexpr int robots = 4;
   Noise mean{.pixel = 0, .encoder = 0};
   for (std::uint64_t seed = 1; seed <= robots; ++seed) {
-    const Measurements measurements = measurementsOf({restood(robot, plan, seed)}, robot);
-    const Noise noise = calibrate(measurements, makeModel(measurements)).noise;
+    const Measurements measurements = buildMeasurements({restood(robot, plan, seed)}, robot);
+    const Noise noise = calibrate(measurements, buildModel(measurements)).noise;
     mean.reapproach += noise.reapproach / robots;
     mean.pose += noise.pose / robots;
     mean.stance += noise.stance / robots;
@@ -74,8 +74,8 @@ TEST_CASE("a robot that was put down anew tells what standing anew changes") {
   CHECK(mean.reapproach < 0.25 * plan.mechanics.poseScatter);
   CHECK(mean.stance == Approx(plan.mechanics.poseScatter).epsilon(0.2));
   CHECK(mean.pose < 0.4 * plan.mechanics.poseScatter);
-  const Measurements once = measurementsOf({simulate(robot, plan, 2).set}, robot);
-  CHECK(calibrate(once, makeModel(once)).noise.stance == 0);
+  const Measurements once = buildMeasurements({simulate(robot, plan, 2).set}, robot);
+  CHECK(calibrate(once, buildModel(once)).noise.stance == 0);
 }
 
 } // namespace naocal

@@ -58,7 +58,7 @@ TEST_CASE("another simulator's robots are found as it made them") {
   int inside = 0, all = 0;
   for (const std::string name : {"plain-left", "plain-right", "surveyed-left"}) {
     const Solved fit = solved(*data / name);
-    const auto truth = nlohmann::json::parse(fileContent(*data / (name + ".truth.json")));
+    const auto truth = nlohmann::json::parse(readFile(*data / (name + ".truth.json")));
     CHECK(fit.result.pValue > 0.001);
     CHECK(fit.result.usable);
     for (const Term& term : fit.model.terms()) {

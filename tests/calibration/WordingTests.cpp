@@ -7,7 +7,7 @@ namespace naocal {
 namespace {
 
 std::string spoken(Effect effect, const std::string& place, std::size_t unknown = 0) {
-  return inWords(Term{.effect = std::move(effect), .place = place}, unknown);
+  return describeUnknown(Term{.effect = std::move(effect), .place = place}, unknown);
 }
 
 } // namespace
@@ -29,10 +29,10 @@ TEST_CASE("unknowns are named as a person would name them") {
 
 TEST_CASE("several names are joined as in a sentence") {
   // Proves the commas and the last "and".
-  CHECK(enumerated({}).empty());
-  CHECK(enumerated({"a"}) == "a");
-  CHECK(enumerated({"a", "b"}) == "a and b");
-  CHECK(enumerated({"a", "b", "c"}) == "a, b and c");
+  CHECK(joinWords({}).empty());
+  CHECK(joinWords({"a"}) == "a");
+  CHECK(joinWords({"a", "b"}) == "a and b");
+  CHECK(joinWords({"a", "b", "c"}) == "a, b and c");
 }
 
 } // namespace naocal

@@ -10,7 +10,7 @@ namespace {
 struct Scenery {
   Scenery(const std::string& link, unsigned seed)
       : robot{loadRobot(configurationDirectory(), "V6")},
-        quantities{robot.joints.size(), robot.lengths.size(), 2}, belief{drawnBelief(robot, quantities)} {
+        quantities{robot.joints.size(), robot.lengths.size(), 2}, belief{nominalState(robot, quantities)} {
     std::mt19937 random{seed};
     std::uniform_real_distribution<double> unit{-1, 1};
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
@@ -20,12 +20,12 @@ struct Scenery {
     belief.mountTranslation() << 0.002, -0.003, 0.001;
     belief.mountRotation() << 0.03, -0.02, 0.04;
     belief.lens() << 590, 610, 321, 243, 0.05, -0.03, 0.002, -0.001, 0.01;
-    belief.ground() << 0.1, -0.05, 0.01, 0.02, -0.03, 0.2;
+    belief.worldFromSupport() << 0.1, -0.05, 0.01, 0.02, -0.03, 0.2;
     board.pattern = CharucoPattern{};
     board.points = innerCorners(*board.pattern);
     board.link = link;
     BoardCorners seen{"A", {0, 3, 5, 9, 14, 18, 23}, std::vector<Eigen::Vector2d>(7, Eigen::Vector2d::Zero())};
-    corners = cornerBlocks(board, seen);
+    corners = packCorners(board, seen);
     const bool onFloor = link == "floor";
     view.emplace(robot, quantities, 0, *robot.linkIndex(onFloor ? "LSole" : link), onFloor, 1);
     belief.boardScale(1) = 0.01;
@@ -36,8 +36,8 @@ struct Scenery {
   /// Puts the board square before the camera, at a distance.
   void placeBefore(double distance) {
     belief.boardPlacement(1).setZero();
-    const LinkPoses torsoFromLink = posture(robot, belief);
-    const CameraFrames attitude = view->attitude(robot, belief, torsoFromLink);
+    const LinkPoses torsoFromLink = forwardKinematics(robot, belief);
+    const CameraFrames attitude = view->cameraFrames(robot, belief, torsoFromLink);
     const RigidTransform opticalFromParent =
         attitude.opticalFromBoard; // the board's frame is its parent's at zero placement
     const RigidTransform wanted{rotationX(2.4) * rotationZ(0.5), {-0.2, 0.1, distance}};
@@ -50,7 +50,7 @@ struct Scenery {
   /// All u and v of the seven corners.
   Eigen::VectorXd predicted(const ModelState& at) const {
     ProjectedBlocks projected;
-    const CameraFrames attitude = view->attitude(robot, at, posture(robot, at));
+    const CameraFrames attitude = view->cameraFrames(robot, at, forwardKinematics(robot, at));
     REQUIRE(view->project(attitude, at, corners, projected));
     Eigen::VectorXd uv(14);
     for (Eigen::Index i = 0; i < 7; ++i) {
@@ -62,16 +62,16 @@ struct Scenery {
 
   /// The analytic derivative by one quantity.
   Eigen::VectorXd derivative(std::size_t quantity) const {
-    const LinkPoses torsoFromLink = posture(robot, belief);
-    const CameraFrames attitude = view->attitude(robot, belief, torsoFromLink);
+    const LinkPoses torsoFromLink = forwardKinematics(robot, belief);
+    const CameraFrames attitude = view->cameraFrames(robot, belief, torsoFromLink);
     ProjectedBlocks projected;
     view->project(attitude, belief, corners, projected);
     std::vector<std::size_t> extras;
-    if (const auto extra = view->extra(quantity)) {
+    if (const auto extra = view->extraIndex(quantity)) {
       extras.push_back(*extra);
     }
     Eigen::MatrixXd motion(static_cast<Eigen::Index>(6 + extras.size()), 1);
-    view->motion(robot, attitude, belief, torsoFromLink, {quantity}, extras, motion);
+    view->fillMotionColumns(robot, attitude, belief, torsoFromLink, {quantity}, extras, motion);
     Eigen::VectorXd result(14);
     for (Eigen::Index i = 0; i < 7; ++i) {
       const ProjectedBlock& seen = projected[static_cast<std::size_t>(i / 4)];
@@ -82,8 +82,8 @@ struct Scenery {
       }
       if (!extras.empty()) {
         Double4 extraU, extraV;
-        ObservationChain::extraRows(extras[0], attitude, belief, corners[static_cast<std::size_t>(i / 4)], seen, extraU,
-                                    extraV);
+        ObservationChain::fillExtraRows(extras[0], attitude, belief, corners[static_cast<std::size_t>(i / 4)], seen,
+                                        extraU, extraV);
         du += extraU[i % 4] * motion(6, 0);
         dv += extraV[i % 4] * motion(6, 0);
       }
@@ -139,7 +139,7 @@ TEST_CASE("a corner behind the camera is nowhere in the picture") {
   scenery.placeBefore(-0.5);
   ProjectedBlocks projected;
   const CameraFrames attitude =
-      scenery.view->attitude(scenery.robot, scenery.belief, posture(scenery.robot, scenery.belief));
+      scenery.view->cameraFrames(scenery.robot, scenery.belief, forwardKinematics(scenery.robot, scenery.belief));
   CHECK_FALSE(scenery.view->project(attitude, scenery.belief, scenery.corners, projected));
 }
 
@@ -155,8 +155,8 @@ TEST_CASE("a row that is exposed later sees the joints where they are by then") 
   for (CornerBlock& block : scenery.corners) {
     block.v += 40; // measured: off the predicted row, as always
   }
-  const LinkPoses torsoFromLink = posture(scenery.robot, scenery.belief);
-  CameraFrames attitude = scenery.view->attitude(scenery.robot, scenery.belief, torsoFromLink);
+  const LinkPoses torsoFromLink = forwardKinematics(scenery.robot, scenery.belief);
+  CameraFrames attitude = scenery.view->cameraFrames(scenery.robot, scenery.belief, torsoFromLink);
   scenery.view->setDrift(scenery.robot, scenery.belief, torsoFromLink, velocity, attitude);
   ModelState rolling = scenery.belief;
   rolling.rowTime() = rowTime;
@@ -172,7 +172,8 @@ TEST_CASE("a row that is exposed later sees the joints where they are by then") 
     CHECK(late[block].v[i % 4] == Approx(expected[2 * i + 1]).epsilon(0).margin(1e-5));
     CHECK(std::abs(late[block].u[i % 4] - still[block].u[i % 4]) > 1e-3);
     Double4 du, dv;
-    ObservationChain::extraRows(rowTimeExtra, attitude, scenery.belief, scenery.corners[block], still[block], du, dv);
+    ObservationChain::fillExtraRows(rowTimeExtra, attitude, scenery.belief, scenery.corners[block], still[block], du,
+                                    dv);
     CHECK(still[block].u[i % 4] + rowTime * du[i % 4] == Approx(expected[2 * i]).epsilon(0).margin(1e-4));
   }
 }

@@ -52,7 +52,7 @@ TEST_CASE("a number literal that JSON does not know spoils its capture only") {
 
 TEST_CASE("a truncated file is refused") {
   // Proves that a file cut at any 50th byte is refused as broken syntax and does no harm.
-  const std::string text = captureSetText(parseCaptureSet(goodSet().dump(), "set").set);
+  const std::string text = formatCaptureSet(parseCaptureSet(goodSet().dump(), "set").set);
   for (std::size_t length = 0; length + 2 < text.size(); length += 50) {
     INFO(length);
     CHECK_THAT(refusal(text.substr(0, length)), Catch::Contains("expected valid JSON"));

@@ -18,7 +18,7 @@ CaptureSet read(const json& document) {
 }
 
 json written(const CaptureSet& set) {
-  return json::parse(captureSetText(set));
+  return json::parse(formatCaptureSet(set));
 }
 
 /// Whether all that `original` says stands in `copy`, too (which may say defaults beside it).

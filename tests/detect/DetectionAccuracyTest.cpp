@@ -27,7 +27,7 @@ Spread spread(int width, double square, double distance, double tilt, int frames
     const BoardCorners truth = trueCorners(board, camera);
     possible += truth.ids.size();
     const Detection detection =
-        detect(renderer.picture({{board}, {}}, {}, std::uint64_t(frame)), {described("A", pattern)}, camera);
+        detectBoards(renderer.render({{board}, {}}, {}, std::uint64_t(frame)), {described("A", pattern)}, camera);
     for (const BoardCorners& corners : detection.boards) {
       const auto some = errors(corners, truth);
       REQUIRE(some.size() == corners.ids.size());
@@ -80,7 +80,7 @@ TEST_CASE("a lens with distortion costs no accuracy, described or not") {
 
   const RenderedBoard board = boardOnFloor({}, 0.7, 20);
   const Detection detection =
-      detect(Renderer{bent}.picture({{board}, {}}, {}, 1), {described("A", board.pattern)}, plainCamera());
+      detectBoards(Renderer{bent}.render({{board}, {}}, {}, 1), {described("A", board.pattern)}, plainCamera());
   REQUIRE(detection.boards.size() == 1);
   CHECK(detection.boards[0].ids.size() == 24);
   CHECK(largest(errors(detection.boards[0], trueCorners(board, bent))) < 0.2);

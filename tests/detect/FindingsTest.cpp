@@ -16,8 +16,8 @@ TEST_CASE("several boards in one picture are each found under their own name") {
     b.id = std::string{"B"};
     const CameraIntrinsics camera = plainCamera(width);
     const Detection detection =
-        detect(Renderer{camera}.picture({{a, b}, {}}, {}, 1),
-               {described("A", patternA), described("C", patternC), described("B", patternB)}, camera);
+        detectBoards(Renderer{camera}.render({{a, b}, {}}, {}, 1),
+                     {described("A", patternA), described("C", patternC), described("B", patternB)}, camera);
     REQUIRE(detection.boards.size() == 2);
     CHECK(detection.boards[0].board == "A");
     CHECK(detection.boards[1].board == "B");
@@ -35,7 +35,7 @@ TEST_CASE("a partly hidden board gives the corners that can be seen and names th
   for (const double brightness : {0., 0.5, 1.}) {
     const Patch cover = patchOn(board, 0.15, -0.2, {0.2, 0.5}, brightness); // hides columns 1 to 3 of the corners
     const Detection detection =
-        detect(Renderer{camera}.picture({{board}, {cover}}, {}, 1), {described("A", board.pattern)}, camera);
+        detectBoards(Renderer{camera}.render({{board}, {cover}}, {}, 1), {described("A", board.pattern)}, camera);
     REQUIRE(detection.boards.size() == 1);
     const BoardCorners& found = detection.boards[0];
     CHECK(largest(errors(found, truth)) < 0.2);
@@ -64,14 +64,14 @@ TEST_CASE("a false corner is reported and not taken") {
   }
   const CameraIntrinsics camera = plainCamera();
   const Detection detection =
-      detect(Renderer{camera}.picture({{board}, fake}, {}, 1), {described("A", board.pattern)}, camera);
+      detectBoards(Renderer{camera}.render({{board}, fake}, {}, 1), {described("A", board.pattern)}, camera);
   REQUIRE(detection.boards.size() == 1);
   CHECK(detection.boards[0].ids.size() == 23);
   CHECK(largest(errors(detection.boards[0], trueCorners(board, camera))) < 0.2);
   const DetectionIssue* finding = findingAbout(detection, id);
   REQUIRE(finding != nullptr);
   CHECK(finding->kind == IssueKind::falseCorner);
-  const auto fakePlace = seenAt(board.cameraOpticalFromBoard * Eigen::Vector3d{x, y, 0}, camera);
+  const auto fakePlace = projectOptical(board.cameraOpticalFromBoard * Eigen::Vector3d{x, y, 0}, camera);
   CHECK((*finding->place - *fakePlace).norm() < 0.3);
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("a dark thing on a corner takes that corner away and no other") {
   const Patch blob = patchOn(board, 3 * s + 0.006, -2 * s - 0.003, {0.02, 0.02}, 0.1);
   const CameraIntrinsics camera = plainCamera();
   const Detection detection =
-      detect(Renderer{camera}.picture({{board}, {blob}}, {}, 1), {described("A", board.pattern)}, camera);
+      detectBoards(Renderer{camera}.render({{board}, {blob}}, {}, 1), {described("A", board.pattern)}, camera);
   REQUIRE(detection.boards.size() == 1);
   CHECK(detection.boards[0].ids.size() == 23);
   CHECK(largest(errors(detection.boards[0], trueCorners(board, camera))) < 0.2);
@@ -106,8 +106,8 @@ TEST_CASE("things lying about on a board do not draw its corners aside") {
           patchOn(board, x, y, {0.02 + 0.015 * unit(random), 0.02 + 0.015 * unit(random)}, 0.5 + 0.5 * unit(random)));
       things.back().cameraOpticalFromPatch.rotation *= rotationZ(3 * unit(random));
     }
-    const Detection detection = detect(Renderer{camera}.picture({{board}, things}, {}, std::uint64_t(frame)),
-                                       {described("A", board.pattern)}, camera);
+    const Detection detection = detectBoards(Renderer{camera}.render({{board}, things}, {}, std::uint64_t(frame)),
+                                             {described("A", board.pattern)}, camera);
     REQUIRE(detection.boards.size() == 1);
     found += detection.boards[0].ids.size();
     CHECK(largest(errors(detection.boards[0], trueCorners(board, camera))) < 0.5);
@@ -130,13 +130,13 @@ TEST_CASE("a board in the other pattern is named and not measured") {
       const RenderedBoard board = boardOnFloor(printed, distance, 20);
       const Patch cover = patchOn(board, 0.4, -0.16, {0.2, 0.4}, 0.5);
       for (const std::vector<Patch>& patches : {std::vector<Patch>{}, std::vector<Patch>{cover}}) {
-        const GreyPicture picture = Renderer{camera}.picture({{board}, patches}, {}, 1);
-        const Detection wrong = detect(picture, {described("A", stated)}, camera);
+        const GreyPicture picture = Renderer{camera}.render({{board}, patches}, {}, 1);
+        const Detection wrong = detectBoards(picture, {described("A", stated)}, camera);
         CHECK(wrong.boards.empty());
         REQUIRE(wrong.findings.size() == 1);
         CHECK(wrong.findings[0].kind == IssueKind::wrongPattern);
         CHECK_THAT(wrong.findings[0].sentence, Catch::Contains(legacy ? "legacy" : "current"));
-        const Detection right = detect(picture, {described("A", printed)}, camera);
+        const Detection right = detectBoards(picture, {described("A", printed)}, camera);
         REQUIRE(right.boards.size() == 1);
         CHECK(right.boards[0].ids.size() >= (patches.empty() ? 15 : 6));
         CHECK(largest(errors(right.boards[0], trueCorners(board, camera))) < 0.3);
@@ -151,7 +151,8 @@ TEST_CASE("a board with an odd number of rows has only one pattern") {
   stated.legacyPattern = true;
   const CameraIntrinsics camera = plainCamera();
   const RenderedBoard board = boardOnFloor({}, 0.7, 0);
-  const Detection detection = detect(Renderer{camera}.picture({{board}, {}}, {}, 1), {described("A", stated)}, camera);
+  const Detection detection =
+      detectBoards(Renderer{camera}.render({{board}, {}}, {}, 1), {described("A", stated)}, camera);
   REQUIRE(detection.boards.size() == 1);
   CHECK(detection.findings.empty());
 }
@@ -162,7 +163,8 @@ TEST_CASE("a board that is printed otherwise than described gives no corners and
   stated.squaresX = 6;
   const CameraIntrinsics camera = plainCamera();
   const RenderedBoard board = boardOnFloor({}, 0.7, 0);
-  const Detection detection = detect(Renderer{camera}.picture({{board}, {}}, {}, 1), {described("A", stated)}, camera);
+  const Detection detection =
+      detectBoards(Renderer{camera}.render({{board}, {}}, {}, 1), {described("A", stated)}, camera);
   CHECK(detection.boards.empty());
   CHECK(contains(detection, IssueKind::otherBoard));
 }
@@ -171,18 +173,18 @@ TEST_CASE("a board that is printed otherwise than described gives no corners and
 TEST_CASE("an empty picture, a stranger's board and a wrong size are each said plainly") {
   const CameraIntrinsics camera = plainCamera();
   const Renderer renderer{camera};
-  const Detection empty = detect(renderer.picture({}, {}, 1), {described("A", {})}, camera);
+  const Detection empty = detectBoards(renderer.render({}, {}, 1), {described("A", {})}, camera);
   CHECK(empty.boards.empty());
   CHECK(empty.findings.empty());
 
   CharucoPattern stranger;
   stranger.firstMarkerId = 50;
-  const GreyPicture picture = renderer.picture({{boardOnFloor(stranger, 0.7, 0)}, {}}, {}, 1);
-  const Detection unknown = detect(picture, {described("A", {})}, camera);
+  const GreyPicture picture = renderer.render({{boardOnFloor(stranger, 0.7, 0)}, {}}, {}, 1);
+  const Detection unknown = detectBoards(picture, {described("A", {})}, camera);
   CHECK(unknown.boards.empty());
   CHECK(contains(unknown, IssueKind::unknownMarkers));
 
-  const Detection wrongSize = detect(picture, {described("A", stranger)}, plainCamera(1280));
+  const Detection wrongSize = detectBoards(picture, {described("A", stranger)}, plainCamera(1280));
   CHECK(wrongSize.boards.empty());
   REQUIRE(wrongSize.findings.size() == 1);
   CHECK_THAT(wrongSize.findings[0].sentence, Catch::Contains("640 x 480") && Catch::Contains("1280 x 960"));

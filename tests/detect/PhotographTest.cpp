@@ -71,7 +71,7 @@ TEST_CASE("photographs of a board agree with their published camera") {
   const CameraIntrinsics camera = publishedCamera(*folder / "tutorial_camera_charuco.yml");
   for (const char* name : {"calib_img_00.jpg", "calib_img_02.jpg"}) {
     CAPTURE(name);
-    const Detection detection = detect(readPicture(*folder / name), {photographedBoard()}, camera);
+    const Detection detection = detectBoards(readImage(*folder / name), {photographedBoard()}, camera);
     REQUIRE(detection.boards.size() == 1);
     CHECK(detection.boards[0].ids.size() >= 22);
     CHECK(rms(poseResiduals(detection.boards[0], camera)) < 0.25);
@@ -85,7 +85,8 @@ TEST_CASE("a photograph of a partly hidden board gives no false corner") {
     return;
   }
   const CameraIntrinsics camera = publishedCamera(*folder / "tutorial_camera_charuco.yml");
-  const Detection detection = detect(readPicture(*folder / "chocclusion_original.jpg"), {photographedBoard()}, camera);
+  const Detection detection =
+      detectBoards(readImage(*folder / "chocclusion_original.jpg"), {photographedBoard()}, camera);
   REQUIRE(detection.boards.size() == 1);
   CHECK(detection.boards[0].ids.size() >= 8);
   CHECK(detection.boards[0].ids.size() < 24);

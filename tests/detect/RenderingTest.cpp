@@ -19,7 +19,7 @@ GreyPicture sheet(const CharucoPattern& pattern) {
   plain.blur = plain.noise = 0;
   plain.black = 0;
   plain.white = 255;
-  return Renderer{camera}.picture({{{"A", pattern, {opticalFromBoard, {0, 0, 1}}, 0}}, {}}, plain, 1);
+  return Renderer{camera}.render({{{"A", pattern, {opticalFromBoard, {0, 0, 1}}, 0}}, {}}, plain, 1);
 }
 
 } // namespace
@@ -39,7 +39,7 @@ TEST_CASE("a rendered board is the sheet that OpenCV draws") {
       int count = 0;
       for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x) {
-          count += std::abs(int(picture.at(x, y)) - int(drawn(y, x))) > 127;
+          count += std::abs(int(picture.grey(x, y)) - int(drawn(y, x))) > 127;
         }
       }
       return double(count) / (picture.width * picture.height);
@@ -61,20 +61,20 @@ TEST_CASE("a rendered edge lies where its points project to") {
   plain.floorBrightness = 0;
   const RigidTransform opticalFromPatch{rotationY(0.5) * rotationX(2.6) * rotationZ(0.3), {0.25, 0.1, 1.2}};
   const Patch patch{opticalFromPatch, {0.4, 0.3}, 1};
-  const GreyPicture picture = Renderer{camera}.picture({{}, {patch}}, plain, 1);
+  const GreyPicture picture = Renderer{camera}.render({{}, {patch}}, plain, 1);
   for (const double share : {-0.4, 0., 0.4}) {
-    const auto edge = seenAt(opticalFromPatch * Eigen::Vector3d{-0.2, share * 0.3, 0}, camera);
+    const auto edge = projectOptical(opticalFromPatch * Eigen::Vector3d{-0.2, share * 0.3, 0}, camera);
     REQUIRE(edge);
     const int y = int(std::lround(edge->y()));
     // Along the pixel row, the edge crosses where the dark pixels' light is used up.
-    const auto beside = seenAt(opticalFromPatch * Eigen::Vector3d{-0.2, share * 0.3 + 0.01, 0}, camera);
+    const auto beside = projectOptical(opticalFromPatch * Eigen::Vector3d{-0.2, share * 0.3 + 0.01, 0}, camera);
     const double crossing = edge->x() + (y - edge->y()) * (beside->x() - edge->x()) / (beside->y() - edge->y());
     double light = 0;
     const int from = int(crossing) - 12, to = int(crossing) + 12;
     for (int x = from; x < to; ++x) {
-      light += (picture.at(x, y) - 40.) / 150;
+      light += (picture.grey(x, y) - 40.) / 150;
     }
-    const bool brightOnTheRight = picture.at(to, y) > picture.at(from, y);
+    const bool brightOnTheRight = picture.grey(to, y) > picture.grey(from, y);
     const double measured = brightOnTheRight ? to - 0.5 - light : from - 0.5 + light;
     CHECK(measured == Approx(crossing).margin(0.03));
   }
@@ -97,13 +97,14 @@ TEST_CASE("a rendered pixel is the mean over its area and the time of its exposu
     scenes.push_back({{far, near}, {patchOn(near, 0.2, -0.1 + 0.01 * moved, {0.03, 0.3}, 0.3)}});
   }
   constexpr double share = 0.3;
-  const GreyPicture picture = Renderer{camera}.picture(scenes, share, plain, 1);
-  const std::vector<FlatObject> all = flats(scenes, camera);
+  const GreyPicture picture = Renderer{camera}.render(scenes, share, plain, 1);
+  const std::vector<FlatObject> all = prepareFlats(scenes, camera);
   const auto brightness = [&](double x, double y, double time) {
-    const Eigen::Vector3f ray = renderedRay({x, y}, camera).cast<float>().homogeneous();
+    const Eigen::Vector3f ray = rayThroughPixel({x, y}, camera).cast<float>().homogeneous();
     for (const FlatObject& flat : all) {
       const Eigen::Vector3f p = flat.at(float(time)) * ray;
-      const float shown = flat.painting->brightness(flat.painting->cell(p.x() / p.z(), p.y() / p.z()), flat.fromBehind);
+      const float shown =
+          flat.painting->brightness(flat.painting->cellAt(p.x() / p.z(), p.y() / p.z()), flat.fromBehind);
       if (p.z() > 0 && shown >= 0) {
         return double(shown);
       }
@@ -121,7 +122,7 @@ TEST_CASE("a rendered pixel is the mean over its area and the time of its exposu
         const double within = (i / steps / steps + 0.5) / times;
         mean += brightness(x + u, y + v, double(y) / (camera.height - 1) * (1 - share) + share * within);
       }
-      const double difference = picture.at(x, y) / 255. - mean / (steps * steps * times);
+      const double difference = picture.grey(x, y) / 255. - mean / (steps * steps * times);
       sum += difference * difference;
       worst = std::max(worst, std::abs(difference));
       ++count;
@@ -135,8 +136,8 @@ TEST_CASE("the same seed renders the same picture and another seed does not") {
   // Proves repeatability on one machine. Not across standard libraries, whose normal distributions differ.
   const Renderer renderer{plainCamera()};
   const RenderedScene scene{{boardOnFloor({}, 0.7, 10)}, {}};
-  CHECK(renderer.picture(scene, {}, 7).pixels == renderer.picture(scene, {}, 7).pixels);
-  CHECK(renderer.picture(scene, {}, 7).pixels != renderer.picture(scene, {}, 8).pixels);
+  CHECK(renderer.render(scene, {}, 7).pixels == renderer.render(scene, {}, 7).pixels);
+  CHECK(renderer.render(scene, {}, 7).pixels != renderer.render(scene, {}, 8).pixels);
 }
 
 } // namespace naocal

@@ -28,8 +28,8 @@ struct Recorded {
       capture.corners = {{"A", {0}, {{1, 1}}}, {"mark", {0}, {{2, 2}}}};
       if (i < 3) {
         capture.image = std::to_string(i) + ".png";
-        writePicture(Renderer{camera}.picture({{boardOnFloor({}, 0.7, 20. * i)}, {}}, {}, std::uint64_t(i)),
-                     folder / capture.image);
+        writeImage(Renderer{camera}.render({{boardOnFloor({}, 0.7, 20. * i)}, {}}, {}, std::uint64_t(i)),
+                   folder / capture.image);
       }
       set.captures.push_back(capture);
     }
@@ -66,7 +66,7 @@ TEST_CASE("a missing, a broken and a wrongly sized picture are named and touch n
   Recorded recorded;
   std::filesystem::remove(recorded.folder / "0.png");
   std::filesystem::resize_file(recorded.folder / "1.png", 10);
-  writePicture(Renderer{plainCamera(320)}.picture({}, {}, 1), recorded.folder / "2.png");
+  writeImage(Renderer{plainCamera(320)}.render({}, {}, 1), recorded.folder / "2.png");
   const SetDetection detection = detectInSet(recorded.set, recorded.folder, 2, always);
   CHECK(detection.pictures == 0);
   REQUIRE(detection.unreadable.size() == 3);

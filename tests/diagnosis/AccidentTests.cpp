@@ -12,7 +12,7 @@ namespace naocal {
 namespace {
 
 Diagnosis asked(const CaptureSet& set, const DiagnosisOptions& options = {}) {
-  return diagnose({set}, measurementsOf({set}, loadRobot(configurationDirectory(), set.model)), options);
+  return diagnose({set}, buildMeasurements({set}, loadRobot(configurationDirectory(), set.model)), options);
 }
 
 double& angle(const CaptureSet& set, Capture& capture, const std::string& joint) {
@@ -36,8 +36,8 @@ TEST_CASE("a bad capture is found although an effect hides more") {
   CHECK(diagnosis.verdict == Verdict::badCaptures);
   CHECK(std::find(diagnosis.suggested.begin(), diagnosis.suggested.end(), "encoderGain@LKneePitch") !=
         diagnosis.suggested.end());
-  REQUIRE(!diagnosis.suspicious.empty());
-  CHECK(diagnosis.suspicious.front().capture == bad.id);
+  REQUIRE(!diagnosis.anomalies.empty());
+  CHECK(diagnosis.anomalies.front().capture == bad.id);
   CHECK(diagnosis.sentence.ends_with("Missing besides: encoderGain@LKneePitch."));
 }
 
@@ -63,7 +63,7 @@ TEST_CASE("angles that were wrong for a moment are an accident and no physics") 
     const Diagnosis diagnosis = asked(set);
     CAPTURE(diagnosis.sentence);
     CHECK(diagnosis.verdict == Verdict::badCaptures);
-    for (const DataAnomaly& suspicion : diagnosis.suspicious) {
+    for (const DataAnomaly& suspicion : diagnosis.anomalies) {
       named.push_back(suspicion.capture.value_or(-1));
     }
     CHECK(named == ids);
@@ -78,8 +78,8 @@ TEST_CASE("two pictures that were swapped are named, and not the set-up") {
   const Diagnosis diagnosis = asked(set);
   CAPTURE(diagnosis.sentence);
   CHECK(diagnosis.verdict == Verdict::badCaptures);
-  REQUIRE(!diagnosis.suspicious.empty());
-  for (const DataAnomaly& suspicion : diagnosis.suspicious) {
+  REQUIRE(!diagnosis.anomalies.empty());
+  for (const DataAnomaly& suspicion : diagnosis.anomalies) {
     CHECK((suspicion.capture == one.id || suspicion.capture == other.id));
   }
 }
@@ -89,7 +89,7 @@ TEST_CASE("a robot that slipped before its last poses is named, although these b
   // 40 mm to the left, which is the robot 40 mm to the right. The board that is seen there may as well have been moved.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   SimulationPlan plan;
-  plan.poses = standingPoses(robot, plan, SupportFoot::left, 16, 1);
+  plan.poses = planStandingPoses(robot, plan, SupportFoot::left, 16, 1);
   CaptureSet set = simulate(robot, plan, 4).set;
   for (Board& board : plan.boards) {
     board.placement->y += 0.04;
@@ -108,8 +108,8 @@ TEST_CASE("a robot that slipped before its last poses is named, although these b
   const Diagnosis diagnosis = asked(set);
   CAPTURE(diagnosis.sentence);
   CHECK(diagnosis.verdict == Verdict::badCaptures);
-  REQUIRE(diagnosis.suspicious.size() == 1);
-  const DataAnomaly& told = diagnosis.suspicious.front();
+  REQUIRE(diagnosis.anomalies.size() == 1);
+  const DataAnomaly& told = diagnosis.anomalies.front();
   CHECK(told.why.find("the robot in stance") != std::string::npos);
   REQUIRE(told.when);
   const double first = set.captures.front().time.count();
@@ -124,7 +124,7 @@ TEST_CASE("a robot that was put down anew half a metre away is named with the ti
       GENERATE(std::tuple{std::size_t{16}, 1.0, 0.7, 0.6}, std::tuple{std::size_t{8}, 0.3, 0.7, 0.3});
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   SimulationPlan plan;
-  plan.poses = standingPoses(robot, plan, SupportFoot::left, poses, 1);
+  plan.poses = planStandingPoses(robot, plan, SupportFoot::left, poses, 1);
   CaptureSet set = simulate(robot, plan, 1).set;
   for (Board& board : plan.boards) {
     Placement& place = *board.placement;
@@ -141,8 +141,8 @@ TEST_CASE("a robot that was put down anew half a metre away is named with the ti
   const Diagnosis diagnosis = asked(set);
   CAPTURE(diagnosis.sentence);
   CHECK(diagnosis.verdict == Verdict::badCaptures);
-  REQUIRE(diagnosis.suspicious.size() == 1);
-  const DataAnomaly& told = diagnosis.suspicious.front();
+  REQUIRE(diagnosis.anomalies.size() == 1);
+  const DataAnomaly& told = diagnosis.anomalies.front();
   CHECK(told.why.starts_with("the robot in stance 0 was put down anew"));
   REQUIRE(told.when);
   const double begin = set.captures.front().time.count();
@@ -161,8 +161,8 @@ TEST_CASE("squares of another size are told with their size, and nothing else") 
   const Diagnosis diagnosis = asked(set);
   CAPTURE(diagnosis.sentence);
   CHECK(diagnosis.verdict == Verdict::badCaptures);
-  REQUIRE(diagnosis.suspicious.size() == 1);
-  const std::string& why = diagnosis.suspicious.front().why;
+  REQUIRE(diagnosis.anomalies.size() == 1);
+  const std::string& why = diagnosis.anomalies.front().why;
   const std::size_t size = why.find(" are ");
   REQUIRE(size != std::string::npos);
   CHECK(std::stod(why.substr(size + 5)) == Approx(10).margin(0.5));

@@ -13,8 +13,8 @@ TEST_CASE("the slope over an added-variable plot's poses is the candidate's esti
   const Questioned asked{simulatedSet(8, 3), false};
   int compared = 0;
   for (std::size_t i = 0; i < asked.inquiry.candidates().size(); ++i) {
-    const GroupEvidence& evidence = asked.inquiry.ofCandidate(i);
-    const auto plot = addedVariable(asked.inquiry, asked.model, i);
+    const GroupEvidence& evidence = asked.inquiry.candidateEvidence(i);
+    const auto plot = computeAddedVariable(asked.inquiry, asked.model, i);
     CHECK(plot.has_value() == (evidence.freedom > 0));
     const double plausible = asked.inquiry.candidates()[i].effect.unknowns.front().sigma;
     if (!plot || std::sqrt(evidence.covariance(0, 0)) > 3 * plausible) {
@@ -49,7 +49,7 @@ TEST_CASE("a hidden flaw moves every pose along its added-variable line") {
   }
   const auto plotOf = [](const CaptureSet& set) {
     const Questioned asked{set, false};
-    return *addedVariable(asked.inquiry, asked.model, *asked.inquiry.find("encoderGain@LKneePitch"));
+    return *computeAddedVariable(asked.inquiry, asked.model, *asked.inquiry.findCandidate("encoderGain@LKneePitch"));
   };
   const AddedVariable before = plotOf(plain), after = plotOf(flawed);
   CHECK(after.slope - before.slope == Approx(gain).epsilon(0.05));

@@ -19,15 +19,16 @@ TEST_CASE("evident effects that do different things to the pictures are never ea
   scaled("HeadYaw", 0.97);
   scaled("LKneePitch", 0.97);
   const Questioned asked{set, false};
-  const auto head = asked.inquiry.find("encoderGain@HeadYaw"), knee = asked.inquiry.find("encoderGain@LKneePitch");
+  const auto head = asked.inquiry.findCandidate("encoderGain@HeadYaw"),
+             knee = asked.inquiry.findCandidate("encoderGain@LKneePitch");
   REQUIRE((head && knee));
   for (std::size_t i = 0; i < asked.inquiry.candidates().size(); ++i) {
     constexpr double evident = 10;
-    for (const std::size_t other : equivalents(asked.inquiry, i)) {
-      if (asked.inquiry.ofCandidate(other).bayes > evident) {
+    for (const std::size_t other : findEquivalents(asked.inquiry, i)) {
+      if (asked.inquiry.candidateEvidence(other).bayes > evident) {
         CAPTURE(asked.inquiry.candidates()[i].label(), asked.inquiry.candidates()[other].label());
         const std::vector<ColumnGroup>& groups = asked.inquiry.problem().groups;
-        CHECK(correlation(asked.inquiry.evidence().information, groups[i], groups[other]) >= 0.5);
+        CHECK(canonicalCorrelation(asked.inquiry.evidence().information, groups[i], groups[other]) >= 0.5);
       }
     }
   }
@@ -45,7 +46,7 @@ TEST_CASE("play that load never holds cannot be told from hysteresis, and is tol
     capture.joints.measured[static_cast<std::size_t>(place)] +=
         gap / 2 * capture.joints.approach[static_cast<std::size_t>(place)];
   }
-  const Diagnosis diagnosis = diagnose({set}, measurementsOf({set}, loadRobot(configurationDirectory(), set.model)));
+  const Diagnosis diagnosis = diagnose({set}, buildMeasurements({set}, loadRobot(configurationDirectory(), set.model)));
   CAPTURE(diagnosis.sentence);
   const auto found =
       std::find_if(diagnosis.ranking.begin(), diagnosis.ranking.end(),

@@ -16,7 +16,7 @@ namespace naocal {
 namespace {
 
 Diagnosis diagnosed(const CaptureSet& set) {
-  const Measurements measurements = measurementsOf({set}, loadRobot(configurationDirectory(), set.model));
+  const Measurements measurements = buildMeasurements({set}, loadRobot(configurationDirectory(), set.model));
   return diagnose({set}, measurements);
 }
 
@@ -62,8 +62,8 @@ TEST_CASE("asked not to add anything, a diagnosis still says what is missing") {
   }
   const CaptureSet set = readCaptureSet(*folder).set;
   DiagnosisOptions options;
-  options.grow = false;
-  const Measurements measurements = measurementsOf({set}, loadRobot(configurationDirectory(), set.model));
+  options.extend = false;
+  const Measurements measurements = buildMeasurements({set}, loadRobot(configurationDirectory(), set.model));
   const Diagnosis diagnosis = diagnose({set}, measurements, options);
   CHECK(diagnosis.verdict == Verdict::effectMissing);
   CHECK(diagnosis.suggested.empty());
@@ -107,7 +107,7 @@ TEST_CASE("a large flaw is named although less than its linear prediction comes 
   Robot robot = loadRobot(configurationDirectory(), "V6");
   robot.lengths[robot.lengthIndex("tibia").value()].value -= 0.0129;
   SimulationPlan plan;
-  plan.poses = standingPoses(robot, plan, SupportFoot::left, 12, 1);
+  plan.poses = planStandingPoses(robot, plan, SupportFoot::left, 12, 1);
   plan.repeatKind = RepeatKind::reapproach;
   const Diagnosis diagnosis = diagnosed(simulate(robot, plan, 1).set);
   CHECK(diagnosis.verdict == Verdict::effectMissing);
@@ -121,7 +121,7 @@ TEST_CASE("a flaw larger than is plausible leaves nothing to explain once it is 
   SimulationPlan plan;
   plan.hiddenFlaw = true;
   plan.flawScale = 3;
-  plan.poses = standingPoses(robot, plan, SupportFoot::left, 16, 1);
+  plan.poses = planStandingPoses(robot, plan, SupportFoot::left, 16, 1);
   plan.repeatKind = RepeatKind::reapproach;
   const Diagnosis diagnosis = diagnosed(simulate(robot, plan, 1).set);
   CHECK(diagnosis.verdict == Verdict::effectMissing);
@@ -147,7 +147,7 @@ TEST_CASE("corners that err together by less than the noise are no misfit") {
   // do: repeats at rest do not show it), leave the model adequate although the lack of fit is significant. Does not
   // prove it of pictures: this bias is a stretch by up to 0.04 px.
   SimulationPlan plan;
-  plan.poses = standingPoses(loadRobot(configurationDirectory(), "V6"), plan, SupportFoot::left, 16, 1);
+  plan.poses = planStandingPoses(loadRobot(configurationDirectory(), "V6"), plan, SupportFoot::left, 16, 1);
   plan.corners.pixel = 0.02;
   CaptureSet set = simulate(loadRobot(configurationDirectory(), "V6"), plan, 3).set;
   for (Capture& capture : set.captures) {
@@ -173,19 +173,19 @@ TEST_CASE("a ripple that no effect describes is located and drawn") {
       withReadings(simulatedSet(24, 5), "LKneePitch", [](double q) { return q + radians(0.5) * std::sin(6 * q); });
   const Diagnosis diagnosis = diagnosed(set);
   CHECK(diagnosis.verdict == Verdict::unknownEffect);
-  REQUIRE(!diagnosis.drivers.empty());
-  CHECK(diagnosis.drivers.front().place == "LKneePitch");
-  CHECK(diagnosis.drivers.front().driver == "q");
-  CHECK(diagnosis.drivers.front().amplitude == Approx(radians(0.5)).epsilon(0.4));
+  REQUIRE(!diagnosis.driverCurves.empty());
+  CHECK(diagnosis.driverCurves.front().place == "LKneePitch");
+  CHECK(diagnosis.driverCurves.front().driver == "q");
+  CHECK(diagnosis.driverCurves.front().amplitude == Approx(radians(0.5)).epsilon(0.4));
   CHECK(diagnosis.sentence.find("unknown") != std::string::npos);
 
-  const nlohmann::json own = curveEffect(diagnosis.drivers.front());
+  const nlohmann::json own = curveAsUserEffect(diagnosis.driverCurves.front());
   CHECK(own["unknowns"]["a"]["unit"] == "rad");
   const Robot robot = loadRobot(configurationDirectory(), set.model);
   DiagnosisOptions withIt;
-  withIt.effects = effectsWith(nlohmann::json::array({own}), "own", robot);
+  withIt.effects = parseEffects(nlohmann::json::array({own}), "own", robot);
   withIt.with = {own["name"].get<std::string>() + "@LKneePitch"};
-  const Diagnosis explained = diagnose({set}, measurementsOf({set}, robot), withIt);
+  const Diagnosis explained = diagnose({set}, buildMeasurements({set}, robot), withIt);
   CHECK(explained.verdict == Verdict::adequate);
   CHECK(explained.steps.front().heldOutPx < diagnosis.steps.front().heldOutPx);
 }
@@ -226,8 +226,8 @@ TEST_CASE("a joint that slips once is located, and when") {
   const Diagnosis diagnosis = diagnosed(set);
   CAPTURE(diagnosis.sentence);
   CHECK(diagnosis.verdict == Verdict::badCaptures);
-  REQUIRE(diagnosis.suspicious.size() == 1);
-  const DataAnomaly& told = diagnosis.suspicious.front();
+  REQUIRE(diagnosis.anomalies.size() == 1);
+  const DataAnomaly& told = diagnosis.anomalies.front();
   const std::string begin = "LAnklePitch's zero changed by ";
   REQUIRE(told.why.starts_with(begin));
   CHECK(std::stod(told.why.substr(begin.size())) == Approx(0.4).margin(0.05));
@@ -236,8 +236,8 @@ TEST_CASE("a joint that slips once is located, and when") {
   CHECK(told.when->until > slip - first);
   CHECK(told.when->until - told.when->since < (last - first) / 6);
   CHECK(diagnosis.suggested.empty());
-  REQUIRE(!diagnosis.drivers.empty());
-  const DriverCurve& found = diagnosis.drivers.front();
+  REQUIRE(!diagnosis.driverCurves.empty());
+  const DriverCurve& found = diagnosis.driverCurves.front();
   CHECK(found.place == "LAnklePitch");
   CHECK(found.driver == "t");
   CHECK(found.amplitude == Approx(radians(0.2)).epsilon(0.3)); // half of the step
@@ -254,11 +254,11 @@ TEST_CASE("a camera that turns in its mount is told from a joint") {
       good, "top", [&, begin = first, end = last](double time) { return 5 * (time - begin) / (end - begin); }));
   CAPTURE(drifting.sentence);
   CHECK(drifting.verdict == Verdict::unknownEffect);
-  REQUIRE(!drifting.drivers.empty());
-  CHECK(drifting.drivers.front().place == "top");
-  CHECK(drifting.drivers.front().driver == "t");
-  CHECK(drifting.drivers.front().about == "y");
-  CHECK(drifting.drivers.front().amplitude == Approx(radians(0.25)).epsilon(0.4));
+  REQUIRE(!drifting.driverCurves.empty());
+  CHECK(drifting.driverCurves.front().place == "top");
+  CHECK(drifting.driverCurves.front().driver == "t");
+  CHECK(drifting.driverCurves.front().about == "y");
+  CHECK(drifting.driverCurves.front().amplitude == Approx(radians(0.25)).epsilon(0.4));
 
   const Diagnosis knocked =
       diagnosed(withLookingUp(good, "top", [half = (first + last) / 2](double time) { return time > half ? 6 : 0; }));

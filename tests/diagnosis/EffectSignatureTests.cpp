@@ -12,15 +12,15 @@ TEST_CASE("an effect's imprint is what it leaves after a calibration without it"
   const Questioned asked{set, false};
   const std::string label = GENERATE("encoderGain@LKneePitch", "elasticity@LKneePitch", "radialDistortion@top");
   CAPTURE(label);
-  const std::size_t candidate = *asked.inquiry.find(label);
+  const std::size_t candidate = *asked.inquiry.findCandidate(label);
   const EffectSignature imprint =
-      imprints(asked.measurements, asked.model, asked.fit, asked.inquiry, {candidate}).front();
+      computeSignatures(asked.measurements, asked.model, asked.fit, asked.inquiry, {candidate}).front();
   const CaptureSet perfect = perfectButFor(asked.inquiry.candidates()[candidate], imprint.size, asked, set);
-  const Measurements measurements = measurementsOf({perfect}, asked.measurements.robot);
+  const Measurements measurements = buildMeasurements({perfect}, asked.measurements.robot);
 
   double squares = 0, corners = 0;
   const Residuals before{measurements, asked.model, asked.fit.noise};
-  for (const BoardResidual& sighting : before.sightings(before.start(asked.fit.unknowns))) {
+  for (const BoardResidual& sighting : before.boardResiduals(before.startState(asked.fit.unknowns))) {
     squares += sighting.residual.squaredNorm();
     corners += static_cast<double>(sighting.residual.cols());
   }
@@ -34,9 +34,9 @@ TEST_CASE("an effect's imprint is what it leaves after a calibration without it"
 TEST_CASE("an imprint shows the pictures that shift most, largest first") {
   // Proves the order and number that the page relies on.
   const Questioned asked{simulatedSet(8, 3), false};
-  const std::size_t candidate = *asked.inquiry.find("elasticity@LKneePitch");
+  const std::size_t candidate = *asked.inquiry.findCandidate("elasticity@LKneePitch");
   const EffectSignature imprint =
-      imprints(asked.measurements, asked.model, asked.fit, asked.inquiry, {candidate}).front();
+      computeSignatures(asked.measurements, asked.model, asked.fit, asked.inquiry, {candidate}).front();
   CHECK(std::is_sorted(imprint.pictures.begin(), imprint.pictures.end(),
                        [](const auto& a, const auto& b) { return a.beforePx > b.beforePx; }));
   for (const std::size_t camera : {0, 1}) {

@@ -20,11 +20,11 @@ TEST_CASE("the shape of a board is seen, whatever it is and wherever the board l
     const Eigen::Vector3d arm = point - middle;
     point -= Eigen::Vector3d{wider * arm.x(), 0, height * (1 - arm.squaredNorm() / (rim * rim))};
   }
-  const Measurements measurements = measurementsOf({set}, loadRobot(configurationDirectory(), set.model));
-  const Model model = makeModel(measurements);
+  const Measurements measurements = buildMeasurements({set}, loadRobot(configurationDirectory(), set.model));
+  const Model model = buildModel(measurements);
   const CalibrationResult fit = calibrate(measurements, model);
   const MotionFreeResiduals errors{measurements, model, fit};
-  const BoardShape bent = boardShape(sheetField(errors, measurements, 0), measurements);
+  const BoardShape bent = boardShapeFromField(fitSheetField(errors, measurements, 0), measurements);
   CHECK(bent.pValue < 1e-6);
   const auto count = static_cast<Eigen::Index>(bent.corners.size());
   Eigen::MatrixXd none = Eigen::MatrixXd::Zero(3 * count, 7); // no shape: a small rigid motion (6) and a scale (1)
@@ -54,24 +54,24 @@ TEST_CASE("noise alone is no field") {
   double least = 1;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const CaptureSet set = simulatedSet(12, seed);
-    const Measurements measurements = measurementsOf({set}, loadRobot(configurationDirectory(), set.model));
-    const Model model = makeModel(measurements);
+    const Measurements measurements = buildMeasurements({set}, loadRobot(configurationDirectory(), set.model));
+    const Model model = buildModel(measurements);
     const CalibrationResult fit = calibrate(measurements, model);
     const MotionFreeResiduals errors{measurements, model, fit};
     std::vector<ImageField> fields;
     for (std::size_t board = 0; board < measurements.targets.size(); ++board) {
-      fields.push_back(cornerField(errors, measurements, board));
-      fields.push_back(sheetField(errors, measurements, board));
+      fields.push_back(fitCornerField(errors, measurements, board));
+      fields.push_back(fitSheetField(errors, measurements, board));
     }
     for (std::size_t camera = 0; camera < measurements.robot.cameras.size(); ++camera) {
-      fields.push_back(cameraField(errors, measurements, camera));
+      fields.push_back(fitCameraField(errors, measurements, camera));
     }
     for (const ImageField& field : fields) {
       all += field.fit.freedom > 0;
       below += field.fit.pValue < 0.1;
       least = std::min(least, field.fit.pValue);
     }
-    CHECK_FALSE(strikingField(measurements, model, fit));
+    CHECK_FALSE(findStrikingField(measurements, model, fit));
   }
   REQUIRE(all > 150);
   CHECK(static_cast<double>(below) < 0.17 * static_cast<double>(all));
@@ -88,11 +88,11 @@ TEST_CASE("a board that does not lie as its file has it is named as what it is")
     const Eigen::Vector3d arm = point - middle;
     point.z() += 0.006 * std::pow(std::max(0.0, arm.x() / 0.2 + arm.y() / 0.12 - 0.5) / 1.5, 2);
   }
-  const Diagnosis diagnosis = diagnose({set}, measurementsOf({set}, loadRobot(configurationDirectory(), set.model)));
+  const Diagnosis diagnosis = diagnose({set}, buildMeasurements({set}, loadRobot(configurationDirectory(), set.model)));
   CHECK(diagnosis.verdict == Verdict::unknownEffect);
-  REQUIRE_FALSE(diagnosis.drivers.empty());
-  CHECK(diagnosis.drivers.front().place == board.id);
-  CHECK(diagnosis.drivers.front().unit == "m");
+  REQUIRE_FALSE(diagnosis.driverCurves.empty());
+  CHECK(diagnosis.driverCurves.front().place == board.id);
+  CHECK(diagnosis.driverCurves.front().unit == "m");
   CHECK(diagnosis.sentence.find("board " + board.id) != std::string::npos);
 }
 
@@ -106,11 +106,11 @@ TEST_CASE("a lens that no effect describes is named as what it is") {
       }
     }
   }
-  const Diagnosis diagnosis = diagnose({set}, measurementsOf({set}, loadRobot(configurationDirectory(), set.model)));
+  const Diagnosis diagnosis = diagnose({set}, buildMeasurements({set}, loadRobot(configurationDirectory(), set.model)));
   CHECK(diagnosis.verdict == Verdict::unknownEffect);
-  REQUIRE_FALSE(diagnosis.drivers.empty());
-  CHECK(diagnosis.drivers.front().place == "bottom");
-  CHECK(diagnosis.drivers.front().unit == "px");
+  REQUIRE_FALSE(diagnosis.driverCurves.empty());
+  CHECK(diagnosis.driverCurves.front().place == "bottom");
+  CHECK(diagnosis.driverCurves.front().unit == "px");
 }
 
 } // namespace naocal

@@ -14,7 +14,8 @@ inline CaptureSet perfectButFor(const Term& term, const Eigen::VectorXd& size, c
   Eigen::VectorXd unknowns(asked.fit.unknowns.size() + size.size());
   unknowns << asked.fit.unknowns, size;
   for (const ImageObservation& picture : asked.measurements.pictures) {
-    const auto boards = scene(asked.measurements, picture, believed(asked.measurements, model, picture, unknowns));
+    const auto boards =
+        predictBoards(asked.measurements, picture, predictState(asked.measurements, model, picture, unknowns));
     for (std::size_t i = 0; i < boards.size(); ++i) {
       const BoardObservation& sighting = picture.sightings[i];
       const std::string& name = asked.measurements.targets[sighting.view.board()].name;
@@ -34,7 +35,7 @@ inline CalibrationResult calibratedAt(const Noise& noise, const Measurements& me
   CalibrationOptions options;
   options.noise = noise;
   options.pixelGiven = true;
-  options.estimateNoise = options.robust = options.setAside = options.question = false;
+  options.estimateNoise = options.robust = options.excludeDisplaced = options.question = false;
   return calibrate(measurements, model, options);
 }
 

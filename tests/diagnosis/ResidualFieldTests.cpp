@@ -28,15 +28,16 @@ TEST_CASE("what a lens does stays within the pictures, what a joint does leaves 
   const auto [label, least, most] = GENERATE(
       table<std::string, double, double>({{"elasticity@LKneePitch", 0, 0.02}, {"radialDistortion@top", 0.25, 1}}));
   CAPTURE(label);
-  const Term& term = asked.inquiry.candidates()[*asked.inquiry.find(label)];
+  const Term& term = asked.inquiry.candidates()[*asked.inquiry.findCandidate(label)];
   const CaptureSet perfect =
       perfectButFor(term,
                     term.effect.unknowns.front().sigma *
                         Eigen::VectorXd::Ones(static_cast<Eigen::Index>(term.effect.unknowns.size())),
                     asked, set);
-  const Measurements measurements = measurementsOf({perfect}, asked.measurements.robot);
+  const Measurements measurements = buildMeasurements({perfect}, asked.measurements.robot);
   const CalibrationResult fit = calibratedAt(asked.fit.noise, measurements, asked.model);
-  const double share = rmsOf(leftover({perfect}, measurements, asked.model, fit)) * std::sqrt(2) / fit.rmsPx;
+  const double share =
+      rmsOf(computeResidualField({perfect}, measurements, asked.model, fit)) * std::sqrt(2) / fit.rmsPx;
   CHECK(share >= least);
   CHECK(share <= most);
 }
@@ -45,10 +46,10 @@ TEST_CASE("noise alone leaves within the pictures what corners' noise is") {
   // Proves that the six numbers of each picture's motion are reckoned with: over range the dots lie around the noise.
   // Cells without a lens error differ from zero as often as chance has it.
   const CaptureSet set = simulatedSet(12, 4);
-  const Measurements measurements = measurementsOf({set}, loadRobot(configurationDirectory(), set.model));
-  const Model model = makeModel(measurements);
+  const Measurements measurements = buildMeasurements({set}, loadRobot(configurationDirectory(), set.model));
+  const Model model = buildModel(measurements);
   const CalibrationResult fit = calibrate(measurements, model);
-  const ResidualField left = leftover({set}, measurements, model, fit);
+  const ResidualField left = computeResidualField({set}, measurements, model, fit);
   CHECK(rmsOf(left) == Approx(fit.noise.pixel).epsilon(0.1));
   REQUIRE(left.cells.size() > 50);
   const auto beyond = std::count_if(left.cells.begin(), left.cells.end(), [](const ResidualField::Cell& cell) {
@@ -73,7 +74,7 @@ TEST_CASE("a joint that was off in one pose stands out in what it would have to 
   const Questioned asked{bent, false}, before{plain, false};
   const auto pointsOf = [&](const Questioned& from) {
     const std::size_t motor = from.measurements.robot.jointIndex("LKneePitch").value();
-    const auto all = whatIfs(from.measurements, from.inquiry);
+    const auto all = computeJointCorrections(from.measurements, from.inquiry);
     return std::find_if(all.begin(), all.end(), [&](const SingleJointCorrection& one) { return one.motor == motor; })
         ->points;
   };

@@ -15,7 +15,7 @@ inline CaptureSet simulatedSet(std::size_t poses, std::uint64_t seed, double sti
   SimulationPlan plan;
   auto& chosen = known[poses];
   if (chosen.empty()) {
-    chosen = standingPoses(robot, plan, SupportFoot::left, poses, 1);
+    chosen = planStandingPoses(robot, plan, SupportFoot::left, poses, 1);
   }
   plan.poses = chosen;
   plan.repeatKind = RepeatKind::reapproach;

@@ -15,12 +15,15 @@ namespace {
 
 struct Told {
   explicit Told(const CaptureSet& set)
-      : measurements{measurementsOf({set}, loadRobot(configurationDirectory(), "V6"))}, model{makeModel(measurements)},
-        fit{calibrate(measurements, model)}, drivers{driversOf(measurements, model, fit.unknowns)},
-        telling{tellingPairs(measurements, model, fit, drivers)} {}
+      : measurements{buildMeasurements({set}, loadRobot(configurationDirectory(), "V6"))},
+        model{buildModel(measurements)}, fit{calibrate(measurements, model)},
+        drivers{collectDrivers(measurements, model, fit.unknowns)}, telling{findTellingPairs(measurements, model, fit,
+                                                                                             drivers)} {}
 
-  std::string sentence() const { return tellingSentence(telling, drivers, measurements.robot); }
-  std::string label(std::size_t i) const { return tellingLabel(telling.pairs.at(i), drivers, measurements.robot); }
+  std::string sentence() const { return formatTellingSentence(telling, drivers, measurements.robot); }
+  std::string label(std::size_t i) const {
+    return formatTellingLabel(telling.pairs.at(i), drivers, measurements.robot);
+  }
 
   Measurements measurements;
   Model model;

@@ -43,7 +43,7 @@ TEST_CASE("corners of one pose count once: trends that are not there are found a
     for (const Varies varies : {Varies::between, Varies::within, Varies::twoValues}) {
       int found = 0;
       for (int set = 0; set < sets; ++set) {
-        found += chancesAmongAll({Trend{corners(poses, varies, 0, chance)}}, 99, 1).front() <= 0.05;
+        found += computeFamilyWiseChances({Trend{corners(poses, varies, 0, chance)}}, 99, 1).front() <= 0.05;
       }
       CAPTURE(poses, int(varies));
       CHECK(found <= 27); // expected 15 of 300; 3 sigma above
@@ -72,7 +72,7 @@ TEST_CASE("among many trends over related drivers the clearest is rarely called 
       }
       trends.emplace_back(turned);
     }
-    const std::vector<double> chances = chancesAmongAll(trends, 99, 1);
+    const std::vector<double> chances = computeFamilyWiseChances(trends, 99, 1);
     found += *std::min_element(chances.begin(), chances.end()) <= 0.05;
   }
   CHECK(found <= 16); // expected 7.5
@@ -87,7 +87,7 @@ TEST_CASE("a trend is found whether its driver is smooth, has two values or vari
     const Trend trend{corners(12, varies, 3, chance)};
     CAPTURE(int(varies));
     CHECK(trend.pValue() < 1e-3);
-    CHECK(chancesAmongAll({trend}, 199, 1).front() < 0.01);
+    CHECK(computeFamilyWiseChances({trend}, 199, 1).front() < 0.01);
     CHECK(trend.chanceShare() < 0.15);
   }
 }

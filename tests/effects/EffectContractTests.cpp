@@ -13,7 +13,7 @@ namespace {
 
 struct Instance {
   explicit Instance(const std::string& model)
-      : robot{loadRobot(configurationDirectory(), model)}, drawn{drawnBelief(
+      : robot{loadRobot(configurationDirectory(), model)}, drawn{nominalState(
                                                                robot, {robot.joints.size(), robot.lengths.size(), 1})} {
     drawn.lens() << 590, 600, 320, 240, 0.01, 0, 0, 0, 0;
     const auto joints = static_cast<Eigen::Index>(robot.joints.size());
@@ -69,7 +69,7 @@ TEST_CASE("every effect keeps the contract of effects") {
     for (std::size_t i = 0; i < values.size(); ++i) {
       const Unknown& unknown = effect.unknowns[i];
       CHECK(unknowns.insert(unknown.name).second);
-      CHECK(unitOf(unknown.unit));
+      CHECK(parseUnit(unknown.unit));
       CHECK(unknown.sigma > 0);
       values[i] = unknown.sigma;
       const Eigen::VectorXd once = instance.corrected(effect, values) - atZero;

@@ -29,7 +29,7 @@ struct Bench {
   }
   Effect effect(const std::string& text) const {
     const nlohmann::json json = parseJson(text, "model.json");
-    return userEffect(JsonCursor{json, "model.json"}, robot);
+    return parseUserEffect(JsonCursor{json, "model.json"}, robot);
   }
   /// The cable with one piece of its text replaced.
   std::string refusal(const std::string& from, const std::string& to) const {
@@ -43,7 +43,7 @@ struct Bench {
     return "accepted";
   }
   double correction(const Effect& effect, std::size_t joint, const std::vector<double>& values) const {
-    ModelState belief = drawnBelief(robot, {robot.joints.size(), robot.lengths.size(), 0});
+    ModelState belief = nominalState(robot, {robot.joints.size(), robot.lengths.size(), 0});
     effect.correct(belief, instant, joint, values);
     return belief.angle(joint);
   }
@@ -119,11 +119,11 @@ TEST_CASE("what is wrong with a person's effect is said with its place and what 
   CHECK_THAT(bench.refusal("a*sin", "0.1 + a*sin"), Contains("0 where its unknowns are 0"));
   CHECK_THAT(bench.refusal("\"a\":", "\"q\":"), Contains("already stands for something else"));
   const nlohmann::json twice = nlohmann::json::array({parseJson(cable, ""), parseJson(cable, "")});
-  CHECK_THROWS_WITH(userEffects(JsonCursor{twice, "model.json"}, bench.robot), Contains("no other effect"));
+  CHECK_THROWS_WITH(parseUserEffects(JsonCursor{twice, "model.json"}, bench.robot), Contains("no other effect"));
   nlohmann::json builtIn = parseJson(cable, "");
   builtIn["name"] = "backlash";
   const nlohmann::json list = nlohmann::json::array({builtIn});
-  CHECK_THROWS_WITH(userEffects(JsonCursor{list, "model.json"}, bench.robot), Contains("no other effect"));
+  CHECK_THROWS_WITH(parseUserEffects(JsonCursor{list, "model.json"}, bench.robot), Contains("no other effect"));
 }
 
 } // namespace naocal

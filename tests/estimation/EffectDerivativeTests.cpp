@@ -18,7 +18,7 @@ Measurements standing(SupportFoot foot) {
   SimulationPlan plan = handMadePlan(robot, 3, foot);
   plan.samples = 1;
   plan.surveyed = true;
-  return measurementsOf({simulate(robot, plan, 5).set}, robot);
+  return buildMeasurements({simulate(robot, plan, 5).set}, robot);
 }
 
 /// Unknowns in general position.
@@ -38,16 +38,16 @@ TEST_CASE(
   // that is built one correction after the other: the slopes' list, the chain rule through the offsets, and the closed
   // form of how torques follow angles. Not the picture's derivative by what is believed (model tests).
   const Measurements measurements = standing(GENERATE(SupportFoot::left, SupportFoot::right, SupportFoot::both));
-  const Model model = makeModel(measurements, {"*@*"});
+  const Model model = buildModel(measurements, {"*@*"});
   REQUIRE(model.terms().size() > 100);
   const Eigen::VectorXd here = generic(model), sigmas = model.sigmas();
   const ImageObservation& picture = measurements.pictures.front();
   const StateLayout& quantities = measurements.quantities;
   Eigen::MatrixXd bySlopes = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(quantities.size()), here.size());
-  for (const StateDerivative& slope : slopes(measurements, model, picture, here)) {
+  for (const StateDerivative& slope : evaluateJacobian(measurements, model, picture, here)) {
     bySlopes(static_cast<Eigen::Index>(slope.quantity), static_cast<Eigen::Index>(slope.unknown)) += slope.value;
   }
-  const auto between = jointsBetween(measurements.robot, picture);
+  const auto between = observedJoints(measurements.robot, picture);
   std::size_t mixed = 0;
   for (Eigen::Index unknown = 0; unknown < here.size(); ++unknown) {
     INFO(model.names()[static_cast<std::size_t>(unknown)]);
@@ -55,8 +55,8 @@ TEST_CASE(
       Eigen::VectorXd above = here, below = here;
       above[unknown] += step;
       below[unknown] -= step;
-      return Eigen::VectorXd{(believed(measurements, model, picture, above).values -
-                              believed(measurements, model, picture, below).values) /
+      return Eigen::VectorXd{(predictState(measurements, model, picture, above).values -
+                              predictState(measurements, model, picture, below).values) /
                              (2 * step)};
     };
     const double step = 1e-3 * std::min(sigmas[unknown], 0.1);
@@ -69,7 +69,7 @@ TEST_CASE(
       mixed += bySlopes(static_cast<Eigen::Index>(joint), unknown) != 0;
     }
     for (std::size_t k = 0; k < 6; ++k) {
-      const auto i = static_cast<Eigen::Index>(quantities.ground() + k);
+      const auto i = static_cast<Eigen::Index>(quantities.worldFromSupport() + k);
       CHECK(bySlopes(i, unknown) == Approx(numeric[i]).epsilon(0).margin(1e-7 * std::max(1.0, std::abs(numeric[i]))));
     }
   }
@@ -83,13 +83,13 @@ TEST_CASE("a person's effect counts wherever it acts, be it nothing in a dead ba
     "correction": "a*max(0, abs(tau) - 0.3)", "unknowns": {"a": {"unit": "rad/Nm", "sigma": 0.01}}})json",
                                               "model.json");
   std::vector<Effect> effects = allEffects();
-  effects.push_back(userEffect(JsonCursor{definition, "model.json"}, measurements.robot));
-  const Model model = makeModel(measurements, {"slack@LKneePitch"}, {}, effects);
+  effects.push_back(parseUserEffect(JsonCursor{definition, "model.json"}, measurements.robot));
+  const Model model = buildModel(measurements, {"slack@LKneePitch"}, {}, effects);
   const std::size_t knee = *measurements.robot.jointIndex("LKneePitch");
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.unknownCount()));
   double most = 0;
   for (const ImageObservation& picture : measurements.pictures) {
-    for (const StateDerivative& slope : slopes(measurements, model, picture, none)) {
+    for (const StateDerivative& slope : evaluateJacobian(measurements, model, picture, none)) {
       const bool ofSlack = model.names()[slope.unknown].find("slack") != std::string::npos;
       most = ofSlack && slope.quantity == measurements.quantities.angle(knee) ? std::max(most, slope.value) : most;
     }

@@ -18,14 +18,14 @@ Measurements generic(SupportFoot foot, const std::string& robotModel) {
   SimulationPlan plan = handMadePlan(robot, 8, foot);
   plan.samples = 1;
   plan.surveyed = true;
-  Measurements measurements = measurementsOf({simulate(robot, plan, 5).set}, robot);
+  Measurements measurements = buildMeasurements({simulate(robot, plan, 5).set}, robot);
   RandomStream chance{7, "drivers"};
   for (ImageObservation& picture : measurements.pictures) {
-    picture.instant.time = Seconds{300 + chance.within(300)};
+    picture.instant.time = Seconds{300 + chance.uniformWithin(300)};
     for (Eigen::Index joint = 0; joint < picture.instant.q.size(); ++joint) {
-      picture.instant.velocity[joint] = chance.within(0.05);
-      picture.instant.temperature[joint] = 45 + chance.within(15);
-      picture.instant.approach[joint] = chance.within(1) > 0 ? 1 : -1;
+      picture.instant.velocity[joint] = chance.uniformWithin(0.05);
+      picture.instant.temperature[joint] = 45 + chance.uniformWithin(15);
+      picture.instant.approach[joint] = chance.uniformWithin(1) > 0 ? 1 : -1;
     }
   }
   return measurements;
@@ -35,7 +35,7 @@ Measurements generic(SupportFoot foot, const std::string& robotModel) {
 void seeAs(const Model& model, const Eigen::VectorXd& truth, Measurements& measurements) {
   for (int round = 0; round < 4; ++round) {
     const Residuals residuals{measurements, model, fine};
-    for (const BoardResidual& seen : residuals.sightings(residuals.start(truth))) {
+    for (const BoardResidual& seen : residuals.boardResiduals(residuals.startState(truth))) {
       CornerBlocks& corners = measurements.pictures[seen.picture].sightings[seen.sighting].corners;
       for (Eigen::Index i = 0; i < seen.predicted.cols(); ++i) {
         corners[static_cast<std::size_t>(i / 4)].u[i % 4] = seen.predicted(0, i);
@@ -60,7 +60,7 @@ TEST_CASE("every effect at every place moves pictures and is found again") {
       continue; // no picture shows the first; the next two are in every model; a tilt is nearly an offset of others
     }
     INFO(candidate.label() << " on a " << robotModel);
-    const Model model = makeModel(clean, {candidate.label()});
+    const Model model = buildModel(clean, {candidate.label()});
     const Eigen::VectorXd sigmas = model.sigmas();
     Eigen::VectorXd truth = 0.1 * sigmas;
     const auto term = std::find_if(model.terms().begin(), model.terms().end(),
@@ -74,17 +74,17 @@ TEST_CASE("every effect at every place moves pictures and is found again") {
     Measurements measurements = clean;
     seeAs(model, without, measurements);
     const Residuals before{measurements, model, fine};
-    const auto shown = before.linearised(before.start(truth));
+    const auto shown = before.linearise(before.startState(truth));
     REQUIRE(shown);
     CHECK(shown->cost > 1e3); // beyond the prior, in units of the thousandth pixel
 
     seeAs(model, truth, measurements);
     const Residuals residuals{measurements, model, fine};
-    const auto found = levenbergMarquardt(residuals, residuals.start(Eigen::VectorXd::Zero(truth.size())));
+    const auto found = levenbergMarquardt(residuals, residuals.startState(Eigen::VectorXd::Zero(truth.size())));
     REQUIRE(found);
     CHECK(found->converged);
     double misfit = 0;
-    for (const BoardResidual& seen : residuals.sightings(found->state)) {
+    for (const BoardResidual& seen : residuals.boardResiduals(found->state)) {
       misfit = std::max(misfit, seen.residual.cwiseAbs().maxCoeff());
     }
     CHECK(misfit < 2e-3);

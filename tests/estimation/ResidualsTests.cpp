@@ -22,8 +22,8 @@ struct Problem {
     plan.offsetRange = 0.01;
     plan.mountRange = 0.01;
     set = simulate(robot, plan, 5).set;
-    measurements = measurementsOf({set}, robot);
-    model = makeModel(measurements, {"cameraTranslation@*", "radialDistortion@top"});
+    measurements = buildMeasurements({set}, robot);
+    model = buildModel(measurements, {"cameraTranslation@*", "radialDistortion@top"});
   }
   Robot robot;
   CaptureSet set;
@@ -38,7 +38,7 @@ Eigen::VectorXd stacked(const Residuals& residuals, const Residuals::State& stat
   for (const EncoderSample& reading : residuals.measurements().poses[pose].readings) {
     pictures.insert(reading.pictures.begin(), reading.pictures.end());
   }
-  for (const BoardResidual& seen : residuals.sightings(state)) {
+  for (const BoardResidual& seen : residuals.boardResiduals(state)) {
     if (pictures.contains(seen.picture)) {
       for (Eigen::Index i = 0; i < seen.residual.size(); ++i) {
         all.push_back(-seen.residual(i % 2, i / 2)); // predicted - measured
@@ -56,12 +56,12 @@ TEST_CASE("integrating out deflections equals the full covariance of all corners
   const Problem problem{3, GENERATE(RepeatKind::rest, RepeatKind::reapproach)};
   const Noise noise{0.4, 6e-4, 9e-4};
   const Residuals residuals{problem.measurements, problem.model, noise};
-  const Residuals::State state = residuals.start(0.05 * problem.model.sigmas());
-  const auto linear = residuals.linearised(state);
+  const Residuals::State state = residuals.startState(0.05 * problem.model.sigmas());
+  const auto linear = residuals.linearise(state);
   REQUIRE(linear);
   for (std::size_t pose = 0; pose < linear->poses.size(); ++pose) {
     const PoseSystem& system = linear->poses[pose];
-    const JointErrorRoot root = deflectionRoot(system, noise);
+    const JointErrorRoot root = jointErrorRoot(system, noise);
     const Eigen::VectorXd r = stacked(residuals, state, pose);
     Eigen::MatrixXd byUnknown(r.size(), static_cast<Eigen::Index>(system.unknowns.size()));
     Eigen::MatrixXd byDeflection(r.size(), root.cols());
@@ -84,7 +84,7 @@ TEST_CASE("integrating out deflections equals the full covariance of all corners
     const Eigen::LLT<Eigen::MatrixXd> factor{sigma};
     const Eigen::MatrixXd hessian = byUnknown.transpose() * factor.solve(byUnknown);
     const Eigen::VectorXd gradient = byUnknown.transpose() * factor.solve(r);
-    const MarginalSystem part = eliminated(system, noise, root);
+    const MarginalSystem part = marginalize(system, noise, root);
     CHECK((part.hessian - hessian).norm() < 1e-5 * hessian.norm());
     CHECK((part.unknownGradient - gradient).norm() < 1e-5 * gradient.norm());
     CHECK(part.cost == Approx(0.5 * r.dot(factor.solve(r))).epsilon(1e-6));
@@ -99,7 +99,7 @@ TEST_CASE("the cost follows the unknowns alone, also where corners lose their we
   const Residuals residuals{problem.measurements, problem.model, noise, Loss{3}};
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(problem.model.sigmas().size());
   const auto costAt = [&](const Eigen::VectorXd& unknowns, Eigen::VectorXd& gradient) {
-    Residuals::State state = residuals.start(unknowns);
+    Residuals::State state = residuals.startState(unknowns);
     Residuals::Linear linear;
     REQUIRE(residuals.linearise(state, linear));
     gradient = linear.gradient;
@@ -122,14 +122,14 @@ TEST_CASE("a deflection root squares to encoder, pose and stance noise") {
   system.joints = {3, 3, 3, 7, 7};
   system.errorScales = {1, 1, 0.5, 1, 1};
   system.stances = {0, 0, 4, 0, 4};
-  const Eigen::MatrixXd root = deflectionRoot(system, {0.3, 2e-3, 1e-3});
+  const Eigen::MatrixXd root = jointErrorRoot(system, {0.3, 2e-3, 1e-3});
   const Eigen::MatrixXd covariance = root * root.transpose();
   CHECK(covariance(0, 0) == Approx(5e-6));
   CHECK(covariance(0, 2) == Approx(1e-6));
   CHECK(covariance(2, 2) == Approx(2e-6));
   CHECK(covariance(2, 3) == Approx(0).margin(1e-18));
   CHECK(covariance(3, 4) == Approx(1e-6));
-  const Eigen::MatrixXd restoodRoot = deflectionRoot(system, {0.3, 2e-3, 1e-3, 3e-3});
+  const Eigen::MatrixXd restoodRoot = jointErrorRoot(system, {0.3, 2e-3, 1e-3, 3e-3});
   const Eigen::MatrixXd restood = restoodRoot * restoodRoot.transpose();
   CHECK(restood(0, 0) == Approx(14e-6));
   CHECK(restood(0, 1) == Approx(10e-6));
@@ -168,7 +168,7 @@ TEST_CASE("a reading that no flip explains is one of its own") {
   const int odd = set.captures[2].id;
   set.captures[2].joints.measured[0] += 0.05;
   const double read = set.captures[2].joints.measured[0];
-  const Measurements measurements = measurementsOf({set}, problem.measurements.robot);
+  const Measurements measurements = buildMeasurements({set}, problem.measurements.robot);
   for (const PoseGroup& pose : measurements.poses) {
     for (const EncoderSample& a : pose.readings) {
       for (const EncoderSample& b : pose.readings) {
@@ -187,10 +187,10 @@ TEST_CASE("no order of captures changes a digit") {
   Problem problem;
   CaptureSet shuffled = problem.set;
   std::shuffle(shuffled.captures.begin(), shuffled.captures.end(), std::mt19937{11});
-  const Measurements other = measurementsOf({shuffled}, problem.robot);
+  const Measurements other = buildMeasurements({shuffled}, problem.robot);
   const Residuals a{problem.measurements, problem.model, {}}, b{other, problem.model, {}};
   const Eigen::VectorXd unknowns = 0.1 * problem.model.sigmas();
-  const auto left = a.linearised(a.start(unknowns)), right = b.linearised(b.start(unknowns));
+  const auto left = a.linearise(a.startState(unknowns)), right = b.linearise(b.startState(unknowns));
   REQUIRE(left);
   REQUIRE(right);
   CHECK(left->cost == right->cost);
@@ -213,10 +213,10 @@ TEST_CASE("the loss is quadratic for good corners, constant for false ones and s
 TEST_CASE("a hip yaw-pitch motor is one unknown under both of its names") {
   // Proves that neither name adds a second unknown and the right one is accepted.
   const Problem problem;
-  const Model model = makeModel(problem.measurements, {"jointOffset@RHipYawPitch"});
+  const Model model = buildModel(problem.measurements, {"jointOffset@RHipYawPitch"});
   CHECK(std::count_if(model.terms().begin(), model.terms().end(),
                       [](const Term& term) { return term.place.find("HipYawPitch") != std::string::npos; }) == 1);
-  CHECK(makeModel(problem.measurements, {}, {"jointOffset@RHipYawPitch"}).unknownCount() == model.unknownCount() - 1);
+  CHECK(buildModel(problem.measurements, {}, {"jointOffset@RHipYawPitch"}).unknownCount() == model.unknownCount() - 1);
 }
 
 } // namespace naocal

@@ -13,7 +13,7 @@ TEST_CASE("proposed poses tell the hidden effect from its twins sooner than rand
   std::size_t open = 0, proposed = 0, random = 0, right = 0;
   for (std::uint64_t seed = 1; open < 3; ++seed) {
     REQUIRE(seed < 60);
-    const NextPosesTrial trial = nextTrial(v6(), seed, options);
+    const NextPosesTrial trial = runNextPosesTrial(v6(), seed, options);
     if (trial.suspects.size() < 2) {
       continue;
     }
@@ -31,7 +31,7 @@ TEST_CASE("a robot whose effect is plain leaves nothing to tell apart") {
   // Proves that such a robot counts for neither way: its hidden effect is as large as a worn NAO's.
   NextPosesTrialOptions options;
   options.flawScale = 1;
-  const NextPosesTrial trial = nextTrial(v6(), 3, options);
+  const NextPosesTrial trial = runNextPosesTrial(v6(), 3, options);
   CHECK(trial.suspects.empty());
   CHECK_FALSE(trial.proposed.poses);
   CHECK_FALSE(trial.random.poses);

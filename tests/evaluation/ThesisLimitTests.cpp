@@ -19,49 +19,49 @@ Eigen::MatrixXd cornerSlopes(const ThesisTrial& trial, const ThesisExperiment& s
   const Robot& robot = v6();
   static const SyntheticRobot drawn{
       robot,
-      {Eigen::VectorXd::Zero(at(robot.joints.size())), std::vector<RobotErrors::Mount>(robot.cameras.size())},
+      {Eigen::VectorXd::Zero(eigenIndex(robot.joints.size())), std::vector<RobotErrors::Mount>(robot.cameras.size())},
       {}};
-  const CameraIntrinsics lens = drawnCameras(640, 480).at(robot.cameras[picture.camera].name);
-  Eigen::VectorXd angles = picture.drawn.values.head(at(robot.joints.size()));
+  const CameraIntrinsics lens = nominalCameras(640, 480).at(robot.cameras[picture.camera].name);
+  Eigen::VectorXd angles = picture.nominal.values.head(eigenIndex(robot.joints.size()));
   for (std::size_t i = 0; i < stage.joints().size(); ++i) {
-    angles[at(stage.joints()[i])] -= trial.offsets()[at(i)];
+    angles[eigenIndex(stage.joints()[i])] -= trial.offsets()[eigenIndex(i)];
   }
   const auto corners = [&](const Eigen::VectorXd& joints) {
     std::vector<double> seen;
     const Eigen::Isometry3d cameraFromSole =
         (drawn.soleFromTorso(joints, SupportFoot::left) * drawn.torsoFromCamera(picture.camera, joints)).inverse();
     for (const BoardObservation& sighting : picture.sightings) {
-      const Board& board = stage.everything().targets[sighting.view.board()].board;
+      const Board& board = stage.allObservations().targets[sighting.view.board()].board;
       for (const int id : sighting.ids) {
         const Eigen::Vector3d point = board.points[static_cast<std::size_t>(id)];
-        const auto uv = pixel(lens, cameraFromSole * (isometry(*board.placement) * point));
+        const auto uv = projectPoint(lens, cameraFromSole * (isometryFromPlacement(*board.placement) * point));
         seen.push_back(uv.value().x());
         seen.push_back(uv.value().y());
       }
     }
-    return Eigen::VectorXd{Eigen::Map<Eigen::VectorXd>(seen.data(), at(seen.size()))};
+    return Eigen::VectorXd{Eigen::Map<Eigen::VectorXd>(seen.data(), eigenIndex(seen.size()))};
   };
   constexpr double step = 1e-6;
-  Eigen::MatrixXd slopes(corners(angles).size(), at(stage.joints().size()));
+  Eigen::MatrixXd slopes(corners(angles).size(), eigenIndex(stage.joints().size()));
   for (std::size_t i = 0; i < stage.joints().size(); ++i) {
     Eigen::VectorXd above = angles, below = angles;
-    above[at(stage.joints()[i])] += step;
-    below[at(stage.joints()[i])] -= step;
-    slopes.col(at(i)) = (corners(above) - corners(below)) / (2 * step);
+    above[eigenIndex(stage.joints()[i])] += step;
+    below[eigenIndex(stage.joints()[i])] -= step;
+    slopes.col(eigenIndex(i)) = (corners(above) - corners(below)) / (2 * step);
   }
   return slopes;
 }
 
 /// J^T Sigma^-1 J over all readings, dense, with the offsets' prior.
 Eigen::MatrixXd denseInformation(const ThesisTrial& trial, const ThesisExperiment& stage) {
-  const auto joints = at(stage.joints().size());
+  const auto joints = eigenIndex(stage.joints().size());
   constexpr double prior = 0.1; // as in naocal solve [rad]
   Eigen::MatrixXd information = Eigen::MatrixXd::Identity(joints, joints) / (prior * prior);
-  for (const PoseGroup& pose : trial.taken().poses) {
+  for (const PoseGroup& pose : trial.measurements().poses) {
     for (const EncoderSample& reading : pose.readings) {
       Eigen::MatrixXd slopes(0, joints);
       for (const std::size_t picture : reading.pictures) {
-        const Eigen::MatrixXd more = cornerSlopes(trial, stage, trial.taken().pictures[picture]);
+        const Eigen::MatrixXd more = cornerSlopes(trial, stage, trial.measurements().pictures[picture]);
         slopes.conservativeResize(slopes.rows() + more.rows(), joints);
         slopes.bottomRows(more.rows()) = more;
       }
@@ -83,7 +83,7 @@ TEST_CASE("the tables' limit is that of the whole measurement's covariance") {
   ThesisTrial trial{stage, setting, 0.3};
   trial.draw(1, 5);
   constexpr std::size_t draws = 20'000;
-  const std::vector<double> limit = trial.limit(draws);
+  const std::vector<double> limit = trial.drawLimitErrors(draws);
 
   const Eigen::MatrixXd covariance = denseInformation(trial, stage).inverse();
   const Eigen::MatrixXd root = covariance.llt().matrixL();

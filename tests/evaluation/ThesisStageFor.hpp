@@ -12,9 +12,9 @@ inline ThesisExperiment thesisStageFor(const ThesisSetting& setting) {
   static std::map<std::pair<ThesisFeature, PoseChoice>, std::vector<Eigen::VectorXd>> chosen;
   std::vector<Eigen::VectorXd>& all = chosen[{setting.feature, setting.choice}];
   if (all.empty()) {
-    all = thesisPoses(v6(), setting.feature, setting.choice, 8);
+    all = selectThesisPoses(v6(), setting.feature, setting.choice, 8);
   }
-  return {v6(), setting, posesOf(setting, v6(), all)};
+  return {v6(), setting, posesForSetting(setting, v6(), all)};
 }
 
 } // namespace naocal

@@ -21,8 +21,8 @@ ThesisEvaluation evaluated(const ThesisSetting& setting, std::size_t sets, std::
     ThesisTally tally;
     for (std::size_t set = part; set < sets; set += parts) {
       trial.draw(result.seed, set);
-      const std::vector<double> limit = trial.limit(10);
-      tally.add(trial.offsets(), trial.answer(solver), limit);
+      const std::vector<double> limit = trial.drawLimitErrors(10);
+      tally.add(trial.offsets(), trial.solve(solver), limit);
     }
     result.outcomes.push_back({setting, solver, tally});
   }
@@ -40,7 +40,7 @@ TEST_CASE("without noise our solver finds all offsets of every error set, from t
       ThesisTrial trial{stage, setting, 0.3};
       for (std::size_t set = 0; set < 30; ++set) {
         trial.draw(1, set);
-        CHECK(trial.answer(ThesisSolver::ours).status(radians(0.001)) == ThesisStatus::success);
+        CHECK(trial.solve(ThesisSolver::ours).status(radians(0.001)) == ThesisStatus::success);
       }
     }
   }
@@ -58,7 +58,7 @@ TEST_CASE("both legs, and mounts and places with the offsets, are found without 
     ThesisTrial trial{stage, setting, 0.3};
     for (std::size_t set = 0; set < 20; ++set) {
       trial.draw(1, set);
-      CHECK(trial.answer(ThesisSolver::ours).status(radians(0.02)) == ThesisStatus::success);
+      CHECK(trial.solve(ThesisSolver::ours).status(radians(0.02)) == ThesisStatus::success);
     }
   }
 }
@@ -66,7 +66,7 @@ TEST_CASE("both legs, and mounts and places with the offsets, are found without 
 TEST_CASE("what the thesis left open succeeds as often as its limit says") {
   // Proves it for 150 sets of every setting beyond the thesis at 0.2 degrees, with eight poses; three standard
   // deviations of a share are let pass.
-  for (const ThesisCell& cell : cellsBeyond()) {
+  for (const ThesisCell& cell : furtherCells()) {
     if (cell.setting.poses == 8) {
       INFO(cell.setting.name());
       const ThesisTally tally = *evaluated(cell.setting, 150, 0, 1).tally(cell.setting, ThesisSolver::ours);
@@ -84,7 +84,7 @@ TEST_CASE("where only pixels are noisy our solver ends in plain Levenberg-Marqua
   ThesisTrial trial{stage, setting, 0.3};
   for (std::size_t set = 0; set < 20; ++set) {
     trial.draw(1, set);
-    const ThesisSolution ours = trial.answer(ThesisSolver::ours), plain = trial.answer(ThesisSolver::plain);
+    const ThesisSolution ours = trial.solve(ThesisSolver::ours), plain = trial.solve(ThesisSolver::plain);
     REQUIRE((ours.solved && plain.solved));
     CHECK((ours.errors - plain.errors).cwiseAbs().maxCoeff() < radians(1e-3));
   }
@@ -96,10 +96,10 @@ TEST_CASE("numeric derivatives lead where ours do, and searches by costs alone c
   const ThesisExperiment stage = thesisStageFor(setting);
   ThesisTrial trial{stage, setting, 0.3};
   trial.draw(1, 0);
-  CHECK(trial.answer(ThesisSolver::numeric).status(radians(0.001)) == ThesisStatus::success);
+  CHECK(trial.solve(ThesisSolver::numeric).status(radians(0.001)) == ThesisStatus::success);
   for (const ThesisSolver solver : {ThesisSolver::dlib, ThesisSolver::swarm}) {
-    const ThesisSolution answer = trial.answer(solver);
-    INFO(word(solver));
+    const ThesisSolution answer = trial.solve(solver);
+    INFO(toString(solver));
     CHECK(answer.rms < 20); // px; offsets of degrees move corners by far more
     CHECK(answer.errors.norm() < trial.offsets().norm());
   }
@@ -138,7 +138,7 @@ TEST_CASE("readings are as noisy as our solver is told") {
     double squares = 0;
     constexpr int count = 20'000;
     for (int i = 0; i < count; ++i) {
-      const AngleReading reading = angleReading(0.4, setting, chance);
+      const AngleReading reading = readAngle(0.4, setting, chance);
       squares += std::pow(reading.reported - reading.raw, 2);
       REQUIRE(std::abs(std::remainder(reading.reported, encoderStep)) < 1e-9);
     }
@@ -160,7 +160,7 @@ TEST_CASE("error sets repeat by their number and keep to the range of errors") {
   other.draw(7, 19);
   CHECK(one.offsets() == other.offsets());
   for (const ThesisSolver solver : {ThesisSolver::ours, ThesisSolver::randomStarts}) {
-    CHECK(one.answer(solver).errors == other.answer(solver).errors);
+    CHECK(one.solve(solver).errors == other.solve(solver).errors);
   }
 }
 
@@ -174,12 +174,12 @@ TEST_CASE("parts of an evaluation, written, read and put together, are the whole
     writeAtomically(file, evaluationJson(evaluated(setting, 20, part, 3)).dump());
     parts.push_back(readEvaluation(file));
   }
-  const ThesisEvaluation whole = evaluated(setting, 20, 0, 1), together = merged(parts);
+  const ThesisEvaluation whole = evaluated(setting, 20, 0, 1), together = mergeEvaluations(parts);
   CHECK(evaluationJson(whole)["cells"] == evaluationJson(together)["cells"]);
   CHECK(together.done == std::vector<std::size_t>{0, 1, 2});
   CHECK(together.tally(setting, ThesisSolver::ours)->sets == 20);
-  CHECK_THROWS_AS(merged({parts[0], parts[0]}), InputError);
-  CHECK_THROWS_AS(merged({parts[0], whole}), InputError);
+  CHECK_THROWS_AS(mergeEvaluations({parts[0], parts[0]}), InputError);
+  CHECK_THROWS_AS(mergeEvaluations({parts[0], whole}), InputError);
 }
 
 } // namespace naocal

@@ -23,7 +23,7 @@ struct ConfiguredRobot {
     std::filesystem::create_directories(path(file).parent_path());
     writeAtomically(path(file), content);
   }
-  nlohmann::json content(const std::string& file) const { return nlohmann::json::parse(fileContent(path(file))); }
+  nlohmann::json content(const std::string& file) const { return nlohmann::json::parse(readFile(path(file))); }
   nlohmann::json readKeys(const std::string& mount) const {
     nlohmann::json out;
     configuration.readKeys(mount, out);

@@ -9,7 +9,7 @@ TEST_CASE("a driver that differs by a sum's rounding only has not changed") {
   // Proves it of neighbouring numbers, as two means of the same place may be: a curve over them would have no width,
   // and its columns would be no numbers.
   const double angle = 0.3, next = std::nextafter(angle, 1);
-  CHECK_FALSE(smoothCell({angle, next}, 4).basis(angle).allFinite());
+  CHECK_FALSE(polynomialBasis({angle, next}, 4).basisAt(angle).allFinite());
   CHECK(distinctValues({next, angle, angle}) == std::set<double>{angle});
   CHECK(distinctValues({0.5, angle, next}) == std::set<double>{angle, 0.5});
 }

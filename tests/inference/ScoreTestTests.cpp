@@ -29,30 +29,31 @@ TEST_CASE("a score test's fall of chi2 is what adding the candidate gains") {
   const ScoreTest tests{alone};
   const Eigen::VectorXd priorScore = problem.priorScore();
   const PoseResiduals measured = measuredResiduals(*problem.poses);
-  const Eigen::VectorXd falls = tests.falls(measured, alone(measured, priorScore).own);
+  const Eigen::VectorXd falls = tests.chi2Decreases(measured, alone(measured, priorScore).own);
 
-  const Eigen::Index count = problem.own() + problem.candidates;
+  const Eigen::Index count = problem.ownCount() + problem.candidates;
   Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(count, count);
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(count);
-  hessian.topLeftCorner(problem.own(), problem.own()) = problem.sigmas.cwiseAbs2().cwiseInverse().asDiagonal();
-  gradient.head(problem.own()) = priorScore;
+  hessian.topLeftCorner(problem.ownCount(), problem.ownCount()) =
+      problem.sigmas.cwiseAbs2().cwiseInverse().asDiagonal();
+  gradient.head(problem.ownCount()) = priorScore;
   for (const PoseRows& rows : *problem.poses) {
     const PoseSystem pose = systemOf(rows);
-    const MarginalSystem part = eliminated(pose, noise, deflectionRoot(pose, noise));
+    const MarginalSystem part = marginalize(pose, noise, jointErrorRoot(pose, noise));
     const std::vector<Eigen::Index> columns(pose.unknowns.begin(), pose.unknowns.end());
     hessian(columns, columns) += part.hessian;
     gradient(columns) += part.unknownGradient;
   }
-  std::vector<Eigen::Index> own(static_cast<std::size_t>(problem.own()));
+  std::vector<Eigen::Index> own(static_cast<std::size_t>(problem.ownCount()));
   std::iota(own.begin(), own.end(), 0);
   int compared = 0;
   for (std::size_t i = 0; i < asked.inquiry.candidates().size(); ++i) {
-    if (tests.keptFraction(i) < 1e-2 || tests.freedom(i) < problem.groups[i].count) {
+    if (tests.keptFraction(i) < 1e-2 || tests.degreesOfFreedom(i) < problem.groups[i].count) {
       continue; // absorbed in part: then the dense equations are all but singular
     }
     std::vector<Eigen::Index> with = own;
     for (Eigen::Index k = 0; k < problem.groups[i].count; ++k) {
-      with.push_back(problem.own() + problem.groups[i].first + k);
+      with.push_back(problem.ownCount() + problem.groups[i].first + k);
     }
     const double gain = least(hessian, gradient, own) - least(hessian, gradient, with);
     CAPTURE(asked.inquiry.candidates()[i].label());
@@ -72,11 +73,11 @@ TEST_CASE("pure noise lowers chi2 by as much as a candidate has unknowns") {
   constexpr Eigen::Index draws = 3000;
   const NullModel alone{problem, noise};
   const ScoreTest tests{alone};
-  const PoseResiduals drawn = drawnResiduals(*problem.poses, noise, draws, 1);
-  const Eigen::MatrixXd falls = tests.falls(drawn, alone(drawn, Eigen::VectorXd::Zero(problem.own())).own);
+  const PoseResiduals drawn = drawResiduals(*problem.poses, noise, draws, 1);
+  const Eigen::MatrixXd falls = tests.chi2Decreases(drawn, alone(drawn, Eigen::VectorXd::Zero(problem.ownCount())).own);
   double worst = 0;
   for (std::size_t i = 0; i < problem.groups.size(); ++i) {
-    const auto freedom = static_cast<double>(tests.freedom(i));
+    const auto freedom = static_cast<double>(tests.degreesOfFreedom(i));
     if (freedom > 0) {
       const double error = falls.row(static_cast<Eigen::Index>(i)).mean() - freedom;
       const std::string name =
@@ -93,10 +94,10 @@ TEST_CASE("power follows the noncentral chi2 distribution") {
   // Proves power and its inverse against published figures: 55 independent tests at a family-wise 5 % (critical chi2
   // 11.2): power 0.43, 0.87 and 1.00 at noncentrality 10, 20 and 40, and 90 % needs 21.4.
   const double critical = 8.2e-4; // of chi2 11.2 with one degree of freedom
-  CHECK(powerAt(10, 1, critical) == Approx(0.43).margin(0.01));
-  CHECK(powerAt(20, 1, critical) == Approx(0.87).margin(0.01));
-  CHECK(powerAt(40, 1, critical) == Approx(1.00).margin(0.005));
-  CHECK(noncentralityFor(0.9, 1, critical) == Approx(21.4).margin(0.3));
+  CHECK(detectionPower(10, 1, critical) == Approx(0.43).margin(0.01));
+  CHECK(detectionPower(20, 1, critical) == Approx(0.87).margin(0.01));
+  CHECK(detectionPower(40, 1, critical) == Approx(1.00).margin(0.005));
+  CHECK(requiredNoncentrality(0.9, 1, critical) == Approx(21.4).margin(0.3));
 }
 
 TEST_CASE("a candidate is as sure to be noticed as the unknown of it that is hardest to see") {
@@ -104,10 +105,10 @@ TEST_CASE("a candidate is as sure to be noticed as the unknown of it that is har
   GroupEvidence group;
   group.freedom = 2;
   group.covariance = Eigen::Vector2d{0.01, 1}.asDiagonal();
-  const double sharp = sensitivity(group, Eigen::Vector2d{1, 100}, 1e-3).power;
-  const double blunt = sensitivity(group, Eigen::Vector2d{1, 1}, 1e-3).power;
+  const double sharp = computeSensitivity(group, Eigen::Vector2d{1, 100}, 1e-3).power;
+  const double blunt = computeSensitivity(group, Eigen::Vector2d{1, 1}, 1e-3).power;
   CHECK(sharp > 0.99);
-  CHECK(blunt == Approx(powerAt(1, 2, 1e-3)));
+  CHECK(blunt == Approx(detectionPower(1, 2, 1e-3)));
 }
 
 TEST_CASE("how far an effect moves corners is what predictions show when it is put into the model") {
@@ -118,27 +119,28 @@ TEST_CASE("how far an effect moves corners is what predictions show when it is p
   const NullModel alone{problem, asked.fit.noise};
   const ScoreTest tests{alone};
   for (const char* label : {"elasticity@LKneePitch", "focalLength@top", "boardScale@A"}) {
-    const std::size_t candidate = asked.inquiry.find(label).value();
+    const std::size_t candidate = asked.inquiry.findCandidate(label).value();
     const ColumnGroup& group = problem.groups[candidate];
     const Eigen::VectorXd sizes = 0.1 * problem.plausible.segment(group.first, group.count);
     Model larger = asked.model;
     larger.add(asked.inquiry.candidates()[candidate]);
     const Residuals residuals{asked.measurements, larger, asked.fit.noise, asked.fit.loss};
-    Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(problem.own() + group.count);
-    unknowns.head(problem.own()) = asked.fit.unknowns;
-    const auto before = residuals.sightings(residuals.start(unknowns));
+    Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(problem.ownCount() + group.count);
+    unknowns.head(problem.ownCount()) = asked.fit.unknowns;
+    const auto before = residuals.boardResiduals(residuals.startState(unknowns));
     Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(unknowns.size(), unknowns.size());
-    const auto linear = residuals.linearised(residuals.start(unknowns));
+    const auto linear = residuals.linearise(residuals.startState(unknowns));
     for (const PoseSystem& pose : linear->poses) {
-      const MarginalSystem part = eliminated(pose, asked.fit.noise, deflectionRoot(pose, asked.fit.noise));
+      const MarginalSystem part = marginalize(pose, asked.fit.noise, jointErrorRoot(pose, asked.fit.noise));
       const std::vector<Eigen::Index> columns(pose.unknowns.begin(), pose.unknowns.end());
       hessian(columns, columns) += part.hessian;
     }
-    Eigen::MatrixXd own = hessian.topLeftCorner(problem.own(), problem.own());
+    Eigen::MatrixXd own = hessian.topLeftCorner(problem.ownCount(), problem.ownCount());
     own.diagonal() += problem.sigmas.cwiseAbs2().cwiseInverse();
-    unknowns.head(problem.own()) -= own.ldlt().solve(hessian.topRightCorner(problem.own(), group.count) * sizes);
+    unknowns.head(problem.ownCount()) -=
+        own.ldlt().solve(hessian.topRightCorner(problem.ownCount(), group.count) * sizes);
     unknowns.tail(group.count) = sizes;
-    const auto after = residuals.sightings(residuals.start(unknowns));
+    const auto after = residuals.boardResiduals(residuals.startState(unknowns));
     double squares = 0, corners = 0;
     for (std::size_t i = 0; i < before.size(); ++i) {
       squares += (after[i].predicted - before[i].predicted).squaredNorm();
@@ -153,7 +155,7 @@ TEST_CASE("a sum over poses without a row is zero") {
   // Proves that poses in which no corner counts are no reason to stop, however many columns there are.
   GramSum sum{64};
   sum.add({0, 1, 2}, Eigen::MatrixXd{0, 3});
-  CHECK(sum.taken().isZero(0));
+  CHECK(sum.sum().isZero(0));
 }
 
 } // namespace naocal

@@ -29,7 +29,7 @@ TEST_CASE("a written file holds what was written and leaves nothing beside it") 
   writeAtomically(file, "first");
   const std::string second("sec\0nd\n", 7);
   writeAtomically(file, second);
-  CHECK(fileContent(file) == second);
+  CHECK(readFile(file) == second);
   CHECK(entries(folder.path()) == 1);
 }
 
@@ -41,7 +41,7 @@ TEST_CASE("a replaced file keeps its permissions, and a link stays a link") {
   fs::permissions(file, fs::perms::owner_all);
   fs::create_symlink("file", link);
   writeAtomically(link, "second");
-  CHECK(fileContent(file) == "second");
+  CHECK(readFile(file) == "second");
   CHECK(fs::status(file).permissions() == fs::perms::owner_all);
   CHECK(fs::is_symlink(link));
 }
@@ -67,7 +67,7 @@ TEST_CASE("a file in a folder that must not be changed stays as it was") {
     WARN("skipped: this user may write into protected folders");
   } else {
     CHECK_THROWS_AS(writeAtomically(file, "new"), InputError);
-    CHECK(fileContent(file) == "old");
+    CHECK(readFile(file) == "old");
   }
   fs::permissions(folder.path(), fs::perms::owner_all);
 }
@@ -82,8 +82,8 @@ TEST_CASE("what cannot be read is refused by name") {
   // Proves it for a missing file and for a folder.
   const TemporaryFolder folder;
   const fs::path missing = folder.path() / "none";
-  CHECK_THROWS_WITH(fileContent(missing), Catch::StartsWith(missing.string()) && Catch::Contains("No such file"));
-  CHECK_THROWS_WITH(fileContent(folder.path()), Catch::Contains("a folder"));
+  CHECK_THROWS_WITH(readFile(missing), Catch::StartsWith(missing.string()) && Catch::Contains("No such file"));
+  CHECK_THROWS_WITH(readFile(folder.path()), Catch::Contains("a folder"));
   CHECK_THROWS_WITH(readCaptureSet(missing), Catch::StartsWith((missing / "captures.json").string()));
 }
 
@@ -96,7 +96,7 @@ TEST_CASE("a set is written into a folder that is made for it and carries the fo
   CHECK(readCaptureSet(place).set.name == "night");
   CHECK(readCaptureSet(place / "").set.name == "night");
   CHECK(readCaptureSet(place / ".." / "night" / ".").set.name == "night");
-  CHECK(fileContent(place / "captures.json") == captureSetText(set));
+  CHECK(readFile(place / "captures.json") == formatCaptureSet(set));
   writeAtomically(folder.path() / "taken", "");
   CHECK_THROWS_AS(writeCaptureSet(set, folder.path() / "taken"), InputError);
 }

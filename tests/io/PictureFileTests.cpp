@@ -48,11 +48,11 @@ TEST_CASE("a PNG keeps every grey level, and others read the same in it") {
   // Proves writing against OpenCV's reader and reading against OpenCV's writer, odd sizes too.
   for (const auto& [width, height] : {std::pair{1, 1}, {7, 3}, {64, 48}, {101, 33}}) {
     const GreyPicture picture = drawing(width, height);
-    const std::string content = png(picture);
-    CHECK(decodedPicture(content, "it").pixels == picture.pixels);
+    const std::string content = encodePng(picture);
+    CHECK(decodeImage(content, "it").pixels == picture.pixels);
     const cv::Mat bytes(1, static_cast<int>(content.size()), CV_8U, const_cast<char*>(content.data()));
     CHECK(largestDifference(picture, cv::imdecode(bytes, cv::IMREAD_UNCHANGED)) == 0);
-    CHECK(largestDifference(decodedPicture(encoded(".png", image(picture)), "it"), image(picture)) == 0);
+    CHECK(largestDifference(decodeImage(encoded(".png", image(picture)), "it"), image(picture)) == 0);
   }
 }
 
@@ -62,22 +62,22 @@ TEST_CASE("colours become their luma, more bits the nearest of eight") {
   cv::Mat colours, grey, deep;
   cv::applyColorMap(image(picture), colours, cv::COLORMAP_JET);
   cv::cvtColor(colours, grey, cv::COLOR_BGR2GRAY);
-  CHECK(largestDifference(decodedPicture(encoded(".png", colours), "it"), grey) <= 1);
-  CHECK(largestDifference(decodedPicture(encoded(".jpg", colours), "it"), grey) < 40); // JPEG thins colours out
+  CHECK(largestDifference(decodeImage(encoded(".png", colours), "it"), grey) <= 1);
+  CHECK(largestDifference(decodeImage(encoded(".jpg", colours), "it"), grey) < 40); // JPEG thins colours out
   image(picture).convertTo(deep, CV_16U, 257);
-  CHECK(largestDifference(decodedPicture(encoded(".png", deep), "it"), image(picture)) <= 1);
+  CHECK(largestDifference(decodeImage(encoded(".png", deep), "it"), image(picture)) <= 1);
 }
 
 TEST_CASE("a JPEG stays near the picture, grey or coloured") {
   // Proves both kinds by OpenCV's reader.
   const GreyPicture picture = drawing(64, 48);
-  const std::string grey = jpeg(picture.pixels, 64, 48, 95);
-  CHECK(largestDifference(decodedPicture(grey, "it"), image(picture)) < 40);
+  const std::string grey = encodeJpeg(picture.pixels, 64, 48, 95);
+  CHECK(largestDifference(decodeImage(grey, "it"), image(picture)) < 40);
   std::vector<std::uint8_t> red;
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
     red.insert(red.end(), {200, 30, 10});
   }
-  const std::string coloured = jpeg(red, 64, 48, 75);
+  const std::string coloured = encodeJpeg(red, 64, 48, 75);
   const cv::Mat bytes(1, static_cast<int>(coloured.size()), CV_8U, const_cast<char*>(coloured.data()));
   const cv::Scalar mean = cv::mean(cv::imdecode(bytes, cv::IMREAD_COLOR)); // blue, green, red
   CHECK(mean[0] == Approx(10).margin(3));
@@ -89,10 +89,10 @@ TEST_CASE("what is no whole picture is refused by name") {
   // Proves that a file cut off anywhere, garbage and a size that no memory holds are refused, and never half read.
   const GreyPicture picture = drawing(32, 24);
   const auto refused = [](const std::string& content) {
-    CHECK_THROWS_WITH(decodedPicture(content, "images/7.png"),
+    CHECK_THROWS_WITH(decodeImage(content, "images/7.png"),
                       Catch::StartsWith("images/7.png: expected a whole picture"));
   };
-  const std::string whole = png(picture), photograph = jpeg(picture.pixels, 32, 24, 90);
+  const std::string whole = encodePng(picture), photograph = encodeJpeg(picture.pixels, 32, 24, 90);
   for (std::size_t length = 0; length < whole.size() - 12; ++length) { // the last chunk says nothing but "end"
     refused(whole.substr(0, length));
   }
@@ -112,10 +112,10 @@ TEST_CASE("a picture is written as its file's name says, or not at all") {
   // Proves both endings, and the sentence for any other.
   const TemporaryFolder folder;
   const GreyPicture picture = drawing(32, 24);
-  writePicture(picture, folder.path() / "it.png");
-  CHECK(readPicture(folder.path() / "it.png").pixels == picture.pixels);
-  writePicture(picture, folder.path() / "it.jpg");
-  CHECK(fileContent(folder.path() / "it.jpg").starts_with("\xff\xd8"));
-  CHECK_THROWS_WITH(writePicture(picture, folder.path() / "it.gif"), Catch::Contains("found '.gif'"));
-  CHECK_THROWS_WITH(readPicture(folder.path() / "no.png"), Catch::Contains("there is no such file"));
+  writeImage(picture, folder.path() / "it.png");
+  CHECK(readImage(folder.path() / "it.png").pixels == picture.pixels);
+  writeImage(picture, folder.path() / "it.jpg");
+  CHECK(readFile(folder.path() / "it.jpg").starts_with("\xff\xd8"));
+  CHECK_THROWS_WITH(writeImage(picture, folder.path() / "it.gif"), Catch::Contains("found '.gif'"));
+  CHECK_THROWS_WITH(readImage(folder.path() / "no.png"), Catch::Contains("there is no such file"));
 }

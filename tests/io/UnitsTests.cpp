@@ -7,27 +7,27 @@ using namespace naocal;
 TEST_CASE("units are read and written as products of powers") {
   // Proves both ways, and what is no unit.
   for (const std::string text : {"1", "rad", "rad/Nm^2", "s/row", "1/rad", "rad/Nm^0.5", "m*rad/s^2", "1/Nm/s"}) {
-    const auto unit = unitOf(text);
+    const auto unit = parseUnit(text);
     REQUIRE(unit);
-    CHECK(textOf(*unit) == text);
+    CHECK(formatUnit(*unit) == text);
   }
-  CHECK(*unitOf("rad*rad/rad") == UnitPowers{{"rad", 1}});
-  CHECK(*unitOf("rad/rad") == UnitPowers{});
-  CHECK(*unitOf("1/s^2") == UnitPowers{{"s", -2}});
+  CHECK(*parseUnit("rad*rad/rad") == UnitPowers{{"rad", 1}});
+  CHECK(*parseUnit("rad/rad") == UnitPowers{});
+  CHECK(*parseUnit("1/s^2") == UnitPowers{{"s", -2}});
   for (const char* text :
        {"", "deg", "rad/", "/s", "rad s", "rad//s", "rads", "2*rad", "rad^", "rad^-1", "radrad", "mrad"}) {
     CAPTURE(text);
-    CHECK_FALSE(unitOf(text));
+    CHECK_FALSE(parseUnit(text));
   }
 }
 
 TEST_CASE("an angle over what it multiplies has the unit of their quotient") {
   // Proves the units of coefficients of expressions: of a root, of a speed, of an angle, of a temperature's torque.
   const UnitPowers angle{{"rad", 1}};
-  const auto over = [&](const UnitPowers& other) { return textOf(product(angle, other, -1)); };
-  CHECK(over(product({}, *unitOf("Nm"), 0.5)) == "rad/Nm^0.5");
-  CHECK(over(*unitOf("rad/s")) == "s");
-  CHECK(over(product(angle, angle)) == "1/rad");
+  const auto over = [&](const UnitPowers& other) { return formatUnit(multiplyUnits(angle, other, -1)); };
+  CHECK(over(multiplyUnits({}, *parseUnit("Nm"), 0.5)) == "rad/Nm^0.5");
+  CHECK(over(*parseUnit("rad/s")) == "s");
+  CHECK(over(multiplyUnits(angle, angle)) == "1/rad");
   CHECK(over(angle) == "1");
-  CHECK(over(product(*unitOf("K"), {{"Nm", 1}})) == "rad/K/Nm");
+  CHECK(over(multiplyUnits(*parseUnit("K"), {{"Nm", 1}})) == "rad/K/Nm");
 }

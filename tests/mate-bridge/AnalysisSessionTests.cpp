@@ -22,7 +22,7 @@ struct FlawedSet {
   FlawedSet() {
     const Robot robot = loadRobot(configurationDirectory(), "V6");
     SimulationPlan plan;
-    plan.poses = standingPoses(robot, plan, SupportFoot::left, 14, 1);
+    plan.poses = planStandingPoses(robot, plan, SupportFoot::left, 14, 1);
     plan.samples = 2;
     plan.repeatKind = RepeatKind::reapproach;
     plan.hiddenFlaw = true;

@@ -65,7 +65,7 @@ struct Thread {
 void writeCaptures(const std::filesystem::path& folder) {
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   SimulationPlan plan;
-  plan.poses = standingPoses(robot, plan, SupportFoot::left, 8, 1);
+  plan.poses = planStandingPoses(robot, plan, SupportFoot::left, 8, 1);
   writeCaptureSet(simulate(robot, plan, 1).set, folder);
 }
 

@@ -23,11 +23,11 @@ namespace {
 void writeSetAndResult(const std::filesystem::path& folder) {
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   SimulationPlan plan;
-  plan.poses = standingPoses(robot, plan, SupportFoot::left, 8, 1);
+  plan.poses = planStandingPoses(robot, plan, SupportFoot::left, 8, 1);
   const std::vector<CaptureSet> sets{simulate(robot, plan, 1).set};
   writeCaptureSet(sets.front(), folder / "few");
-  const Measurements measurements = measurementsOf(sets, robot);
-  const Model model = makeModel(measurements, {"elasticity@LKneePitch"}, {"jointOffset@HeadYaw"});
+  const Measurements measurements = buildMeasurements(sets, robot);
+  const Model model = buildModel(measurements, {"elasticity@LKneePitch"}, {"jointOffset@HeadYaw"});
   const Json result = resultJson(sets, measurements, model, calibrate(measurements, model), {{"/gone/few"}, {""}});
   writeAtomically(folder / "result.json", result.dump());
 }
@@ -118,10 +118,10 @@ TEST_CASE("a session is kept as it goes, and gone on from") {
     CHECK(told["fit"]["with"] == Json::array({"elasticity@LKneePitch"}));
     CHECK(told["ladder"] == ladder);
     CHECK(ladder["rungs"][1].contains("heldOut"));
-    CHECK(Json::parse(session.generateFile("session.json")) == Json::parse(fileContent(file)));
+    CHECK(Json::parse(session.generateFile("session.json")) == Json::parse(readFile(file)));
   }
   writeAtomically(std::filesystem::path{set} / "captures.json",
-                  fileContent(std::filesystem::path{set} / "captures.json") + "\n");
+                  readFile(std::filesystem::path{set} / "captures.json") + "\n");
   CHECK_THROWS_WITH(openSession({set}, file), Contains("expected a session of these captures"));
 }
 

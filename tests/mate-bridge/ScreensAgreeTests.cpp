@@ -25,7 +25,7 @@ struct Said {
 void run(const std::string& words, const std::filesystem::path& output) {
   const std::string command = fmt::format("'{}' {} > '{}' 2>&1", NAOCAL_PROGRAM, words, output.string());
   const int code = std::system(command.c_str());
-  CAPTURE(command, fileContent(output));
+  CAPTURE(command, readFile(output));
   REQUIRE((code == 0 || WEXITSTATUS(code) == 3));
 }
 
@@ -36,12 +36,12 @@ Said saidAbout(const std::filesystem::path& set, const std::filesystem::path& fo
   for (const char* name : {"result", "diagnosis"}) {
     run(fmt::format("report '{0}/{1}.json' -o '{0}/{1}.html'", folder.string(), name), file("reported.txt"));
   }
-  Said said{.result = Json::parse(fileContent(file("result.json"))),
-            .diagnosis = Json::parse(fileContent(file("diagnosis.json"))),
-            .solved = fileContent(file("solved.txt")),
-            .diagnosed = fileContent(file("diagnosed.txt")),
-            .resultPage = fileContent(file("result.html")),
-            .diagnosisPage = fileContent(file("diagnosis.html"))};
+  Said said{.result = Json::parse(readFile(file("result.json"))),
+            .diagnosis = Json::parse(readFile(file("diagnosis.json"))),
+            .solved = readFile(file("solved.txt")),
+            .diagnosed = readFile(file("diagnosed.txt")),
+            .resultPage = readFile(file("result.html")),
+            .diagnosisPage = readFile(file("diagnosis.html"))};
   AnalysisSession session{openDataset({set.string()}),
                           [&](const std::string& kind, const Json& content) { said.panel[kind] = content; }};
   session.fit();

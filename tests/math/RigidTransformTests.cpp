@@ -88,7 +88,7 @@ TEST_CASE("an angle is the same direction a turn further") {
   // Proves it for several turns either way, and that the result lies within half a turn.
   for (const double angle : {-3.0, -0.5, 0.0, 1.0, 3.1}) {
     for (const int turns : {-3, -1, 0, 2}) {
-      CHECK(wrapped(angle + turns * radians(360)) == Approx(angle).margin(1e-14));
+      CHECK(wrapAngle(angle + turns * radians(360)) == Approx(angle).margin(1e-14));
     }
   }
   CHECK(degrees(radians(12.5)) == Approx(12.5));

@@ -47,7 +47,7 @@ TEST_CASE("readings at rest tell how much an encoder jitters, and where its join
         rests[joint].push_back(read(places[joint].back(), jitter, 6, random));
       }
     }
-    const std::vector<double> found = encoderJitter(rests);
+    const std::vector<double> found = estimateEncoderJitter(rests);
     double errors = 0, variances = 0;
     for (std::size_t joint = 0; joint < rests.size(); ++joint) {
       CHECK(found[joint] == Approx(jitter * encoderStep).epsilon(0.2));
@@ -66,7 +66,7 @@ TEST_CASE("joints that were not recorded say nothing of encoders' jitter") {
   // times at rest, jittering by 0.015 degrees, in whole steps. Arms would read zero always, like encoders of no jitter.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   SimulationPlan plan;
-  plan.poses = standingPoses(robot, plan, SupportFoot::left, 24, 1);
+  plan.poses = planStandingPoses(robot, plan, SupportFoot::left, 24, 1);
   CaptureSet set = simulate(robot, plan, 3).set;
   const double level = radians(0.015);
   std::mt19937_64 random{7};
@@ -86,7 +86,7 @@ TEST_CASE("joints that were not recorded say nothing of encoders' jitter") {
       angle = used || set.jointNames[joint].starts_with("Head") ? angle : std::nan("");
     }
   }
-  const Measurements measurements = measurementsOf({set}, robot);
+  const Measurements measurements = buildMeasurements({set}, robot);
   double squares = 0;
   for (const std::size_t joint : measurements.joints) {
     squares += std::pow(measurements.jitter[joint], 2);
@@ -98,7 +98,7 @@ TEST_CASE("readings that never differ leave the whole step open") {
   // Proves the limit: one step's rounding, LSB^2 / 12, and no jitter.
   const RestReadings rest{{0.3, 0.3, 0.3}};
   CHECK_FALSE(rest.differ());
-  CHECK(encoderJitter({{rest, rest}}) == std::vector<double>{0.0});
+  CHECK(estimateEncoderJitter({{rest, rest}}) == std::vector<double>{0.0});
   const RestReadings::Place place = rest.place(0);
   CHECK(place.angle == Approx(0.3));
   CHECK(std::sqrt(place.variance) == Approx(encoderStep / std::sqrt(12.0)).epsilon(0.05)); // integrated on a grid
@@ -112,7 +112,7 @@ TEST_CASE("readings between two of an encoder's steps give a rest one place") {
   CHECK(rest.place(0).angle == Approx(265.79 * encoderStep));
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   SimulationPlan plan;
-  plan.poses = standingPoses(robot, plan, SupportFoot::left, 4, 1);
+  plan.poses = planStandingPoses(robot, plan, SupportFoot::left, 4, 1);
   CaptureSet set = simulate(robot, plan, 3).set;
   double part = 0; // of a step
   for (Capture& capture : set.captures) {
@@ -123,7 +123,7 @@ TEST_CASE("readings between two of an encoder's steps give a rest one place") {
     part = part > 0.2 ? 0 : part + 0.1;
     capture.joints.measured[static_cast<std::size_t>(head)] += part * encoderStep;
   }
-  const Measurements measurements = measurementsOf({set}, robot);
+  const Measurements measurements = buildMeasurements({set}, robot);
   for (const PoseGroup& pose : measurements.poses) {
     CHECK(pose.readings.size() > 1);
     std::set<double> places;

@@ -66,7 +66,7 @@ TEST_CASE("no joint is sent beyond its limits, whatever is desired and whatever 
       angles[static_cast<Eigen::Index>(j)] = raw[*jointIndex(robot.joints[j].name)];
     }
     for (std::size_t j = 0; j < robot.joints.size(); ++j) {
-      const AngleRange range = limitsAt(robot, j, angles);
+      const AngleRange range = jointLimitsAt(robot, j, angles);
       CAPTURE(robot.joints[j].name);
       CHECK(angles[static_cast<Eigen::Index>(j)] >= range.lower);
       CHECK(angles[static_cast<Eigen::Index>(j)] <= range.upper);

@@ -84,9 +84,7 @@ struct DrivenProcess {
   bool isSaved(const std::string& file) const {
     return std::filesystem::exists(folder.path() / "state/location" / file);
   }
-  Json saved(const std::string& file) const {
-    return Json::parse(fileContent(folder.path() / "state/location" / file));
-  }
+  Json saved(const std::string& file) const { return Json::parse(readFile(folder.path() / "state/location" / file)); }
   /// Of the last calibration's first round.
   std::filesystem::path recording() const {
     std::filesystem::path newest;

@@ -54,7 +54,7 @@ TEST_CASE("how well simulated robots calibrate their legs", "[.measure]") {
     if (!std::filesystem::exists(simulated.recording() / "offsets.json")) {
       continue;
     }
-    const auto offsets = SimulatedProcess::Json::parse(fileContent(simulated.recording() / "offsets.json"));
+    const auto offsets = SimulatedProcess::Json::parse(readFile(simulated.recording() / "offsets.json"));
     const CaptureSet set = readCaptureSet(simulated.recording()).set;
     const LegCalibrationTruth truth{simulated.drawing, simulated.world.errors(), plan.servos};
     for (const SupportFoot foot : {SupportFoot::left, SupportFoot::right}) {

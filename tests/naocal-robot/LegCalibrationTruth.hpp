@@ -29,8 +29,8 @@ public:
     int count = 0;
     for (const Capture& capture : set.captures) {
       if (movesInSight(joint, capture.supportFoot)) {
-        sum += errors_.robot.jointOffsets[at(joint)] -
-               gaps(capture.supportFoot, motors(set, capture), &capture.joints.approach)[at(joint)];
+        sum += errors_.robot.jointOffsets[eigenIndex(joint)] -
+               gaps(capture.supportFoot, motors(set, capture), &capture.joints.approach)[eigenIndex(joint)];
         ++count;
       }
     }
@@ -40,11 +40,11 @@ public:
   /// How far off a point of the floor 2 m ahead of a foot is perceived by the top camera when the robot stands on that
   /// foot with its knees bent and its head straight, with a calibration's offsets and mounts [m].
   double floorError(SupportFoot foot, const StoredResult& calibration) const {
-    Eigen::VectorXd motor = Eigen::VectorXd::Zero(at(drawing_.joints.size()));
+    Eigen::VectorXd motor = Eigen::VectorXd::Zero(eigenIndex(drawing_.joints.size()));
     for (const char* side : {"L", "R"}) {
       for (const auto& [name, angle] :
            {std::pair{"HipPitch", -25.0}, std::pair{"KneePitch", 50.0}, std::pair{"AnklePitch", -25.0}}) {
-        motor[at(*drawing_.jointIndex(side + std::string{name}))] = radians(angle);
+        motor[eigenIndex(*drawing_.jointIndex(side + std::string{name}))] = radians(angle);
       }
     }
     const std::size_t top = *drawing_.cameraIndex("top");
@@ -56,7 +56,7 @@ public:
     Eigen::VectorXd believed = motor + errors_.robot.jointOffsets;
     for (std::size_t joint = 0; joint < drawing_.joints.size(); ++joint) {
       const std::string& name = drawing_.joints[drawing_.joints[joint].motor].name;
-      believed[at(joint)] -= value("jointOffset@" + name + ".o");
+      believed[eigenIndex(joint)] -= value("jointOffset@" + name + ".o");
     }
     RobotErrors found = errors_.robot;
     for (int axis = 0; axis < 3; ++axis) {
@@ -80,10 +80,10 @@ private:
            name.starts_with(foot == SupportFoot::left ? "L" : "R");
   }
   Eigen::VectorXd motors(const CaptureSet& set, const Capture& capture) const {
-    Eigen::VectorXd motor{at(drawing_.joints.size())};
+    Eigen::VectorXd motor{eigenIndex(drawing_.joints.size())};
     for (std::size_t i = 0; i < set.jointNames.size(); ++i) {
       if (const auto joint = drawing_.jointIndex(set.jointNames[i])) {
-        motor[at(*joint)] = capture.joints.measured[i] - errors_.robot.jointOffsets[at(*joint)];
+        motor[eigenIndex(*joint)] = capture.joints.measured[i] - errors_.robot.jointOffsets[eigenIndex(*joint)];
       }
     }
     return motor;
@@ -93,10 +93,10 @@ private:
     const Eigen::VectorXd torques = robot_.gravityTorques(motor, foot);
     Eigen::VectorXd result{motor.size()};
     for (std::size_t joint = 0; joint < drawing_.joints.size(); ++joint) {
-      const double torque = torques[at(joint)], half = errors_.play[joint] / 2;
+      const double torque = torques[eigenIndex(joint)], half = errors_.play[joint] / 2;
       const double trailing =
           approach && !approach->empty() ? -half * approach->at(*jointIndex(drawing_.joints[joint].name)) : 0;
-      result[at(joint)] = std::abs(torque) > servos_.gearFriction ? std::copysign(half, torque) : trailing;
+      result[eigenIndex(joint)] = std::abs(torque) > servos_.gearFriction ? std::copysign(half, torque) : trailing;
     }
     return result;
   }

@@ -26,7 +26,7 @@ int killCount() {
 /// An object of the robot's own configuration; empty where the file is not there yet.
 json saved(const std::filesystem::path& folder, const std::string& file) {
   const auto path = folder / "state/location" / file;
-  return std::filesystem::exists(path) ? json::parse(fileContent(path)) : json::object();
+  return std::filesystem::exists(path) ? json::parse(readFile(path)) : json::object();
 }
 
 /// All recordings below a folder, by the pictures that lie in each.

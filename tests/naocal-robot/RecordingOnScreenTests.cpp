@@ -18,8 +18,8 @@ TEST_CASE("the panel says of a robot's recording what the robot said") {
   INFO(state.dump());
   REQUIRE(state["phase"] == "finished");
   const std::filesystem::path first = simulated.recording();
-  const nlohmann::json result = nlohmann::json::parse(fileContent(first / "result.json")),
-                       diagnosis = nlohmann::json::parse(fileContent(first / "diagnosis.json"));
+  const nlohmann::json result = nlohmann::json::parse(readFile(first / "result.json")),
+                       diagnosis = nlohmann::json::parse(readFile(first / "diagnosis.json"));
 
   std::map<std::string, nlohmann::json> panel;
   AnalysisSession session{openDataset({first.parent_path().string()}),

@@ -31,7 +31,7 @@ json until(MateClient& debug, const std::string& phase) {
 std::map<std::string, std::string> contents(const std::filesystem::path& folder) {
   std::map<std::string, std::string> all;
   for (const auto& entry : std::filesystem::recursive_directory_iterator{folder}) {
-    all[entry.path().string()] = entry.is_directory() ? "" : fileContent(entry.path());
+    all[entry.path().string()] = entry.is_directory() ? "" : readFile(entry.path());
   }
   return all;
 }

@@ -121,7 +121,7 @@ TEST_CASE("a collision library finds the same postures touching") {
     Eigen::VectorXd ofJoints(static_cast<Eigen::Index>(robot.joints.size()));
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
       const Joint& drawn = robot.joints[joint];
-      const double resting = std::clamp(drawn.resting, drawn.limits.lower, drawn.limits.upper);
+      const double resting = std::clamp(drawn.restAngle, drawn.limits.lower, drawn.limits.upper);
       const double to = std::uniform_real_distribution{drawn.limits.lower, drawn.limits.upper}(random);
       angles[drawn.name] = resting + share * (to - resting);
       ofJoints[static_cast<Eigen::Index>(joint)] = angles[drawn.name];
@@ -130,7 +130,7 @@ TEST_CASE("a collision library finds the same postures touching") {
     if (std::abs(distance - clearance) < unclear) {
       continue;
     }
-    const bool touches = ours.touches(posture(robot, ofJoints));
+    const bool touches = ours.collides(forwardKinematics(robot, ofJoints));
     CHECK(touches == (distance < clearance));
     ++(touches ? touching : apart);
   }

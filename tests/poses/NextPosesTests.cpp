@@ -21,10 +21,10 @@ std::vector<CommandedPose> randomPoses(std::size_t count, std::uint64_t seed) {
   options.choice = 1;
   SimulationPlan plan;
   for (Board& board : plan.boards) { // seen from the left sole
-    board.placement->y -= halfStance;
+    board.placement->y -= halfFootDistance;
   }
   std::vector<CommandedPose> result;
-  for (PlannedPose& pose : stablePoses(v6(), plan.boards, plan.cameras, options)) {
+  for (PlannedPose& pose : planInformativePoses(v6(), plan.boards, plan.cameras, options)) {
     result.push_back({"P" + std::to_string(result.size()), pose.supportFoot, std::move(pose.angles)});
   }
   return result;
@@ -51,7 +51,7 @@ ModelAmbiguity between(const std::string& one, double size, const std::string& o
 /// Captures with the base model fitted to them.
 struct Fitted {
   explicit Fitted(const std::vector<CaptureSet>& given)
-      : sets{given}, measurements{measurementsOf(sets, v6(), true)}, model{makeModel(measurements)} {
+      : sets{given}, measurements{buildMeasurements(sets, v6(), true)}, model{buildModel(measurements)} {
     const CalibrationResult result = calibrate(measurements, model);
     unknowns = result.unknowns;
     noise = result.noise;
@@ -67,12 +67,12 @@ struct Fitted {
 
 /// What these captures tell about the question, by the measurements alone; noise and fit as of `before`.
 Eigen::VectorXd misfits(const Fitted& fitted, const Noise& noise, const ModelAmbiguity& question) {
-  const Model model = withSuspects(fitted.measurements, fitted.model, question);
+  const Model model = addHypotheses(fitted.measurements, fitted.model, question);
   const Residuals residuals{fitted.measurements, model, noise};
-  const auto linear = residuals.linearised(residuals.start(carried(fitted.model, fitted.unknowns, model)));
+  const auto linear = residuals.linearise(residuals.startState(mapParameters(fitted.model, fitted.unknowns, model)));
   Eigen::MatrixXd hessian = model.sigmas().cwiseAbs2().cwiseInverse().asDiagonal();
   for (const PoseSystem& pose : linear.value().poses) {
-    informationOf(pose, noise).addTo(hessian);
+    marginalInformation(pose, noise).addTo(hessian);
   }
   return Discrimination{question, static_cast<Eigen::Index>(fitted.model.unknownCount())}.misfits(hessian);
 }
@@ -102,12 +102,12 @@ TEST_CASE("four proposed poses tell twins apart better than four random ones, by
   CAPTURE(one, other);
   const ModelAmbiguity question = between(one, size, other, otherSize);
   const Discrimination discrimination{question, 0};
-  const NextPoses next = nextPoses(before.sets, before.measurements, before.fit(), question);
+  const NextPoses next = proposeNextPoses(before.sets, before.measurements, before.fit(), question);
   REQUIRE(next.poses.size() == 4);
   const Eigen::VectorXd told = misfits(before, before.noise, question);
   const auto growthWith = [&](std::vector<CommandedPose> poses, int stance) {
     const Fitted after{{before.sets.front(), captures(std::move(poses), stance)}};
-    return discrimination.growth(told, misfits(after, before.noise, question));
+    return discrimination.growthFactor(told, misfits(after, before.noise, question));
   };
   const double proposed = growthWith(commanded(next.poses), 1);
   std::vector<double> random;
@@ -135,15 +135,15 @@ TEST_CASE("poses are proposed for captures that tell little or much of the joint
   }
   const ModelAmbiguity question = between("elasticity@LKneePitch", 0.006, "elasticity@LAnklePitch", 0.006);
   const Fitted fitted{{set}};
-  const NextPoses next = nextPoses(fitted.sets, fitted.measurements, fitted.fit(), question);
-  const NextPoses again = nextPoses(fitted.sets, fitted.measurements, fitted.fit(), question);
+  const NextPoses next = proposeNextPoses(fitted.sets, fitted.measurements, fitted.fit(), question);
+  const NextPoses again = proposeNextPoses(fitted.sets, fitted.measurements, fitted.fit(), question);
   REQUIRE(next.poses.size() == 4);
   CHECK(next.growth > 1);
   CHECK(next.whyNone.empty());
-  const SingleSupportPlanner ways{v6(), SupportFoot::left, bentKnees(v6()), next.jointError};
+  const SingleSupportPlanner ways{v6(), SupportFoot::left, bentKneesStance(v6()), next.jointError};
   const auto reached = [&](const Eigen::VectorXd& angles, const Eigen::VectorXd& approach) {
     std::mt19937_64 chance{1};
-    return ways.approach(angles, approach, radians(1), chance).has_value();
+    return ways.planApproach(angles, approach, radians(1), chance).has_value();
   };
   for (std::size_t i = 0; i < next.poses.size(); ++i) {
     const PlannedPose& pose = next.poses[i].pose;
@@ -161,9 +161,9 @@ TEST_CASE("poses are proposed for captures that tell little or much of the joint
   for (Capture& capture : hanging.captures) {
     capture.supportFoot = SupportFoot::none;
   }
-  const Measurements measurements = measurementsOf({hanging}, v6());
+  const Measurements measurements = buildMeasurements({hanging}, v6());
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(fitted.model.unknownCount()));
-  const NextPoses nothing = nextPoses({hanging}, measurements, {fitted.model, none, {}}, question);
+  const NextPoses nothing = proposeNextPoses({hanging}, measurements, {fitted.model, none, {}}, question);
   CHECK(nothing.poses.empty());
   CHECK(nothing.whyNone == "no board lies on the floor before a standing robot");
 }
@@ -179,7 +179,7 @@ TEST_CASE("planned captures tell what the captures tell") {
   ProposedPose pose;
   pose.pose.supportFoot = SupportFoot::left;
   pose.pose.angles = pose.approach = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(v6().joints.size()));
-  const CaptureSet extended = withPlanned({set}, v6(), {pose}).front();
+  const CaptureSet extended = appendPlannedCaptures({set}, v6(), {pose}).front();
   REQUIRE(extended.captures.size() > taken);
   for (const Capture& capture : extended.captures) {
     CHECK(capture.imu.has_value());

@@ -35,12 +35,12 @@ std::vector<std::string> labels(const ModelAmbiguity& question) {
 TEST_CASE("where no poses can help, it is said why") {
   // Proves a reason of its own for captures that are bad, for what sits where poses cannot be planned, and for nothing.
   Diagnosis diagnosis;
-  const auto why = [&] { return openQuestion(diagnosis, v6(), {}).whyNone; };
+  const auto why = [&] { return findAmbiguity(diagnosis, v6(), {}).whyNone; };
   CHECK(why() == "the captures leave nothing open");
   diagnosis.verdict = Verdict::badCaptures;
   CHECK_THAT(why(), Catch::Contains("put the captures right"));
   diagnosis.verdict = Verdict::unknownEffect;
-  diagnosis.drivers.push_back({.place = "top", .driver = "u", .unit = "px"});
+  diagnosis.driverCurves.push_back({.place = "top", .driver = "u", .unit = "px"});
   CHECK_THAT(why(), Catch::Contains("top over u"));
 }
 
@@ -54,7 +54,7 @@ TEST_CASE("twins are asked first, then a curve's rival, then what captures hardl
                        finding("encoderGain", "HeadYaw", CandidateState::absent, -3)};
   diagnosis.suggested = diagnosis.with = {"elasticity@LKneePitch"};
   diagnosis.ranking[0].equivalent = {"backlash@LKneePitch"};
-  const auto ask = [&] { return openQuestion(diagnosis, v6(), {}); };
+  const auto ask = [&] { return findAmbiguity(diagnosis, v6(), {}); };
 
   const ModelAmbiguity twins = ask();
   CHECK(twins.rivals);
@@ -73,11 +73,11 @@ TEST_CASE("twins are asked first, then a curve's rival, then what captures hardl
   diagnosis.verdict = Verdict::unknownEffect;
   diagnosis.suggested = diagnosis.with = {};
   diagnosis.ranking[0].state = CandidateState::aliased;
-  diagnosis.drivers = {{.place = "LKneePitch",
-                        .driver = "q",
-                        .bayes = 60,
-                        .expression = "a*sin(6*q) + b*cos(6*q)",
-                        .coefficients = {{"a", 0.003}, {"b", 0.001}}}};
+  diagnosis.driverCurves = {{.place = "LKneePitch",
+                             .driver = "q",
+                             .bayes = 60,
+                             .expression = "a*sin(6*q) + b*cos(6*q)",
+                             .coefficients = {{"a", 0.003}, {"b", 0.001}}}};
   const ModelAmbiguity curve = ask();
   CHECK(curve.rivals);
   CHECK(labels(curve) == std::vector<std::string>{"curve@LKneePitch", "elasticity@LKneePitch"});

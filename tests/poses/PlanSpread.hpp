@@ -26,8 +26,8 @@ inline std::map<std::string, double> simulatedSpread(const naocal::PosePlan& pla
   std::map<std::string, double> squares;
   for (std::uint64_t seed = 1; seed <= robots; ++seed) {
     const Simulation simulation = simulate(v6(), scene, seed);
-    const Measurements measurements = measurementsOf({simulation.set}, v6());
-    const Model model = makeModel(measurements);
+    const Measurements measurements = buildMeasurements({simulation.set}, v6());
+    const Model model = buildModel(measurements);
     const CalibrationResult result = calibrate(measurements, model);
     for (const auto& [name, sigma] : plan.sigmaOfRobots) {
       const std::string label = "jointOffset@" + name;

@@ -19,7 +19,7 @@ TEST_CASE("a plan that is extended keeps its poses and boards and tells every of
     more.kept.push_back(pose.pose.angles);
   }
   const SimulationPlan scene;
-  const PosePlan second = posePlan(v6(), first.boards, scene.cameras, more);
+  const PosePlan second = planPoses(v6(), first.boards, scene.cameras, more);
   REQUIRE(second.poses.size() == 9);
   CHECK(second.kept == 6);
   for (std::size_t i = 0; i < 6; ++i) {
@@ -61,16 +61,16 @@ TEST_CASE("mirrored boards lie alike on both sides, and mirroring twice changes 
   Board board = scene.boards.front();
   board.placement = Placement{0.5, 0.3, 0, 0, 0, 0.7};
   Board image = board;
-  image.placement = mirrored(board, -0.05);
-  for (const Eigen::Vector2d& corner : sheet(board)) {
-    const ConvexPolygon others = sheet(image);
+  image.placement = mirrorAngles(board, -0.05);
+  for (const Eigen::Vector2d& corner : boardOutline(board)) {
+    const ConvexPolygon others = boardOutline(image);
     CHECK(std::any_of(others.begin(), others.end(), [&](const Eigen::Vector2d& other) {
       return (other - Eigen::Vector2d{corner.x(), -0.1 - corner.y()}).norm() < 1e-12;
     }));
   }
   Eigen::VectorXd angles = Eigen::VectorXd::LinSpaced(static_cast<Eigen::Index>(v6().joints.size()), -0.5, 0.5);
-  CHECK(mirrored(v6(), mirrored(v6(), angles)).isApprox(angles));
-  CHECK(mirrored(v6(), angles)[0] == -angles[0]); // HeadYaw
+  CHECK(mirrorAngles(v6(), mirrorAngles(v6(), angles)).isApprox(angles));
+  CHECK(mirrorAngles(v6(), angles)[0] == -angles[0]); // HeadYaw
 }
 
 TEST_CASE("a board may be off as far as a plan says") {
@@ -80,10 +80,10 @@ TEST_CASE("a board may be off as far as a plan says") {
   std::vector<ValidPose> poses;
   const PlanEvaluator before{v6(), good.boards, scene.cameras, good.options};
   for (const ProposedPose& pose : good.poses) {
-    poses.push_back({before.scene().drawn(), {}, 1});
+    poses.push_back({before.scene().nominalState(), {}, 1});
     poses.back().belief.values.head(pose.pose.angles.size()) = pose.pose.angles;
   }
-  const double allowed = 1.1 * before.worstSigma(before.sum(poses));
+  const double allowed = 1.1 * before.worstSigma(before.totalInformation(poses));
   for (std::size_t i = 0; i < good.boards.size(); ++i) {
     for (const auto& [x, y, yaw] : {std::array{1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}) {
       std::vector<Board> off = good.boards;
@@ -91,7 +91,7 @@ TEST_CASE("a board may be off as far as a plan says") {
       off[i].placement->y += y * good.tolerances[i].shift;
       off[i].placement->yaw += yaw * good.tolerances[i].turn;
       const PlanEvaluator score{v6(), off, scene.cameras, good.options};
-      CHECK(score.worstSigma(score.sum(poses)) <= allowed * (1 + 1e-9));
+      CHECK(score.worstSigma(score.totalInformation(poses)) <= allowed * (1 + 1e-9));
     }
   }
 }
@@ -112,7 +112,7 @@ TEST_CASE("a plan on both feet leaves the feet where they are and looks at both 
     std::vector<Eigen::VectorXd> stops = plan.ways[i]->via;
     stops.push_back(plan.poses[i].pose.angles);
     for (const Eigen::VectorXd& stop : stops) {
-      CHECK(checks.seconds(last, stop));
+      CHECK(checks.duration(last, stop));
       last = stop;
     }
   }
@@ -159,9 +159,9 @@ TEST_CASE("a plan that is refined for worn robots serves them better") {
   // robot alone, by the worst joint's root mean square; the drawn robot's worst offset may suffer by a sixth.
   PlanOptions options = quickOptions(6);
   options.rounds = 2;
-  options.wornRobots = 12;
+  options.perturbedRobots = 12;
   const PosePlan worn = quickPlan(options);
-  options.wornRobots = 0;
+  options.perturbedRobots = 0;
   const PosePlan drawn = quickPlan(options);
   CHECK(largest(worn.sigmaOfRobots) < largest(drawn.sigmaOfRobots));
   CHECK(largest(worn.sigma) < 7.0 / 6 * largest(drawn.sigma));

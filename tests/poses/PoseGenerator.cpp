@@ -37,7 +37,7 @@ std::vector<PlannedPose> poses(SupportFoot foot, std::uint64_t seed = 1, std::si
   options.supportFoot = foot;
   options.seed = seed;
   options.count = count;
-  return stablePoses(v6(), boards(), cameras(), options);
+  return planInformativePoses(v6(), boards(), cameras(), options);
 }
 
 /// Pixel and distance of a corner, written with the pinhole's formula in the camera's own axes (x forward).
@@ -78,7 +78,7 @@ TEST_CASE("planned poses keep within limits, stand on one foot and see a board")
         const std::string& name = robot.joints[joint].name;
         const bool isArm = name.find("Shoulder") != std::string::npos || name.find("Elbow") != std::string::npos ||
                            name.find("Wrist") != std::string::npos;
-        const AngleRange limits = limitsAt(robot, joint, pose.angles);
+        const AngleRange limits = jointLimitsAt(robot, joint, pose.angles);
         const double angle = pose.angles[static_cast<Eigen::Index>(joint)], margin = isArm ? 0 : radians(6.5);
         CAPTURE(name, degrees(angle));
         CHECK(angle >= limits.lower + margin);
@@ -89,15 +89,15 @@ TEST_CASE("planned poses keep within limits, stand on one foot and see a board")
       };
       CHECK(angleOf("LHipYawPitch") == angleOf("RHipYawPitch"));
 
-      const LinkPoses torsoFromLink = posture(robot, pose.angles);
+      const LinkPoses torsoFromLink = forwardKinematics(robot, pose.angles);
       const RigidTransform soleFromTorso = torsoFromLink[support.link].inverse();
       const Eigen::Vector3d centre = soleFromTorso * centreOfMass(robot, torsoFromLink).inTorso;
-      CHECK(depthInside(support.outline, centre.head<2>()) >= 0.02);
+      CHECK(insideDepth(support.outline, centre.head<2>()) >= 0.02);
       const RigidTransform soleFromOther = soleFromTorso * torsoFromLink[other.link];
       for (const Eigen::Vector2d& corner : other.outline) {
         const Eigen::Vector3d there = soleFromOther * Eigen::Vector3d{corner.x(), corner.y(), 0};
         CHECK(there.z() >= 0.02);
-        CHECK(depthInside(support.outline, there.head<2>()) < 0);
+        CHECK(insideDepth(support.outline, there.head<2>()) < 0);
       }
 
       REQUIRE_FALSE(pose.sights.empty());
@@ -123,11 +123,11 @@ TEST_CASE("robots with unknown offsets stand in the planned poses") {
   int standing = 0;
   const auto planned = poses(SupportFoot::left);
   for (const PlannedPose& pose : planned) {
-    ModelState belief = drawnBelief(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
+    ModelState belief = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
     belief.values.head(pose.angles.size()) = pose.angles;
     int here = 0;
     for (int draw = 0; draw < 1000; ++draw) {
-      here += shareStanding(robot, belief, SupportFoot::left, {radians(6.5), 1, 1}, random) ? 1 : 0;
+      here += balancedFraction(robot, belief, SupportFoot::left, {radians(6.5), 1, 1}, random) ? 1 : 0;
     }
     CHECK(here > 970);
     standing += here;
@@ -158,7 +158,7 @@ TEST_CASE("the information of a pose is that of its pictures") {
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
       angles[static_cast<Eigen::Index>(joint)] += x[static_cast<Eigen::Index>(robot.joints[joint].motor)];
     }
-    const LinkPoses torsoFromLink = posture(robot, angles);
+    const LinkPoses torsoFromLink = forwardKinematics(robot, angles);
     for (const VisibleBoard& sight : pose.sights) {
       const auto camera = static_cast<Eigen::Index>(*robot.cameraIndex(sight.camera));
       const Eigen::Vector3d turn = x.segment<3>(24 + 3 * camera);
@@ -186,9 +186,9 @@ TEST_CASE("the information of a pose is that of its pictures") {
   };
 
   const PlanningScene scene{robot, SupportFoot::left, boards(), cameras(), {}};
-  ModelState belief = scene.drawn();
+  ModelState belief = scene.nominalState();
   belief.values.head(pose.angles.size()) = pose.angles;
-  const Eigen::MatrixXd information = scene.information(belief, posture(robot, belief));
+  const Eigen::MatrixXd information = scene.information(belief, forwardKinematics(robot, belief));
   REQUIRE(information.rows() == 24 + 6 + 9);
   std::mt19937_64 random{6};
   std::normal_distribution<double> normal;
@@ -206,25 +206,27 @@ TEST_CASE("the most informative pieces are picked, the better one first, none tw
   const auto piece = [](double a, double b) { return Eigen::MatrixXd{Eigen::Vector2d{a, b}.asDiagonal()}; };
   const std::vector<Eigen::MatrixXd> pieces{piece(9, 0), piece(8, 0), piece(0, 4)};
   const Eigen::MatrixXd prior = Eigen::MatrixXd::Identity(2, 2);
-  CHECK(mostInformative(prior, pieces, 2) == std::vector<std::size_t>{0, 2}); // (1+9)(1+4) beats (1+9+8)(1)
-  CHECK(mostInformative(prior, pieces, 9) == std::vector<std::size_t>{0, 2, 1});
+  CHECK(selectDOptimal(prior, pieces, 2) == std::vector<std::size_t>{0, 2}); // (1+9)(1+4) beats (1+9+8)(1)
+  CHECK(selectDOptimal(prior, pieces, 9) == std::vector<std::size_t>{0, 2, 1});
 }
 
 TEST_CASE("poses are refused when boards have no place, cameras no name, or nothing is in sight") {
   // Proves the three sentences; the last for boards behind a wall of distance, with few attempts.
   const Robot robot = v6();
   PoseOptions few;
-  few.tries = 2000;
+  few.maxAttempts = 2000;
   std::vector<Board> unplaced = boards();
   unplaced[1].placement.reset();
-  CHECK_THROWS_WITH(stablePoses(robot, unplaced, cameras(), few), Catch::Contains("board B: expected a placement"));
+  CHECK_THROWS_WITH(planInformativePoses(robot, unplaced, cameras(), few),
+                    Catch::Contains("board B: expected a placement"));
   std::vector<Board> worn = boards();
   worn[2].link = "LWrist";
-  CHECK_THROWS_WITH(stablePoses(robot, worn, cameras(), few), Catch::Contains("board C: expected a placement"));
-  CHECK_THROWS_WITH(stablePoses(robot, boards(), {{"rear", {}}}, few), Catch::Contains("camera rear"));
+  CHECK_THROWS_WITH(planInformativePoses(robot, worn, cameras(), few),
+                    Catch::Contains("board C: expected a placement"));
+  CHECK_THROWS_WITH(planInformativePoses(robot, boards(), {{"rear", {}}}, few), Catch::Contains("camera rear"));
   std::vector<Board> distant = boards();
   for (Board& board : distant) {
     board.placement->x += 5;
   }
-  CHECK_THROWS_WITH(stablePoses(robot, distant, cameras(), few), Catch::Contains("found 0 in 2000 attempts"));
+  CHECK_THROWS_WITH(planInformativePoses(robot, distant, cameras(), few), Catch::Contains("found 0 in 2000 attempts"));
 }

@@ -30,14 +30,14 @@ TEST_CASE("points of a sequence are the same wherever one begins to read it, and
   // and that a grid visits each of its cells once.
   for (const SamplingMethod sampling : {SamplingMethod::even, SamplingMethod::grid}) {
     std::vector<double> whole(5), part(5);
-    const auto from0 = unitPoints(sampling, 3, 5, 1000, 0), from70 = unitPoints(sampling, 3, 5, 1000, 70);
+    const auto from0 = makeSampler(sampling, 3, 5, 1000, 0), from70 = makeSampler(sampling, 3, 5, 1000, 70);
     for (int i = 0; i < 71; ++i) {
       from0->next(whole);
     }
     from70->next(part);
     CHECK(whole == part);
   }
-  const auto even = unitPoints(SamplingMethod::even, 1, 13, 4096, 0);
+  const auto even = makeSampler(SamplingMethod::even, 1, 13, 4096, 0);
   std::vector<double> point(13);
   std::vector<int> quarters(13 * 4, 0);
   for (int i = 0; i < 4096; ++i) {
@@ -49,7 +49,7 @@ TEST_CASE("points of a sequence are the same wherever one begins to read it, and
   for (const int count : quarters) {
     CHECK(count == Approx(1024).margin(80));
   }
-  const auto grid = unitPoints(SamplingMethod::grid, 1, 3, 30, 0);
+  const auto grid = makeSampler(SamplingMethod::grid, 1, 3, 30, 0);
   std::set<std::vector<double>> cells;
   for (int i = 0; i < 27; ++i) {
     grid->next(std::span{point}.first(3));
@@ -64,10 +64,10 @@ TEST_CASE("candidates are the same on any number of cores, and each test only re
   const PoseOptions wanted = quickOptions(8).poses;
   const SimulationPlan plan;
   const PlanningScene scene{v6(), SupportFoot::left, plan.boards, plan.cameras, wanted.sight};
-  const PoseCandidates once = poseCandidates(v6(), scene, wanted), again = poseCandidates(v6(), scene, wanted);
+  const PoseCandidates once = samplePoses(v6(), scene, wanted), again = samplePoses(v6(), scene, wanted);
   REQUIRE(once.attitudes.size() == again.attitudes.size());
   REQUIRE(once.attitudes.size() == once.sieve.seeing);
-  CHECK(once.sieve.generated == wanted.tries);
+  CHECK(once.sieve.generated == wanted.maxAttempts);
   CHECK(once.sieve.generated > once.sieve.reachable);
   CHECK(once.sieve.reachable > once.sieve.collisionFree);
   CHECK(once.sieve.collisionFree > once.sieve.stable);
@@ -78,9 +78,9 @@ TEST_CASE("candidates are the same on any number of cores, and each test only re
   for (std::size_t i = 0; i < once.attitudes.size(); ++i) {
     const ModelState& belief = once.attitudes[i].belief;
     CHECK(belief.values == again.attitudes[i].belief.values);
-    const LinkPoses torsoFromLink = posture(v6(), belief);
-    CHECK(stands(v6(), torsoFromLink, wanted.supportFoot, wanted.footing));
-    CHECK_FALSE(checks.touchesItself(torsoFromLink));
+    const LinkPoses torsoFromLink = forwardKinematics(v6(), belief);
+    CHECK(isBalanced(v6(), torsoFromLink, wanted.supportFoot, wanted.footing));
+    CHECK_FALSE(checks.selfCollides(torsoFromLink));
     CHECK(once.attitudes[i].standing >= 0.99);
   }
 }
@@ -91,14 +91,14 @@ TEST_CASE("exchange finds the best set where all sets can be tried") {
   const PoseOptions wanted = quickOptions(8).poses;
   const SimulationPlan plan;
   const PlanningScene scene{v6(), SupportFoot::left, plan.boards, plan.cameras, wanted.sight};
-  std::vector<ValidPose> poses = poseCandidates(v6(), scene, wanted).attitudes;
+  std::vector<ValidPose> poses = samplePoses(v6(), scene, wanted).attitudes;
   poses.erase(poses.begin() + 15, poses.end());
   for (const Criterion criterion :
        {Criterion::determinant, Criterion::trace, Criterion::eigenvalue, Criterion::worst}) {
     const PoseCriterion judge{v6(), scene, scene.joints(), criterion};
-    std::vector<Eigen::MatrixXd> parts = informations(v6(), scene, poses, Noise{});
+    std::vector<Eigen::MatrixXd> parts = computeInformation(v6(), scene, poses, Noise{});
     for (Eigen::MatrixXd& part : parts) {
-      part = judge.part(part);
+      part = judge.relevantInformation(part);
     }
     double best = std::numeric_limits<double>::infinity();
     for (std::size_t a = 0; a < 15; ++a) {
@@ -108,9 +108,9 @@ TEST_CASE("exchange finds the best set where all sets can be tried") {
         }
       }
     }
-    const std::vector<std::size_t> chosen = selected(judge, judge.prior(), parts, 3);
+    const std::vector<std::size_t> chosen = selectPoses(judge, judge.prior(), parts, 3);
     const double value = judge(judge.prior() + parts[chosen[0]] + parts[chosen[1]] + parts[chosen[2]]);
-    CAPTURE(name(criterion));
+    CAPTURE(toString(criterion));
     CHECK(value <= best + 0.05 * std::abs(best));
     CHECK(std::set<std::size_t>(chosen.begin(), chosen.end()).size() == 3);
   }
@@ -152,7 +152,7 @@ TEST_CASE("a plan's poses are in order and reached safely, and its boards lie fr
       std::vector<Eigen::VectorXd> stops = plan->ways[i]->via;
       stops.push_back(plan->poses[i].pose.angles);
       for (const Eigen::VectorXd& stop : stops) {
-        CHECK(checks.seconds(last, stop));
+        CHECK(checks.duration(last, stop));
         last = stop;
       }
     }
@@ -187,9 +187,9 @@ TEST_CASE("the quickest order is that of a full search") {
   do {
     best = std::min(best, length(order));
   } while (std::next_permutation(order.begin(), order.end()));
-  CHECK(length(quickestOrder(seconds).value()) == Approx(best));
+  CHECK(length(findQuickestOrder(seconds).value()) == Approx(best));
   seconds.assign(3, std::vector<std::optional<double>>(3));
-  CHECK_FALSE(quickestOrder(seconds));
+  CHECK_FALSE(findQuickestOrder(seconds));
 }
 
 TEST_CASE("a plan is read back from its files as it was written") {
@@ -206,7 +206,7 @@ TEST_CASE("a plan is read back from its files as it was written") {
     CHECK(readAnglesFile(file, v6()) == example().poses[i].pose.angles);
   }
   writeAtomically(folder.path() / "short.pose", "0 0 0");
-  writeAtomically(folder.path() / "words.pose", fileContent(folder.path() / "poses" / "L00.pose") + " knee");
+  writeAtomically(folder.path() / "words.pose", readFile(folder.path() / "poses" / "L00.pose") + " knee");
   CHECK_THROWS_AS(readAnglesFile(folder.path() / "short.pose", v6()), InputError);
   CHECK_THROWS_AS(readAnglesFile(folder.path() / "words.pose", v6()), InputError);
 }
@@ -214,7 +214,7 @@ TEST_CASE("a plan is read back from its files as it was written") {
 TEST_CASE("too few candidates are refused with what to do") {
   // Proves the sentence's numbers.
   PlanOptions few = quickOptions(8);
-  few.poses.tries = 100;
+  few.poses.maxAttempts = 100;
   CHECK_THROWS_WITH(quickPlan(few),
                     Catch::Contains("expected 8 stable poses") && Catch::Contains("among 100 attitudes"));
 }

@@ -10,9 +10,9 @@ inline naocal::PlanOptions quickOptions(std::size_t poses, naocal::SupportFoot f
   naocal::PlanOptions options;
   options.poses.supportFoot = foot;
   options.poses.count = poses;
-  options.poses.tries = 40'000;
+  options.poses.maxAttempts = 40'000;
   options.poses.sampling = naocal::SamplingMethod::even;
-  options.weighed = 300;
+  options.maxCandidates = 300;
   options.starts = 1;
   options.rounds = 1;
   options.refinements = 150;
@@ -22,7 +22,7 @@ inline naocal::PlanOptions quickOptions(std::size_t poses, naocal::SupportFoot f
 /// Among the simulator's boards.
 inline naocal::PosePlan quickPlan(const naocal::PlanOptions& options) {
   const naocal::SimulationPlan scene;
-  return naocal::posePlan(naocal::v6(), scene.boards, scene.cameras, options);
+  return naocal::planPoses(naocal::v6(), scene.boards, scene.cameras, options);
 }
 
 inline double largest(const std::map<std::string, double>& sigmas) {

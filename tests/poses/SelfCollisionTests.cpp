@@ -16,12 +16,12 @@ struct Turn {
 
 bool touches(const std::vector<Turn>& turns) {
   const Robot& robot = v6();
-  ModelState belief = drawnBelief(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
-  takeToRest(robot, belief);
+  ModelState belief = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
+  moveToRest(robot, belief);
   for (const Turn& turn : turns) {
     belief.angle(*robot.jointIndex(turn.joint)) = radians(turn.degrees);
   }
-  return SelfCollision{robot}.touches(posture(robot, belief));
+  return SelfCollision{robot}.collides(forwardKinematics(robot, belief));
 }
 
 } // namespace

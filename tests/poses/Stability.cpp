@@ -13,7 +13,7 @@ namespace {
 
 /// On the left foot, the right one drawn up; `ankleRoll` [degrees] leans the whole robot.
 ModelState onLeftFoot(const Robot& robot, double ankleRoll) {
-  ModelState belief = drawnBelief(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
+  ModelState belief = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
   const auto set = [&](const char* joint, double angle) { belief.angle(*robot.jointIndex(joint)) = radians(angle); };
   set("RHipPitch", -30);
   set("RKneePitch", 60);
@@ -27,9 +27,9 @@ ModelState onLeftFoot(const Robot& robot, double ankleRoll) {
 TEST_CASE("depth inside an outline is the distance to its nearest side") {
   // Proves it on a rectangle, inside, outside and on the edge; other shapes follow from the sides being lines.
   const ConvexPolygon rectangle{{0, 0}, {4, 0}, {4, 2}, {0, 2}};
-  CHECK(depthInside(rectangle, {1, 1.5}) == Approx(0.5));
-  CHECK(depthInside(rectangle, {2, 2}) == Approx(0).margin(1e-15));
-  CHECK(depthInside(rectangle, {5, 1}) == Approx(-1));
+  CHECK(insideDepth(rectangle, {1, 1.5}) == Approx(0.5));
+  CHECK(insideDepth(rectangle, {2, 2}) == Approx(0).margin(1e-15));
+  CHECK(insideDepth(rectangle, {5, 1}) == Approx(-1));
 }
 
 TEST_CASE("outlines are apart when a side parts them") {
@@ -42,32 +42,32 @@ TEST_CASE("outlines are apart when a side parts them") {
     }
     return result;
   };
-  CHECK(apart(triangle, moved(2.1, 0)));
-  CHECK(apart(triangle, moved(1.1, 1.1)));
-  CHECK_FALSE(apart(triangle, triangle));
-  CHECK_FALSE(apart(triangle, moved(0.9, 0.9)));
-  CHECK_FALSE(apart(triangle, moved(-0.5, 0.5)));
+  CHECK(areSeparated(triangle, moved(2.1, 0)));
+  CHECK(areSeparated(triangle, moved(1.1, 1.1)));
+  CHECK_FALSE(areSeparated(triangle, triangle));
+  CHECK_FALSE(areSeparated(triangle, moved(0.9, 0.9)));
+  CHECK_FALSE(areSeparated(triangle, moved(-0.5, 0.5)));
   const ConvexPolygon flag{{3, -1}, {3, 5}, {2.1, 2}}; // its left corner points at the triangle
-  CHECK(apart(triangle, flag));
-  CHECK(apart(flag, triangle));
+  CHECK(areSeparated(triangle, flag));
+  CHECK(areSeparated(flag, triangle));
 }
 
 TEST_CASE("a robot stands while its centre of mass is over the sole and the other one in the air") {
   // Proves both conditions on one attitude that leans sideways over its ankle: the straight robot on one foot falls to
   // the other side, leaning over the foot it stands, leaning farther it falls outwards; and the foot must be lifted.
   const Robot robot = v6();
-  const auto at = [&](double ankleRoll) { return posture(robot, onLeftFoot(robot, ankleRoll)); };
-  CHECK_FALSE(stands(robot, at(0), SupportFoot::left, {}));
-  CHECK(stands(robot, at(11), SupportFoot::left, {}));
-  CHECK_FALSE(stands(robot, at(25), SupportFoot::left, {}));
-  CHECK_FALSE(stands(robot, at(11), SupportFoot::left, {0.06, 0})); // the sole is less than 12 cm wide
-  CHECK_FALSE(stands(robot, at(11), SupportFoot::left, {0, 0.2}));
+  const auto at = [&](double ankleRoll) { return forwardKinematics(robot, onLeftFoot(robot, ankleRoll)); };
+  CHECK_FALSE(isBalanced(robot, at(0), SupportFoot::left, {}));
+  CHECK(isBalanced(robot, at(11), SupportFoot::left, {}));
+  CHECK_FALSE(isBalanced(robot, at(25), SupportFoot::left, {}));
+  CHECK_FALSE(isBalanced(robot, at(11), SupportFoot::left, {0.06, 0})); // the sole is less than 12 cm wide
+  CHECK_FALSE(isBalanced(robot, at(11), SupportFoot::left, {0, 0.2}));
 
   ModelState bothDown = onLeftFoot(robot, 11);
   bothDown.angle(*robot.jointIndex("RHipPitch")) = 0;
   bothDown.angle(*robot.jointIndex("RKneePitch")) = 0;
   bothDown.angle(*robot.jointIndex("RAnklePitch")) = radians(40); // toes down
-  CHECK_FALSE(stands(robot, posture(robot, bothDown), SupportFoot::left, {}));
+  CHECK_FALSE(isBalanced(robot, forwardKinematics(robot, bothDown), SupportFoot::left, {}));
 }
 
 TEST_CASE("the share of robots that stand despite errors falls as the errors grow") {
@@ -76,8 +76,8 @@ TEST_CASE("the share of robots that stand despite errors falls as the errors gro
   const Robot robot = v6();
   std::mt19937_64 random{3};
   const auto passes = [&](double ankleRoll, double errorDegrees, double share) {
-    return shareStanding(robot, onLeftFoot(robot, ankleRoll), SupportFoot::left, {radians(errorDegrees), 200, share},
-                         random)
+    return balancedFraction(robot, onLeftFoot(robot, ankleRoll), SupportFoot::left, {radians(errorDegrees), 200, share},
+                            random)
         .has_value();
   };
   CHECK(passes(11, 0, 1));
@@ -105,16 +105,16 @@ TEST_CASE("a point is within the hull of points where it is inside their convex 
     for (Eigen::Vector2d& point : points) {
       point = {unit(random), unit(random)};
     }
-    const ConvexPolygon outline = hull(points);
+    const ConvexPolygon outline = convexHull(points);
     for (const Eigen::Vector2d& point : points) {
-      CHECK(depthInside(outline, point) > -1e-12);
+      CHECK(insideDepth(outline, point) > -1e-12);
     }
     for (const Eigen::Vector2d& corner : outline) {
       CHECK(std::find(points.begin(), points.end(), corner) != points.end());
     }
     const Eigen::Vector2d point{unit(random), unit(random)};
-    CHECK(withinHull(points, point) == (depthInside(outline, point) > 0));
-    within += withinHull(points, point) ? 1 : 0;
+    CHECK(hullContains(points, point) == (insideDepth(outline, point) > 0));
+    within += hullContains(points, point) ? 1 : 0;
   }
   CHECK(within > 300);
   CHECK(within < 1700);
@@ -125,14 +125,14 @@ TEST_CASE("a robot on both feet stands where its centre of mass is between them,
   // they lie on the plane between them. The soles are 155 mm long, so that no one is 80 mm inside both ends.
   const Robot robot = v6();
   const auto leaning = [&](double ankleRoll) {
-    ModelState belief = drawnBelief(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
+    ModelState belief = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
     for (const char* joint : {"LAnkleRoll", "RAnkleRoll"}) {
       belief.angle(*robot.jointIndex(joint)) = radians(ankleRoll);
     }
-    return posture(robot, belief);
+    return forwardKinematics(robot, belief);
   };
-  CHECK_FALSE(stands(robot, leaning(0), SupportFoot::left, {}));
-  CHECK(stands(robot, leaning(0), SupportFoot::both, {0.04, 0}));
-  CHECK(stands(robot, leaning(8), SupportFoot::both, {}));
-  CHECK_FALSE(stands(robot, leaning(0), SupportFoot::both, {0.08, 0}));
+  CHECK_FALSE(isBalanced(robot, leaning(0), SupportFoot::left, {}));
+  CHECK(isBalanced(robot, leaning(0), SupportFoot::both, {0.04, 0}));
+  CHECK(isBalanced(robot, leaning(8), SupportFoot::both, {}));
+  CHECK_FALSE(isBalanced(robot, leaning(0), SupportFoot::both, {0.08, 0}));
 }

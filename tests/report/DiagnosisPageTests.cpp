@@ -18,7 +18,7 @@ const json& diagnosed() {
   static const json file = [] {
     const Robot robot = loadRobot(configurationDirectory(), "V6");
     const std::vector<CaptureSet> sets{simulate(robot, handMadePlan(robot), 7).set};
-    return diagnosisJson(diagnose(sets, measurementsOf(sets, robot)));
+    return diagnosisJson(diagnose(sets, buildMeasurements(sets, robot)));
   }();
   return file;
 }
@@ -26,7 +26,7 @@ const json& diagnosed() {
 std::string pageOf(const json& diagnosis) {
   const TemporaryFolder folder;
   writeAtomically(folder.path() / "diagnosis.json", diagnosis.dump(-1, ' ', false, json::error_handler_t::replace));
-  return reportPage(folder.path() / "diagnosis.json");
+  return renderReport(folder.path() / "diagnosis.json");
 }
 
 } // namespace
@@ -123,7 +123,7 @@ TEST_CASE("only drivers that were recorded and varied are offered") {
   }
   DiagnosisOptions quick;
   quick.inquiry.draws = 0;
-  const json without = diagnosisJson(diagnose({bare}, measurementsOf({bare}, robot), quick));
+  const json without = diagnosisJson(diagnose({bare}, buildMeasurements({bare}, robot), quick));
   for (const json& driver : without["recorded"]) {
     CHECK(driver["driver"] != "T");
     CHECK(driver["driver"] != "approach");
@@ -172,10 +172,10 @@ TEST_CASE("the expression that a page proposes is a model that can be calibrated
   file["drivers"][0]["at"] = "LKneePitch";
   file["drivers"][0]["driver"] = "q";
   file["drivers"][0]["expression"] = "a*sin(6*q) + b*cos(6*q)";
-  file["drivers"][0]["effect"] = curveEffect({.place = "LKneePitch",
-                                              .driver = "q",
-                                              .expression = "a*sin(6*q) + b*cos(6*q)",
-                                              .coefficients = {{"a", 0.008}, {"b", -0.001}}});
+  file["drivers"][0]["effect"] = curveAsUserEffect({.place = "LKneePitch",
+                                                    .driver = "q",
+                                                    .expression = "a*sin(6*q) + b*cos(6*q)",
+                                                    .coefficients = {{"a", 0.008}, {"b", -0.001}}});
   const json model = shown(pageOf(file))["curves"][0]["model"];
   const TemporaryFolder folder;
   writeAtomically(folder.path() / "model.json", model.dump());

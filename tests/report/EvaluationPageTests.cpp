@@ -42,7 +42,7 @@ json evaluation() {
 std::string evaluationPage(const json& file) {
   const TemporaryFolder folder;
   writeAtomically(folder.path() / "evaluation.json", file.dump());
-  return reportPage(folder.path() / "evaluation.json");
+  return renderReport(folder.path() / "evaluation.json");
 }
 
 } // namespace

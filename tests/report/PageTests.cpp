@@ -142,7 +142,7 @@ TEST_CASE("a page carries its scripts as their files have them") {
   for (const auto& [name, address] : imports.items()) {
     INFO(name);
     const std::string text = withoutEscapes(address.get<std::string>());
-    const std::string source = fileContent(web / name.substr(std::string{"naocal/"}.size()));
+    const std::string source = readFile(web / name.substr(std::string{"naocal/"}.size()));
     CHECK(text == "data:text/javascript;charset=utf-8," + source + "//# sourceURL=" + name + "\n");
     const std::string from = "} from \"";
     for (std::size_t at = source.find(from); at != source.npos; at = source.find(from, at + 1)) {
@@ -164,7 +164,7 @@ TEST_CASE("names cannot become part of the page's code") {
   }
   calibrated.result["warnings"] = json::array({name});
   writeAtomically(calibrated.resultFile(), calibrated.result.dump(-1, ' ', false, json::error_handler_t::replace));
-  const std::string page = reportPage(calibrated.resultFile());
+  const std::string page = renderReport(calibrated.resultFile());
   for (const std::string code : {"<script", "</script", "<!--", "<style"}) {
     INFO(code);
     CHECK(occurrences(page, code) == occurrences(harmless, code));
@@ -196,7 +196,7 @@ TEST_CASE("a broken result file is refused with one sentence") {
   CHECK_THAT(refusal("/sightings/3/predicted/0/1", nullptr), Catch::Contains("sightings[3].predicted[0][1]"));
   CHECK_THAT(refusal("/effects/0/unknowns/o/value", "much"), Catch::Contains("effects[0].unknowns.o.value"));
   CHECK_THAT(refusal("/noise", 3), Catch::Contains("noise: expected an object"));
-  CHECK_THROWS_AS(reportPage(calibrated.captures() / "nothing.json"), InputError);
+  CHECK_THROWS_AS(renderReport(calibrated.captures() / "nothing.json"), InputError);
   writeAtomically(calibrated.resultFile(), "{\"format\":");
-  CHECK_THROWS_AS(reportPage(calibrated.resultFile()), InputError);
+  CHECK_THROWS_AS(renderReport(calibrated.resultFile()), InputError);
 }

@@ -27,10 +27,10 @@ public:
     }
     writeCaptureSet(set, captures());
     const std::vector<CaptureSet> sets{readCaptureSet(captures()).set};
-    const Measurements measurements = measurementsOf(sets, robot);
-    const Model model = makeModel(measurements, {}, {});
+    const Measurements measurements = buildMeasurements(sets, robot);
+    const Model model = buildModel(measurements, {}, {});
     result = resultJson(sets, measurements, model, calibrate(measurements, model),
-                        {{captures().string()}, {sha256(fileContent(captures() / "captures.json"))}});
+                        {{captures().string()}, {sha256(readFile(captures() / "captures.json"))}});
   }
 
   std::filesystem::path captures() const { return folder_.path() / "captures"; }
@@ -39,7 +39,7 @@ public:
   /// The page about the result as it is now.
   std::string page() const {
     writeAtomically(resultFile(), result.dump());
-    return reportPage(resultFile());
+    return renderReport(resultFile());
   }
 
   nlohmann::json result;

@@ -16,7 +16,7 @@ void writeNoise(const std::filesystem::path& file, int width, int height) {
   std::mt19937 random{1};
   std::generate(picture.pixels.begin(), picture.pixels.end(), [&] { return static_cast<std::uint8_t>(random()); });
   std::filesystem::create_directories(file.parent_path());
-  writePicture(picture, file);
+  writeImage(picture, file);
 }
 
 bool hasPhotograph(const json& picture) {

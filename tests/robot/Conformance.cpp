@@ -29,9 +29,9 @@ double distance(const RigidTransform& a, const RigidTransform& b) {
 Robot withLumpedArms(Robot robot) {
   Eigen::VectorXd resting(static_cast<Eigen::Index>(robot.joints.size()));
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-    resting[static_cast<Eigen::Index>(joint)] = robot.joints[joint].resting;
+    resting[static_cast<Eigen::Index>(joint)] = robot.joints[joint].restAngle;
   }
-  const LinkPoses torsoFromLink = posture(robot, resting);
+  const LinkPoses torsoFromLink = forwardKinematics(robot, resting);
   for (const std::string side : {"L", "R"}) {
     double mass = 0;
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();
@@ -63,16 +63,16 @@ TEST_CASE("transforms, centres of mass and torques agree with an independent sim
   }
   const auto configuration = std::filesystem::path{NAOCAL_SOURCE_DIR} / "home/configuration";
   const Robot robot = withLumpedArms(loadRobot(configuration, "V6"));
-  const json conformance = json::parse(fileContent(*file));
+  const json conformance = json::parse(readFile(*file));
   const auto& poses = conformance["poses"];
   REQUIRE(poses.size() == 12);
   for (const json& pose : poses) {
-    ModelState belief = drawnBelief(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
+    ModelState belief = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-      belief.angle(joint) = pose["joints"].value(robot.joints[joint].name, robot.joints[joint].resting);
+      belief.angle(joint) = pose["joints"].value(robot.joints[joint].name, robot.joints[joint].restAngle);
     }
-    const LinkPoses torsoFromLink = posture(robot, belief);
-    const std::size_t sole = robot.sole(pose["supportFoot"].get<std::string>())->link;
+    const LinkPoses torsoFromLink = forwardKinematics(robot, belief);
+    const std::size_t sole = robot.findSole(pose["supportFoot"].get<std::string>())->link;
     const RigidTransform soleFromTorso = torsoFromLink[sole].inverse();
     CHECK(distance(soleFromTorso, transform(pose["soleFromTorso"])) < 1e-9);
     const RigidTransform soleFromHead = soleFromTorso * torsoFromLink[*robot.linkIndex("Head")];

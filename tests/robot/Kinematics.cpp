@@ -17,7 +17,7 @@ LinkPoses postureAt(const Robot& robot, const std::vector<std::pair<std::string,
   for (const auto& [joint, angle] : angles) {
     all[static_cast<Eigen::Index>(*robot.jointIndex(joint))] = radians(angle);
   }
-  return posture(robot, all);
+  return forwardKinematics(robot, all);
 }
 
 void checkPoint(const Eigen::Vector3d& found, const Eigen::Vector3d& expected) {
@@ -89,10 +89,10 @@ TEST_CASE("a robot that is no NAO runs through the same code") {
     "joints": {"slew": {"axis": [0, 0, 0.5], "limitsDegrees": [-90, 90], "maxSpeedDegreesPerSecond": 10}},
     "cameras": {"tip": {"link": "Jib", "originMillimetres": [500, 0, 0], "pitchDegrees": 90}}})");
   const Robot crane = loadRobot(folder.path() / "crane.json");
-  ModelState belief = drawnBelief(crane, StateLayout{1, 1, 0});
+  ModelState belief = nominalState(crane, StateLayout{1, 1, 0});
   belief.angle(0) = radians(90);
   belief.length(0) = 2.5; // stretched
-  const LinkPoses baseFromLink = posture(crane, belief);
+  const LinkPoses baseFromLink = forwardKinematics(crane, belief);
   const RigidTransform baseFromOptical = baseFromLink[1] * linkFromOptical(crane.cameras[0], belief);
   checkPoint(baseFromOptical.translation, {0.1, 0.5, 2.5});
   checkPoint(baseFromOptical.rotation.col(2), {0, 0, -1}); // it looks down,

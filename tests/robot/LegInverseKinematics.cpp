@@ -16,7 +16,7 @@ RigidTransform torsoFromSole(const Robot& robot, const LegKinematics& leg, const
   for (std::size_t i = 0; i < angles.size(); ++i) {
     all[static_cast<Eigen::Index>(leg.joints()[i])] = angles[i];
   }
-  return posture(robot, all)[robot.sole(side)->link];
+  return forwardKinematics(robot, all)[robot.findSole(side)->link];
 }
 
 /// Angles within the joints' limits, the knee bent backwards.
@@ -43,7 +43,7 @@ TEST_CASE("six leg angles reach every pose that the leg can take, and are the on
     for (int i = 0; i < 2000; ++i) {
       const LegAngles made = randomAngles(robot, leg, random);
       const RigidTransform wanted = torsoFromSole(robot, leg, side, made);
-      const auto found = leg.angles(wanted);
+      const auto found = leg.solveAngles(wanted);
       REQUIRE(found);
       const RigidTransform reached = torsoFromSole(robot, leg, side, *found);
       CHECK((reached.rotation - wanted.rotation).norm() < 1e-9);
@@ -66,11 +66,11 @@ TEST_CASE("five leg angles reach the sole's place and its upright for any given 
     for (int i = 0; i < 2000; ++i) {
       const LegAngles made = randomAngles(robot, leg, random);
       const RigidTransform wanted = torsoFromSole(robot, leg, side, made);
-      const auto same = leg.angles(wanted, made[0]);
+      const auto same = leg.solveAngles(wanted, made[0]);
       REQUIRE(same);
       CHECK((torsoFromSole(robot, leg, side, *same).rotation - wanted.rotation).norm() < 1e-9);
       const double given = randomAngles(robot, leg, random)[0];
-      if (const auto found = leg.angles(wanted, given)) {
+      if (const auto found = leg.solveAngles(wanted, given)) {
         ++reached;
         CHECK((*found)[0] == given);
         const RigidTransform there = torsoFromSole(robot, leg, side, *found);
@@ -93,8 +93,8 @@ TEST_CASE("a sole out of the leg's reach has no angles") {
   for (const auto& [depth, reachable] :
        {std::pair{0.2029, true}, {0.20291, false}, {0.3, false}, {0.00291, true}, {0.00289, false}, {0.0, false}}) {
     CAPTURE(depth);
-    CHECK(leg.angles(at(depth)).has_value() == reachable);
-    CHECK(leg.angles(at(depth), 0).has_value() == reachable);
+    CHECK(leg.solveAngles(at(depth)).has_value() == reachable);
+    CHECK(leg.solveAngles(at(depth), 0).has_value() == reachable);
   }
 }
 

@@ -16,7 +16,7 @@ namespace {
 const std::filesystem::path drawings = std::filesystem::path{NAOCAL_SOURCE_DIR} / "home/configuration/drawings";
 
 json v5() {
-  return json::parse(fileContent(drawings / "NaoV5.json"));
+  return json::parse(readFile(drawings / "NaoV5.json"));
 }
 
 std::string refusal(const std::filesystem::path& drawing) {
@@ -87,24 +87,24 @@ TEST_CASE("both hip yaw-pitch joints have one motor, every other joint its own")
 }
 
 TEST_CASE("coupled limits are interpolated, end at the ends and never exceed the joint's own") {
-  // Proves limitsAt on rows of the drawing's tables and half-way between two; not the tables themselves.
+  // Proves jointLimitsAt on rows of the drawing's tables and half-way between two; not the tables themselves.
   const Robot robot = loadRobot(drawings / "NaoV6.json");
   Eigen::VectorXd angles = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.joints.size()));
   const std::size_t headPitch = *robot.jointIndex("HeadPitch"), ankleRoll = *robot.jointIndex("LAnkleRoll");
   double& headYaw = angles[static_cast<Eigen::Index>(*robot.jointIndex("HeadYaw"))];
   double& anklePitch = angles[static_cast<Eigen::Index>(*robot.jointIndex("LAnklePitch"))];
 
-  CHECK(degrees(limitsAt(robot, headPitch, angles).upper) == Approx(29.5)); // the table alone would allow 29.51
+  CHECK(degrees(jointLimitsAt(robot, headPitch, angles).upper) == Approx(29.5)); // the table alone would allow 29.51
   headYaw = radians(-87.49);
-  CHECK(degrees(limitsAt(robot, headPitch, angles).lower) == Approx(-18.91));
+  CHECK(degrees(jointLimitsAt(robot, headPitch, angles).lower) == Approx(-18.91));
   headYaw = radians((62.45 + 87.49) / 2);
-  CHECK(degrees(limitsAt(robot, headPitch, angles).lower) == Approx((-24.64 - 18.91) / 2));
-  CHECK(degrees(limitsAt(robot, headPitch, angles).upper) == Approx((17.19 + 11.46) / 2));
+  CHECK(degrees(jointLimitsAt(robot, headPitch, angles).lower) == Approx((-24.64 - 18.91) / 2));
+  CHECK(degrees(jointLimitsAt(robot, headPitch, angles).upper) == Approx((17.19 + 11.46) / 2));
   headYaw = radians(170);
-  CHECK(degrees(limitsAt(robot, headPitch, angles).upper) == Approx(18.91));
+  CHECK(degrees(jointLimitsAt(robot, headPitch, angles).upper) == Approx(18.91));
   anklePitch = radians(52.87);
-  CHECK(degrees(limitsAt(robot, ankleRoll, angles).lower) == Approx(0).margin(1e-12));
-  CHECK(degrees(limitsAt(robot, *robot.jointIndex("LKneePitch"), angles).upper) == Approx(121.04));
+  CHECK(degrees(jointLimitsAt(robot, ankleRoll, angles).lower) == Approx(0).margin(1e-12));
+  CHECK(degrees(jointLimitsAt(robot, *robot.jointIndex("LKneePitch"), angles).upper) == Approx(121.04));
 }
 
 TEST_CASE("the right sole mirrors the left one and both run counter-clockwise") {
@@ -118,11 +118,11 @@ TEST_CASE("the right sole mirrors the left one and both run counter-clockwise") 
     }
     return twice / 2;
   };
-  const Sole &left = *robot.sole("left"), &right = *robot.sole("right");
+  const Sole &left = *robot.findSole("left"), &right = *robot.findSole("right");
   CHECK(area(left.outline) == Approx(122.7e-4).epsilon(1e-3));
   CHECK(area(right.outline) == Approx(area(left.outline)).epsilon(1e-12));
   CHECK(right.outline.back() == Eigen::Vector2d{left.outline.front().x(), -left.outline.front().y()});
-  CHECK(robot.sole("middle") == nullptr);
+  CHECK(robot.findSole("middle") == nullptr);
 }
 
 TEST_CASE("every broken drawing is refused with a sentence that names the file, the place and the fault") {

@@ -16,7 +16,7 @@ Eigen::VectorXd anyAngles(const Robot& robot, RandomStream& chance) {
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     const AngleRange& limits = robot.joints[joint].limits;
     angles[static_cast<Eigen::Index>(joint)] =
-        (limits.lower + limits.upper) / 2 + chance.within((limits.upper - limits.lower) / 2);
+        (limits.lower + limits.upper) / 2 + chance.uniformWithin((limits.upper - limits.lower) / 2);
   }
   return angles;
 }
@@ -27,9 +27,12 @@ TEST_CASE("with all joints at zero the soles lie 333.09 mm below the torso and t
   // Proves the sums of the drawing's lengths that sources state for the standing NAO. Says nothing about rotations.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   const SyntheticBody body{robot};
-  const auto torsoFromLink = body.posture(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.joints.size())));
-  CHECK((torsoFromLink[robot.sole("left")->link].translation() - Eigen::Vector3d{0, 0.05, -0.33309}).norm() < 1e-12);
-  CHECK((torsoFromLink[robot.sole("right")->link].translation() - Eigen::Vector3d{0, -0.05, -0.33309}).norm() < 1e-12);
+  const auto torsoFromLink =
+      body.forwardKinematics(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.joints.size())));
+  CHECK((torsoFromLink[robot.findSole("left")->link].translation() - Eigen::Vector3d{0, 0.05, -0.33309}).norm() <
+        1e-12);
+  CHECK((torsoFromLink[robot.findSole("right")->link].translation() - Eigen::Vector3d{0, -0.05, -0.33309}).norm() <
+        1e-12);
   const CameraMount& top = robot.cameras[*robot.cameraIndex("top")];
   CHECK((torsoFromLink[top.link] * top.translation).z() + 0.33309 == Approx(0.52323));
   CHECK(body.mass() == Approx(5.35979));
@@ -57,7 +60,7 @@ TEST_CASE("a bent leg is where a product of elementary rotations puts it") {
       AngleAxisd{-0.7, Vector3d::UnitY()} * Translation3d{0, 0, -0.1} * AngleAxisd{1.1, Vector3d::UnitY()} *
       Translation3d{0, 0, -0.1029} * AngleAxisd{-0.5, Vector3d::UnitY()} * AngleAxisd{-0.15, Vector3d::UnitX()} *
       Translation3d{0, 0, -0.04519};
-  const Eigen::Isometry3d found = SyntheticBody{robot}.posture(angles)[robot.sole("left")->link];
+  const Eigen::Isometry3d found = SyntheticBody{robot}.forwardKinematics(angles)[robot.findSole("left")->link];
   CHECK((found.matrix() - expected.matrix()).norm() < 1e-12);
 }
 
@@ -70,7 +73,7 @@ TEST_CASE("gravity pulls the head forward by m g (x cos q + z sin q)") {
   const Link& head = robot.links[*robot.linkIndex("Head")];
   const double expected =
       head.mass * 9.81 * (head.centreOfMass.x() * std::cos(0.3) + head.centreOfMass.z() * std::sin(0.3));
-  const Eigen::VectorXd torques = SyntheticBody{robot}.gravityTorques(angles, robot.sole("left")->link);
+  const Eigen::VectorXd torques = SyntheticBody{robot}.gravityTorques(angles, robot.findSole("left")->link);
   CHECK(torques[headPitch] == Approx(expected).margin(1e-7));
 }
 
@@ -82,16 +85,16 @@ TEST_CASE("the simulator's mechanics and the calibration's agree in any attitude
   RandomStream chance{1, "any attitude"};
   for (int attitude = 0; attitude < 50; ++attitude) {
     const Eigen::VectorXd angles = anyAngles(robot, chance);
-    const auto ours = body.posture(angles);
-    const LinkPoses theirs = posture(robot, angles);
+    const auto ours = body.forwardKinematics(angles);
+    const LinkPoses theirs = forwardKinematics(robot, angles);
     for (std::size_t link = 0; link < robot.links.size(); ++link) {
       REQUIRE((ours[link].linear() - theirs[link].rotation).norm() < 1e-12);
       REQUIRE((ours[link].translation() - theirs[link].translation).norm() < 1e-12);
     }
     REQUIRE((body.centreOfMass(ours) - centreOfMass(robot, theirs).inTorso).norm() < 1e-12);
-    ModelState belief = drawnBelief(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
+    ModelState belief = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
     belief.values.head(angles.size()) = angles;
-    const std::size_t sole = robot.sole(attitude % 2 == 0 ? "left" : "right")->link;
+    const std::size_t sole = robot.findSole(attitude % 2 == 0 ? "left" : "right")->link;
     const Eigen::Vector3d up = theirs[sole].rotation.col(2);
     const Eigen::VectorXd torques = gravityTorques(robot, belief, theirs, sole, up);
     REQUIRE((body.gravityTorques(angles, sole) - torques).cwiseAbs().maxCoeff() < 1e-6);
@@ -107,15 +110,15 @@ TEST_CASE("links and torques agree with an independent simulator's") {
   }
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   const SyntheticBody body{robot};
-  const nlohmann::json conformance = nlohmann::json::parse(fileContent(*file));
+  const nlohmann::json conformance = nlohmann::json::parse(readFile(*file));
   for (const nlohmann::json& pose : conformance["poses"]) {
     Eigen::VectorXd angles{static_cast<Eigen::Index>(robot.joints.size())};
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
       angles[static_cast<Eigen::Index>(joint)] =
-          pose["joints"].value(robot.joints[joint].name, robot.joints[joint].resting);
+          pose["joints"].value(robot.joints[joint].name, robot.joints[joint].restAngle);
     }
-    const std::size_t sole = robot.sole(pose["supportFoot"].get<std::string>())->link;
-    const auto torsoFromLink = body.posture(angles);
+    const std::size_t sole = robot.findSole(pose["supportFoot"].get<std::string>())->link;
+    const auto torsoFromLink = body.forwardKinematics(angles);
     const Eigen::Matrix4d soleFromHead =
         (torsoFromLink[sole].inverse() * torsoFromLink[*robot.linkIndex("Head")]).matrix();
     for (int row = 0; row < 4; ++row) {

@@ -166,7 +166,7 @@ TEST_CASE("no corner is given outside the picture, behind the camera or on squar
   Board board = plan.boards[0];
   const auto ahead = [&](double distance, double down) {
     Placement placement{distance, 0.28, -down, 0, 0, -std::numbers::pi / 2};
-    return visibleCorners(camera, board, isometry(placement)).ids.size();
+    return visibleCorners(camera, board, isometryFromPlacement(placement)).ids.size();
   };
   CHECK(ahead(1.0, 0.35) > 0);
   CHECK(ahead(3.0, 0.35) == 0);  // squares 2 px high

@@ -88,7 +88,7 @@ TEST_CASE("load holds a gear's play where it overcomes the gap's friction, the l
   plan.flaw = "gearPlay@LHipPitch";
   const Simulation loose = simulate(v6(), plan, 1);
   RandomStream nothing{1, "nothing"};
-  const SyntheticRobot drawn{v6(), drawnErrors(v6(), 0, 0, 0, nothing), {}};
+  const SyntheticRobot drawn{v6(), drawErrors(v6(), 0, 0, 0, nothing), {}};
   int byLoad = 0, byMotion = 0;
   for (std::size_t i = 0; i < loose.set.captures.size(); ++i) {
     const double torque = drawn.gravityTorques(sound.exposures[i].joints, SupportFoot::left)[joint];

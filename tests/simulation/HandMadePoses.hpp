@@ -21,12 +21,13 @@ inline std::vector<CommandedPose> handMadePoses(const Robot& robot, SupportFoot 
     const auto set = [&](const std::string& joint, double angle) {
       pose.angles[static_cast<Eigen::Index>(*robot.jointIndex(joint))] = angle;
     };
-    set("HeadYaw", chance.within(0.9));
-    set("HeadPitch", 0.05 + chance.within(0.35));
-    const double hipYawPitch = -0.2 + chance.within(0.3);
+    set("HeadYaw", chance.uniformWithin(0.9));
+    set("HeadPitch", 0.05 + chance.uniformWithin(0.35));
+    const double hipYawPitch = -0.2 + chance.uniformWithin(0.3);
     const bool symmetric = foot == SupportFoot::both;
-    double roll = chance.within(0.25), hip = -0.6 + chance.within(0.3), knee = 0.8 + chance.within(0.4);
-    double pitch = chance.within(0.25);
+    double roll = chance.uniformWithin(0.25), hip = -0.6 + chance.uniformWithin(0.3),
+           knee = 0.8 + chance.uniformWithin(0.4);
+    double pitch = chance.uniformWithin(0.25);
     for (const std::string side : {"L", "R"}) {
       set(side + "ShoulderPitch", radians(90));
       set(side + "HipYawPitch", symmetric ? 0 : hipYawPitch);
@@ -34,9 +35,10 @@ inline std::vector<CommandedPose> handMadePoses(const Robot& robot, SupportFoot 
       set(side + "HipPitch", hip);
       set(side + "KneePitch", knee);
       set(side + "AnklePitch", -hip - knee + pitch);
-      set(side + "AnkleRoll", -roll + (symmetric ? 0 : chance.within(0.15)));
+      set(side + "AnkleRoll", -roll + (symmetric ? 0 : chance.uniformWithin(0.15)));
       if (!symmetric) {
-        roll = chance.within(0.25), hip = -0.6 + chance.within(0.3), knee = 0.8 + chance.within(0.4);
+        roll = chance.uniformWithin(0.25), hip = -0.6 + chance.uniformWithin(0.3),
+        knee = 0.8 + chance.uniformWithin(0.4);
       }
     }
     poses.push_back(pose);

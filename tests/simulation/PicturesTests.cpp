@@ -31,20 +31,20 @@ TEST_CASE("corners found in the rendered pictures are those that the simulation 
   // The detector's accuracy has tests of its own.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   SimulationPlan plan;
-  plan.poses = standingPoses(robot, plan, SupportFoot::left, 12, 1);
+  plan.poses = planStandingPoses(robot, plan, SupportFoot::left, 12, 1);
   plan.samples = 1;
   plan.corners.pixel = 0;
   const Simulation corners = simulate(robot, plan, 1);
   plan.images = true;
   const Simulation pictures = simulate(robot, plan, 1);
   const TemporaryFolder folder;
-  REQUIRE(takePictures(pictures, {}, 1, folder.path(), 2, [](std::size_t) { return true; }) == 24);
+  REQUIRE(renderPictures(pictures, {}, 1, folder.path(), 2, [](std::size_t) { return true; }) == 24);
   std::size_t found = 0, given = 0, common = 0;
   for (std::size_t i = 0; i < pictures.set.captures.size(); ++i) {
     const Capture& capture = pictures.set.captures[i];
     REQUIRE_FALSE(capture.corners);
-    const Detection detection = detect(readPicture(folder.path() / capture.image), pictures.set.boards,
-                                       pictures.set.cameras.at(capture.camera));
+    const Detection detection = detectBoards(readImage(folder.path() / capture.image), pictures.set.boards,
+                                             pictures.set.cameras.at(capture.camera));
     const auto detected = byName(detection.boards), expected = byName(*corners.set.captures[i].corners);
     found += detected.size();
     given += expected.size();

@@ -12,9 +12,9 @@ TEST_CASE("on both feet both soles lie flat on the floor, whatever the offsets")
   const SimulationPlan plan = handMadePlan(v6(), 8, SupportFoot::both);
   const SyntheticBody body{v6()};
   for (const Exposure& exposure : simulate(v6(), plan, 1).exposures) {
-    const auto torsoFromLink = body.posture(exposure.joints);
+    const auto torsoFromLink = body.forwardKinematics(exposure.joints);
     const Eigen::Isometry3d leftFromRight =
-        torsoFromLink[v6().sole("left")->link].inverse() * torsoFromLink[v6().sole("right")->link];
+        torsoFromLink[v6().findSole("left")->link].inverse() * torsoFromLink[v6().findSole("right")->link];
     CHECK(std::abs(leftFromRight.translation().z()) < 1e-4);
     CHECK(leftFromRight.linear().col(2).head<2>().norm() < 1e-4);
   }
@@ -35,12 +35,12 @@ TEST_CASE("the feet's sensors carry the robot's weight below its centre of mass"
       plan.poses[0].angles[static_cast<Eigen::Index>(*v6().jointIndex(std::string{side} + "HipRoll"))] = -lean;
     }
     const Simulation simulation = simulate(v6(), plan, 1);
-    const auto torsoFromLink = body.posture(simulation.exposures[0].joints);
+    const auto torsoFromLink = body.forwardKinematics(simulation.exposures[0].joints);
     const std::array<double, 8> weights = *simulation.set.captures[0].fsr;
     double sum = 0;
     Eigen::Vector3d moment = Eigen::Vector3d::Zero(); // in the torso's frame [kg m]
     for (std::size_t i = 0; i < weights.size(); ++i) {
-      const Sole& sole = *v6().sole(i < 4 ? "left" : "right");
+      const Sole& sole = *v6().findSole(i < 4 ? "left" : "right");
       const Eigen::Vector2d& place = sole.forceSensors[i % 4];
       CHECK((weights[i] > 0) == (foot == SupportFoot::both || (foot == SupportFoot::left) == (i < 4)));
       moment += weights[i] * (torsoFromLink[sole.link] * Eigen::Vector3d{place.x(), place.y(), 0});
@@ -48,7 +48,7 @@ TEST_CASE("the feet's sensors carry the robot's weight below its centre of mass"
     }
     CHECK(sum == Approx(body.mass()));
     const Eigen::Isometry3d soleFromTorso =
-        torsoFromLink[v6().sole(foot == SupportFoot::right ? "right" : "left")->link].inverse();
+        torsoFromLink[v6().findSole(foot == SupportFoot::right ? "right" : "left")->link].inverse();
     const Eigen::Vector3d offCentre =
         soleFromTorso * Eigen::Vector3d{moment / sum} - soleFromTorso * body.centreOfMass(torsoFromLink);
     CHECK(offCentre.head<2>().norm() < 1e-5);

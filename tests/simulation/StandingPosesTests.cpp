@@ -12,8 +12,8 @@ namespace {
 /// Where the centre of mass stands in the frame of the (left, on both) support foot's sole [m].
 Eigen::Vector3d centreOverSole(const CommandedPose& pose) {
   const SyntheticBody body{v6()};
-  const auto torsoFromLink = body.posture(pose.angles);
-  const std::size_t sole = v6().sole(pose.supportFoot == SupportFoot::right ? "right" : "left")->link;
+  const auto torsoFromLink = body.forwardKinematics(pose.angles);
+  const std::size_t sole = v6().findSole(pose.supportFoot == SupportFoot::right ? "right" : "left")->link;
   return torsoFromLink[sole].inverse() * body.centreOfMass(torsoFromLink);
 }
 
@@ -26,12 +26,12 @@ TEST_CASE("in poses for a simulation the robot without errors stands and sees bo
   plan.samples = 1;
   plan.offsetRange = plan.mountRange = 0;
   for (const SupportFoot foot : {SupportFoot::left, SupportFoot::right, SupportFoot::both}) {
-    plan.poses = standingPoses(v6(), plan, foot, 8, 1);
+    plan.poses = planStandingPoses(v6(), plan, foot, 8, 1);
     REQUIRE(plan.poses.size() == 8);
     for (const CommandedPose& pose : plan.poses) {
       const Eigen::Vector3d centre = centreOverSole(pose);
       CHECK((centre.x() > -0.045 && centre.x() < 0.09));
-      CHECK(std::abs(centre.y() + (foot == SupportFoot::both ? halfStance : 0)) < 0.04);
+      CHECK(std::abs(centre.y() + (foot == SupportFoot::both ? halfFootDistance : 0)) < 0.04);
     }
     std::map<std::string, std::size_t> seen;
     for (const Capture& capture : simulate(v6(), plan, 1).set.captures) {
@@ -46,10 +46,10 @@ TEST_CASE("in poses for a simulation the robot without errors stands and sees bo
 TEST_CASE("on both feet a pose has both soles on one floor") {
   // Proves that what is commanded to the drawn robot needs no help by the floor.
   const SyntheticBody body{v6()};
-  for (const CommandedPose& pose : standingPoses(v6(), SimulationPlan{}, SupportFoot::both, 8, 1)) {
-    const auto torsoFromLink = body.posture(pose.angles);
+  for (const CommandedPose& pose : planStandingPoses(v6(), SimulationPlan{}, SupportFoot::both, 8, 1)) {
+    const auto torsoFromLink = body.forwardKinematics(pose.angles);
     const Eigen::Isometry3d leftFromRight =
-        torsoFromLink[v6().sole("left")->link].inverse() * torsoFromLink[v6().sole("right")->link];
+        torsoFromLink[v6().findSole("left")->link].inverse() * torsoFromLink[v6().findSole("right")->link];
     CHECK(std::abs(leftFromRight.translation().z()) < 1e-12);
     CHECK(leftFromRight.linear().col(2).head<2>().norm() < 1e-12);
   }
@@ -61,5 +61,5 @@ TEST_CASE("boards out of sight are refused with a sentence") {
   for (Board& board : plan.boards) {
     board.placement->x += 20;
   }
-  CHECK_THROWS_AS(standingPoses(v6(), plan, SupportFoot::both, 2, 1), InputError);
+  CHECK_THROWS_AS(planStandingPoses(v6(), plan, SupportFoot::both, 2, 1), InputError);
 }

@@ -12,7 +12,7 @@ namespace {
 
 /// Where `other` lies as seen from `own`: x, y, yaw.
 Eigen::Vector3d between(const Placement& own, const Placement& other) {
-  const Eigen::Isometry3d seen = isometry(own).inverse() * isometry(other);
+  const Eigen::Isometry3d seen = isometryFromPlacement(own).inverse() * isometryFromPlacement(other);
   return {seen.translation().x(), seen.translation().y(), std::atan2(seen(1, 0), seen(0, 0))};
 }
 
@@ -22,15 +22,15 @@ TEST_CASE("the same seed gives the same set and truth, another seed another robo
   // Proves repeatability to the last digit, and that two sets of one robot can be made by its own seed.
   const SimulationPlan plan = handMadePlan(v6(), 3);
   const Simulation one = simulate(v6(), plan, 1), again = simulate(v6(), plan, 1), two = simulate(v6(), plan, 2);
-  CHECK(captureSetText(one.set) == captureSetText(again.set));
-  CHECK(truthText(one.truth) == truthText(again.truth));
+  CHECK(formatCaptureSet(one.set) == formatCaptureSet(again.set));
+  CHECK(formatTruth(one.truth) == formatTruth(again.truth));
   CHECK(*one.truth.value("jointOffset", "LKneePitch", "o") != *two.truth.value("jointOffset", "LKneePitch", "o"));
   SimulationPlan sameRobot = plan;
   sameRobot.robotSeed = 1;
   const Simulation elsewhere = simulate(v6(), sameRobot, 2);
   CHECK(*one.truth.value("jointOffset", "LKneePitch", "o") == *elsewhere.truth.value("jointOffset", "LKneePitch", "o"));
   CHECK(one.set.bodyId == elsewhere.set.bodyId);
-  CHECK(captureSetText(one.set) != captureSetText(elsewhere.set));
+  CHECK(formatCaptureSet(one.set) != formatCaptureSet(elsewhere.set));
 }
 
 TEST_CASE("a robot can be taken up again among its boards") {
@@ -61,7 +61,7 @@ TEST_CASE("a robot can be taken up again among its boards") {
 TEST_CASE("the truth names every motor's offset, every camera's rotation and every placement, with units") {
   // Proves completeness against the robot and the set, and the keys that others read. Values are checked elsewhere.
   const Simulation simulation = simulate(v6(), handMadePlan(v6(), 3), 1);
-  const nlohmann::json truth = nlohmann::json::parse(truthText(simulation.truth));
+  const nlohmann::json truth = nlohmann::json::parse(formatTruth(simulation.truth));
   std::set<std::string> offsets, rotations;
   for (const nlohmann::json& effect : truth["effects"]) {
     (effect["effect"] == "jointOffset" ? offsets : rotations).insert(effect["at"].get<std::string>());
@@ -110,8 +110,8 @@ TEST_CASE("a set says nothing of the truth") {
     CHECK_FALSE(board.placement);
   }
   CHECK_FALSE(simulation.set.stances[0].placement);
-  CHECK(truthFile("/data/left") == "/data/left.truth.json");
-  CHECK(truthFile("/data/left/") == "/data/left.truth.json");
+  CHECK(truthPath("/data/left") == "/data/left.truth.json");
+  CHECK(truthPath("/data/left/") == "/data/left.truth.json");
 }
 
 TEST_CASE("a written set reads back as it was simulated") {
@@ -121,7 +121,7 @@ TEST_CASE("a written set reads back as it was simulated") {
       SimulationPlan plan = handMadePlan(v6(), 2, foot);
       plan.repeatKind = kind;
       const Simulation simulation = simulate(v6(), plan, 1);
-      const CaptureSet read = parseCaptureSet(captureSetText(simulation.set), "simulated").set;
+      const CaptureSet read = parseCaptureSet(formatCaptureSet(simulation.set), "simulated").set;
       REQUIRE(read.captures.size() == 12);
       CHECK(read.captures[7].joints.measured == simulation.set.captures[7].joints.measured);
       CHECK(read.stances.size() == (kind == RepeatKind::restand ? 3 : 1));

@@ -28,7 +28,7 @@ void requireCommand(const CLI::App& app, const std::string& word) {
 } // namespace
 
 int main(int argc, char** argv) {
-  naocal::keepMemory();
+  naocal::tuneAllocator();
   CLI::App app{"naocal: calibrates a robot's joints and cameras from pictures of printed boards, with uncertainties.",
                "naocal"};
   app.set_version_flag("--version", NAOCAL_VERSION);

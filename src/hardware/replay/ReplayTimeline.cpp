@@ -26,7 +26,7 @@ public:
   std::span<const std::uint8_t> bytes() const override {
     std::call_once(read_, [this] {
       try {
-        bytes_ = readPicture(file_).pixels;
+        bytes_ = readImage(file_).pixels;
       } catch (const InputError&) { // lost since the replay began
       }
     });

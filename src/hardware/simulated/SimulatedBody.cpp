@@ -18,18 +18,18 @@ SimulatedBody::SimulatedBody(const Robot& drawing, const SimulatedPlan& plan, co
   for (std::size_t joint = 0; joint < drawing.joints.size(); ++joint) {
     jointOfHardware_.push_back(jointIndex(drawing.joints[joint].name).value());
     const double angle = plan.start[*jointIndex(drawing.joints[drawing.joints[joint].motor].name)];
-    servos_.emplace_back(drawing.joints[joint], errors.play[joint], plan.servos, angle - offsets_[at(joint)]);
+    servos_.emplace_back(drawing.joints[joint], errors.play[joint], plan.servos, angle - offsets_[eigenIndex(joint)]);
   }
-  temperatures_ = Eigen::VectorXd::Constant(at(servos_.size()), plan.mechanics.ambientTemperature);
-  torquesAt_ = Eigen::VectorXd::Constant(at(servos_.size()), 1e3); // computed anew
+  temperatures_ = Eigen::VectorXd::Constant(eigenIndex(servos_.size()), plan.mechanics.ambientTemperature);
+  torquesAt_ = Eigen::VectorXd::Constant(eigenIndex(servos_.size()), 1e3); // computed anew
   putDown();
-  stand_ = {0, anchored_ == SupportFoot::right ? -halfStance : halfStance, 0};
+  stand_ = {0, anchored_ == SupportFoot::right ? -halfFootDistance : halfFootDistance, 0};
   settle(Seconds{0});
 }
 
 /// Somebody has put the robot onto the sole that lies flatter on the floor so; the left one, where both do alike.
 void SimulatedBody::putDown() {
-  const std::vector<Eigen::Isometry3d> torsoFromLink = body_.posture(trueAngles());
+  const std::vector<Eigen::Isometry3d> torsoFromLink = body_.forwardKinematics(trueAngles());
   const Contact contact = contactOf(torsoFromLink);
   double least = mostTilt;
   SupportFoot flatter = anchored_;
@@ -51,21 +51,22 @@ void SimulatedBody::putDown() {
 SimulatedBody::Contact SimulatedBody::contactOf(const std::vector<Eigen::Isometry3d>& torsoFromLink) const {
   Contact contact{{}, body_.centreOfMass(torsoFromLink)};
   for (const char* side : {"left", "right"}) {
-    for (const Eigen::Vector2d& corner : drawing_.sole(side)->outline) {
-      contact.points.push_back(torsoFromLink[drawing_.sole(side)->link] * Eigen::Vector3d{corner.x(), corner.y(), 0});
+    for (const Eigen::Vector2d& corner : drawing_.findSole(side)->outline) {
+      contact.points.push_back(torsoFromLink[drawing_.findSole(side)->link] *
+                               Eigen::Vector3d{corner.x(), corner.y(), 0});
     }
   }
   return contact;
 }
 
 std::size_t SimulatedBody::soleLink(SupportFoot foot) const {
-  return drawing_.sole(foot == SupportFoot::right ? "right" : "left")->link;
+  return drawing_.findSole(foot == SupportFoot::right ? "right" : "left")->link;
 }
 
 void SimulatedBody::command(const RobotCommand& command) {
   for (std::size_t joint = 0; joint < servos_.size(); ++joint) {
     const std::size_t hardware = jointOfHardware_[drawing_.joints[joint].motor];
-    servos_[joint].command(command.angles[hardware] - offsets_[at(joint)], command.stiffness[hardware]);
+    servos_[joint].command(command.angles[hardware] - offsets_[eigenIndex(joint)], command.stiffness[hardware]);
   }
   stiffness_ = command.stiffness;
   hands_ = command.angles.values;
@@ -77,10 +78,10 @@ void SimulatedBody::command(const RobotCommand& command) {
 }
 
 Eigen::VectorXd SimulatedBody::trueAngles() const {
-  Eigen::VectorXd angles{at(servos_.size())};
+  Eigen::VectorXd angles{eigenIndex(servos_.size())};
   for (std::size_t joint = 0; joint < servos_.size(); ++joint) {
     const Servo& servo = servos_[drawing_.joints[joint].motor];
-    angles[at(joint)] = servo.motor() + servo.gap();
+    angles[eigenIndex(joint)] = servo.motor() + servo.gap();
   }
   return angles;
 }
@@ -92,7 +93,7 @@ Eigen::Isometry3d SimulatedBody::worldFromCamera(std::size_t camera, const Eigen
 
 void SimulatedBody::advance(Seconds step) {
   turnMotors(step);
-  robot_.warm(temperatures_, torques_, step);
+  robot_.heatMotors(temperatures_, torques_, step);
   const Eigen::Matrix3d before = worldFromTorso_.linear();
   if (fall_) {
     fall(step);
@@ -114,7 +115,7 @@ void SimulatedBody::turnMotors(Seconds step) {
   for (int part = 0; part < parts; ++part) {
     for (std::size_t joint = 0; joint < servos_.size(); ++joint) {
       if (drawing_.joints[joint].motor == joint) {
-        servos_[joint].advance(step / parts, fall_ ? 0 : torques_[at(joint)], motion_);
+        servos_[joint].advance(step / parts, fall_ ? 0 : torques_[eigenIndex(joint)], motion_);
       }
     }
   }
@@ -140,17 +141,17 @@ RestingPlane SimulatedBody::held(const std::vector<Eigen::Vector3d>& points,
     return plane.up.dot(one) < plane.up.dot(other);
   };
   plane.height = plane.up.dot(*std::min_element(points.begin(), points.end(), along));
-  const std::size_t first = right ? drawing_.sole("left")->outline.size() : 0;
+  const std::size_t first = right ? drawing_.findSole("left")->outline.size() : 0;
   plane.touching = {first, first + 1, first + 2};
   return plane;
 }
 
 void SimulatedBody::settle(Seconds step) {
-  const std::vector<Eigen::Isometry3d> torsoFromLink = body_.posture(trueAngles());
+  const std::vector<Eigen::Isometry3d> torsoFromLink = body_.forwardKinematics(trueAngles());
   const Eigen::Isometry3d torsoFromSole[2]{torsoFromLink[soleLink(SupportFoot::left)],
                                            torsoFromLink[soleLink(SupportFoot::right)]};
   const auto [points, centre] = contactOf(torsoFromLink);
-  const std::size_t leftCount = drawing_.sole("left")->outline.size();
+  const std::size_t leftCount = drawing_.findSole("left")->outline.size();
   const Eigen::Vector3d up = worldFromTorso_.linear().transpose() * Eigen::Vector3d::UnitZ();
   const auto resting =
       held_ ? std::optional{held(points, torsoFromSole)} : findRestingPlane(points, centre, up, mostTilt);
@@ -194,12 +195,12 @@ void SimulatedBody::fall(Seconds step) {
 
 SettledPose SimulatedBody::taken() const {
   SettledPose pose;
-  pose.motors = pose.deflection = Eigen::VectorXd::Zero(at(servos_.size()));
-  pose.velocity = Eigen::VectorXd::Zero(at(servos_.size()));
+  pose.motors = pose.deflection = Eigen::VectorXd::Zero(eigenIndex(servos_.size()));
+  pose.velocity = Eigen::VectorXd::Zero(eigenIndex(servos_.size()));
   for (std::size_t joint = 0; joint < servos_.size(); ++joint) {
     const Servo& servo = servos_[drawing_.joints[joint].motor];
-    pose.motors[at(joint)] = servo.motor();
-    pose.deflection[at(joint)] = servo.gap();
+    pose.motors[eigenIndex(joint)] = servo.motor();
+    pose.deflection[eigenIndex(joint)] = servo.gap();
   }
   pose.torques = torques_;
   pose.supportFoot = support_;
@@ -208,23 +209,24 @@ SettledPose SimulatedBody::taken() const {
 
 void SimulatedBody::measure(RobotState& state) {
   const SettledPose pose = taken();
-  const Eigen::VectorXd shown = robot_.encoderReadings(pose, Seconds{0}, sensors_);
-  const Eigen::VectorXd currents = robot_.currentReadings(pose, sensors_);
+  const Eigen::VectorXd shown = robot_.readEncoders(pose, Seconds{0}, sensors_);
+  const Eigen::VectorXd currents = robot_.readCurrents(pose, sensors_);
   for (std::size_t hand : {*jointIndex("LHand"), *jointIndex("RHand")}) {
     state.angles[hand] = hands_[hand];
     state.temperature[hand] = plan_.mechanics.ambientTemperature;
   }
   for (std::size_t joint = 0; joint < servos_.size(); ++joint) {
-    state.angles[jointOfHardware_[joint]] = shown[at(joint)];
-    state.current[jointOfHardware_[joint]] = currents[at(joint)];
-    state.temperature[jointOfHardware_[joint]] = std::round(temperatures_[at(joint)]); // whole degrees, as NAO's are
+    state.angles[jointOfHardware_[joint]] = shown[eigenIndex(joint)];
+    state.current[jointOfHardware_[joint]] = currents[eigenIndex(joint)];
+    state.temperature[jointOfHardware_[joint]] =
+        std::round(temperatures_[eigenIndex(joint)]); // whole degrees, as NAO's are
   }
   state.stiffness = stiffness_;
   if (!fall_) {
-    state.forces = robot_.forceReadings(pose, sensors_);
+    state.forces = robot_.readForces(pose, sensors_);
   }
   const Eigen::Matrix3d& torso = worldFromTorso_.linear();
-  state.torsoAngles = robot_.imuReading(torso, sensors_);
+  state.torsoAngles = robot_.readImu(torso, sensors_);
   state.accelerometer = torso.transpose() * Eigen::Vector3d{0, 0, 9.81}; // what holds it against gravity
   state.gyroscope = turnRate_;
   for (int axis = 0; axis < 3; ++axis) {

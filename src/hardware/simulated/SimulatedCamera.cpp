@@ -38,7 +38,7 @@ std::optional<TimePoint> SimulatedCamera::nextArrival(TimePoint now) {
 }
 
 void SimulatedCamera::deliver(const std::vector<Eigen::Isometry3d>& worldFromCamera) {
-  const bool lost = chance_.chance(plan_.lostShare);
+  const bool lost = chance_.bernoulli(plan_.lostShare);
   link.lost += lost || blocked;
   if (!lost && !blocked) {
     link.skipped += pending.has_value();
@@ -70,7 +70,7 @@ RenderedScene SimulatedImage::scene(const Eigen::Isometry3d& worldFromCamera) co
   RenderedScene scene;
   for (const Board& board : lens_->boards) {
     const Eigen::Isometry3d opticalFromBoard =
-        opticalFromCamera * (worldFromCamera.inverse() * isometry(*board.placement));
+        opticalFromCamera * (worldFromCamera.inverse() * isometryFromPlacement(*board.placement));
     scene.boards.push_back({board.id, *board.pattern, {opticalFromBoard.linear(), opticalFromBoard.translation()}});
   }
   return scene;
@@ -84,8 +84,8 @@ void SimulatedImage::render() const {
   for (const Eigen::Isometry3d& instant : worldFromCamera_) {
     scenes.push_back(scene(instant));
   }
-  const GreyPicture grey = moves ? lens_->renderer.picture(scenes, lens_->exposureShare, lens_->appearance, seed_)
-                                 : lens_->renderer.picture(scenes[scenes.size() / 2], lens_->appearance, seed_);
+  const GreyPicture grey = moves ? lens_->renderer.render(scenes, lens_->exposureShare, lens_->appearance, seed_)
+                                 : lens_->renderer.render(scenes[scenes.size() / 2], lens_->appearance, seed_);
   bytes_.assign(2 * grey.pixels.size(), 128); // without colour
   for (std::size_t pixel = 0; pixel < grey.pixels.size(); ++pixel) {
     bytes_[2 * pixel] = grey.pixels[pixel];

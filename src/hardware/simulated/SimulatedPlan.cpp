@@ -56,10 +56,10 @@ RawAngles SimulatedPlan::standingAngles() {
 
 SimulatedErrors drawErrors(const Robot& drawing, const SimulatedPlan& plan) {
   RandomStream errorChance{plan.seed, "errors"}, playChance{plan.seed, "play"};
-  SimulatedErrors errors{drawnErrors(drawing, plan.offsetRange, plan.mountRange, plan.mountShiftRange, errorChance),
+  SimulatedErrors errors{drawErrors(drawing, plan.offsetRange, plan.mountRange, plan.mountShiftRange, errorChance),
                          std::vector<double>(drawing.joints.size())};
   for (double& play : errors.play) {
-    play = std::abs(playChance.within(plan.playRange));
+    play = std::abs(playChance.uniformWithin(plan.playRange));
   }
   for (std::size_t joint = 0; joint < drawing.joints.size(); ++joint) {
     errors.play[joint] = errors.play[drawing.joints[joint].motor];
@@ -68,7 +68,7 @@ SimulatedErrors drawErrors(const Robot& drawing, const SimulatedPlan& plan) {
 }
 
 SimulatedPlan readSimulatedPlan(const std::filesystem::path& file, SimulatedPlan plan) {
-  const nlohmann::json document = parseJson(fileContent(file), file.string());
+  const nlohmann::json document = parseJson(readFile(file), file.string());
   const JsonCursor top{document, file.string()};
   constexpr std::array known{"model",
                              "seed",
@@ -92,10 +92,10 @@ SimulatedPlan readSimulatedPlan(const std::filesystem::path& file, SimulatedPlan
     plan.model = model->text();
   }
   if (const auto seed = top.find("seed")) {
-    plan.seed = std::uint64_t(seed->integer(0, largestNumber));
+    plan.seed = std::uint64_t(seed->integer(0, maxInteger));
   }
   if (const auto pace = top.find("pace")) {
-    plan.pace = Pace(pace->oneOf({"real", "quick"}));
+    plan.pace = Pace(pace->wordIndex({"real", "quick"}));
   }
   take(top, "offsetRangeDegrees", fewDegrees, radians(1), plan.offsetRange);
   take(top, "mountRangeDegrees", fewDegrees, radians(1), plan.mountRange);

@@ -19,7 +19,7 @@ enum class Pace {
 
 /// The cameras of a simulated robot.
 struct SimulatedCameraPlan {
-  std::map<std::string, CameraIntrinsics> intrinsics = drawnCameras(640, 480); // "top", "bottom"
+  std::map<std::string, CameraIntrinsics> intrinsics = nominalCameras(640, 480); // "top", "bottom"
   Seconds period{1.0 / 30};
   Seconds exposure{0.010};
   Seconds readOut{0.024};  // from the first row to the last one: rolling shutter
@@ -41,8 +41,8 @@ struct SimulatedPlan {
   ServoMechanics servos;
   Seconds commandDelay{0.02}; // from a command to the motors
   SimulatedCameraPlan cameras;
-  std::vector<Board> boards = boardsAround(); // lie where `placement` says
-  RawAngles start = standingAngles();         // what the motors were commanded to before
+  std::vector<Board> boards = defaultBoards(); // lie where `placement` says
+  RawAngles start = standingAngles();          // what the motors were commanded to before
   Pace pace = Pace::real;
 
   /// Upright on both feet with bent knees and hanging arms [rad].

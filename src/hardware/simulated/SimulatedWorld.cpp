@@ -182,7 +182,7 @@ public:
   explicit SimulatedRobot(std::shared_ptr<SimulatedShared> shared) : shared_{std::move(shared)} {}
 
   std::optional<RobotIdentity> waitForIdentity(std::chrono::milliseconds) override {
-    const std::string id = fmt::format("{}{}", syntheticId, shared_->plan.seed);
+    const std::string id = fmt::format("{}{}", syntheticIdPrefix, shared_->plan.seed);
     return RobotIdentity{id, id, shared_->drawing.model, shared_->drawing.model};
   }
 

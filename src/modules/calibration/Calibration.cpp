@@ -24,44 +24,45 @@ struct Answer {
 };
 
 /// The pixels' part of the noise, as far as the captures tell it.
-bool tellPixels(const Measurements& measurements, const Model& model, const Fit& fit, const CalibrationOptions& options,
-                Noise& noise) {
+bool estimatePixelNoise(const Measurements& measurements, const Model& model, const Fit& fit,
+                        const CalibrationOptions& options, Noise& noise) {
   const Residuals residuals{measurements, model, fit.noise, fit.loss};
-  const std::vector<BoardResidual> sightings = residuals.sightings(fit.minimum.state);
-  if (const auto repeats = pixelNoiseFromRepeats(measurements, sightings)) {
+  const std::vector<BoardResidual> sightings = residuals.boardResiduals(fit.minimum.state);
+  if (const auto repeats = estimatePixelNoiseFromRepeats(measurements, sightings)) {
     noise.pixel = repeats->anew;
     noise.pixelAlike = repeats->alike;
     return true;
   }
   if (!options.pixelGiven) {
-    noise.pixel = pixelNoiseWithinPictures(sightings).value_or(noise.pixel);
+    noise.pixel = estimatePixelNoiseWithinImages(sightings).value_or(noise.pixel);
   }
   return false;
 }
 
-RepeatInfo repeated(const Measurements& measurements) {
+RepeatInfo countRepeatedRests(const Measurements& measurements) {
   const auto some = [&](bool PoseGroup::*kind) {
     return std::any_of(measurements.poses.begin(), measurements.poses.end(), std::mem_fn(kind));
   };
   return {.reapproached = some(&PoseGroup::repeated), .restood = some(&PoseGroup::restood)};
 }
 
-Fit onward(const Measurements& measurements, const Model& model, const CalibrationOptions& options, const Noise& noise,
-           Fit from) {
-  return options.robust ? robustFit(measurements, model, noise, std::move(from))
-                        : refit(measurements, model, noise, Loss{}, std::move(from), roughly);
+Fit fitFurther(const Measurements& measurements, const Model& model, const CalibrationOptions& options,
+               const Noise& noise, Fit from) {
+  return options.robust ? fitRobustly(measurements, model, noise, std::move(from))
+                        : refit(measurements, model, noise, Loss{}, std::move(from), coarseTolerance);
 }
 
 /// On from a fit: pixel noise, the joints' levels under the widest model, and what may be missing at those levels.
-Answer answered(const Measurements& measurements, const Model& model, const CalibrationOptions& options, Fit fit) {
-  Answer answer{onward(measurements, model, options, options.noise, std::move(fit)), {options.noise}, false, {}};
+Answer findAnswer(const Measurements& measurements, const Model& model, const CalibrationOptions& options, Fit fit) {
+  Answer answer{fitFurther(measurements, model, options, options.noise, std::move(fit)), {options.noise}, false, {}};
   if (options.estimateNoise) {
     for (int round = 0; round < 2; ++round) {
-      answer.fromRepeats = tellPixels(measurements, model, answer.fit, options, answer.levels.noise);
-      answer.fit = onward(measurements, model, options, answer.levels.noise, std::move(answer.fit));
+      answer.fromRepeats = estimatePixelNoise(measurements, model, answer.fit, options, answer.levels.noise);
+      answer.fit = fitFurther(measurements, model, options, answer.levels.noise, std::move(answer.fit));
     }
   }
-  const std::optional<RepeatInfo> repeats = answer.fromRepeats ? std::optional{repeated(measurements)} : std::nullopt;
+  const std::optional<RepeatInfo> repeats =
+      answer.fromRepeats ? std::optional{countRepeatedRests(measurements)} : std::nullopt;
   if (options.question) {
     answer.explained = explain(measurements, model, answer.fit, answer.levels.noise, repeats, options);
     answer.levels = answer.explained->levels;
@@ -75,51 +76,53 @@ Answer answered(const Measurements& measurements, const Model& model, const Cali
 
 /// Sets aside, one after the other, sightings whose board moved beyond doubt, whatever explains the rest. Returns the
 /// measurements that are left, if any were set aside.
-std::optional<Measurements> withoutMoved(const Measurements& measurements, const Model& model,
-                                         const CalibrationOptions& options, Answer& answer) {
+std::optional<Measurements> excludeMovedBoards(const Measurements& measurements, const Model& model,
+                                               const CalibrationOptions& options, Answer& answer) {
   const std::size_t most = Accidents{measurements, {}}.mostSetAside();
   std::optional<Measurements> kept;
   for (std::size_t aside = 0; aside < most; ++aside) {
     const Measurements& used = kept ? *kept : measurements;
-    const auto moved = answer.explained ? mostMoved(used, answer.explained->larger, answer.explained->largerFit,
-                                                    answer.explained->window.misfit)
-                                        : mostMoved(used, model, answer.fit);
+    const auto moved = answer.explained
+                           ? findDisplacedBoard(used, answer.explained->larger, answer.explained->largerFit,
+                                                answer.explained->window.misfit)
+                           : findDisplacedBoard(used, model, answer.fit);
     if (!moved) {
       break;
     }
     if (!kept) {
       kept = measurements;
     }
-    setAside(*kept, *moved);
-    answer = answered(*kept, model, options, std::move(answer.fit));
+    excludeObservation(*kept, *moved);
+    answer = findAnswer(*kept, model, options, std::move(answer.fit));
   }
   return kept;
 }
 
-std::optional<Model> withPriorsFor(const Model& model, const Fit& fit) {
+std::optional<Model> addPriors(const Model& model, const Fit& fit) {
   const Eigen::MatrixXd& hessian = fit.minimum.linear.hessian;
   const Eigen::MatrixXd covariance = hessian.ldlt().solve(Eigen::MatrixXd::Identity(hessian.rows(), hessian.cols()));
-  return withPriorsFor(model, fit.minimum.state.unknowns, covariance.diagonal());
+  return addPriors(model, fit.minimum.state.unknowns, covariance.diagonal());
 }
 
 } // namespace
 
 CalibrationResult calibrate(const Measurements& measurements, const Model& model, const CalibrationOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
-  Answer answer = answered(measurements, model, options, firstFit(measurements, model, options.noise, options));
-  const auto kept =
-      options.robust && options.setAside ? withoutMoved(measurements, model, options, answer) : std::nullopt;
+  Answer answer = findAnswer(measurements, model, options, fitInitially(measurements, model, options.noise, options));
+  const auto kept = options.robust && options.excludeDisplaced
+                        ? excludeMovedBoards(measurements, model, options, answer)
+                        : std::nullopt;
   const Measurements& used = kept ? *kept : measurements;
-  const std::optional<Model> wider = withPriorsFor(model, answer.fit);
+  const std::optional<Model> wider = addPriors(model, answer.fit);
   if (wider) {
     const Loss loss = answer.fit.loss;
     answer.fit = refit(used, *wider, answer.levels.noise, loss, std::move(answer.fit));
   }
   const Model& believed = wider ? *wider : model;
-  CalibrationResult result = uncertain(used, believed, answer.fit, answer.levels);
+  CalibrationResult result = estimateUncertainty(used, believed, answer.fit, answer.levels);
   result.noiseSource = answer.fromRepeats ? "repeats" : "configured";
   result.restartsTried = options.restarts;
-  result.doubts = doubts(used, result);
+  result.doubts = findOutliers(used, result);
   if (options.robust && Accidents{used, result.doubts}.areTooMany()) {
     CalibrationOptions all = options;
     all.robust = false;
@@ -129,7 +132,7 @@ CalibrationResult calibrate(const Measurements& measurements, const Model& model
   if (answer.explained) {
     describe(*answer.explained, model, result);
   }
-  judge(used, believed, result);
+  assess(used, believed, result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }

@@ -23,10 +23,10 @@ struct CalibrationOptions {
   std::vector<Effect> effects = allEffects(); // that may be missing
   Eigen::Index draws = 199;                   // of pure noise, for the p-value
   std::uint64_t drawSeed = 1;
-  bool robust = true;     // doubtful corners lose their weight (and are listed)
-  bool setAside = true;   // so are, if robust, sightings whose board moved
-  bool alternate = false; // the thesis's way: joints and cameras in turns instead of together
-  int restarts = 0;       // further random starts; the lowest cost wins
+  bool robust = true;           // doubtful corners lose their weight (and are listed)
+  bool excludeDisplaced = true; // so are, if robust, sightings whose board moved
+  bool alternate = false;       // the thesis's way: joints and cameras in turns instead of together
+  int restarts = 0;             // further random starts; the lowest cost wins
   std::uint64_t seed = 1;
   std::optional<Eigen::VectorXd>
       start;                // unknowns to start from, instead of zero with placements found from the pictures
@@ -104,10 +104,10 @@ struct CalibrationResult {
   std::vector<Estimate> estimates; // per unknown
   Eigen::MatrixXd covariance;      // of the unknowns
   Residuals::State state;
-  std::vector<BoardResidual> sightings;  // at the estimate, the joints' deflections included
-  std::vector<BoardResidual> asReported; // the same sightings with the joints' readings as they are
-  Noise noise;                           // before any scaling by `sigmaScale`
-  std::string noiseSource;               // "repeats" or "configured"
+  std::vector<BoardResidual> sightings;          // at the estimate, the joints' deflections included
+  std::vector<BoardResidual> withReportedAngles; // the same sightings with the joints' readings as they are
+  Noise noise;                                   // before any scaling by `sigmaScale`
+  std::string noiseSource;                       // "repeats" or "configured"
   Loss loss;
   double rmsPx = 0, medianPx = 0; // of all corners' distances without their poses' deflections [px]
   double noiseFloorPx = 0;        // rms distance that noise alone would leave [px]

@@ -21,29 +21,30 @@ struct Sum {
 
 } // namespace
 
-std::vector<EffectiveOffset> shownOffsets(const Measurements& measurements, const Model& model,
-                                          const CalibrationResult& result) {
+std::vector<EffectiveOffset> effectiveOffsets(const Measurements& measurements, const Model& model,
+                                              const CalibrationResult& result) {
   const Robot& robot = measurements.robot;
   std::map<std::size_t, Sum> sums; // by motor
   for (const ImageObservation& picture : measurements.pictures) {
     if (picture.sightings.empty()) {
       continue;
     }
-    const ModelState belief = believed(measurements, model, picture, result.unknowns);
-    const std::vector<StateDerivative> all = slopes(measurements, model, picture, result.unknowns);
-    for (const std::size_t joint : jointsBetween(robot, picture)) {
+    const ModelState belief = predictState(measurements, model, picture, result.unknowns);
+    const std::vector<StateDerivative> all = evaluateJacobian(measurements, model, picture, result.unknowns);
+    for (const std::size_t joint : observedJoints(robot, picture)) {
       Sum& sum = sums.try_emplace(robot.joints[joint].motor, Sum{0, Eigen::VectorXd::Zero(result.unknowns.size()), 0})
                      .first->second;
-      sum.value += picture.drawn.angle(joint) - belief.angle(joint);
+      sum.value += picture.nominal.angle(joint) - belief.angle(joint);
       ++sum.count;
       for (const StateDerivative& slope : all) {
-        sum.gradient[at(slope.unknown)] -= slope.quantity == measurements.quantities.angle(joint) ? slope.value : 0;
+        sum.gradient[eigenIndex(slope.unknown)] -=
+            slope.quantity == measurements.quantities.angle(joint) ? slope.value : 0;
       }
     }
   }
   std::vector<EffectiveOffset> offsets;
   for (const Term& term : model.terms()) {
-    if (const auto found = sums.find(term.at); term.effect.name == "jointOffset" && found != sums.end()) {
+    if (const auto found = sums.find(term.site); term.effect.name == "jointOffset" && found != sums.end()) {
       const Sum& sum = found->second;
       offsets.push_back({term.place, sum.value / sum.count,
                          std::sqrt(sum.gradient.dot(result.covariance * sum.gradient)) / sum.count,

@@ -17,8 +17,8 @@ struct EffectiveOffset {
 };
 
 /// Of every measured joint.
-std::vector<EffectiveOffset> shownOffsets(const Measurements& measurements, const Model& model,
-                                          const CalibrationResult& result);
+std::vector<EffectiveOffset> effectiveOffsets(const Measurements& measurements, const Model& model,
+                                              const CalibrationResult& result);
 
 /// Whether the captures tell it: else a robot had better keep what it has.
 bool isLearned(const EffectiveOffset& offset);

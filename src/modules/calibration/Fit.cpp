@@ -15,7 +15,7 @@ namespace naocal {
 namespace {
 
 /// Joints and cameras in turns, placements along with both, until a whole round changes nothing (the thesis's way).
-std::optional<FitMinimum> alternated(Residuals& residuals, Residuals::State state) {
+std::optional<FitMinimum> alternate(Residuals& residuals, Residuals::State state) {
   const auto ofJoint = [](const Term& term) {
     return term.effect.place == EffectSite::motor || term.effect.place == EffectSite::joint;
   };
@@ -30,7 +30,7 @@ std::optional<FitMinimum> alternated(Residuals& residuals, Residuals::State stat
   int iterations = 0;
   double before = std::numeric_limits<double>::infinity();
   for (int round = 0; round < 200; ++round) {
-    residuals.freeOnly(round % 2 == 0 ? joints : others);
+    residuals.setFree(round % 2 == 0 ? joints : others);
     minimum = levenbergMarquardt(residuals, std::move(state));
     if (!minimum) {
       return std::nullopt;
@@ -45,8 +45,8 @@ std::optional<FitMinimum> alternated(Residuals& residuals, Residuals::State stat
       before = minimum->linear.cost;
     }
   }
-  residuals.freeOnly(std::vector<bool>(residuals.model().unknownCount(), true));
-  minimum->linear = *residuals.linearised(minimum->state);
+  residuals.setFree(std::vector<bool>(residuals.model().unknownCount(), true));
+  minimum->linear = *residuals.linearise(minimum->state);
   minimum->iterations = iterations;
   return minimum;
 }
@@ -60,7 +60,7 @@ Eigen::VectorXd randomStart(const Measurements& measurements, const Model& model
       unknowns[static_cast<Eigen::Index>(term.first + i)] = uniform(random) * term.effect.unknowns[i].sigma;
     }
   }
-  return alignedUnknowns(measurements, model, unknowns);
+  return alignBoards(measurements, model, unknowns);
 }
 
 /// Which part of all corners lies within `distance` noise levels of its prediction, where all are good (Rayleigh).
@@ -93,7 +93,7 @@ double lossScale(const std::vector<BoardResidual>& sightings, double pixelNoise)
 double rmsAsReported(const Measurements& measurements, const Model& model, const Fit& fit) {
   const Residuals residuals{measurements, model, fit.noise, fit.loss};
   double squares = 0, count = 0;
-  for (const BoardResidual& sighting : residuals.sightings(residuals.start(fit.minimum.state.unknowns))) {
+  for (const BoardResidual& sighting : residuals.boardResiduals(residuals.startState(fit.minimum.state.unknowns))) {
     squares += sighting.residual.squaredNorm();
     count += static_cast<double>(sighting.residual.cols());
   }
@@ -102,9 +102,9 @@ double rmsAsReported(const Measurements& measurements, const Model& model, const
 
 /// By how much a corner lies off where the joints' readings put it beyond what noise does: a variance per axis [px^2],
 /// of all but the farthest tenth. 0: within a fifth of the noise. Absent where one lies behind its camera.
-std::optional<double> misfitOf(const Residuals& residuals, const Residuals::State& state) {
+std::optional<double> assessMisfit(const Residuals& residuals, const Residuals::State& state) {
   constexpr double sound = 1.2;
-  const double spread = spreadOf(residuals.sightings(residuals.start(state.unknowns)), farCorner);
+  const double spread = spreadOf(residuals.boardResiduals(residuals.startState(state.unknowns)), farCorner);
   if (!std::isfinite(spread)) {
     return std::nullopt;
   }
@@ -114,16 +114,16 @@ std::optional<double> misfitOf(const Residuals& residuals, const Residuals::Stat
 
 /// The same unknowns under another noise and loss; deflections come to rest there. Absent where that puts a corner
 /// behind its camera.
-std::optional<Fit> restated(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss,
-                            const Fit& from) {
+std::optional<Fit> restart(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss,
+                           const Fit& from) {
   Residuals residuals{measurements, model, noise, loss};
-  residuals.freeOnly(std::vector<bool>(model.unknownCount(), false));
-  auto minimum = levenbergMarquardt(residuals, residuals.start(from.minimum.state.unknowns));
+  residuals.setFree(std::vector<bool>(model.unknownCount(), false));
+  auto minimum = levenbergMarquardt(residuals, residuals.startState(from.minimum.state.unknowns));
   if (!minimum) {
     return std::nullopt;
   }
-  residuals.freeOnly(std::vector<bool>(model.unknownCount(), true));
-  auto linear = residuals.linearised(minimum->state);
+  residuals.setFree(std::vector<bool>(model.unknownCount(), true));
+  auto linear = residuals.linearise(minimum->state);
   if (!linear) {
     return std::nullopt;
   }
@@ -135,14 +135,14 @@ std::optional<Fit> restated(const Measurements& measurements, const Model& model
 
 } // namespace
 
-InputError behindTheCamera() {
+InputError behindCameraError() {
   return InputError{
       "the search ends where a corner that was seen lies behind the camera: these captures do not belong together; "
       "check joints' signs, cameras' names and the boards"};
 }
 
-Fit firstFit(const Measurements& measurements, const Model& model, const Noise& noise,
-             const CalibrationOptions& options) {
+Fit fitInitially(const Measurements& measurements, const Model& model, const Noise& noise,
+                 const CalibrationOptions& options) {
   if (measurements.cornerCount == 0) {
     throw InputError{
         "these captures show no corner that a camera could learn from: run 'naocal detect', or check which "
@@ -157,9 +157,10 @@ Fit firstFit(const Measurements& measurements, const Model& model, const Noise& 
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.unknownCount()));
     const Eigen::VectorXd start = attempt > 0     ? randomStart(measurements, model, random)
                                   : options.start ? *options.start
-                                                  : alignedUnknowns(measurements, model, zero);
-    auto minimum = options.alternate ? alternated(residuals, residuals.start(start))
-                                     : levenbergMarquardt(residuals, residuals.start(start), {.smallestFall = roughly});
+                                                  : alignBoards(measurements, model, zero);
+    auto minimum = options.alternate ? alternate(residuals, residuals.startState(start))
+                                     : levenbergMarquardt(residuals, residuals.startState(start),
+                                                          {.minCostDecrease = coarseTolerance});
     if (minimum && (!best || minimum->linear.cost < best->linear.cost - 1e-3)) {
       fit.restartsChanged |= attempt > 0;
       best = std::move(minimum);
@@ -177,45 +178,45 @@ Fit firstFit(const Measurements& measurements, const Model& model, const Noise& 
 Fit refit(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss, Fit from,
           double smallestFall) {
   const Residuals residuals{measurements, model, noise, loss};
-  Residuals::State start = residuals.start(from.minimum.state.unknowns);
+  Residuals::State start = residuals.startState(from.minimum.state.unknowns);
   if (from.noise.encoder == noise.encoder && from.noise.pose == noise.pose && from.noise.stance == noise.stance &&
       from.noise.reapproach == noise.reapproach) {
     start.deflections = from.minimum.state.deflections;
   } else {
     // deflections are counted in units of their spread: find them anew, by one quadratic step from the same unknowns
     const Residuals quadratic{measurements, model, noise};
-    if (const auto linear = quadratic.linearised(start)) {
-      start = quadratic.moved(start, *linear, Eigen::VectorXd::Zero(from.minimum.state.unknowns.size()));
+    if (const auto linear = quadratic.linearise(start)) {
+      start = quadratic.applyStep(start, *linear, Eigen::VectorXd::Zero(from.minimum.state.unknowns.size()));
     }
   }
-  auto minimum = levenbergMarquardt(residuals, std::move(start), {.smallestFall = smallestFall});
+  auto minimum = levenbergMarquardt(residuals, std::move(start), {.minCostDecrease = smallestFall});
   if (!minimum) { // the quadratic step went astray where the old minimum was possible: start from no deflection
-    minimum =
-        levenbergMarquardt(residuals, residuals.start(from.minimum.state.unknowns), {.smallestFall = smallestFall});
+    minimum = levenbergMarquardt(residuals, residuals.startState(from.minimum.state.unknowns),
+                                 {.minCostDecrease = smallestFall});
   }
   if (!minimum) {
-    throw behindTheCamera();
+    throw behindCameraError();
   }
   minimum->iterations += from.minimum.iterations;
   return {noise, loss, *std::move(minimum), from.restartsChanged};
 }
 
-Fit nearlyFitted(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss,
-                 const Eigen::VectorXd& unknowns) {
+Fit fitNearly(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss,
+              const Eigen::VectorXd& unknowns) {
   Fit from{
       Noise{.pixel = noise.pixel, .encoder = -1, .pose = -1}, loss, {}}; // other levels: deflections are found anew
   from.minimum.state.unknowns = unknowns;
   return refit(measurements, model, noise, loss, std::move(from), nearly);
 }
 
-Fit robustFit(const Measurements& measurements, const Model& model, const Noise& noise, Fit from) {
+Fit fitRobustly(const Measurements& measurements, const Model& model, const Noise& noise, Fit from) {
   for (int round = 0; round < 6; ++round) {
     const Residuals here{measurements, model, from.noise, from.loss};
-    const double scale = lossScale(here.sightings(from.minimum.state), noise.pixel);
+    const double scale = lossScale(here.boardResiduals(from.minimum.state), noise.pixel);
     if (round > 0 && std::abs(scale - from.loss.scale) < 0.02 * scale) {
       break;
     }
-    from = refit(measurements, model, noise, Loss{scale}, std::move(from), roughly);
+    from = refit(measurements, model, noise, Loss{scale}, std::move(from), coarseTolerance);
   }
   return from;
 }
@@ -224,31 +225,32 @@ bool hasLostWeight(const BoardResidual& sighting) {
   return sighting.weight.size() > 1 && 2 * (sighting.weight.array() < trusted).count() > sighting.weight.size();
 }
 
-Fit inFull(const Measurements& measurements, const Model& model, Fit from) {
+Fit fitFully(const Measurements& measurements, const Model& model, Fit from) {
   const Residuals residuals{measurements, model, from.noise, from.loss};
-  const std::vector<BoardResidual> sightings = residuals.sightings(from.minimum.state);
+  const std::vector<BoardResidual> sightings = residuals.boardResiduals(from.minimum.state);
   if (std::none_of(sightings.begin(), sightings.end(), hasLostWeight)) {
     return from;
   }
-  const double distance = spreadOf(residuals.sightings(residuals.start(from.minimum.state.unknowns)), farCorner);
+  const double distance =
+      spreadOf(residuals.boardResiduals(residuals.startState(from.minimum.state.unknowns)), farCorner);
   const Noise noise = from.noise;
   const Loss farther{std::max(from.loss.scale, distance / noise.pixel)};
   return std::isfinite(distance) ? refit(measurements, model, noise, farther, std::move(from)) : from;
 }
 
-Fit weighedByMisfit(const Measurements& measurements, const Model& model, const Fit& from) {
+Fit weighByMisfit(const Measurements& measurements, const Model& model, const Fit& from) {
   constexpr int rounds = 2;
   constexpr double nearer = 0.9; // of the error: else the weights that are right for noise stay
   Fit fit = from;
   for (int round = 0; round < rounds; ++round) {
-    const std::optional<double> misfit = misfitOf({measurements, model, fit.noise, fit.loss}, fit.minimum.state);
+    const std::optional<double> misfit = assessMisfit({measurements, model, fit.noise, fit.loss}, fit.minimum.state);
     if (!misfit || *misfit == 0) {
       break;
     }
     Noise wide = fit.noise;
     wide.pixel = std::hypot(fit.noise.pixel, std::sqrt(*misfit));
     const Loss same{fit.loss.scale * fit.noise.pixel / wide.pixel}; // [px]
-    auto there = restated(measurements, model, fit.noise, fit.loss, refit(measurements, model, wide, same, fit));
+    auto there = restart(measurements, model, fit.noise, fit.loss, refit(measurements, model, wide, same, fit));
     if (!there) {
       break;
     }

@@ -40,14 +40,14 @@ public:
     Eigen::MatrixXd hessian;
   };
   bool linearise(const Eigen::VectorXd& unknowns, Linear& sums) const;
-  Eigen::VectorXd moved(const Eigen::VectorXd& unknowns, const Linear&, const Eigen::VectorXd& step) const {
+  Eigen::VectorXd applyStep(const Eigen::VectorXd& unknowns, const Linear&, const Eigen::VectorXd& step) const {
     return unknowns + step;
   }
   const Eigen::VectorXd& scales() const { return sigmas_; }
   /// Boards whose pose in the camera could be told.
   std::size_t size() const { return seen_.size(); }
   /// Whether one of them is this target.
-  bool knows(std::size_t target) const;
+  bool includes(std::size_t target) const;
 
 private:
   struct Seen {
@@ -97,8 +97,8 @@ struct SeenPose {
   RigidTransform opticalFromBoard;
   Eigen::Matrix<double, 6, 6> information;
 };
-std::optional<SeenPose> seenPose(const BoardObservation& sighting, const ModelState& belief) {
-  const auto start = boardPose(sighting.corners, belief.lens());
+std::optional<SeenPose> estimateSeenPose(const BoardObservation& sighting, const ModelState& belief) {
+  const auto start = estimateBoardPose(sighting.corners, belief.lens());
   if (!start) {
     return std::nullopt;
   }
@@ -139,7 +139,7 @@ void BoardAlignment::addReading(const EncoderSample& reading) {
   for (std::size_t index : reading.pictures) {
     const ImageObservation& picture = measurements_.pictures[index];
     const std::vector<StateDerivative> all =
-        slopes(measurements_, model_, picture, Eigen::VectorXd::Zero(sigmas_.size()));
+        evaluateJacobian(measurements_, model_, picture, Eigen::VectorXd::Zero(sigmas_.size()));
     for (const BoardObservation& sighting : picture.sightings) {
       addSeen(picture, sighting, all);
     }
@@ -148,7 +148,7 @@ void BoardAlignment::addReading(const EncoderSample& reading) {
 
 void BoardAlignment::addSeen(const ImageObservation& picture, const BoardObservation& sighting,
                              const std::vector<StateDerivative>& slopes) {
-  const auto pose = seenPose(sighting, picture.drawn);
+  const auto pose = estimateSeenPose(sighting, picture.nominal);
   if (!pose) {
     return;
   }
@@ -163,17 +163,17 @@ void BoardAlignment::addSeen(const ImageObservation& picture, const BoardObserva
   seen_.push_back({&picture, &sighting, slopes, pose->opticalFromBoard, middle, covariance.inverse()});
 }
 
-bool BoardAlignment::knows(std::size_t target) const {
+bool BoardAlignment::includes(std::size_t target) const {
   return std::any_of(seen_.begin(), seen_.end(),
                      [&](const Seen& seen) { return seen.sighting->view.board() == target; });
 }
 
 void BoardAlignment::add(const Seen& seen, const Eigen::VectorXd& unknowns, Linear& sums) const {
   const ObservationChain& view = seen.sighting->view;
-  const ModelState belief = believed(measurements_, model_, *seen.picture, unknowns);
+  const ModelState belief = predictState(measurements_, model_, *seen.picture, unknowns);
   LinkPoses torsoFromLink;
-  posture(measurements_.robot, belief, view.links(), torsoFromLink);
-  const CameraFrames attitude = view.attitude(measurements_.robot, belief, torsoFromLink);
+  forwardKinematics(measurements_.robot, belief, view.links(), torsoFromLink);
+  const CameraFrames attitude = view.cameraFrames(measurements_.robot, belief, torsoFromLink);
   const RigidTransform& chain = attitude.opticalFromBoard;
   const Eigen::Vector3d middle = chain * seen.middle, middleSeen = seen.opticalFromBoard * seen.middle;
   Eigen::Matrix<double, 6, 1> residual;
@@ -185,19 +185,19 @@ void BoardAlignment::add(const Seen& seen, const Eigen::VectorXd& unknowns, Line
   }
   std::vector<std::size_t> extras;
   for (std::size_t quantity : quantities) {
-    const auto extra = view.extra(quantity);
+    const auto extra = view.extraIndex(quantity);
     if (extra && std::find(extras.begin(), extras.end(), *extra) == extras.end()) {
       extras.push_back(*extra);
     }
   }
-  Eigen::MatrixXd columns(at(6 + extras.size()), at(quantities.size()));
-  view.motion(measurements_.robot, attitude, belief, torsoFromLink, quantities, extras, columns);
+  Eigen::MatrixXd columns(eigenIndex(6 + extras.size()), eigenIndex(quantities.size()));
+  view.fillMotionColumns(measurements_.robot, attitude, belief, torsoFromLink, quantities, extras, columns);
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(6, unknowns.size());
   for (std::size_t i = 0; i < seen.slopes.size(); ++i) {
-    const Eigen::Vector3d omega = columns.col(at(i)).head<3>(), v = columns.col(at(i)).segment<3>(3);
+    const Eigen::Vector3d omega = columns.col(eigenIndex(i)).head<3>(), v = columns.col(eigenIndex(i)).segment<3>(3);
     Eigen::Matrix<double, 6, 1> change;
     change << omega, omega.cross(middle) + v;
-    jacobian.col(at(seen.slopes[i].unknown)) += seen.slopes[i].value * change;
+    jacobian.col(eigenIndex(seen.slopes[i].unknown)) += seen.slopes[i].value * change;
   }
   const double size = std::sqrt(residual.dot(seen.weight * residual));
   const double weight = size <= huber ? 1 : huber / size;
@@ -221,12 +221,12 @@ namespace {
 /// A frame on the floor: x, y [m], yaw [rad] in its parent.
 using OnFloor = Eigen::Vector3d;
 
-OnFloor composed(const OnFloor& a, const OnFloor& b) {
+OnFloor compose(const OnFloor& a, const OnFloor& b) {
   const double c = std::cos(a.z()), s = std::sin(a.z());
-  return {a.x() + c * b.x() - s * b.y(), a.y() + s * b.x() + c * b.y(), wrapped(a.z() + b.z())};
+  return {a.x() + c * b.x() - s * b.y(), a.y() + s * b.x() + c * b.y(), wrapAngle(a.z() + b.z())};
 }
 
-OnFloor inverted(const OnFloor& a) {
+OnFloor invert(const OnFloor& a) {
   const double c = std::cos(a.z()), s = std::sin(a.z());
   return {-c * a.x() - s * a.y(), s * a.x() - c * a.y(), -a.z()};
 }
@@ -234,7 +234,7 @@ OnFloor inverted(const OnFloor& a) {
 /// The member nearest to all others: robust against a few wild ones.
 OnFloor medoid(const std::vector<OnFloor>& all) {
   const auto distance = [](const OnFloor& a, const OnFloor& b) {
-    return (a - b).head<2>().norm() + 0.5 * std::abs(wrapped(a.z() - b.z()));
+    return (a - b).head<2>().norm() + 0.5 * std::abs(wrapAngle(a.z() - b.z()));
   };
   double least = std::numeric_limits<double>::infinity();
   OnFloor best = all.front();
@@ -253,10 +253,10 @@ OnFloor medoid(const std::vector<OnFloor>& all) {
 /// corners for one, where the ray through the first corner meets the floor (unturned, at most 2 m away).
 OnFloor soleFromBoard(const Measurements& measurements, const ModelState& belief, const BoardObservation& sighting) {
   LinkPoses torsoFromLink;
-  posture(measurements.robot, belief, sighting.view.links(), torsoFromLink);
-  const CameraFrames attitude = sighting.view.attitude(measurements.robot, belief, torsoFromLink);
+  forwardKinematics(measurements.robot, belief, sighting.view.links(), torsoFromLink);
+  const CameraFrames attitude = sighting.view.cameraFrames(measurements.robot, belief, torsoFromLink);
   const RigidTransform soleFromOptical = attitude.opticalFromTarget.inverse();
-  if (const auto opticalFromBoard = boardPose(sighting.corners, belief.lens())) {
+  if (const auto opticalFromBoard = estimateBoardPose(sighting.corners, belief.lens())) {
     const RigidTransform pose = soleFromOptical * *opticalFromBoard;
     return {pose.translation.x(), pose.translation.y(), std::atan2(pose.rotation(1, 0), pose.rotation(0, 0))};
   }
@@ -283,10 +283,10 @@ void spread(const std::map<std::pair<std::size_t, std::size_t>, OnFloor>& seen, 
       auto& board = boards[key.second];
       auto& stance = stances[key.first];
       if (stance && !board) {
-        board = composed(*stance, soleFromThatBoard);
+        board = compose(*stance, soleFromThatBoard);
         moved = true;
       } else if (board && !stance) {
-        stance = composed(*board, inverted(soleFromThatBoard));
+        stance = compose(*board, invert(soleFromThatBoard));
         moved = true;
       }
     }
@@ -301,21 +301,22 @@ void spread(const std::map<std::pair<std::size_t, std::size_t>, OnFloor>& seen, 
 
 } // namespace
 
-Eigen::VectorXd startingUnknowns(const Measurements& measurements, const Model& model,
-                                 const Eigen::VectorXd& unknowns) {
+Eigen::VectorXd initializePlacements(const Measurements& measurements, const Model& model,
+                                     const Eigen::VectorXd& unknowns) {
   std::map<std::pair<std::size_t, std::size_t>, std::vector<OnFloor>> sightings, glimpses; // by (stance, board)
-  Placements boards(measurements.targets.size()), stances(measurements.standings.size());
+  Placements boards(measurements.targets.size()), stances(measurements.stances.size());
   std::optional<ModelState> any;
   for (const ImageObservation& picture : measurements.pictures) {
-    const ModelState belief = believed(measurements, model, picture, unknowns);
-    any = picture.drawn;
-    if (!measurements.standings[picture.stance].unknown) {
-      const auto ground = picture.drawn.ground();
+    const ModelState belief = predictState(measurements, model, picture, unknowns);
+    any = picture.nominal;
+    if (!measurements.stances[picture.stance].unknown) {
+      const auto ground = picture.nominal.worldFromSupport();
       stances[picture.stance] = OnFloor{ground[0], ground[1], ground[5]};
     }
     for (const BoardObservation& sighting : picture.sightings) {
       if (measurements.targets[sighting.view.board()].onFloor) {
-        (boardPose(sighting.corners, belief.lens()) ? sightings : glimpses)[{picture.stance, sighting.view.board()}]
+        (estimateBoardPose(sighting.corners, belief.lens()) ? sightings
+                                                            : glimpses)[{picture.stance, sighting.view.board()}]
             .push_back(soleFromBoard(measurements, belief, sighting));
       }
     }
@@ -339,10 +340,10 @@ Eigen::VectorXd startingUnknowns(const Measurements& measurements, const Model& 
       continue;
     }
     const bool isBoard = term.effect.place == EffectSite::board;
-    if (isBoard && (!measurements.targets[term.at].onFloor || measurements.targets[term.at].board.hasGuess)) {
+    if (isBoard && (!measurements.targets[term.site].onFloor || measurements.targets[term.site].board.hasGuess)) {
       continue; // starts at its guess
     }
-    const auto& placement = isBoard ? boards[term.at] : stances[term.at];
+    const auto& placement = isBoard ? boards[term.site] : stances[term.site];
     if (!placement) {
       continue;
     }
@@ -351,17 +352,17 @@ Eigen::VectorXd startingUnknowns(const Measurements& measurements, const Model& 
   return result;
 }
 
-Eigen::VectorXd alignedUnknowns(const Measurements& measurements, const Model& model, const Eigen::VectorXd& unknowns) {
-  const Eigen::VectorXd start = startingUnknowns(measurements, model, unknowns);
+Eigen::VectorXd alignBoards(const Measurements& measurements, const Model& model, const Eigen::VectorXd& unknowns) {
+  const Eigen::VectorXd start = initializePlacements(measurements, model, unknowns);
   const BoardAlignment alignment{measurements, model};
   if (alignment.size() == 0) {
     return start;
   }
   Eigen::VectorXd aligned =
-      levenbergMarquardt(alignment, start, {.maxIterations = 30, .smallestFall = 1e-3}).value().state;
-  const Eigen::VectorXd placedAnew = startingUnknowns(measurements, model, aligned);
+      levenbergMarquardt(alignment, start, {.maxIterations = 30, .minCostDecrease = 1e-3}).value().state;
+  const Eigen::VectorXd placedAnew = initializePlacements(measurements, model, aligned);
   for (const Term& term : model.terms()) {
-    if (term.isPlacement && term.effect.place == EffectSite::board && !alignment.knows(term.at)) {
+    if (term.isPlacement && term.effect.place == EffectSite::board && !alignment.includes(term.site)) {
       const auto first = static_cast<Eigen::Index>(term.first),
                  count = static_cast<Eigen::Index>(term.effect.unknowns.size());
       aligned.segment(first, count) = placedAnew.segment(first, count);

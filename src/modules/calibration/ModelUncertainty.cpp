@@ -32,15 +32,15 @@ bool isWide(double value, double variance) {
 
 } // namespace
 
-std::optional<Model> withPriorsFor(const Model& model, const Eigen::VectorXd& unknowns,
-                                   const Eigen::VectorXd& variances) {
+std::optional<Model> addPriors(const Model& model, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& variances) {
   Model result;
   bool widened = false;
   for (Term term : model.terms()) {
-    const bool added = term.asked && !term.isPlacement && !term.effect.base;
+    const bool added = term.requested && !term.isPlacement && !term.effect.base;
     for (std::size_t i = 0; added && i < term.effect.unknowns.size(); ++i) {
       double& sigma = term.effect.unknowns[i].sigma;
-      if (isWide(unknowns[at(term.first + i)] / sigma, variances[at(term.first + i)] / (sigma * sigma))) {
+      if (isWide(unknowns[eigenIndex(term.first + i)] / sigma,
+                 variances[eigenIndex(term.first + i)] / (sigma * sigma))) {
         sigma *= plausibleWidths[1].width;
         widened = true;
       }
@@ -79,7 +79,7 @@ bool areSame(const std::vector<Term>& a, const std::vector<Term>& b) {
 }
 
 /// `first`, then those candidates that are not among them: so that a model's effects are the first candidates.
-std::vector<Term> inFront(const std::vector<Term>& first, const std::vector<Term>& candidates) {
+std::vector<Term> putInFront(const std::vector<Term>& first, const std::vector<Term>& candidates) {
   std::vector<Term> result = first;
   for (const Term& term : candidates) {
     if (std::none_of(first.begin(), first.end(), [&](const Term& one) { return one.label() == term.label(); })) {
@@ -90,10 +90,10 @@ std::vector<Term> inFront(const std::vector<Term>& first, const std::vector<Term
 }
 
 /// The effects that a person added to the base model: another one may be there in their place.
-std::vector<Term> addedTo(const Model& model) {
+std::vector<Term> addedEffects(const Model& model) {
   std::vector<Term> result;
   std::copy_if(model.terms().begin(), model.terms().end(), std::back_inserter(result),
-               [](const Term& term) { return !term.effect.base && !term.isPlacement && term.asked; });
+               [](const Term& term) { return !term.effect.base && !term.isPlacement && term.requested; });
   std::sort(result.begin(), result.end(), [](const Term& a, const Term& b) { return a.label() < b.label(); });
   return result;
 }
@@ -109,12 +109,12 @@ Model without(const Model& model, const std::vector<Term>& effects) {
 }
 
 /// Places of a model's unknowns among another's, of those that it has: (place in `model`, place in `other`).
-std::vector<std::pair<Eigen::Index, Eigen::Index>> shared(const Model& model, const Model& other) {
+std::vector<std::pair<Eigen::Index, Eigen::Index>> sharedUnknowns(const Model& model, const Model& other) {
   std::vector<std::pair<Eigen::Index, Eigen::Index>> result;
   for (const Term& own : model.terms()) {
     for (const Term& term : other.terms()) {
       for (std::size_t i = 0; own.label() == term.label() && i < own.effect.unknowns.size(); ++i) {
-        result.emplace_back(at(own.first + i), at(term.first + i));
+        result.emplace_back(eigenIndex(own.first + i), eigenIndex(term.first + i));
       }
     }
   }
@@ -125,9 +125,9 @@ std::vector<std::pair<Eigen::Index, Eigen::Index>> shared(const Model& model, co
 /// the larger model without the effects.
 Eigen::VectorXd startOf(const Model& larger, const Model& own, const Model& along, const WideModel& wide,
                         const WindowModel& explanation, const std::vector<Term>& effects) {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(at(larger.unknownCount()));
-  result.head(at(along.unknownCount())) = carried(own, explanation.unknowns, along);
-  Eigen::Index next = at(along.unknownCount());
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(eigenIndex(larger.unknownCount()));
+  result.head(eigenIndex(along.unknownCount())) = mapParameters(own, explanation.unknowns, along);
+  Eigen::Index next = eigenIndex(along.unknownCount());
   for (const Term& effect : effects) {
     Eigen::Index column = 0;
     for (const WindowMember& member : explanation.members) {
@@ -136,13 +136,13 @@ Eigen::VectorXd startOf(const Model& larger, const Model& own, const Model& alon
       }
       column += member.count;
     }
-    next += at(effect.effect.unknowns.size());
+    next += eigenIndex(effect.effect.unknowns.size());
   }
   return result;
 }
 
 /// What a group of columns is called: "elasticity@LKneePitch", or of a curve "LKneePitch over q".
-std::string nameOf(const WideModel& wide, std::size_t group) {
+std::string formatGroup(const WideModel& wide, std::size_t group) {
   if (group < wide.candidates().size()) {
     return wide.candidates()[group].label();
   }
@@ -151,7 +151,7 @@ std::string nameOf(const WideModel& wide, std::size_t group) {
     return wide.mounts()[curve].term.place;
   }
   const DriverBasis& cell = wide.map().cells[curve - wide.mounts().size()];
-  return wide.jointName(cell.motor) + " over " + nameAt(wide.map().drivers[cell.driver], cell.motor);
+  return wide.jointName(cell.motor) + " over " + expressionName(wide.map().drivers[cell.driver], cell.motor);
 }
 
 /// The search of the likeliest explanation.
@@ -159,7 +159,7 @@ class Search {
 public:
   Search(const Measurements& measurements, const Model& model, const std::optional<RepeatInfo>& repeats,
          const CalibrationOptions& options)
-      : measurements_{measurements}, added_{addedTo(model)}, base_{without(model, added_)}, repeats_{repeats},
+      : measurements_{measurements}, added_{addedEffects(model)}, base_{without(model, added_)}, repeats_{repeats},
         options_{options}, candidates_{testableTerms(measurements, model, options.effects)} {}
 
   const std::vector<Term>& added() const { return added_; }
@@ -170,33 +170,34 @@ public:
     if (!repeats_) {
       return {noise, {}};
     }
-    const WideModel wide{measurements_, own, inFront(effects, candidates_), pointOf(fit), false};
-    return noiseLevels(wide.problem(), noise, *repeats_);
+    const WideModel wide{measurements_, own, putInFront(effects, candidates_), pointOf(fit), false};
+    return estimateNoiseLevels(wide.problem(), noise, *repeats_);
   }
   /// Near enough to linearise at.
-  Fit near(const Model& model, const Noise& noise, Fit from) const {
+  Fit refineNearly(const Model& model, const Noise& noise, Fit from) const {
     const Loss loss = from.loss;
-    return options_.robust ? robustFit(measurements_, model, noise, std::move(from))
-                           : refit(measurements_, model, noise, loss, std::move(from), roughly);
+    return options_.robust ? fitRobustly(measurements_, model, noise, std::move(from))
+                           : refit(measurements_, model, noise, loss, std::move(from), coarseTolerance);
   }
   /// To the last digit.
-  Fit fitted(const Model& model, const Noise& noise, Fit from) const {
-    from = near(model, noise, std::move(from));
+  Fit refineFully(const Model& model, const Noise& noise, Fit from) const {
+    from = refineNearly(model, noise, std::move(from));
     const Loss loss = from.loss;
     return refit(measurements_, model, noise, loss, std::move(from));
   }
   WideModel wideAt(const Model& own, const std::vector<Term>& effects, const Fit& fit) const {
-    return {measurements_, own, inFront(effects, candidates_), pointOf(fit), true};
+    return {measurements_, own, putInFront(effects, candidates_), pointOf(fit), true};
   }
   void ask(const WideModel& wide, Explained& explained) const {
-    const Evidence evidence = evidenceOf(wide.problem(), explained.levels.noise, options_.draws, options_.drawSeed);
+    const Evidence evidence =
+        computeEvidence(wide.problem(), explained.levels.noise, options_.draws, options_.drawSeed);
     explained.pValue = evidence.pValue;
     explained.matters = evidence.matters;
   }
 
   /// One step: the effects of the window's likeliest explanation, fitted. False: they are those already in the fit, or
   /// from far the linear explanation leads astray.
-  bool goOn(const WideModel& wide, const Model& own, Explained& explained) const {
+  bool extend(const WideModel& wide, const Model& own, Explained& explained) const {
     const WindowModel& likeliest = explained.window.models.front();
     const std::vector<Term> effects = namedEffects(wide, likeliest);
     if (areSame(effects, explained.effects)) {
@@ -208,14 +209,15 @@ public:
     from.minimum.state.unknowns = startOf(larger, own, along, wide, likeliest, effects);
     const Noise& noise = explained.levels.noise;
     try {
-      from = near(larger, noise, refit(measurements_, larger, noise, from.loss, std::move(from), roughly));
+      from =
+          refineNearly(larger, noise, refit(measurements_, larger, noise, from.loss, std::move(from), coarseTolerance));
     } catch (const InputError&) {
       return false;
     }
     explained.effects = effects;
     explained.larger = larger;
     explained.levels = levelsAt(along, effects, from, noise);
-    explained.largerFit = near(larger, explained.levels.noise, std::move(from));
+    explained.largerFit = refineNearly(larger, explained.levels.noise, std::move(from));
     return true;
   }
 
@@ -224,8 +226,8 @@ public:
     explained.effects = added_;
     explained.larger = with(withWeighingOffsets(measurements_, base_, added_), added_);
     Fit from = fit;
-    from.minimum.state.unknowns = carried(model, fit.minimum.state.unknowns, explained.larger);
-    explained.largerFit = near(explained.larger, explained.levels.noise, std::move(from));
+    from.minimum.state.unknowns = mapParameters(model, fit.minimum.state.unknowns, explained.larger);
+    explained.largerFit = refineNearly(explained.larger, explained.levels.noise, std::move(from));
   }
 
 private:
@@ -250,7 +252,7 @@ Explained explain(const Measurements& measurements, const Model& model, const Fi
                   const std::optional<RepeatInfo>& repeats, const CalibrationOptions& options) {
   const Search search{measurements, model, repeats, options};
   Explained result{search.levelsAt(model, {}, fit, noise), fit, {}, model, fit, model, {}, {}};
-  result.fit = result.largerFit = search.fitted(model, result.levels.noise, fit);
+  result.fit = result.largerFit = search.refineFully(model, result.levels.noise, fit);
   if (!search.added().empty()) {
     search.startAt(model, result.fit, result);
   }
@@ -258,23 +260,23 @@ Explained explain(const Measurements& measurements, const Model& model, const Fi
   for (int round = 0; round <= rounds; ++round) {
     result.own = withWeighingOffsets(measurements, search.base(), result.effects);
     const WideModel wide = search.wideAt(result.own, result.effects, result.largerFit);
-    result.window = modelWindow(wide, result.levels.noise, search.added().size());
+    result.window = searchModelWindow(wide, result.levels.noise, search.added().size());
     result.names.clear();
     for (std::size_t group = 0; group < wide.problem().groups.size(); ++group) {
-      result.names.push_back(nameOf(wide, group));
+      result.names.push_back(formatGroup(wide, group));
     }
     if (round == 0 && search.added().empty()) {
       search.ask(wide, result);
     }
-    if (round == rounds || !search.goOn(wide, result.own, result)) {
+    if (round == rounds || !search.extend(wide, result.own, result)) {
       break;
     }
   }
   if (!areSame(result.effects, search.added())) { // something is missing, and levels have changed
-    result.fit = inFull(measurements, model, search.fitted(model, result.levels.noise, std::move(result.fit)));
+    result.fit = fitFully(measurements, model, search.refineFully(model, result.levels.noise, std::move(result.fit)));
     const bool scatters = result.levels.noise.pose >= suspectScatter;
     if (!scatters && std::any_of(result.effects.begin(), result.effects.end(), std::not_fn(isOfJoint))) {
-      result.fit = weighedByMisfit(measurements, model, result.fit);
+      result.fit = weighByMisfit(measurements, model, result.fit);
     }
     search.ask(search.wideAt(model, {}, result.fit), result);
   } else if (!search.added().empty()) {
@@ -285,8 +287,8 @@ Explained explain(const Measurements& measurements, const Model& model, const Fi
 
 void describe(const Explained& explained, const Model& model, CalibrationResult& result) {
   const ModelWindow& window = explained.window;
-  const Eigen::VectorXd widening = levelWidening(explained.fit.minimum.linear, model.sigmas(), explained.levels);
-  for (const auto& [i, own] : shared(model, explained.own)) {
+  const Eigen::VectorXd widening = computeLevelWidening(explained.fit.minimum.linear, model.sigmas(), explained.levels);
+  for (const auto& [i, own] : sharedUnknowns(model, explained.own)) {
     const double mean = window.mean[own];
     const auto [low, high] = window.interval(own);
     result.estimates[static_cast<std::size_t>(i)].averaged =
@@ -296,7 +298,7 @@ void describe(const Explained& explained, const Model& model, CalibrationResult&
                  .high = mean + (high - mean) * widening[i]};
   }
   constexpr double worthNaming = 0.01;
-  const std::vector<Term> added = addedTo(model);
+  const std::vector<Term> added = addedEffects(model);
   for (const WindowModel& one : window.models) {
     if (one.weight <= worthNaming) {
       continue;

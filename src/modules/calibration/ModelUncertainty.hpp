@@ -17,8 +17,7 @@ namespace naocal {
 /// plausible widths (`plausibleWidths`) where that makes what was measured likelier. Else a prior that expects
 /// something smaller draws it towards zero, and a twin takes the rest. Absent where no prior need be wider. `unknowns`,
 /// `variances`: of the fit, its priors included.
-std::optional<Model> withPriorsFor(const Model& model, const Eigen::VectorXd& unknowns,
-                                   const Eigen::VectorXd& variances);
+std::optional<Model> addPriors(const Model& model, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& variances);
 
 /// A model's fit put to the question what may be missing.
 struct Explained {

@@ -78,7 +78,7 @@ struct Components {
       }
     }
     const ImageObservation& picture = measurements.pictures[cell.front()->picture];
-    const auto fields = smoothFields(seen, picture.drawn.lens().segment<2>(2)).colPivHouseholderQr();
+    const auto fields = smoothFields(seen, picture.nominal.lens().segment<2>(2)).colPivHouseholderQr();
     Eigen::MatrixXd left = fields.householderQ().adjoint() * residuals;
     left = left.bottomRows(left.rows() - fields.rank()).eval();
     const Eigen::VectorXd mean = left.rowwise().mean();
@@ -94,8 +94,8 @@ struct Components {
 
 } // namespace
 
-std::optional<PixelNoise> pixelNoiseFromRepeats(const Measurements& measurements,
-                                                const std::vector<BoardResidual>& sightings) {
+std::optional<PixelNoise> estimatePixelNoiseFromRepeats(const Measurements& measurements,
+                                                        const std::vector<BoardResidual>& sightings) {
   using Key = std::tuple<std::size_t, std::size_t, std::size_t>; // pose, camera, board
   const std::vector<std::size_t> poseOf = posesOfPictures(measurements);
   std::map<Key, Cell> cells;
@@ -122,7 +122,7 @@ std::optional<PixelNoise> pixelNoiseFromRepeats(const Measurements& measurements
                     std::clamp(std::sqrt(std::max(0.0, alike2)), 0.0, PixelNoise::mostAlike)};
 }
 
-std::optional<double> pixelNoiseWithinPictures(const std::vector<BoardResidual>& sightings) {
+std::optional<double> estimatePixelNoiseWithinImages(const std::vector<BoardResidual>& sightings) {
   Scatter scatter;
   for (const BoardResidual& sighting : sightings) {
     std::vector<Eigen::Index> good;

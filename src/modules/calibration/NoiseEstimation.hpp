@@ -23,11 +23,11 @@ struct PixelNoise {
   static constexpr double mostAlike = 0.05;
 };
 /// Absent without repeats.
-std::optional<PixelNoise> pixelNoiseFromRepeats(const Measurements& measurements,
-                                                const std::vector<BoardResidual>& sightings);
+std::optional<PixelNoise> estimatePixelNoiseFromRepeats(const Measurements& measurements,
+                                                        const std::vector<BoardResidual>& sightings);
 
 /// The pixel noise [px] within single pictures: residuals after the picture's rigid motion is taken out. A lens or a
 /// board that is not as drawn counts as noise here. Absent where no picture shows enough corners (eight) of a board.
-std::optional<double> pixelNoiseWithinPictures(const std::vector<BoardResidual>& sightings);
+std::optional<double> estimatePixelNoiseWithinImages(const std::vector<BoardResidual>& sightings);
 
 } // namespace naocal

@@ -10,7 +10,7 @@
 
 namespace naocal {
 
-std::vector<Outlier> doubts(const Measurements& measurements, const CalibrationResult& result) {
+std::vector<Outlier> findOutliers(const Measurements& measurements, const CalibrationResult& result) {
   std::vector<Outlier> all;
   for (const BoardResidual& seen : result.sightings) {
     const BoardObservation& sighting = measurements.pictures[seen.picture].sightings[seen.sighting];
@@ -83,15 +83,15 @@ void test(BoardDisplacement& move, const BoardMotionSums& motion, const PoseSyst
 
 } // namespace
 
-std::vector<BoardDisplacement> moves(const Measurements& measurements, const Model& model, const Fit& fit) {
+std::vector<BoardDisplacement> testDisplacements(const Measurements& measurements, const Model& model, const Fit& fit) {
   const Residuals residuals{measurements, model, fit.noise, fit.loss};
   const Residuals::Linear& linear = fit.minimum.linear;
   const Eigen::LLT<Eigen::MatrixXd> hessian{linear.hessian};
   std::vector<BoardDisplacement> result;
-  const auto motions = residuals.sightingMotions(fit.minimum.state);
+  const auto motions = residuals.boardMotions(fit.minimum.state);
   for (const BoardMotionSums& motion : motions.value()) {
     const PoseSystem& pose = linear.poses[motion.pose];
-    const JointErrorRoot root = deflectionRoot(pose, fit.noise);
+    const JointErrorRoot root = jointErrorRoot(pose, fit.noise);
     test(result.emplace_back(BoardDisplacement{motion.picture, motion.sighting}), motion, pose,
          linear.eliminated[motion.pose], root, root * fit.minimum.state.deflections[motion.pose], fit.noise.pixel,
          hessian);
@@ -101,9 +101,9 @@ std::vector<BoardDisplacement> moves(const Measurements& measurements, const Mod
   return result;
 }
 
-std::optional<BoardDisplacement> mostMoved(const Measurements& measurements, const Model& model, const Fit& fit,
-                                           double misfit) {
-  std::vector<BoardDisplacement> all = moves(measurements, model, fit);
+std::optional<BoardDisplacement> findDisplacedBoard(const Measurements& measurements, const Model& model,
+                                                    const Fit& fit, double misfit) {
+  std::vector<BoardDisplacement> all = testDisplacements(measurements, model, fit);
   const auto count = static_cast<double>(all.size());
   std::erase_if(all, [](const BoardDisplacement& move) { return move.distance < threshold::negligiblePx; });
   const auto most = std::max_element(
@@ -115,7 +115,7 @@ std::optional<BoardDisplacement> mostMoved(const Measurements& measurements, con
   return p * count < threshold::movedBoardAlarm ? std::optional{*most} : std::nullopt;
 }
 
-void setAside(Measurements& measurements, const BoardDisplacement& move) {
+void excludeObservation(Measurements& measurements, const BoardDisplacement& move) {
   for (CornerBlock& block : measurements.pictures[move.picture].sightings[move.sighting].corners) {
     block.present = Double4{};
   }

@@ -9,7 +9,7 @@
 namespace naocal {
 
 /// Corners whose weight the loss took away, and sightings that lost most of their corners that way.
-std::vector<Outlier> doubts(const Measurements& measurements, const CalibrationResult& result);
+std::vector<Outlier> findOutliers(const Measurements& measurements, const CalibrationResult& result);
 
 /// Boards in pictures that do not lie where all others put them, of all boards in pictures.
 struct Accidents {
@@ -42,15 +42,15 @@ struct BoardDisplacement {
 ///
 /// (Cox, Hinkley: Theoretical statistics, 1974, section 9.3). It sees what the corners' own loss cannot: where many
 /// corners moved together it costs less to bend the joints, against their noise, than to give up every corner.
-std::vector<BoardDisplacement> moves(const Measurements& measurements, const Model& model, const Fit& fit);
+std::vector<BoardDisplacement> testDisplacements(const Measurements& measurements, const Model& model, const Fit& fit);
 
 /// The sighting that moved most, if any did beyond doubt (once in a million sets of captures in which nothing moved)
 /// and by more than a detector's own bias. `misfit`: what the model misses everywhere, in chi2 per freedom; a move must
 /// stand out from that.
-std::optional<BoardDisplacement> mostMoved(const Measurements& measurements, const Model& model, const Fit& fit,
-                                           double misfit = 1);
+std::optional<BoardDisplacement> findDisplacedBoard(const Measurements& measurements, const Model& model,
+                                                    const Fit& fit, double misfit = 1);
 
 /// The same measurements without the corners of a sighting: it stays in the lists, but counts nothing.
-void setAside(Measurements& measurements, const BoardDisplacement& move);
+void excludeObservation(Measurements& measurements, const BoardDisplacement& move);
 
 } // namespace naocal

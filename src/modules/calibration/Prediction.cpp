@@ -16,10 +16,10 @@ namespace {
 /// As they are seen: nothing of them is put down to the joints.
 std::vector<BoardResidual> plainResiduals(const Measurements& measurements, const Prediction& prediction) {
   Residuals residuals{measurements, prediction.model, Noise{.pixel = 0.3, .encoder = 0, .pose = 0}};
-  return residuals.sightings(predicted(residuals, prediction).state);
+  return residuals.boardResiduals(predict(residuals, prediction).state);
 }
 
-ResidualSummary distances(std::vector<double> all) {
+ResidualSummary summarizeDistances(std::vector<double> all) {
   ResidualSummary result{0, 0, all.size()};
   if (all.empty()) {
     return result;
@@ -33,10 +33,10 @@ ResidualSummary distances(std::vector<double> all) {
   return result;
 }
 
-std::map<std::string, ResidualSummary> distances(const std::map<std::string, std::vector<double>>& groups) {
+std::map<std::string, ResidualSummary> summarizeDistances(const std::map<std::string, std::vector<double>>& groups) {
   std::map<std::string, ResidualSummary> result;
   for (const auto& [name, all] : groups) {
-    result[name] = distances(all);
+    result[name] = summarizeDistances(all);
   }
   return result;
 }
@@ -45,11 +45,11 @@ std::map<std::string, ResidualSummary> distances(const std::map<std::string, std
 
 Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot,
                    bool samePlace) {
-  const Measurements measurements = measurementsOf(sets, robot, samePlace);
+  const Measurements measurements = buildMeasurements(sets, robot, samePlace);
   if (measurements.cornerCount == 0) {
     throw InputError{"these captures show no corner to compare with"};
   }
-  const Prediction prediction = predictionOf(result, measurements, samePlace);
+  const Prediction prediction = preparePrediction(result, measurements, samePlace);
   Comparison comparison;
   comparison.ignored = prediction.ignored;
   std::vector<double> all, nominal;
@@ -64,27 +64,27 @@ Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& se
       byPose[sets[picture.set].captures[picture.capture].pose].push_back(distance);
     }
   }
-  const Prediction drawn = predictionOf(prediction.model, StoredResult{}, measurements, samePlace);
+  const Prediction drawn = preparePrediction(prediction.model, StoredResult{}, measurements, samePlace);
   for (const BoardResidual& seen : plainResiduals(measurements, drawn)) {
     for (Eigen::Index i = 0; i < seen.residual.cols(); ++i) {
       nominal.push_back(seen.residual.col(i).norm());
     }
   }
-  comparison.all = distances(all);
-  comparison.nominal = distances(nominal);
-  comparison.byBoard = distances(byBoard);
-  comparison.byCamera = distances(byCamera);
-  comparison.byPose = distances(byPose);
+  comparison.all = summarizeDistances(all);
+  comparison.nominal = summarizeDistances(nominal);
+  comparison.byBoard = summarizeDistances(byBoard);
+  comparison.byCamera = summarizeDistances(byCamera);
+  comparison.byPose = summarizeDistances(byPose);
   return comparison;
 }
 
 double weightedError(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot,
                      bool samePlace, const Noise& noise) {
-  const Measurements measurements = measurementsOf(sets, robot, samePlace);
-  const Prediction from = predictionOf(result, measurements, samePlace);
+  const Measurements measurements = buildMeasurements(sets, robot, samePlace);
+  const Prediction from = preparePrediction(result, measurements, samePlace);
   Residuals quadratic{measurements, from.model, noise}, robust{measurements, from.model, noise, Loss{.scale = 1}};
   // where the joints rest is found first: before that, all corners of a pose look false
-  const FitMinimum minimum = predicted(robust, from, predicted(quadratic, from).state);
+  const FitMinimum minimum = predict(robust, from, predict(quadratic, from).state);
   double chi2 = 0; // without what the result's own numbers cost
   for (const MarginalSystem& pose : minimum.linear.eliminated) {
     chi2 += 2 * pose.cost;
@@ -117,10 +117,10 @@ nlohmann::json comparisonJson(const Comparison& comparison) {
 namespace {
 
 /// The model of a result on other captures: its terms as far as they are touched there, and the placements.
-Model modelOf(const StoredResult& result, const Measurements& measurements, std::vector<std::string>& ignored) {
+Model modelFromResult(const StoredResult& result, const Measurements& measurements, std::vector<std::string>& ignored) {
   const std::vector<Effect> effects =
-      effectsWith(nlohmann::json::parse(result.definitions), "model.define", measurements.robot);
-  const Model base = makeModel(measurements);
+      parseEffects(nlohmann::json::parse(result.definitions), "model.define", measurements.robot);
+  const Model base = buildModel(measurements);
   std::vector<std::string> with, without;
   for (const Term& term : base.terms()) {
     if (!term.isPlacement && std::find(result.terms.begin(), result.terms.end(), term.label()) == result.terms.end()) {
@@ -129,13 +129,13 @@ Model modelOf(const StoredResult& result, const Measurements& measurements, std:
   }
   for (const std::string& term : result.terms) {
     try {
-      makeModel(measurements, {term}, {}, effects);
+      buildModel(measurements, {term}, {}, effects);
       with.push_back(term);
     } catch (const InputError&) {
       ignored.push_back(term);
     }
   }
-  Model model = makeModel(measurements, with, without, effects);
+  Model model = buildModel(measurements, with, without, effects);
   std::erase_if(ignored, [&](const std::string& label) { // offsets that come along with effects of weight
     return std::any_of(model.terms().begin(), model.terms().end(),
                        [&](const Term& term) { return term.label() == label; });
@@ -157,8 +157,8 @@ void placeAt(const Term& term, const Eigen::Matrix<double, 6, 1>& start, const P
 
 } // namespace
 
-Prediction predictionOf(const Model& model, const StoredResult& result, const Measurements& measurements,
-                        bool samePlace) {
+Prediction preparePrediction(const Model& model, const StoredResult& result, const Measurements& measurements,
+                             bool samePlace) {
   const auto count = static_cast<Eigen::Index>(model.unknownCount());
   Prediction all{model, Eigen::VectorXd::Zero(count), std::vector<bool>(model.unknownCount(), false), {}};
   const std::vector<std::string> names = model.names();
@@ -166,19 +166,19 @@ Prediction predictionOf(const Model& model, const StoredResult& result, const Me
     const auto value = result.values.find(names[i]);
     all.unknowns[static_cast<Eigen::Index>(i)] = value == result.values.end() ? 0 : value->second;
   }
-  all.unknowns = startingUnknowns(measurements, model, all.unknowns);
+  all.unknowns = initializePlacements(measurements, model, all.unknowns);
   for (const Term& term : model.terms()) {
     if (!term.isPlacement) {
       continue;
     }
     const bool isBoard = term.effect.place == EffectSite::board;
-    const bool onFloor = !isBoard || measurements.targets[term.at].onFloor;
+    const bool onFloor = !isBoard || measurements.targets[term.site].onFloor;
     const auto& known = isBoard ? result.boards : result.stances;
     const auto placement = known.find(term.place);
     if (placement != known.end() && (samePlace || !onFloor)) {
-      const ModelState& drawn = measurements.pictures.front().drawn;
+      const ModelState& drawn = measurements.pictures.front().nominal;
       const Eigen::Matrix<double, 6, 1> start =
-          isBoard ? Eigen::Matrix<double, 6, 1>{drawn.boardPlacement(term.at)} : Eigen::Matrix<double, 6, 1>::Zero();
+          isBoard ? Eigen::Matrix<double, 6, 1>{drawn.boardPlacement(term.site)} : Eigen::Matrix<double, 6, 1>::Zero();
       placeAt(term, start, placement->second, all.unknowns);
     } else {
       std::fill_n(all.free.begin() + static_cast<std::ptrdiff_t>(term.first), term.effect.unknowns.size(), onFloor);
@@ -187,15 +187,16 @@ Prediction predictionOf(const Model& model, const StoredResult& result, const Me
   return all;
 }
 
-Prediction predictionOf(const StoredResult& result, const Measurements& measurements, bool samePlace) {
+Prediction preparePrediction(const StoredResult& result, const Measurements& measurements, bool samePlace) {
   std::vector<std::string> ignored;
-  Prediction prediction = predictionOf(modelOf(result, measurements, ignored), result, measurements, samePlace);
+  Prediction prediction =
+      preparePrediction(modelFromResult(result, measurements, ignored), result, measurements, samePlace);
   prediction.ignored = std::move(ignored);
   return prediction;
 }
 
-FitMinimum predicted(Residuals& residuals, const Prediction& prediction, const Residuals::State& start) {
-  residuals.freeOnly(prediction.free);
+FitMinimum predict(Residuals& residuals, const Prediction& prediction, const Residuals::State& start) {
+  residuals.setFree(prediction.free);
   auto minimum = levenbergMarquardt(residuals, start);
   if (!minimum) {
     throw InputError{
@@ -205,8 +206,8 @@ FitMinimum predicted(Residuals& residuals, const Prediction& prediction, const R
   return *std::move(minimum);
 }
 
-FitMinimum predicted(Residuals& residuals, const Prediction& prediction) {
-  return predicted(residuals, prediction, residuals.start(prediction.unknowns));
+FitMinimum predict(Residuals& residuals, const Prediction& prediction) {
+  return predict(residuals, prediction, residuals.startState(prediction.unknowns));
 }
 
 } // namespace naocal

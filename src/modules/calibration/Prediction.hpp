@@ -44,13 +44,13 @@ struct Prediction {
   std::vector<bool> free;           // floor placements, unless the boards lie where they lay
   std::vector<std::string> ignored; // terms of the result that these captures do not touch
 };
-Prediction predictionOf(const StoredResult& result, const Measurements& measurements, bool samePlace);
+Prediction preparePrediction(const StoredResult& result, const Measurements& measurements, bool samePlace);
 /// On a model that is there already.
-Prediction predictionOf(const Model& model, const StoredResult& result, const Measurements& measurements,
-                        bool samePlace);
+Prediction preparePrediction(const Model& model, const StoredResult& result, const Measurements& measurements,
+                             bool samePlace);
 
 /// The least cost over what is free. Throws InputError where the captures cannot be predicted at all.
-FitMinimum predicted(Residuals& residuals, const Prediction& prediction);
-FitMinimum predicted(Residuals& residuals, const Prediction& prediction, const Residuals::State& start);
+FitMinimum predict(Residuals& residuals, const Prediction& prediction);
+FitMinimum predict(Residuals& residuals, const Prediction& prediction, const Residuals::State& start);
 
 } // namespace naocal

@@ -16,12 +16,12 @@
 namespace naocal {
 
 /// What of the captures does not fit the rest: set, capture, board, corners and how far off [px].
-nlohmann::json doubtfulJson(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+nlohmann::json outliersJson(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                             const CalibrationResult& result);
 
 /// Every corner: measured; predicted with the joints' readings as they are; fitted, where the readings are moved as
 /// far as their noise allows; and how far it counted.
-nlohmann::json sightingsJson(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+nlohmann::json residualsJson(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                              const CalibrationResult& result);
 
 /// The cameras' image sizes, by set and name.
@@ -41,7 +41,7 @@ json pointsJson(const Eigen::Matrix2Xd& points) {
 
 } // namespace
 
-json doubtfulJson(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+json outliersJson(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                   const CalibrationResult& result) {
   json list = json::array();
   for (const Outlier& doubt : result.doubts) {
@@ -57,7 +57,7 @@ json doubtfulJson(const std::vector<CaptureSet>& sets, const Measurements& measu
   return list;
 }
 
-json sightingsJson(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+json residualsJson(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                    const CalibrationResult& result) {
   json list = json::array();
   for (std::size_t i = 0; i < result.sightings.size(); ++i) {
@@ -75,7 +75,7 @@ json sightingsJson(const std::vector<CaptureSet>& sets, const Measurements& meas
                     {"board", measurements.targets[sighting.view.board()].name},
                     {"ids", sighting.ids},
                     {"measured", pointsJson(seen.predicted + seen.residual)},
-                    {"predicted", pointsJson(result.asReported[i].predicted)},
+                    {"predicted", pointsJson(result.withReportedAngles[i].predicted)},
                     {"fitted", pointsJson(seen.predicted)},
                     {"weight", std::vector<double>(seen.weight.begin(), seen.weight.end())}});
   }
@@ -121,7 +121,7 @@ Noise noiseFrom(const json& entry, const std::filesystem::path& file) {
 
 StoredResult readResult(const std::filesystem::path& file) {
   try {
-    const json all = json::parse(fileContent(file));
+    const json all = json::parse(readFile(file));
     if (all.value("format", "") != "naocal-result" || all.value("version", 0) != 1) {
       throw InputError{
           fmt::format("{}: format: expected \"naocal-result\" version 1, as 'naocal solve' writes it, found {} "
@@ -199,12 +199,12 @@ json placementJson(const Eigen::Matrix<double, 6, 1>& p, bool onFloor) {
 json placementsJson(const Measurements& measurements, const Model& model, const CalibrationResult& result) {
   json boards = json::object(), stances = json::object();
   for (const ImageObservation& picture : measurements.pictures) {
-    const ModelState belief = believed(measurements, model, picture, result.unknowns);
+    const ModelState belief = predictState(measurements, model, picture, result.unknowns);
     for (const BoardObservation& sighting : picture.sightings) {
       const Target& target = measurements.targets[sighting.view.board()];
       boards[target.name] = placementJson(belief.boardPlacement(sighting.view.board()), target.onFloor);
       if (target.onFloor) {
-        stances[measurements.standings[picture.stance].name] = placementJson(belief.ground(), true);
+        stances[measurements.stances[picture.stance].name] = placementJson(belief.worldFromSupport(), true);
       }
     }
   }
@@ -285,10 +285,10 @@ json resultJson(const std::vector<CaptureSet>& sets, const Measurements& measure
   return {{"format", "naocal-result"},
           {"version", 1},
           {"converged", result.converged},
-          {"verdict", nameOf(result.verdict)},
+          {"verdict", toString(result.verdict)},
           {"usable", result.usable},
           {"sentence", result.sentence},
-          {"warnings", sentences(result.warnings)},
+          {"warnings", toSentences(result.warnings)},
           {"rmsPx", result.rmsPx},
           {"medianPx", result.medianPx},
           {"noiseFloorPx", result.noiseFloorPx},
@@ -314,7 +314,7 @@ json resultJson(const std::vector<CaptureSet>& sets, const Measurements& measure
           {"placements", placementsJson(measurements, model, result)},
           {"placementSigmas", placementSigmasJson(model, result)},
           {"weak", weakJson(result)},
-          {"doubtful", doubtfulJson(sets, measurements, result)},
+          {"doubtful", outliersJson(sets, measurements, result)},
           {"floorErrorAt2m", result.floorErrorAt2m},
           {"iterations", result.iterations},
           {"restarts", {{"tried", result.restartsTried}, {"changedTheAnswer", result.restartsChanged}}},
@@ -322,7 +322,7 @@ json resultJson(const std::vector<CaptureSet>& sets, const Measurements& measure
           {"inputs", {{"sets", inputs.sets}, {"sha256", inputs.sha256}}},
           {"model", {{"robot", measurements.robot.model}, {"terms", std::move(terms)}, {"define", definitions(model)}}},
           {"cameras", camerasJson(sets)},
-          {"sightings", sightingsJson(sets, measurements, result)}};
+          {"sightings", residualsJson(sets, measurements, result)}};
 }
 
 } // namespace naocal

@@ -20,34 +20,34 @@ namespace naocal {
 namespace {
 
 /// The error with the legs as in one picture; absent where it sees no floor board or the point lies behind.
-std::optional<double> errorIn(const ImageObservation& picture, const Measurements& measurements, const Model& model,
-                              const CalibrationResult& result) {
+std::optional<double> predictErrorIn(const ImageObservation& picture, const Measurements& measurements,
+                                     const Model& model, const CalibrationResult& result) {
   const auto sighting =
       std::find_if(picture.sightings.begin(), picture.sightings.end(),
                    [&](const BoardObservation& s) { return measurements.targets[s.view.board()].onFloor; });
   if (sighting == picture.sightings.end()) {
     return std::nullopt;
   }
-  ModelState belief = believed(measurements, model, picture, result.unknowns);
+  ModelState belief = predictState(measurements, model, picture, result.unknowns);
   const std::size_t board = sighting->view.board();
-  belief.ground().setZero();
+  belief.worldFromSupport().setZero();
   belief.boardPlacement(board) << 2, 0, 0, 0, 0, 0;
   for (std::size_t joint : sighting->view.joints()) {
     const std::size_t link = measurements.robot.joints[joint].link;
     const std::size_t head = measurements.robot.cameras[picture.camera].link;
-    const auto towardsHead = linksTowards(measurements.robot, {head});
+    const auto towardsHead = ancestorLinks(measurements.robot, {head});
     if (std::find(towardsHead.begin(), towardsHead.end(), link) != towardsHead.end()) {
       belief.angle(joint) = 0;
     }
   }
   LinkPoses torsoFromLink;
-  posture(measurements.robot, belief, sighting->view.links(), torsoFromLink);
-  const CameraFrames attitude = sighting->view.attitude(measurements.robot, belief, torsoFromLink);
+  forwardKinematics(measurements.robot, belief, sighting->view.links(), torsoFromLink);
+  const CameraFrames attitude = sighting->view.cameraFrames(measurements.robot, belief, torsoFromLink);
   const Eigen::Vector3d point = attitude.opticalFromBoard.translation;
   if (point.z() < 0.1) {
     return std::nullopt;
   }
-  const std::vector<StateDerivative> all = slopes(measurements, model, picture, result.unknowns);
+  const std::vector<StateDerivative> all = evaluateJacobian(measurements, model, picture, result.unknowns);
   std::vector<std::size_t> quantities;
   std::vector<StateDerivative> physical;
   for (const StateDerivative& slope : all) {
@@ -56,16 +56,16 @@ std::optional<double> errorIn(const ImageObservation& picture, const Measurement
       quantities.push_back(slope.quantity);
     }
   }
-  Eigen::MatrixXd columns(6, at(quantities.size()));
-  sighting->view.motion(measurements.robot, attitude, belief, torsoFromLink, quantities, {}, columns);
+  Eigen::MatrixXd columns(6, eigenIndex(quantities.size()));
+  sighting->view.fillMotionColumns(measurements.robot, attitude, belief, torsoFromLink, quantities, {}, columns);
   const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
   Eigen::MatrixXd slip = Eigen::MatrixXd::Zero(2, result.unknowns.size());
   for (std::size_t i = 0; i < physical.size(); ++i) {
-    const Eigen::Vector3d omega = columns.col(at(i)).head<3>();
-    const Eigen::Vector3d motion = omega.cross(point) + columns.col(at(i)).tail<3>();
+    const Eigen::Vector3d omega = columns.col(eigenIndex(i)).head<3>();
+    const Eigen::Vector3d motion = omega.cross(point) + columns.col(eigenIndex(i)).tail<3>();
     // the ray stays, the floor moved: where it meets the floor now, in the floor's own axes
     const Eigen::Vector3d shift = point * (motion.dot(normal) / point.dot(normal)) - motion;
-    slip.col(at(physical[i].unknown)) +=
+    slip.col(eigenIndex(physical[i].unknown)) +=
         physical[i].value * (attitude.opticalFromWorld.rotation.transpose() * shift).head<2>();
   }
   return std::sqrt((slip * result.covariance * slip.transpose()).trace());
@@ -73,10 +73,10 @@ std::optional<double> errorIn(const ImageObservation& picture, const Measurement
 
 } // namespace
 
-double floorErrorAt2m(const Measurements& measurements, const Model& model, const CalibrationResult& result) {
+double predictFloorErrorAt2m(const Measurements& measurements, const Model& model, const CalibrationResult& result) {
   std::vector<double> errors;
   for (const ImageObservation& picture : measurements.pictures) {
-    if (const auto error = errorIn(picture, measurements, model, result)) {
+    if (const auto error = predictErrorIn(picture, measurements, model, result)) {
       errors.push_back(*error);
     }
   }
@@ -104,7 +104,7 @@ Spread spreadOver(const Residuals::Linear& linear, const Eigen::VectorXd& unknow
                   const std::vector<NoiseLevels::Level>& levels, double misfit, bool moves) {
   Spread result{Eigen::VectorXd::Zero(sigmas.size()), Eigen::VectorXd::Zero(sigmas.size())};
   for (const NoiseLevels::Level& level : levels) {
-    const LinearMinimum there = linearMinimum(linear, unknowns, sigmas, level.noise);
+    const LinearMinimum there = solveLinearized(linear, unknowns, sigmas, level.noise);
     Eigen::VectorXd variance = misfit * there.covariance.diagonal();
     if (moves) {
       variance += there.step.cwiseAbs2();
@@ -136,27 +136,27 @@ Estimate estimate(double value, double variance, double relativeSpread, double p
 void measureDistances(const Residuals& residuals, const Fit& fit, CalibrationResult& result) {
   std::vector<double> distances;
   double squares = 0;
-  result.asReported = residuals.sightings(residuals.start(result.unknowns));
-  for (const BoardResidual& sighting : result.asReported) {
+  result.withReportedAngles = residuals.boardResiduals(residuals.startState(result.unknowns));
+  for (const BoardResidual& sighting : result.withReportedAngles) {
     for (Eigen::Index i = 0; i < sighting.residual.cols(); ++i) {
       distances.push_back(sighting.residual.col(i).norm());
       squares += sighting.residual.col(i).squaredNorm();
     }
   }
   if (!std::isfinite(squares)) { // deflected as fitted, none was
-    throw behindTheCamera();
+    throw behindCameraError();
   }
   result.rmsPx = std::sqrt(squares / static_cast<double>(distances.size()));
   const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
   std::nth_element(distances.begin(), middle, distances.end());
   result.medianPx = *middle;
-  result.sightings = residuals.sightings(fit.minimum.state);
+  result.sightings = residuals.boardResiduals(fit.minimum.state);
 }
 
 } // namespace
 
-CalibrationResult uncertain(const Measurements& measurements, const Model& model, const Fit& fit,
-                            const NoiseLevels& levels) {
+CalibrationResult estimateUncertainty(const Measurements& measurements, const Model& model, const Fit& fit,
+                                      const NoiseLevels& levels) {
   CalibrationResult result;
   result.converged = fit.minimum.converged;
   result.iterations = fit.minimum.iterations;
@@ -177,7 +177,7 @@ CalibrationResult uncertain(const Measurements& measurements, const Model& model
   const DriverColumns none{.blocks = std::vector<std::vector<DriverColumns::Block>>(linear.poses.size())};
   const Residuals residuals{measurements, model, fit.noise, fit.loss};
   const std::vector<PoseRows> rows = residuals.rows(fit.minimum.state).value(); // as it was linearised there
-  const PoseMisfit misfit = poseMisfit({rows, none, result.unknowns, sigmas, 0}, fit.noise);
+  const PoseMisfit misfit = testPoseMisfit({rows, none, result.unknowns, sigmas, 0}, fit.noise);
   result.misfit = std::max({1.0, misfit.chi2 / misfit.freedom, result.chi2 / std::max(1.0, result.dof)});
   result.sigmaScale = std::sqrt(result.misfit);
   result.covariance *= result.misfit;
@@ -190,10 +190,10 @@ CalibrationResult uncertain(const Measurements& measurements, const Model& model
   return result;
 }
 
-Eigen::VectorXd levelWidening(const Residuals::Linear& linear, const Eigen::VectorXd& sigmas,
-                              const NoiseLevels& levels) {
+Eigen::VectorXd computeLevelWidening(const Residuals::Linear& linear, const Eigen::VectorXd& sigmas,
+                                     const NoiseLevels& levels) {
   const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(sigmas.size());
-  const Eigen::VectorXd variance = linearMinimum(linear, nothing, sigmas, levels.noise).covariance.diagonal();
+  const Eigen::VectorXd variance = solveLinearized(linear, nothing, sigmas, levels.noise).covariance.diagonal();
   const Spread spread = spreadOver(linear, nothing, sigmas, levelsOf(levels), 1, false);
   Eigen::VectorXd result(sigmas.size());
   for (Eigen::Index i = 0; i < sigmas.size(); ++i) {
@@ -203,14 +203,14 @@ Eigen::VectorXd levelWidening(const Residuals::Linear& linear, const Eigen::Vect
   return result;
 }
 
-LinearMinimum linearMinimum(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns,
-                            const Eigen::VectorXd& sigmas, const Noise& noise) {
+LinearMinimum solveLinearized(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns,
+                              const Eigen::VectorXd& sigmas, const Noise& noise) {
   const Eigen::VectorXd information = sigmas.cwiseAbs2().cwiseInverse();
   Eigen::MatrixXd hessian = information.asDiagonal();
   Eigen::VectorXd gradient = information.cwiseProduct(unknowns);
   std::vector<MarginalSystem> parts(linear.poses.size());
-  inParallel(parts.size(), [&](std::size_t i) {
-    eliminate(linear.poses[i], noise, deflectionRoot(linear.poses[i], noise), parts[i]);
+  parallelFor(parts.size(), [&](std::size_t i) {
+    marginalize(linear.poses[i], noise, jointErrorRoot(linear.poses[i], noise), parts[i]);
   });
   for (std::size_t pose = 0; pose < parts.size(); ++pose) {
     const std::vector<std::size_t>& seen = linear.poses[pose].unknowns;
@@ -221,23 +221,23 @@ LinearMinimum linearMinimum(const Residuals::Linear& linear, const Eigen::Vector
   return {-factor.solve(gradient), factor.solve(Eigen::MatrixXd::Identity(hessian.rows(), hessian.cols()))};
 }
 
-std::vector<WeakDirection> weakDirections(const Model& model, const CalibrationResult& result) {
+std::vector<WeakDirection> findWeakDirections(const Model& model, const CalibrationResult& result) {
   constexpr double wide = 0.3;   // of the prior's sigma
   constexpr double shared = 0.4; // smallest share worth naming, of the largest
   std::vector<std::size_t> physical;
   std::vector<std::string> spoken;
   for (const Term& term : model.terms()) {
-    for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement && term.asked; ++i) {
+    for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement && term.requested; ++i) {
       physical.push_back(term.first + i);
-      spoken.push_back(inWords(term, i));
+      spoken.push_back(describeUnknown(term, i));
     }
   }
   const Eigen::VectorXd sigmas = model.sigmas();
-  Eigen::MatrixXd relative(at(physical.size()), at(physical.size()));
+  Eigen::MatrixXd relative(eigenIndex(physical.size()), eigenIndex(physical.size()));
   for (std::size_t i = 0; i < physical.size(); ++i) {
     for (std::size_t j = 0; j < physical.size(); ++j) {
-      relative(at(i), at(j)) =
-          result.covariance(at(physical[i]), at(physical[j])) / (sigmas[at(physical[i])] * sigmas[at(physical[j])]);
+      relative(eigenIndex(i), eigenIndex(j)) = result.covariance(eigenIndex(physical[i]), eigenIndex(physical[j])) /
+                                               (sigmas[eigenIndex(physical[i])] * sigmas[eigenIndex(physical[j])]);
     }
   }
   const SymmetricEigen eigen = symmetricEigen(relative);
@@ -254,12 +254,12 @@ std::vector<WeakDirection> weakDirections(const Model& model, const CalibrationR
     direction.unit = "rad";
     const double least = shared * eigen.vectors.col(k).cwiseAbs().maxCoeff();
     for (std::size_t i = 0; i < physical.size(); ++i) {
-      const double share = eigen.vectors(at(i), k);
+      const double share = eigen.vectors(eigenIndex(i), k);
       if (std::abs(share) >= least) {
         const std::size_t unknown = physical[i];
         direction.parts.emplace_back(names[unknown], share);
         words.push_back(spoken[i]);
-        turn[at(unknown)] = share * sigmas[at(unknown)];
+        turn[eigenIndex(unknown)] = share * sigmas[eigenIndex(unknown)];
         if (model.units()[unknown] != "rad") {
           direction.unit = "prior sigmas";
         }
@@ -275,7 +275,7 @@ std::vector<WeakDirection> weakDirections(const Model& model, const CalibrationR
     direction.sentence = words.size() == 1
                              ? fmt::format("these captures hardly tell {}", words.front())
                              : fmt::format("{} can be traded against each other: these captures hardly tell them apart",
-                                           enumerated(words));
+                                           joinWords(words));
     weak.push_back(std::move(direction));
   }
   return weak;

@@ -16,7 +16,7 @@ namespace naocal {
 namespace {
 
 /// Whether what the captures show is explained, and where it is not, whether the offsets hold all the same.
-ResultVerdict explained(const Model& model, const CalibrationResult& result, bool missing) {
+ResultVerdict judgeExplained(const Model& model, const CalibrationResult& result, bool missing) {
   constexpr double widest = radians(0.5); // [rad]: half of an offset's 95 % interval
   const bool fits = result.misfitLeft < threshold::misfit || result.rmsPx < result.noiseFloorPx;
   if (!missing && fits && result.noise.pose < suspectScatter) {
@@ -24,7 +24,7 @@ ResultVerdict explained(const Model& model, const CalibrationResult& result, boo
   }
   bool holds = result.misfitLeft < threshold::bearableMisfit;
   for (const Term& term : model.terms()) {
-    if (term.effect.name == "jointOffset" && term.asked) {
+    if (term.effect.name == "jointOffset" && term.requested) {
       const auto [low, high] = result.estimates[term.first].interval();
       holds = holds && high - low < 2 * widest;
     }
@@ -40,7 +40,7 @@ std::string words(const Accidents& accidents) {
 /// Of all corners but those of boards that moved [px].
 double rmsWithoutMoved(const CalibrationResult& result) {
   double squares = 0, corners = 0;
-  for (const BoardResidual& sighting : result.asReported) {
+  for (const BoardResidual& sighting : result.withReportedAngles) {
     const bool moved = std::any_of(result.doubts.begin(), result.doubts.end(), [&](const Outlier& doubt) {
       return doubt.whole && doubt.picture == sighting.picture && doubt.sighting == sighting.sighting;
     });
@@ -53,7 +53,7 @@ double rmsWithoutMoved(const CalibrationResult& result) {
 }
 
 /// "the error is 4.49 px, the noise floor 0.65 px"
-std::string sizes(const CalibrationResult& result, const Accidents& accidents) {
+std::string formatSizes(const CalibrationResult& result, const Accidents& accidents) {
   return fmt::format("{}the error is {:.2f} px, the noise floor {:.2f} px",
                      accidents.any() ? words(accidents) + "; without " + (accidents.moved == 1 ? "it " : "them ")
                                      : std::string{},
@@ -65,16 +65,17 @@ std::string sentenceOf(const CalibrationResult& result, const Accidents& acciden
                        const std::string& firm) {
   switch (result.verdict) {
   case ResultVerdict::good:
-    return fmt::format("This calibration is good: the model explains the captures ({}).", sizes(result, accidents));
+    return fmt::format("This calibration is good: the model explains the captures ({}).",
+                       formatSizes(result, accidents));
   case ResultVerdict::causeMissing:
     return fmt::format("Usable, but a cause is missing: {}; {}. The intervals of the offsets already include this "
                        "uncertainty. Find it with 'naocal diagnose'.",
-                       sizes(result, accidents), cause);
+                       formatSizes(result, accidents), cause);
   case ResultVerdict::doNotUse:
     return firm.empty()
                ? fmt::format("Do not use this calibration yet: {}; {}, and the offsets depend on it. Find it with "
                              "'naocal diagnose'.",
-                             sizes(result, accidents), cause)
+                             formatSizes(result, accidents), cause)
                : fmt::format("Do not use this calibration: {}.", firm);
   }
   return {};
@@ -82,24 +83,25 @@ std::string sentenceOf(const CalibrationResult& result, const Accidents& acciden
 
 } // namespace
 
-void judge(const Measurements& measurements, const Model& model, CalibrationResult& result) {
+void assess(const Measurements& measurements, const Model& model, CalibrationResult& result) {
   constexpr double largestFloorError = 0.05; // [m]
   using About = Warning::About;
   const auto warn = [&](About about, std::string sentence) { result.warnings.push_back({about, std::move(sentence)}); };
-  result.weak = weakDirections(model, result);
-  result.floorErrorAt2m = floorErrorAt2m(measurements, model, result);
+  result.weak = findWeakDirections(model, result);
+  result.floorErrorAt2m = predictFloorErrorAt2m(measurements, model, result);
   result.usable = result.converged;
   if (!result.converged) {
     warn(About::fit, "the search did not converge: try --restarts 20, and check the robot's model and the boards");
   }
   for (const Term& term : model.terms()) {
     const Estimate& estimate = result.estimates[term.first];
-    if (term.effect.name == "jointOffset" && term.asked && estimate.learned < 0.5) {
+    if (term.effect.name == "jointOffset" && term.requested && estimate.learned < 0.5) {
       result.usable = false;
-      warn(About::offset, fmt::format("{} cannot be learned from these captures ({:.0f} % learned, ±{:.1f}°): "
-                                      "add poses that move it, or leave it out "
-                                      "with --without {}",
-                                      inWords(term, 0), 100 * estimate.learned, degrees(estimate.sigma), term.label()));
+      warn(About::offset,
+           fmt::format("{} cannot be learned from these captures ({:.0f} % learned, ±{:.1f}°): "
+                       "add poses that move it, or leave it out "
+                       "with --without {}",
+                       describeUnknown(term, 0), 100 * estimate.learned, degrees(estimate.sigma), term.label()));
     }
   }
   if (result.floorErrorAt2m > largestFloorError) {
@@ -120,7 +122,8 @@ void judge(const Measurements& measurements, const Model& model, CalibrationResu
   // what is missing comes first: that offsets are not known well enough follows from it
   const std::string firm =
       result.usable || (missing && result.converged) ? std::string{} : result.warnings.front().sentence;
-  result.verdict = result.usable ? explained(model, result, missing || accidents.areMany()) : ResultVerdict::doNotUse;
+  result.verdict =
+      result.usable ? judgeExplained(model, result, missing || accidents.areMany()) : ResultVerdict::doNotUse;
   result.usable = result.verdict != ResultVerdict::doNotUse;
   result.sentence = sentenceOf(result, accidents, cause, firm);
   std::size_t corners = 0;
@@ -133,7 +136,7 @@ void judge(const Measurements& measurements, const Model& model, CalibrationResu
   }
 }
 
-std::string nameOf(ResultVerdict verdict) {
+std::string toString(ResultVerdict verdict) {
   switch (verdict) {
   case ResultVerdict::good:
     return "good";
@@ -145,7 +148,7 @@ std::string nameOf(ResultVerdict verdict) {
   return {};
 }
 
-std::vector<std::string> sentences(const std::vector<Warning>& warnings) {
+std::vector<std::string> toSentences(const std::vector<Warning>& warnings) {
   std::vector<std::string> result;
   for (const Warning& warning : warnings) {
     result.push_back(warning.sentence);

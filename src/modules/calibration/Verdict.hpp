@@ -7,12 +7,12 @@ namespace naocal {
 /// Finds weak directions, predicts the error on the field and decides whether the result should be used; fills `weak`,
 /// `floorErrorAt2m`, `warnings`, `verdict`, `usable`
 /// and `sentence`.
-void judge(const Measurements& measurements, const Model& model, CalibrationResult& result);
+void assess(const Measurements& measurements, const Model& model, CalibrationResult& result);
 
 /// As files have it: "good", "cause-missing", "do-not-use".
-std::string nameOf(ResultVerdict verdict);
+std::string toString(ResultVerdict verdict);
 
 /// Of all warnings.
-std::vector<std::string> sentences(const std::vector<Warning>& warnings);
+std::vector<std::string> toSentences(const std::vector<Warning>& warnings);
 
 } // namespace naocal

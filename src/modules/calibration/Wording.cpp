@@ -16,7 +16,7 @@ bool isCapital(char letter) {
 }
 
 /// "focal length" for focalLength.
-std::string apart(const std::string& camelCase) {
+std::string splitCamelCase(const std::string& camelCase) {
   std::string words;
   for (const char letter : camelCase) {
     if (isCapital(letter) && !words.empty()) {
@@ -31,9 +31,9 @@ std::string apart(const std::string& camelCase) {
 std::string joint(const std::string& name) {
   const bool sided = name.size() > 1 && isCapital(name[1]);
   if (sided && (name[0] == 'L' || name[0] == 'R')) {
-    return fmt::format("the {} {}", name[0] == 'L' ? "left" : "right", apart(name.substr(1)));
+    return fmt::format("the {} {}", name[0] == 'L' ? "left" : "right", splitCamelCase(name.substr(1)));
   }
-  return "the " + apart(name);
+  return "the " + splitCamelCase(name);
 }
 
 /// What an unknown of this name is about x, y and z, in the axes of cameras and of the floor.
@@ -46,7 +46,7 @@ std::string direction(const std::string& unknown) {
 
 } // namespace
 
-std::string inWords(const Term& term, std::size_t unknown) {
+std::string describeUnknown(const Term& term, std::size_t unknown) {
   const std::string& name = term.effect.unknowns[unknown].name;
   if (term.effect.name == "jointOffset") {
     return joint(term.place);
@@ -59,16 +59,16 @@ std::string inWords(const Term& term, std::size_t unknown) {
   }
   const std::string which = term.effect.unknowns.size() > 1 ? " (" + name + ")" : "";
   if (term.effect.place == EffectSite::camera) {
-    return fmt::format("the {} camera's {}{}", term.place, apart(term.effect.name), which);
+    return fmt::format("the {} camera's {}{}", term.place, splitCamelCase(term.effect.name), which);
   }
   if (term.effect.place == EffectSite::board) { // boardBow, boardScale, ...
     const bool says = term.effect.name.starts_with("board");
-    return fmt::format("board {}'s {}{}", term.place, apart(term.effect.name.substr(says ? 5 : 0)), which);
+    return fmt::format("board {}'s {}{}", term.place, splitCamelCase(term.effect.name.substr(says ? 5 : 0)), which);
   }
-  return fmt::format("{}'s {}{}", joint(term.place), apart(term.effect.name), which);
+  return fmt::format("{}'s {}{}", joint(term.place), splitCamelCase(term.effect.name), which);
 }
 
-std::string enumerated(const std::vector<std::string>& words) {
+std::string joinWords(const std::vector<std::string>& words) {
   if (words.size() < 2) {
     return words.empty() ? "" : words.front();
   }

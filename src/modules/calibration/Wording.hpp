@@ -9,9 +9,9 @@ namespace naocal {
 
 /// An unknown as a person would say it: "the left hip pitch" for jointOffset@LHipPitch.o, "the top camera's pitch" for
 /// cameraRotation@top.ry, "board A's bow" for boardBow@A.h.
-std::string inWords(const Term& term, std::size_t unknown);
+std::string describeUnknown(const Term& term, std::size_t unknown);
 
 /// "a", "a and b", "a, b and c".
-std::string enumerated(const std::vector<std::string>& words);
+std::string joinWords(const std::vector<std::string>& words);
 
 } // namespace naocal

@@ -10,7 +10,7 @@ namespace naocal {
 namespace {
 
 /// (X/Z, Y/Z) that the lens maps to a pixel, by fixed-point iteration on the distortion.
-Eigen::Vector2d undistorted(double u, double v, const Eigen::Matrix<double, 9, 1>& lens) {
+Eigen::Vector2d undistort(double u, double v, const Eigen::Matrix<double, 9, 1>& lens) {
   const Eigen::Vector2d seen{(u - lens[2]) / lens[0], (v - lens[3]) / lens[1]};
   Eigen::Vector2d ray = seen;
   for (int i = 0; i < 20; ++i) {
@@ -25,13 +25,13 @@ Eigen::Vector2d undistorted(double u, double v, const Eigen::Matrix<double, 9, 1
 
 } // namespace
 
-std::optional<RigidTransform> boardPose(const CornerBlocks& corners, const Eigen::Matrix<double, 9, 1>& lens) {
+std::optional<RigidTransform> estimateBoardPose(const CornerBlocks& corners, const Eigen::Matrix<double, 9, 1>& lens) {
   std::vector<Eigen::Vector2d> points, rays;
   for (const CornerBlock& block : corners) {
     for (Eigen::Index i = 0; i < 4; ++i) {
       if (block.present[i] > 0) {
         points.emplace_back(block.x[i], block.y[i]);
-        rays.push_back(undistorted(block.u[i], block.v[i], lens));
+        rays.push_back(undistort(block.u[i], block.v[i], lens));
       }
     }
   }

@@ -12,6 +12,6 @@ namespace naocal {
 /// (direct linear transformation; Hartley and Zisserman, Multiple View Geometry, 2nd ed., algorithm 4.2 and
 /// section 8.1.1). A start for a search, not an estimate. Absent for fewer than four corners, corners on one line, or a
 /// board behind.
-std::optional<RigidTransform> boardPose(const CornerBlocks& corners, const Eigen::Matrix<double, 9, 1>& lens);
+std::optional<RigidTransform> estimateBoardPose(const CornerBlocks& corners, const Eigen::Matrix<double, 9, 1>& lens);
 
 } // namespace naocal

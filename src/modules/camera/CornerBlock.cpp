@@ -2,7 +2,7 @@
 
 namespace naocal {
 
-CornerBlocks cornerBlocks(const Board& board, const BoardCorners& corners) {
+CornerBlocks packCorners(const Board& board, const BoardCorners& corners) {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double squaredReach = 1;
   if (board.pattern) {

@@ -17,6 +17,6 @@ struct CornerBlock {
 using CornerBlocks = std::vector<CornerBlock>;
 
 /// The corners that a capture shows of a board, ready for the inner loop.
-CornerBlocks cornerBlocks(const Board& board, const BoardCorners& corners);
+CornerBlocks packCorners(const Board& board, const BoardCorners& corners);
 
 } // namespace naocal

@@ -20,7 +20,7 @@ ObservationChain::ObservationChain(const Robot& robot, const StateLayout& quanti
                                    std::size_t eyeLink, std::size_t targetLink, bool onFloor, std::size_t board)
     : quantities_{quantities}, camera_{camera}, eye_{eyeLink}, target_{targetLink}, board_{board}, onFloor_{onFloor},
       side_(robot.links.size(), 0) {
-  links_ = linksTowards(robot, {eyeLink, targetLink});
+  links_ = ancestorLinks(robot, {eyeLink, targetLink});
   for (std::optional<std::size_t> link = eyeLink; link; link = robot.links[*link].parent) {
     side_[*link] -= 1;
   }
@@ -34,13 +34,13 @@ ObservationChain::ObservationChain(const Robot& robot, const StateLayout& quanti
   }
 }
 
-CameraFrames ObservationChain::pathAttitude(const Robot& robot, const ModelState& belief,
-                                            const LinkPoses& torsoFromLink) const {
+CameraFrames ObservationChain::pathFrames(const Robot& robot, const ModelState& belief,
+                                          const LinkPoses& torsoFromLink) const {
   const RigidTransform linkFromEye = camera_ ? linkFromOptical(robot.cameras[*camera_], belief) : RigidTransform{};
   CameraFrames result;
   result.opticalFromTorso = (torsoFromLink[eye_] * linkFromEye).inverse();
   result.opticalFromTarget = result.opticalFromTorso * torsoFromLink[target_];
-  result.opticalFromWorld = result.opticalFromTarget * placed(belief.ground()).inverse();
+  result.opticalFromWorld = result.opticalFromTarget * transformFromPlacement(belief.worldFromSupport()).inverse();
   return result;
 }
 
@@ -48,10 +48,10 @@ void ObservationChain::placeBoard(const RigidTransform& linkFromBoard, CameraFra
   attitude.opticalFromBoard = (onFloor_ ? attitude.opticalFromWorld : attitude.opticalFromTarget) * linkFromBoard;
 }
 
-CameraFrames ObservationChain::attitude(const Robot& robot, const ModelState& belief,
-                                        const LinkPoses& torsoFromLink) const {
-  CameraFrames result = pathAttitude(robot, belief, torsoFromLink);
-  placeBoard(placed(belief.boardPlacement(board_)), result);
+CameraFrames ObservationChain::cameraFrames(const Robot& robot, const ModelState& belief,
+                                            const LinkPoses& torsoFromLink) const {
+  CameraFrames result = pathFrames(robot, belief, torsoFromLink);
+  placeBoard(transformFromPlacement(belief.boardPlacement(board_)), result);
   return result;
 }
 
@@ -68,7 +68,7 @@ bool ObservationChain::project(const CameraFrames& attitude, const ModelState& b
   const Eigen::Matrix<double, 6, 1> drift = attitude.drift;
   projected.resize(corners.size());
   Double4 least = Double4{} + 1;
-  withWidestVectors([ =, &corners, &projected, &least ]() __attribute__((always_inline)) {
+  dispatchSimd([ =, &corners, &projected, &least ]() __attribute__((always_inline)) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const CornerBlock& corner = corners[i];
       ProjectedBlock& out = projected[i];
@@ -111,9 +111,9 @@ bool ObservationChain::project(const CameraFrames& attitude, const ModelState& b
   return std::min({least[0], least[1], least[2], least[3]}) >= nearest;
 }
 
-void ObservationChain::extraRows(std::size_t extra, const CameraFrames& attitude, const ModelState& belief,
-                                 const CornerBlock& corners, const ProjectedBlock& projected, Double4& du,
-                                 Double4& dv) {
+void ObservationChain::fillExtraRows(std::size_t extra, const CameraFrames& attitude, const ModelState& belief,
+                                     const CornerBlock& corners, const ProjectedBlock& projected, Double4& du,
+                                     Double4& dv) {
   const auto lens = belief.lens();
   const double fx = lens[0], fy = lens[1];
   const Double4 &x = projected.x, &y = projected.y;
@@ -176,7 +176,7 @@ void ObservationChain::extraRows(std::size_t extra, const CameraFrames& attitude
   dv = projected.rowsV[3] * dx + projected.rowsV[4] * dy + projected.rowsV[5] * dz;
 }
 
-std::optional<std::size_t> ObservationChain::extra(std::size_t quantity) const {
+std::optional<std::size_t> ObservationChain::extraIndex(std::size_t quantity) const {
   if (quantity >= quantities_.lens() && quantity < quantities_.lens() + lensCount) {
     return quantity - quantities_.lens();
   }
@@ -193,7 +193,7 @@ namespace {
 
 using Twist = Eigen::Matrix<double, 6, 1>;
 
-inline Twist turnAbout(const Eigen::Vector3d& axisInOptical, const Eigen::Vector3d& pivotInOptical) {
+inline Twist twistAbout(const Eigen::Vector3d& axisInOptical, const Eigen::Vector3d& pivotInOptical) {
   Twist twist; // p moves by omega x (p - pivot) = omega x p + pivot x omega
   twist.head<3>() = axisInOptical;
   twist.tail<3>() = pivotInOptical.cross(axisInOptical);
@@ -212,7 +212,7 @@ Twist placementMotion(const RigidTransform& opticalFromParent, const Twist& plac
   const Eigen::Vector3d axis = number == 3   ? rotationZ(yaw) * rotationY(pitch).col(0)
                                : number == 4 ? Eigen::Vector3d{-std::sin(yaw), std::cos(yaw), 0}
                                              : Eigen::Vector3d::UnitZ();
-  return turnAbout(opticalFromParent.rotation * axis, opticalFromParent * Eigen::Vector3d{placement.head<3>()});
+  return twistAbout(opticalFromParent.rotation * axis, opticalFromParent * Eigen::Vector3d{placement.head<3>()});
 }
 
 } // namespace
@@ -250,8 +250,8 @@ ObservationChain::Twist ObservationChain::linkMotion(const Robot& robot, const C
     turn = angle * leftJacobian(belief.axis(joint) * angle).row(component).transpose();
   }
   const Eigen::Vector3d turnInTorso = torsoFromThis.rotation * (side_[link] * turn);
-  return turnAbout(attitude.opticalFromTorso.rotation * turnInTorso,
-                   attitude.opticalFromTorso * torsoFromThis.translation);
+  return twistAbout(attitude.opticalFromTorso.rotation * turnInTorso,
+                    attitude.opticalFromTorso * torsoFromThis.translation);
 }
 
 /// The camera itself moves in its link: the scene moves the other way.
@@ -286,9 +286,10 @@ void ObservationChain::setDrift(const Robot& robot, const ModelState& belief, co
   }
 }
 
-void ObservationChain::motion(const Robot& robot, const CameraFrames& attitude, const ModelState& belief,
-                              const LinkPoses& torsoFromLink, const std::vector<std::size_t>& wanted,
-                              const std::vector<std::size_t>& extras, Eigen::Ref<Eigen::MatrixXd> columns) const {
+void ObservationChain::fillMotionColumns(const Robot& robot, const CameraFrames& attitude, const ModelState& belief,
+                                         const LinkPoses& torsoFromLink, const std::vector<std::size_t>& wanted,
+                                         const std::vector<std::size_t>& extras,
+                                         Eigen::Ref<Eigen::MatrixXd> columns) const {
   columns.setZero();
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const std::size_t quantity = wanted[i];
@@ -297,13 +298,15 @@ void ObservationChain::motion(const Robot& robot, const CameraFrames& attitude, 
       column.head<6>() = linkMotion(robot, attitude, belief, torsoFromLink, quantity);
     } else if (quantity < quantities_.lens() && camera_) {
       column.head<6>() = mountMotion(robot, belief, quantity - quantities_.mountTranslation());
-    } else if (const auto number = camera_ ? extra(quantity) : std::nullopt) {
+    } else if (const auto number = camera_ ? extraIndex(quantity) : std::nullopt) {
       const auto row = std::find(extras.begin(), extras.end(), *number);
       assert(row != extras.end());
       column[6 + (row - extras.begin())] = 1;
-    } else if (quantity >= quantities_.ground() && quantity < quantities_.ground() + 6 && onFloor_) {
+    } else if (quantity >= quantities_.worldFromSupport() && quantity < quantities_.worldFromSupport() + 6 &&
+               onFloor_) {
       // the sole moves in the world, hence the world backwards in the sole
-      column.head<6>() = -placementMotion(attitude.opticalFromWorld, belief.ground(), quantity - quantities_.ground());
+      column.head<6>() = -placementMotion(attitude.opticalFromWorld, belief.worldFromSupport(),
+                                          quantity - quantities_.worldFromSupport());
     } else if (camera_ && quantity >= quantities_.board(board_) && quantity < quantities_.board(board_) + 6) {
       column.head<6>() = placementMotion(onFloor_ ? attitude.opticalFromWorld : attitude.opticalFromTarget,
                                          belief.boardPlacement(board_), quantity - quantities_.board(board_));

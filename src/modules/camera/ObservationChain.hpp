@@ -48,7 +48,7 @@ public:
   static ObservationChain betweenLinks(const Robot& robot, const StateLayout& quantities, std::size_t eyeLink,
                                        std::size_t sole);
 
-  /// Links whose posture `attitude` needs, parents first.
+  /// Links whose posture `cameraFrames` needs, parents first.
   const std::vector<std::size_t>& links() const { return links_; }
   /// Joints on the path between camera and target: the ones whose angles move the picture.
   const std::vector<std::size_t>& joints() const { return joints_; }
@@ -60,9 +60,9 @@ public:
   }
 
   /// `torsoFromLink` must hold `links()`.
-  CameraFrames attitude(const Robot& robot, const ModelState& belief, const LinkPoses& torsoFromLink) const;
+  CameraFrames cameraFrames(const Robot& robot, const ModelState& belief, const LinkPoses& torsoFromLink) const;
   /// The same in two steps, for several boards along one path: all but opticalFromBoard, and only that.
-  CameraFrames pathAttitude(const Robot& robot, const ModelState& belief, const LinkPoses& torsoFromLink) const;
+  CameraFrames pathFrames(const Robot& robot, const ModelState& belief, const LinkPoses& torsoFromLink) const;
   void placeBoard(const RigidTransform& linkFromBoard, CameraFrames& attitude) const;
 
   /// How the scene drifts in the optical frame while the joints move at `velocity` (one per joint) [rad/s].
@@ -82,16 +82,16 @@ public:
   /// Fills `columns` (6 + number of extras rows, one column per wanted quantity) with the motion (omega, v) of the
   /// scene in the optical frame per unit of each quantity in `wanted`, and 1 in the row of its extra where it is one.
   /// `extras`: extras' numbers (0..11) in the order of the rows beyond the six.
-  void motion(const Robot& robot, const CameraFrames& attitude, const ModelState& belief,
-              const LinkPoses& torsoFromLink, const std::vector<std::size_t>& wanted,
-              const std::vector<std::size_t>& extras, Eigen::Ref<Eigen::MatrixXd> columns) const;
+  void fillMotionColumns(const Robot& robot, const CameraFrames& attitude, const ModelState& belief,
+                         const LinkPoses& torsoFromLink, const std::vector<std::size_t>& wanted,
+                         const std::vector<std::size_t>& extras, Eigen::Ref<Eigen::MatrixXd> columns) const;
 
   /// d(u), d(v) of four corners per unit of an extra.
-  static void extraRows(std::size_t extra, const CameraFrames& attitude, const ModelState& belief,
-                        const CornerBlock& corners, const ProjectedBlock& projected, Double4& du, Double4& dv);
+  static void fillExtraRows(std::size_t extra, const CameraFrames& attitude, const ModelState& belief,
+                            const CornerBlock& corners, const ProjectedBlock& projected, Double4& du, Double4& dv);
 
   /// The extra's number (0..11) of a quantity, if it is one.
-  std::optional<std::size_t> extra(std::size_t quantity) const;
+  std::optional<std::size_t> extraIndex(std::size_t quantity) const;
 
 private:
   ObservationChain(const Robot& robot, const StateLayout& quantities, std::optional<std::size_t> camera,

@@ -126,7 +126,7 @@ std::vector<BoardCorners> readCorners(const JsonCursor& place, const CaptureSet&
   return corners;
 }
 
-std::string readImage(const JsonCursor& place) {
+std::string readImagePath(const JsonCursor& place) {
   const std::filesystem::path image = place.text();
   if (image.is_absolute() || std::find(image.begin(), image.end(), "..") != image.end()) {
     place.refuse("a path inside the set's folder, such as images/0000.png");
@@ -142,7 +142,7 @@ Capture readCapture(const JsonCursor& place, const CaptureSet& set) {
   capture.pose = place.at("pose").text();
   capture.repeat = place.at("repeat").integer(0, std::numeric_limits<int>::max());
   if (const auto kind = place.find("repeatKind")) {
-    capture.repeatKind = static_cast<RepeatKind>(kind->oneOf(repeatKindWords));
+    capture.repeatKind = static_cast<RepeatKind>(kind->wordIndex(repeatKindWords));
   }
   capture.time = Seconds{place.at("time").number({-1e12, 1e12, "s"})};
   capture.camera = place.at("camera").text();
@@ -150,7 +150,7 @@ Capture readCapture(const JsonCursor& place, const CaptureSet& set) {
   if (camera == set.cameras.end()) {
     place.at("camera").refuse("the name of one of the set's `cameras`");
   }
-  capture.supportFoot = static_cast<SupportFoot>(place.at("supportFoot").oneOf(supportFootWords));
+  capture.supportFoot = static_cast<SupportFoot>(place.at("supportFoot").wordIndex(supportFootWords));
   capture.stance = place.at("stance").integer(std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
   if (std::none_of(set.stances.begin(), set.stances.end(), [&](const Stance& s) { return s.id == capture.stance; })) {
     place.at("stance").refuse("the id of one of the set's `stances`");
@@ -164,7 +164,7 @@ Capture readCapture(const JsonCursor& place, const CaptureSet& set) {
     std::copy(values.begin(), values.end(), capture.fsr.emplace().begin());
   }
   if (const auto image = place.find("image")) {
-    capture.image = readImage(*image);
+    capture.image = readImagePath(*image);
   }
   if (const auto corners = place.find("corners")) {
     capture.corners = readCorners(*corners, set, camera->second);
@@ -238,7 +238,7 @@ CameraIntrinsics readCamera(const JsonCursor& place) {
 Stance readStance(const JsonCursor& place) {
   Stance stance;
   stance.id = place.at("id").integer(std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
-  stance.supportFoot = static_cast<SupportFoot>(place.at("supportFoot").oneOf(supportFootWords));
+  stance.supportFoot = static_cast<SupportFoot>(place.at("supportFoot").wordIndex(supportFootWords));
   if (const auto placement = place.find("placement")) {
     stance.placement = readFloorPlacement(*placement);
   }
@@ -259,13 +259,13 @@ template <typename Entry> std::vector<Entry> readList(const JsonCursor& place, E
 }
 
 /// A capture's place with the name it is refused by.
-JsonCursor named(const JsonCursor& place) {
+JsonCursor nameCapture(const JsonCursor& place) {
   const auto id = place.find("id"), pose = place.find("pose");
   std::string name = id && id->value().is_number() ? "capture " + id->value().dump() : "capture without id";
   if (pose && pose->value().is_string()) {
     name += ", pose " + pose->value().dump();
   }
-  return place.about(name, "correct it or leave it out with --skip-bad");
+  return place.describeAs(name, "correct it or leave it out with --skip-bad");
 }
 
 void requireSupportFootOfStance(const Capture& capture, const CaptureSet& set, const JsonCursor& place) {
@@ -283,7 +283,7 @@ void readCaptures(const JsonCursor& place, BadCapturePolicy bad, LoadedCaptureSe
   for (const JsonCursor& entry : place.elements()) {
     Capture capture;
     try {
-      capture = readCapture(named(entry), read.set);
+      capture = readCapture(nameCapture(entry), read.set);
     } catch (const InputError& error) {
       if (bad == BadCapturePolicy::refuse || !entry.value().is_object()) {
         throw;
@@ -323,7 +323,7 @@ LoadedCaptureSet parseCaptureSet(const std::string& text, const std::string& nam
 
 LoadedCaptureSet readCaptureSet(const std::filesystem::path& folder, BadCapturePolicy bad) {
   const auto file = folder / "captures.json";
-  LoadedCaptureSet read = parseCaptureSet(fileContent(file), file.string(), bad);
+  LoadedCaptureSet read = parseCaptureSet(readFile(file), file.string(), bad);
   read.set.name = std::filesystem::canonical(folder).filename().string();
   return read;
 }
@@ -340,7 +340,7 @@ Written placementJson(const Placement& placement, bool onFloor, const json& read
     const bool isWritten = (key.onFloor || !onFloor) && (zeros || value != 0);
     known[key.key] = isWritten ? Written(value) : Written();
   }
-  return finished(known, read);
+  return mergeUnknownKeys(known, read);
 }
 
 Written sigmaJson(const Placement& sigma, bool onFloor, const json& read) {
@@ -350,14 +350,14 @@ Written sigmaJson(const Placement& sigma, bool onFloor, const json& read) {
 }
 
 Written cameraJson(const CameraIntrinsics& camera, const json& read) {
-  return finished({{"width", camera.width},
-                   {"height", camera.height},
-                   {"fx", camera.fx},
-                   {"fy", camera.fy},
-                   {"cx", camera.cx},
-                   {"cy", camera.cy},
-                   {"distortion", camera.distortion}},
-                  read);
+  return mergeUnknownKeys({{"width", camera.width},
+                           {"height", camera.height},
+                           {"fx", camera.fx},
+                           {"fy", camera.fy},
+                           {"cx", camera.cx},
+                           {"cy", camera.cy},
+                           {"distortion", camera.distortion}},
+                          read);
 }
 
 Written boardJson(const Board& board, const json& read) {
@@ -379,61 +379,62 @@ Written boardJson(const Board& board, const json& read) {
     }
   }
   const auto placement = [&](const char* key, const std::optional<Placement>& given) {
-    known[key] = given ? placementJson(*given, onFloor, child(read, key)) : Written();
+    known[key] = given ? placementJson(*given, onFloor, childOrNull(read, key)) : Written();
   };
   placement("placement", board.placement);
   placement("placementGuess", board.hasGuess ? std::optional{board.placementGuess} : std::nullopt);
   known["placementSigma"] =
-      board.placementSigma ? sigmaJson(*board.placementSigma, onFloor, child(read, "placementSigma")) : Written();
-  return finished(known, read);
+      board.placementSigma ? sigmaJson(*board.placementSigma, onFloor, childOrNull(read, "placementSigma")) : Written();
+  return mergeUnknownKeys(known, read);
 }
 
 Written stanceJson(const Stance& stance, const json& read) {
-  const json& placement = child(read, "placement");
-  return finished({{"id", stance.id},
-                   {"supportFoot", supportFootWords[static_cast<std::size_t>(stance.supportFoot)]},
-                   {"placement", stance.placement ? placementJson(*stance.placement, true, placement) : Written()}},
-                  read);
+  const json& placement = childOrNull(read, "placement");
+  return mergeUnknownKeys(
+      {{"id", stance.id},
+       {"supportFoot", supportFootWords[static_cast<std::size_t>(stance.supportFoot)]},
+       {"placement", stance.placement ? placementJson(*stance.placement, true, placement) : Written()}},
+      read);
 }
 
 Written setJson(const CaptureSet& set, const json& read) {
   Written cameras = Written::object(), boards = Written::array(), stances = Written::array();
   for (const auto& [name, camera] : set.cameras) {
-    cameras[name] = cameraJson(camera, child(child(read, "cameras"), name));
+    cameras[name] = cameraJson(camera, childOrNull(childOrNull(read, "cameras"), name));
   }
   for (const Board& board : set.boards) {
-    boards.push_back(boardJson(board, entryWith("id", board.id, child(read, "boards"))));
+    boards.push_back(boardJson(board, entryOrNull("id", board.id, childOrNull(read, "boards"))));
   }
   for (const Stance& stance : set.stances) {
-    stances.push_back(stanceJson(stance, entryWith("id", stance.id, child(read, "stances"))));
+    stances.push_back(stanceJson(stance, entryOrNull("id", stance.id, childOrNull(read, "stances"))));
   }
   const auto unlessEmpty = [](const std::string& text) { return text.empty() ? Written() : Written(text); };
   const Written robot{{"model", set.model}, {"bodyId", unlessEmpty(set.bodyId)}, {"headId", unlessEmpty(set.headId)}};
-  return finished({{"format", "naocal-captures"},
-                   {"version", 1},
-                   {"robot", finished(robot, child(read, "robot"))},
-                   {"jointNames", set.jointNames},
-                   {"cameras", cameras},
-                   {"boards", boards},
-                   {"stances", stances},
-                   {"captures", Written::array()}},
-                  read);
+  return mergeUnknownKeys({{"format", "naocal-captures"},
+                           {"version", 1},
+                           {"robot", mergeUnknownKeys(robot, childOrNull(read, "robot"))},
+                           {"jointNames", set.jointNames},
+                           {"cameras", cameras},
+                           {"boards", boards},
+                           {"stances", stances},
+                           {"captures", Written::array()}},
+                          read);
 }
 
 /// One line per camera, board, stance and capture: a person can read it and a version control compare it.
-std::string lines(const Written& value) {
+std::string formatLines(const Written& value) {
   const bool isList = value.is_array();
   std::string text{isList ? '[' : '{'};
   for (const auto& [key, entry] : value.items()) {
     text += text.size() > 1 ? ",\n  " : "\n  ";
-    text += (isList ? "" : dumped(key) + ": ") + dumped(entry);
+    text += (isList ? "" : compactText(key) + ": ") + compactText(entry);
   }
   return text + (text.size() > 1 ? "\n " : "") + (isList ? ']' : '}');
 }
 
 } // namespace
 
-std::string captureSetText(const CaptureSet& set) {
+std::string formatCaptureSet(const CaptureSet& set) {
   const json none;
   Written whole = setJson(set, set.source ? *set.source : none);
   for (const Capture& capture : set.captures) {
@@ -442,8 +443,8 @@ std::string captureSetText(const CaptureSet& set) {
   std::string text{"{"};
   for (const auto& [key, value] : whole.items()) {
     const bool holdsMany = key == "cameras" || key == "boards" || key == "stances" || key == "captures";
-    text +=
-        fmt::format("{}\n {}: {}", text.size() > 1 ? "," : "", dumped(key), holdsMany ? lines(value) : dumped(value));
+    text += fmt::format("{}\n {}: {}", text.size() > 1 ? "," : "", compactText(key),
+                        holdsMany ? formatLines(value) : compactText(value));
   }
   return text + "\n}\n";
 }
@@ -455,7 +456,7 @@ void writeCaptureSet(const CaptureSet& set, const std::filesystem::path& folder)
     throw InputError{
         fmt::format("{}: the folder cannot be made: {}; choose another place", folder.string(), error.message())};
   }
-  writeAtomically(folder / "captures.json", captureSetText(set));
+  writeAtomically(folder / "captures.json", formatCaptureSet(set));
 }
 
 namespace {
@@ -479,7 +480,7 @@ Written jointsJson(const JointReadings& joints, const json& read) {
     const bool isWritten = !values.empty() || list.values == &JointReadings::measured;
     known[list.key] = isWritten ? numbersJson(values, list.values == &JointReadings::approach) : Written();
   }
-  return finished(known, read);
+  return mergeUnknownKeys(known, read);
 }
 
 Written cornersJson(const BoardCorners& corners, const json& read) {
@@ -487,7 +488,7 @@ Written cornersJson(const BoardCorners& corners, const json& read) {
   for (const Eigen::Vector2d& corner : corners.uv) {
     uv.push_back({corner.x(), corner.y()});
   }
-  return finished({{"board", corners.board}, {"ids", corners.ids}, {"uv", uv}}, read);
+  return mergeUnknownKeys({{"board", corners.board}, {"ids", corners.ids}, {"uv", uv}}, read);
 }
 
 } // namespace
@@ -501,21 +502,23 @@ Written captureJson(const Capture& capture, const json& read) {
                 {"camera", capture.camera},
                 {"supportFoot", supportFootWords[static_cast<std::size_t>(capture.supportFoot)]},
                 {"stance", capture.stance},
-                {"joints", jointsJson(capture.joints, child(read, "joints"))},
+                {"joints", jointsJson(capture.joints, childOrNull(read, "joints"))},
                 {"imu", nullptr},
                 {"fsr", capture.fsr ? Written(*capture.fsr) : Written()},
                 {"image", capture.image.empty() ? Written() : Written(capture.image)},
                 {"corners", nullptr}};
   if (capture.imu) {
-    known["imu"] = finished({{"angleX", capture.imu->x()}, {"angleY", capture.imu->y()}}, child(read, "imu"));
+    known["imu"] =
+        mergeUnknownKeys({{"angleX", capture.imu->x()}, {"angleY", capture.imu->y()}}, childOrNull(read, "imu"));
   }
   if (capture.corners) {
     known["corners"] = Written::array();
     for (const BoardCorners& corners : *capture.corners) {
-      known["corners"].push_back(cornersJson(corners, entryWith("board", corners.board, child(read, "corners"))));
+      known["corners"].push_back(
+          cornersJson(corners, entryOrNull("board", corners.board, childOrNull(read, "corners"))));
     }
   }
-  return finished(known, read);
+  return mergeUnknownKeys(known, read);
 }
 
 } // namespace naocal

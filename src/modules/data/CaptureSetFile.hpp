@@ -27,7 +27,7 @@ LoadedCaptureSet parseCaptureSet(const std::string& text, const std::string& nam
                                  BadCapturePolicy bad = BadCapturePolicy::refuse);
 
 /// The set as JSON text; keys that were read but are unknown here are kept.
-std::string captureSetText(const CaptureSet& set);
+std::string formatCaptureSet(const CaptureSet& set);
 
 /// Writes `<folder>/captures.json` whole or not at all; makes the folder.
 void writeCaptureSet(const CaptureSet& set, const std::filesystem::path& folder);

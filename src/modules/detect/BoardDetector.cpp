@@ -37,7 +37,7 @@ constexpr std::size_t fewestForHomography = 4; // of a board that has no more
 constexpr double leastLikeness = 0.55;         // 0.7 at the limit of sight, below 0.5 where half the markers are others
 
 /// Whether too few of the markers that were read agree with the board's description.
-bool contradicted(std::size_t agreeing, std::size_t read) {
+bool isContradicted(std::size_t agreeing, std::size_t read) {
   return read >= 3 && 2 * agreeing < read;
 }
 
@@ -73,7 +73,7 @@ private:
     double likeness = 0; // of the markers' print
   };
 
-  std::size_t enough() const {
+  std::size_t requiredCorners() const {
     return std::clamp(std::size_t(cornerCount(pattern_)), fewestForHomography, fewestCorners);
   }
 
@@ -82,13 +82,13 @@ private:
     const std::size_t read = markers.size();
     // A marker misread in the floor's texture may come first; the board itself is among the others then.
     while (!markers.empty()) {
-      const MarkerAgreement agreement = markerAgreement(markers, pattern, lens_);
-      if (agreement.agreeing.empty() || contradicted(agreement.agreeing.size(), read)) {
+      const MarkerAgreement agreement = findAgreeingMarkers(markers, pattern, lens_);
+      if (agreement.agreeing.empty() || isContradicted(agreement.agreeing.size(), read)) {
         break;
       }
-      const BoardSearchResult board = boardSearch(picture_, lens_, pattern, agreement.corners);
-      if (board.corners.size() >= enough()) {
-        const double likeness = printLikeness(picture_, lens_, pattern, board.corners);
+      const BoardSearchResult board = searchBoard(picture_, lens_, pattern, agreement.corners);
+      if (board.corners.size() >= requiredCorners()) {
+        const double likeness = printCorrelation(picture_, lens_, pattern, board.corners);
         if (likeness >= leastLikeness) {
           return Candidate{board, likeness};
         }
@@ -99,8 +99,8 @@ private:
   }
 
   void reportNothing(const std::vector<Marker>& markers) {
-    const std::size_t agreeing = markerAgreement(markers, pattern_, lens_).agreeing.size();
-    if (contradicted(agreeing, markers.size())) {
+    const std::size_t agreeing = findAgreeingMarkers(markers, pattern_, lens_).agreeing.size();
+    if (isContradicted(agreeing, markers.size())) {
       add(IssueKind::otherBoard,
           fmt::format("board {}: its markers do not lie as on a board of {} x {} squares of {} m with markers of {} m; "
                       "check what is printed",
@@ -109,7 +109,7 @@ private:
       add(IssueKind::tooFewCorners,
           fmt::format(
               "board {}: only {} marker{} read, fewer than {} corners confirmed; board not used in this picture",
-              board_.id, markers.size(), markers.size() == 1 ? "" : "s", enough()));
+              board_.id, markers.size(), markers.size() == 1 ? "" : "s", requiredCorners()));
     }
   }
 
@@ -172,7 +172,8 @@ void reportUnknown(const std::string& dictionary, const std::vector<Marker>& mar
 
 } // namespace
 
-Detection detect(const GreyPicture& picture, const std::vector<Board>& boards, const CameraIntrinsics& intrinsics) {
+Detection detectBoards(const GreyPicture& picture, const std::vector<Board>& boards,
+                       const CameraIntrinsics& intrinsics) {
   Detection detection;
   if (picture.width != intrinsics.width || picture.height != intrinsics.height) {
     detection.findings.push_back(
@@ -186,7 +187,7 @@ Detection detect(const GreyPicture& picture, const std::vector<Board>& boards, c
   std::map<std::string, std::vector<Marker>> markers; // by dictionary
   for (const Board& board : boards) {
     if (board.pattern && !markers.count(board.pattern->dictionary)) {
-      markers[board.pattern->dictionary] = markersIn(picture, board.pattern->dictionary);
+      markers[board.pattern->dictionary] = detectMarkers(picture, board.pattern->dictionary);
     }
   }
   for (const Board& board : boards) {
@@ -203,7 +204,7 @@ Detection detect(const GreyPicture& picture, const std::vector<Board>& boards, c
   return detection;
 }
 
-std::string name(IssueKind kind) {
+std::string toString(IssueKind kind) {
   switch (kind) {
   case IssueKind::wrongImageSize:
     return "wrong-image-size";
@@ -232,9 +233,10 @@ struct Outcome {
   std::string unreadable;
 };
 
-Outcome outcome(const Capture& capture, const CaptureSet& set, const std::filesystem::path& folder) {
+Outcome detectInCapture(const Capture& capture, const CaptureSet& set, const std::filesystem::path& folder) {
   try {
-    const Detection detection = detect(readPicture(folder / capture.image), set.boards, set.cameras.at(capture.camera));
+    const Detection detection =
+        detectBoards(readImage(folder / capture.image), set.boards, set.cameras.at(capture.camera));
     for (const DetectionIssue& finding : detection.findings) {
       if (finding.kind == IssueKind::wrongImageSize) {
         return {std::nullopt, fmt::format("capture {}: {}: {}", capture.id, capture.image, finding.sentence)};
@@ -247,7 +249,7 @@ Outcome outcome(const Capture& capture, const CaptureSet& set, const std::filesy
 }
 
 /// The corners that stay: those of targets that cannot be found in pictures.
-std::vector<BoardCorners> kept(const Capture& capture, const CaptureSet& set) {
+std::vector<BoardCorners> keepOtherCorners(const Capture& capture, const CaptureSet& set) {
   std::vector<BoardCorners> result;
   for (const BoardCorners& corners : capture.corners.value_or(std::vector<BoardCorners>{})) {
     const auto board = std::find_if(set.boards.begin(), set.boards.end(),
@@ -277,7 +279,7 @@ SetDetection detectInSet(CaptureSet& set, const std::filesystem::path& folder, u
   std::mutex mutex; // of `done` and `progress`
   const auto work = [&] {
     for (std::size_t i = next++; i < withImage.size() && goOn; i = next++) {
-      outcomes[i] = outcome(set.captures[withImage[i]], set, folder);
+      outcomes[i] = detectInCapture(set.captures[withImage[i]], set, folder);
       const std::lock_guard lock{mutex};
       goOn = progress(++done, withImage.size()) && goOn;
     }
@@ -296,7 +298,7 @@ SetDetection detectInSet(CaptureSet& set, const std::filesystem::path& folder, u
     }
     if (const auto& detection = outcomes[i].detection) {
       ++result.pictures;
-      auto corners = kept(capture, set);
+      auto corners = keepOtherCorners(capture, set);
       corners.insert(corners.end(), detection->boards.begin(), detection->boards.end());
       capture.corners = corners;
       for (const DetectionIssue& finding : detection->findings) {

@@ -42,10 +42,11 @@ struct Detection {
 /// Markers tell which board lies where. Corners are then predicted from what was found around them (in undistorted
 /// pixels), fitted as centres of symmetry (CornerFit.hpp) and checked against their neighbours (BoardSearch.hpp).
 /// OpenCV's own ChArUco corners, half a pixel off in version 4.6, are not used.
-Detection detect(const GreyPicture& picture, const std::vector<Board>& boards, const CameraIntrinsics& intrinsics);
+Detection detectBoards(const GreyPicture& picture, const std::vector<Board>& boards,
+                       const CameraIntrinsics& intrinsics);
 
 /// A finding's kind as it stands in files: "wrong-pattern".
-std::string name(IssueKind kind);
+std::string toString(IssueKind kind);
 
 /// What a person should know about one capture's picture.
 struct CaptureIssue {

@@ -29,7 +29,7 @@ public:
   Walk(const SmoothImage& picture, const LensDistortion& lens, const CharucoPattern& pattern,
        const std::vector<PointMatch>& markerCorners)
       : picture_{picture}, lens_{lens}, pattern_{pattern}, markerCorners_{markerCorners},
-        reach_{symmetricReach(pattern, int(markerCells(pattern.dictionary, pattern.firstMarkerId).rows()))} {}
+        reach_{symmetryRadius(pattern, int(markerCells(pattern.dictionary, pattern.firstMarkerId).rows()))} {}
 
   BoardSearchResult result() {
     spread();
@@ -66,26 +66,26 @@ private:
   }
 
   Eigen::Vector2d pixel(const Eigen::Matrix3d& homography, const Eigen::Vector2d& place) const {
-    return lens_.withDistortion((homography * place.homogeneous()).hnormalized());
+    return lens_.distort((homography * place.homogeneous()).hnormalized());
   }
 
   /// Fits corner `id` from where `homography` puts it; absent where no crossing as printed is seen.
-  std::optional<CornerFit> fitted(int id, const Eigen::Matrix3d& homography) const {
+  std::optional<CornerFit> fitCornerAt(int id, const Eigen::Matrix3d& homography) const {
     const int column = id % (pattern_.squaresX - 1), row = id / (pattern_.squaresX - 1);
     const auto map = [&](const Eigen::Vector2d& place) { return pixel(homography, place); };
     const Eigen::Vector2d start = map(onBoard(id));
-    if (!picture_.holds(start)) {
+    if (!picture_.contains(start)) {
       return std::nullopt;
     }
-    const auto pairs = mirroredPairs(map, onBoard(id), reach_, isBlack(pattern_, column, row));
+    const auto pairs = symmetricPairs(map, onBoard(id), reach_, isBlackSquare(pattern_, column, row));
     const double square = std::min((map(onBoard(id) + Eigen::Vector2d::UnitX()) - start).norm(),
                                    (map(onBoard(id) + Eigen::Vector2d::UnitY()) - start).norm());
-    const auto fit = cornerFit(picture_, pairs, start, std::max(longestMove, longestMoveInSquares * square));
+    const auto fit = fitCorner(picture_, pairs, start, std::max(longestMove, longestMoveInSquares * square));
     return fit && fit->contrast >= leastContrast && fit->asymmetry <= mostAsymmetry ? fit : std::nullopt;
   }
 
   void take(int id, const Eigen::Vector2d& place) {
-    found_[id] = {place, {onBoard(id), lens_.withoutDistortion(place), 1}};
+    found_[id] = {place, {onBoard(id), lens_.undistort(place), 1}};
     refused_.erase(id);
   }
 
@@ -103,7 +103,7 @@ private:
         if (found_.count(id) || !isNear(id)) {
           continue;
         }
-        if (const auto fit = fitted(id, *localHomography(others(id), onBoard(id)))) {
+        if (const auto fit = fitCornerAt(id, *fitLocalHomography(others(id), onBoard(id)))) {
           fresh[id] = fit->place;
         }
       }
@@ -117,8 +117,8 @@ private:
   /// Fits all anew, now that the board's perspective is known well.
   void refine() {
     for (auto& [id, corner] : std::map{found_}) {
-      const auto homography = localHomography(others(id), onBoard(id));
-      if (const auto fit = fitted(id, *homography)) {
+      const auto homography = fitLocalHomography(others(id), onBoard(id));
+      if (const auto fit = fitCornerAt(id, *homography)) {
         take(id, fit->place);
       } else {
         found_.erase(id);
@@ -138,7 +138,7 @@ private:
   /// the middle and those that the others hardly determine.
   double misplacement(int id) const {
     const auto distance = [&](const std::vector<PointMatch>& sightings) {
-      return (found_.at(id).pixel - pixel(*localHomography(sightings, onBoard(id)), onBoard(id))).norm();
+      return (found_.at(id).pixel - pixel(*fitLocalHomography(sightings, onBoard(id)), onBoard(id))).norm();
     };
     auto sightings = others(id);
     const double without = distance(sightings);
@@ -168,17 +168,17 @@ private:
   /// A second chance for corners that were looked for when little was known.
   void retryMissing() {
     for (int id = 0; id < cornerCount(pattern_); ++id) {
-      const auto homography = localHomography(others(id), onBoard(id));
+      const auto homography = fitLocalHomography(others(id), onBoard(id));
       if (found_.count(id) || !homography) {
         continue;
       }
       const Eigen::Vector2d expected = pixel(*homography, onBoard(id));
-      if (const auto fit = fitted(id, *homography)) {
+      if (const auto fit = fitCornerAt(id, *homography)) {
         take(id, fit->place);
         if (const double distance = misplacement(id); distance > tolerance_) {
           refuse(id, distance);
         }
-      } else if (!refused_.count(id) && picture_.holds(expected)) {
+      } else if (!refused_.count(id) && picture_.contains(expected)) {
         refused_[id] = {id, expected, false, "no crossing of four squares is seen there"};
       }
     }
@@ -196,7 +196,7 @@ private:
 
 } // namespace
 
-BoardSearchResult boardSearch(const SmoothImage& picture, const LensDistortion& lens, const CharucoPattern& pattern,
+BoardSearchResult searchBoard(const SmoothImage& picture, const LensDistortion& lens, const CharucoPattern& pattern,
                               const std::vector<PointMatch>& markerCorners) {
   return Walk{picture, lens, pattern, markerCorners}.result();
 }
@@ -207,22 +207,22 @@ constexpr double leastTolerance = 3; // [px]
 constexpr double toleranceInSides = 0.1;
 constexpr double markerWeight = 0.04; // a marker's corner is about five times as far off as a fitted board's corner
 
-std::vector<PointMatch> sightings(const Marker& marker, const CharucoPattern& pattern, const LensDistortion& lens) {
+std::vector<PointMatch> matchMarker(const Marker& marker, const CharucoPattern& pattern, const LensDistortion& lens) {
   const auto onBoard = *markerOnBoard(pattern, marker.id);
   std::vector<PointMatch> result;
   for (std::size_t i = 0; i < 4; ++i) {
-    result.push_back({onBoard[i], lens.withoutDistortion(marker.corners[i]), markerWeight});
+    result.push_back({onBoard[i], lens.undistort(marker.corners[i]), markerWeight});
   }
   return result;
 }
 
 } // namespace
 
-MarkerAgreement markerAgreement(const std::vector<Marker>& markers, const CharucoPattern& pattern,
-                                const LensDistortion& lens) {
+MarkerAgreement findAgreeingMarkers(const std::vector<Marker>& markers, const CharucoPattern& pattern,
+                                    const LensDistortion& lens) {
   std::vector<cv::Point2d> onBoard, seenAt;
   for (const Marker& marker : markers) {
-    for (const PointMatch& corner : sightings(marker, pattern, lens)) {
+    for (const PointMatch& corner : matchMarker(marker, pattern, lens)) {
       onBoard.emplace_back(corner.onBoard.x(), corner.onBoard.y());
       seenAt.emplace_back(corner.seenAt.x(), corner.seenAt.y());
     }
@@ -236,7 +236,7 @@ MarkerAgreement markerAgreement(const std::vector<Marker>& markers, const Charuc
   Eigen::Matrix3d homography;
   cv::cv2eigen(found, homography);
   for (const Marker& marker : markers) {
-    const auto corners = sightings(marker, pattern, lens);
+    const auto corners = matchMarker(marker, pattern, lens);
     const double side = (marker.corners[0] - marker.corners[2]).norm() / std::sqrt(2);
     const double tolerance = std::max(leastTolerance, toleranceInSides * side);
     const bool agrees = std::all_of(corners.begin(), corners.end(), [&](const PointMatch& corner) {

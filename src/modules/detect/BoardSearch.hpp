@@ -31,7 +31,7 @@ struct BoardSearchResult {
 /// markers can be read, are found whole.
 ///
 /// `markerCorners`: corners of markers that were read and agree with each other.
-BoardSearchResult boardSearch(const SmoothImage& picture, const LensDistortion& lens, const CharucoPattern& pattern,
+BoardSearchResult searchBoard(const SmoothImage& picture, const LensDistortion& lens, const CharucoPattern& pattern,
                               const std::vector<PointMatch>& markerCorners);
 
 /// Markers that lie in the picture as one flat board's do, and those of the same board that do not.
@@ -42,7 +42,7 @@ struct MarkerAgreement {
 
 /// The largest group of a board's markers that one homography maps onto the pattern, each corner within 3 px (or a
 /// tenth of its marker's side). All `markers` must be on the board.
-MarkerAgreement markerAgreement(const std::vector<Marker>& markers, const CharucoPattern& pattern,
-                                const LensDistortion& lens);
+MarkerAgreement findAgreeingMarkers(const std::vector<Marker>& markers, const CharucoPattern& pattern,
+                                    const LensDistortion& lens);
 
 } // namespace naocal

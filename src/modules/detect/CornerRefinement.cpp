@@ -21,10 +21,10 @@ std::optional<Eigen::Vector2d> step(const SmoothImage& picture, const std::vecto
   Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
   Eigen::Vector2d right = Eigen::Vector2d::Zero();
   for (const SymmetricPair& pair : pairs) {
-    if (!picture.holds(place + pair.one) || !picture.holds(place + pair.other)) {
+    if (!picture.contains(place + pair.one) || !picture.contains(place + pair.other)) {
       return std::nullopt;
     }
-    const auto one = picture.at(place + pair.one), other = picture.at(place + pair.other);
+    const auto one = picture.sample(place + pair.one), other = picture.sample(place + pair.other);
     const Eigen::Vector2d slope = one.gradient - other.gradient;
     normal += pair.weight * slope * slope.transpose();
     right -= pair.weight * (one.grey - other.grey) * slope;
@@ -36,10 +36,11 @@ std::optional<Eigen::Vector2d> step(const SmoothImage& picture, const std::vecto
   return full * std::min(1., longestStep / full.norm());
 }
 
-CornerFit judged(const SmoothImage& picture, const std::vector<SymmetricPair>& pairs, const Eigen::Vector2d& place) {
+CornerFit judgeCorner(const SmoothImage& picture, const std::vector<SymmetricPair>& pairs,
+                      const Eigen::Vector2d& place) {
   double weight[2] = {}, sum[2] = {}, squares = 0, differences = 0;
   for (const SymmetricPair& pair : pairs) {
-    const double one = picture.at(place + pair.one).grey, other = picture.at(place + pair.other).grey;
+    const double one = picture.sample(place + pair.one).grey, other = picture.sample(place + pair.other).grey;
     weight[pair.white] += 2 * pair.weight;
     sum[pair.white] += pair.weight * (one + other);
     squares += pair.weight * (one * one + other * other);
@@ -52,7 +53,7 @@ CornerFit judged(const SmoothImage& picture, const std::vector<SymmetricPair>& p
 
 } // namespace
 
-std::optional<CornerFit> cornerFit(const SmoothImage& picture, const std::vector<SymmetricPair>& pairs,
+std::optional<CornerFit> fitCorner(const SmoothImage& picture, const std::vector<SymmetricPair>& pairs,
                                    const Eigen::Vector2d& start, double maximalMove) {
   Eigen::Vector2d place = start;
   for (int i = 0; i < iterations; ++i) {
@@ -66,9 +67,9 @@ std::optional<CornerFit> cornerFit(const SmoothImage& picture, const std::vector
     }
   }
   const bool inside = std::all_of(pairs.begin(), pairs.end(), [&](const SymmetricPair& pair) {
-    return picture.holds(place + pair.one) && picture.holds(place + pair.other);
+    return picture.contains(place + pair.one) && picture.contains(place + pair.other);
   });
-  return inside ? std::optional{judged(picture, pairs, place)} : std::nullopt;
+  return inside ? std::optional{judgeCorner(picture, pairs, place)} : std::nullopt;
 }
 
 namespace {
@@ -98,8 +99,8 @@ Eigen::Matrix3d normalisation(const std::vector<PointMatch>& sightings) {
 
 } // namespace
 
-std::optional<Eigen::Matrix3d> localHomography(const std::vector<PointMatch>& sightings,
-                                               const Eigen::Vector2d& around) {
+std::optional<Eigen::Matrix3d> fitLocalHomography(const std::vector<PointMatch>& sightings,
+                                                  const Eigen::Vector2d& around) {
   if (sightings.size() < 4) {
     return std::nullopt;
   }
@@ -143,8 +144,8 @@ Half half(double pixelsPerSquare, double reach) {
 
 } // namespace
 
-std::vector<SymmetricPair> mirroredPairs(const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& pixelFromBoard,
-                                         const Eigen::Vector2d& corner, double reach, bool risingIsWhite) {
+std::vector<SymmetricPair> symmetricPairs(const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& pixelFromBoard,
+                                          const Eigen::Vector2d& corner, double reach, bool risingIsWhite) {
   const Eigen::Vector2d centre = pixelFromBoard(corner);
   const auto pixelsPerSquare = [&](const Eigen::Vector2d& direction) {
     return (pixelFromBoard(corner + 0.1 * direction) - pixelFromBoard(corner - 0.1 * direction)).norm() / 0.2;
@@ -186,8 +187,8 @@ SmoothImage::SmoothImage(const GreyPicture& picture, double blur)
   cv::GaussianBlur(smooth, smooth, {}, blur);
 }
 
-SmoothImage::Sample SmoothImage::at(const Eigen::Vector2d& place) const {
-  assert(holds(place));
+SmoothImage::Sample SmoothImage::sample(const Eigen::Vector2d& place) const {
+  assert(contains(place));
   const int left = int(place.x()), top = int(place.y());
   const CubicWeights x{place.x() - left}, y{place.y() - top};
   Sample sample;

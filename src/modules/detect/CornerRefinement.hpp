@@ -19,11 +19,11 @@ public:
     double grey = 0;                                    // [grey level]
     Eigen::Vector2d gradient = Eigen::Vector2d::Zero(); // [grey level/px]
   };
-  /// `place` must satisfy `holds(place)`.
-  Sample at(const Eigen::Vector2d& place) const;
+  /// `place` must satisfy `contains(place)`.
+  Sample sample(const Eigen::Vector2d& place) const;
 
   /// Whether all pixels around a place that its sample needs lie in the picture.
-  bool holds(const Eigen::Vector2d& place) const {
+  bool contains(const Eigen::Vector2d& place) const {
     return place.x() >= 1 && place.y() >= 1 && place.x() < width_ - 2 && place.y() < height_ - 2;
   }
 
@@ -53,7 +53,7 @@ struct CornerFit {
 /// The pairs follow the board's perspective, so neither foreshortening nor blur nor spread ink shifts the result, and
 /// long edges help although no marker's cells are used. Absent when the pairs leave the picture, nothing is there to
 /// hold on to, or the place moves further than `maximalMove` [px].
-std::optional<CornerFit> cornerFit(const SmoothImage& picture, const std::vector<SymmetricPair>& pairs,
+std::optional<CornerFit> fitCorner(const SmoothImage& picture, const std::vector<SymmetricPair>& pairs,
                                    const Eigen::Vector2d& start, double maximalMove);
 
 /// A place on a board that has been seen.
@@ -69,14 +69,15 @@ constexpr double unitSigma = 0.1; // [px] of a sighting with weight 1
 /// Weighted direct linear transform: each sighting counts by its weight times 1 / (1 + (d / reach)^2)^2, d its distance
 /// from `around`, so that what the lens model leaves and a board that is not quite flat matter little. Absent with
 /// fewer than four sightings.
-std::optional<Eigen::Matrix3d> localHomography(const std::vector<PointMatch>& sightings, const Eigen::Vector2d& around);
+std::optional<Eigen::Matrix3d> fitLocalHomography(const std::vector<PointMatch>& sightings,
+                                                  const Eigen::Vector2d& around);
 
 /// The window in which a corner is fitted: pairs of places opposite to each other on the board.
 ///
 /// In each direction of the board it reaches `reach` squares, but at least 2 px (less tells nothing) and at most 7 px
 /// (more costs time); so it is as flat in the picture as the board. The weight falls towards its rim.
 /// `pixelFromBoard` maps squares to pixels; `risingIsWhite`: the squares at the upper right and lower left are white.
-std::vector<SymmetricPair> mirroredPairs(const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& pixelFromBoard,
-                                         const Eigen::Vector2d& corner, double reach, bool risingIsWhite);
+std::vector<SymmetricPair> symmetricPairs(const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& pixelFromBoard,
+                                          const Eigen::Vector2d& corner, double reach, bool risingIsWhite);
 
 } // namespace naocal

@@ -12,7 +12,7 @@ cv::Matx33d cameraMatrix(const CameraIntrinsics& camera) {
 
 } // namespace
 
-Eigen::Vector2d LensDistortion::withoutDistortion(const Eigen::Vector2d& pixel) const {
+Eigen::Vector2d LensDistortion::undistort(const Eigen::Vector2d& pixel) const {
   const std::vector<cv::Point2d> seen{{pixel.x(), pixel.y()}};
   std::vector<cv::Point2d> ideal;
   const cv::Matx33d matrix = cameraMatrix(intrinsics_);
@@ -21,7 +21,7 @@ Eigen::Vector2d LensDistortion::withoutDistortion(const Eigen::Vector2d& pixel) 
   return {ideal[0].x, ideal[0].y};
 }
 
-Eigen::Vector2d LensDistortion::withDistortion(const Eigen::Vector2d& pixel) const {
+Eigen::Vector2d LensDistortion::distort(const Eigen::Vector2d& pixel) const {
   const auto& [k1, k2, p1, p2, k3] = intrinsics_.distortion;
   const double x = (pixel.x() - intrinsics_.cx) / intrinsics_.fx, y = (pixel.y() - intrinsics_.cy) / intrinsics_.fy;
   const double r2 = x * x + y * y;

@@ -11,8 +11,8 @@ class LensDistortion {
 public:
   explicit LensDistortion(const CameraIntrinsics& intrinsics) : intrinsics_{intrinsics} {}
 
-  Eigen::Vector2d withoutDistortion(const Eigen::Vector2d& pixel) const;
-  Eigen::Vector2d withDistortion(const Eigen::Vector2d& pixel) const;
+  Eigen::Vector2d undistort(const Eigen::Vector2d& pixel) const;
+  Eigen::Vector2d distort(const Eigen::Vector2d& pixel) const;
 
 private:
   CameraIntrinsics intrinsics_;

@@ -16,7 +16,7 @@
 namespace naocal {
 namespace {
 
-cv::aruco::Dictionary dictionaryNamed(const std::string& name) {
+cv::aruco::Dictionary findDictionary(const std::string& name) {
   namespace aruco = cv::aruco;
   static const std::vector<std::pair<std::string, int>> known{
       {"DICT_4X4_50", aruco::DICT_4X4_50},
@@ -56,15 +56,15 @@ cv::aruco::Dictionary dictionaryNamed(const std::string& name) {
 
 } // namespace
 
-std::vector<Marker> markersIn(const GreyPicture& picture, const std::string& dictionary) {
+std::vector<Marker> detectMarkers(const GreyPicture& picture, const std::string& dictionary) {
   // OpenCV wants a mutable pointer but only reads.
   const cv::Mat image(picture.height, picture.width, CV_8U, const_cast<std::uint8_t*>(picture.pixels.data()));
   std::vector<std::vector<cv::Point2f>> corners;
   std::vector<int> ids;
 #if NAOCAL_ARUCO_CLASSES
-  cv::aruco::ArucoDetector(dictionaryNamed(dictionary)).detectMarkers(image, corners, ids);
+  cv::aruco::ArucoDetector(findDictionary(dictionary)).detectMarkers(image, corners, ids);
 #else
-  const cv::Ptr<cv::aruco::Dictionary> shared = cv::makePtr<cv::aruco::Dictionary>(dictionaryNamed(dictionary));
+  const cv::Ptr<cv::aruco::Dictionary> shared = cv::makePtr<cv::aruco::Dictionary>(findDictionary(dictionary));
   cv::aruco::detectMarkers(image, shared, corners, ids);
 #endif
   std::vector<Marker> markers(ids.size());
@@ -78,7 +78,7 @@ std::vector<Marker> markersIn(const GreyPicture& picture, const std::string& dic
 }
 
 Eigen::MatrixXi markerCells(const std::string& dictionary, int id) {
-  const cv::aruco::Dictionary all = dictionaryNamed(dictionary);
+  const cv::aruco::Dictionary all = findDictionary(dictionary);
   const cv::Mat bits = cv::aruco::Dictionary::getBitsFromByteList(all.bytesList.rowRange(id, id + 1), all.markerSize);
   Eigen::MatrixXi cells = Eigen::MatrixXi::Zero(all.markerSize + 2, all.markerSize + 2);
   for (int row = 0; row < all.markerSize; ++row) {

@@ -17,7 +17,7 @@ struct Marker {
 
 /// The markers of one dictionary in a picture. This file is the only one that knows which version of OpenCV's aruco
 /// is in use. Throws InputError for an unknown dictionary.
-std::vector<Marker> markersIn(const GreyPicture& picture, const std::string& dictionary);
+std::vector<Marker> detectMarkers(const GreyPicture& picture, const std::string& dictionary);
 
 /// A marker's cells, black border included: cell (row, column) is 1 where white.
 Eigen::MatrixXi markerCells(const std::string& dictionary, int id);

@@ -21,11 +21,11 @@ Eigen::ArrayXd seenCells(const SmoothImage& picture, const LensDistortion& lens,
     for (Eigen::Index column = 1; column + 1 < cells; ++column) {
       const Eigen::Vector2d onBoard = marker[0] + (double(column) + 0.5) / double(cells) * (marker[1] - marker[0]) +
                                       (double(row) + 0.5) / double(cells) * (marker[3] - marker[0]);
-      const Eigen::Vector2d place = lens.withDistortion((homography * onBoard.homogeneous()).hnormalized());
-      if (!picture.holds(place)) {
+      const Eigen::Vector2d place = lens.distort((homography * onBoard.homogeneous()).hnormalized());
+      if (!picture.contains(place)) {
         return {};
       }
-      seen((row - 1) * (cells - 2) + column - 1) = picture.at(place).grey;
+      seen((row - 1) * (cells - 2) + column - 1) = picture.sample(place).grey;
     }
   }
   return seen;
@@ -33,11 +33,11 @@ Eigen::ArrayXd seenCells(const SmoothImage& picture, const LensDistortion& lens,
 
 } // namespace
 
-double printLikeness(const SmoothImage& picture, const LensDistortion& lens, const CharucoPattern& pattern,
-                     const std::map<int, Eigen::Vector2d>& corners) {
+double printCorrelation(const SmoothImage& picture, const LensDistortion& lens, const CharucoPattern& pattern,
+                        const std::map<int, Eigen::Vector2d>& corners) {
   std::vector<PointMatch> sightings;
   for (const auto& [id, place] : corners) {
-    sightings.push_back({cornerOnBoard(pattern, id), lens.withoutDistortion(place), 1});
+    sightings.push_back({cornerOnBoard(pattern, id), lens.undistort(place), 1});
   }
   double together = 0, seenSquares = 0, printedSquares = 0;
   for (int id = pattern.firstMarkerId; id < pattern.firstMarkerId + markerCount(pattern); ++id) {
@@ -49,7 +49,7 @@ double printLikeness(const SmoothImage& picture, const LensDistortion& lens, con
       continue;
     }
     const Eigen::MatrixXi cells = markerCells(pattern.dictionary, id);
-    Eigen::ArrayXd seen = seenCells(picture, lens, *localHomography(sightings, centre), marker, cells.rows());
+    Eigen::ArrayXd seen = seenCells(picture, lens, *fitLocalHomography(sightings, centre), marker, cells.rows());
     if (seen.size() == 0) {
       continue;
     }

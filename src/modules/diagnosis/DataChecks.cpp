@@ -20,9 +20,9 @@ namespace {
 
 /// An effect's first unknown by a fit with it: far from zero the linearised estimate is short of it. Absent where there
 /// is no such fit.
-std::optional<double> fitted(const Term& term, const Measurements& measurements) {
+std::optional<double> estimateTerm(const Term& term, const Measurements& measurements) {
   try {
-    const Model model = makeModel(measurements, {term.label()});
+    const Model model = buildModel(measurements, {term.label()});
     const std::size_t first = model.find(term.label())->first;
     return calibrate(measurements, model, {.question = false}).unknowns[static_cast<Eigen::Index>(first)];
   } catch (const InputError&) {
@@ -31,10 +31,10 @@ std::optional<double> fitted(const Term& term, const Measurements& measurements)
 }
 
 /// rms distance of corners with the likeliest effect in the model [px]. A gain is left out: a sign is one of -2.
-double explainedBy(const CandidateTests& inquiry, const Measurements& measurements, const Model& model) {
+double rmsBesideLikeliest(const CandidateTests& inquiry, const Measurements& measurements, const Model& model) {
   for (const std::size_t candidate : inquiry.candidatesByEvidence()) {
     const Term& term = inquiry.candidates()[candidate];
-    if (term.effect.name == "encoderGain" || inquiry.ofCandidate(candidate).bayes <= 0) {
+    if (term.effect.name == "encoderGain" || inquiry.candidateEvidence(candidate).bayes <= 0) {
       continue;
     }
     try {
@@ -49,11 +49,11 @@ double explainedBy(const CandidateTests& inquiry, const Measurements& measuremen
 }
 
 /// An effect of a size that no robot has but a wrong set-up does.
-std::optional<DataAnomaly> setUpFrom(const CandidateTests& inquiry, const Measurements& measurements) {
+std::optional<DataAnomaly> findSetUp(const CandidateTests& inquiry, const Measurements& measurements) {
   constexpr double boardScale = 0.03, mirrored = -1.5;
   std::size_t best = 0;
   for (std::size_t i = 1; i < inquiry.candidates().size(); ++i) {
-    if (inquiry.ofCandidate(i).likelihoodRatio > inquiry.ofCandidate(best).likelihoodRatio) {
+    if (inquiry.candidateEvidence(i).likelihoodRatio > inquiry.candidateEvidence(best).likelihoodRatio) {
       best = i;
     }
   }
@@ -61,17 +61,17 @@ std::optional<DataAnomaly> setUpFrom(const CandidateTests& inquiry, const Measur
     return std::nullopt;
   }
   const Term& term = inquiry.candidates()[best];
-  const GroupEvidence& evidence = inquiry.ofCandidate(best);
+  const GroupEvidence& evidence = inquiry.candidateEvidence(best);
   constexpr double beyondDoubt = 30;
   if (evidence.likelihoodRatio < beyondDoubt) {
     return std::nullopt;
   }
   if (term.effect.name == "boardScale" && std::abs(evidence.estimate[0]) > boardScale) {
-    const double size = fitted(term, measurements).value_or(evidence.estimate[0]);
+    const double size = estimateTerm(term, measurements).value_or(evidence.estimate[0]);
     return DataAnomaly{{},
                        fmt::format("the squares of {} are {:.1f} % {} than the file says: measure the print and "
                                    "correct squareLength",
-                                   term.at == everywhere ? "all boards" : "board " + term.place, 100 * std::abs(size),
+                                   term.site == allSites ? "all boards" : "board " + term.place, 100 * std::abs(size),
                                    size > 0 ? "larger" : "smaller")};
   }
   if (term.effect.name == "encoderGain" && evidence.estimate[0] < mirrored) {
@@ -85,8 +85,8 @@ bool mayBeMirrored(const CandidateTests& inquiry, std::size_t motor) {
   constexpr double notable = -0.3;
   for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
     const Term& term = inquiry.candidates()[i];
-    if (term.effect.name == "encoderGain" && term.at == motor && inquiry.ofCandidate(i).freedom > 0) {
-      const GroupEvidence& gain = inquiry.ofCandidate(i);
+    if (term.effect.name == "encoderGain" && term.site == motor && inquiry.candidateEvidence(i).freedom > 0) {
+      const GroupEvidence& gain = inquiry.candidateEvidence(i);
       return gain.estimate[0] - 3 * std::sqrt(gain.covariance(0, 0)) < notable;
     }
   }
@@ -95,28 +95,30 @@ bool mayBeMirrored(const CandidateTests& inquiry, std::size_t motor) {
 
 } // namespace
 
-std::vector<DataAnomaly> suspicions(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                    const Model& model, const CalibrationResult& fit, const CandidateTests& inquiry) {
+std::vector<DataAnomaly> findAnomalies(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                       const Model& model, const CalibrationResult& fit,
+                                       const CandidateTests& inquiry) {
   const auto mirrored = [&](std::size_t motor) { return mayBeMirrored(inquiry, motor); };
-  GrossMisfit misfit = GrossMisfit::of(fit, model);
+  GrossMisfit misfit = GrossMisfit::assess(fit, model);
   if (misfit.rmsPx > threshold::grossPx) {
-    misfit.explainedPx = explainedBy(inquiry, measurements, model);
+    misfit.explainedPx = rmsBesideLikeliest(inquiry, measurements, model);
   }
-  if (const auto setUp = wrongSetUp(sets, measurements, misfit, mirrored)) {
+  if (const auto setUp = findSetupError(sets, measurements, misfit, mirrored)) {
     return {*setUp};
   }
-  std::vector<DataAnomaly> result = accidents(sets, measurements, model, fit, inquiry);
+  std::vector<DataAnomaly> result = findTransientAnomalies(sets, measurements, model, fit, inquiry);
   if (result.empty()) { // an accident is far likelier than any effect, if it is named
-    if (const auto setUp = setUpFrom(inquiry, measurements)) {
+    if (const auto setUp = findSetUp(inquiry, measurements)) {
       result.push_back(*setUp);
     }
   }
   return result;
 }
 
-std::vector<DataAnomaly> accidents(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                   const Model& model, const CalibrationResult& fit, const CandidateTests& inquiry) {
-  const auto likeliest = likeliestEvent(sets, measurements, model, fit, inquiry);
+std::vector<DataAnomaly> findTransientAnomalies(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                                const Model& model, const CalibrationResult& fit,
+                                                const CandidateTests& inquiry) {
+  const auto likeliest = findLikeliestEvent(sets, measurements, model, fit, inquiry);
   if (!likeliest) {
     return {};
   }
@@ -132,8 +134,8 @@ std::vector<DataAnomaly> accidents(const std::vector<CaptureSet>& sets, const Me
   return result;
 }
 
-std::vector<DataAnomaly> movedBoards(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                     const CalibrationResult& fit) {
+std::vector<DataAnomaly> findDisplacedBoards(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                             const CalibrationResult& fit) {
   std::vector<DataAnomaly> result;
   for (const Outlier& doubt : fit.doubts) {
     if (doubt.whole) {
@@ -177,7 +179,7 @@ struct Together {
 };
 
 /// Placement of the floor under the robot, at these moments only: x, y, z [m], roll, pitch, yaw [rad].
-Effect displaced(std::size_t set, std::set<double> times) {
+Effect makeDisplacement(std::size_t set, std::set<double> times) {
   constexpr double distance = 0.02, angle = 0.03;
   Effect effect{.name = "wrongAngles",
                 .what = {},
@@ -193,7 +195,7 @@ Effect displaced(std::size_t set, std::set<double> times) {
   effect.correct = [set, times = std::move(times)](ModelState& belief, const RobotSample& instant, std::size_t,
                                                    std::span<const double> values) {
     if (instant.set == set && times.contains(instant.time.count())) {
-      belief.ground() += Eigen::Map<const Eigen::Matrix<double, 6, 1>>{values.data()};
+      belief.worldFromSupport() += Eigen::Map<const Eigen::Matrix<double, 6, 1>>{values.data()};
     }
   };
   return effect;
@@ -210,7 +212,7 @@ Together alone(const ImageObservation& picture, const Capture& capture, const st
 }
 
 /// Those with the largest errors, the worst first.
-std::vector<Together> worst(std::vector<Together> all, std::size_t most) {
+std::vector<Together> selectWorst(std::vector<Together> all, std::size_t most) {
   std::stable_sort(all.begin(), all.end(), [](const Together& a, const Together& b) { return a.error() > b.error(); });
   all.resize(std::min(most, all.size()));
   return all;
@@ -218,10 +220,10 @@ std::vector<Together> worst(std::vector<Together> all, std::size_t most) {
 
 } // namespace
 
-std::vector<TransientEvent> wrongAngles(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                        const CalibrationResult& fit) {
+std::vector<TransientEvent> enumerateWrongAngles(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                                 const CalibrationResult& fit) {
   std::map<std::size_t, std::vector<const BoardResidual*>> byPicture;
-  for (const BoardResidual& sighting : fit.asReported) {
+  for (const BoardResidual& sighting : fit.withReportedAngles) {
     const ObservationChain& view = measurements.pictures[sighting.picture].sightings[sighting.sighting].view;
     if (measurements.targets[view.board()].onFloor) {
       byPicture[sighting.picture].push_back(&sighting);
@@ -248,7 +250,7 @@ std::vector<TransientEvent> wrongAngles(const std::vector<CaptureSet>& sets, con
       const std::string ids = fmt::format("{}", fmt::join(one.captures, ", "));
       const std::string which = one.captures.size() == 1 ? "capture " + ids : "captures " + ids;
       result.push_back(
-          {.term = {displaced(one.set, one.times), 0, fmt::format("{} of {}", which, sets[one.set].name)},
+          {.term = {makeDisplacement(one.set, one.times), 0, fmt::format("{} of {}", which, sets[one.set].name)},
            .who = which,
            .where = " of pose " + one.pose,
            .set = one.set,
@@ -256,8 +258,8 @@ std::vector<TransientEvent> wrongAngles(const std::vector<CaptureSet>& sets, con
            .what = fmt::format("{} not belong to the rest: {}", one.captures.size() == 1 ? "does" : "do", what)});
     }
   };
-  offer(worst(approaches, mostApproaches), "somebody touched the robot, or its angles are wrong there");
-  offer(worst(poses, mostPoses), "somebody touched the robot, or a joint slipped there");
+  offer(selectWorst(approaches, mostApproaches), "somebody touched the robot, or its angles are wrong there");
+  offer(selectWorst(poses, mostPoses), "somebody touched the robot, or a joint slipped there");
   return result;
 }
 

@@ -28,8 +28,8 @@ struct DiagnosedModel {
 
 /// Adds to a finished diagnosis what its figures show: which captures belong to each pose, how much alike the first
 /// candidates are, what they would look like, and what the models leave over. `given`: the model as given.
-void addFigures(const std::vector<CaptureSet>& sets, const Measurements& measurements, const DiagnosedModel& given,
-                const DiagnosedModel& last, Diagnosis& diagnosis);
+void assembleFigures(const std::vector<CaptureSet>& sets, const Measurements& measurements, const DiagnosedModel& given,
+                     const DiagnosedModel& last, Diagnosis& diagnosis);
 
 namespace {
 
@@ -37,11 +37,11 @@ namespace {
 /// aside that pass with time: what does not foretell is not called the cause. The larger the evidence, the further a
 /// curve must be ahead: being free it follows several effects at once, each of which is then named in turn.
 bool isUnknown(const CandidateTests& inquiry, std::optional<std::size_t> candidate) {
-  const GroupEvidence& best = inquiry.ofCurve(inquiry.curvesByEvidence().front());
+  const GroupEvidence& best = inquiry.curveEvidence(inquiry.curvesByEvidence().front());
   const double curve = best.matters() ? best.bayes : 0;
-  double named = candidate ? inquiry.ofCandidate(*candidate).bayes : -threshold::unnamed;
+  double named = candidate ? inquiry.candidateEvidence(*candidate).bayes : -threshold::unnamed;
   for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
-    named = passes(inquiry.candidates()[i].effect) ? named : std::max(named, inquiry.ofCandidate(i).bayes);
+    named = isTransient(inquiry.candidates()[i].effect) ? named : std::max(named, inquiry.candidateEvidence(i).bayes);
   }
   return curve > 0 && curve - named > std::max(threshold::unnamed, named * named / threshold::unnamedGrowth);
 }
@@ -54,19 +54,19 @@ bool explains(const CandidateTests& inquiry, std::optional<std::size_t> candidat
   }
   const Term& term = inquiry.candidates()[*candidate];
   const EffectSite of = field.of == ImageField::Of::camera ? EffectSite::camera : EffectSite::board;
-  const bool samePlace = term.effect.place == of && term.at == field.at;
-  return !samePlace && inquiry.ofCandidate(*candidate).bayes > 2 * field.fit.bayes;
+  const bool samePlace = term.effect.place == of && term.site == field.at;
+  return !samePlace && inquiry.candidateEvidence(*candidate).bayes > 2 * field.fit.bayes;
 }
 
 /// The field, unless it is what little an effect leaves that follows its shape but roughly. `most`: of all so far.
-std::optional<ImageField> worthANote(const std::optional<ImageField>& field, double& most) {
+std::optional<ImageField> noteworthyField(const std::optional<ImageField>& field, double& most) {
   most = std::max(most, field ? field->fit.bayes : 0);
   return field && field->fit.bayes < threshold::fieldRemainder * most ? std::nullopt : field;
 }
 
 /// `missing`: an effect that has a name explains the misfit. `unknown`: nothing that has a name does, but a curve.
 Verdict verdictOf(const Diagnosis& diagnosis, double misfitLeft, bool missing, bool unknown) {
-  if (!diagnosis.suspicious.empty()) {
+  if (!diagnosis.anomalies.empty()) {
     return Verdict::badCaptures;
   }
   if (unknown) {
@@ -96,15 +96,15 @@ void addNew(const std::vector<DataAnomaly>& further, std::vector<DataAnomaly>& s
 Diagnosis withoutFit(const std::vector<CaptureSet>& sets, const Measurements& measurements, const InputError& error) {
   Diagnosis result;
   result.verdict = Verdict::badCaptures;
-  const auto setUp = wrongSetUp(sets, measurements, {}, [](std::size_t) { return true; });
-  result.suspicious.push_back(setUp.value_or(DataAnomaly{{}, error.what()}));
-  result.sentence = sentence(result);
+  const auto setUp = findSetupError(sets, measurements, {}, [](std::size_t) { return true; });
+  result.anomalies.push_back(setUp.value_or(DataAnomaly{{}, error.what()}));
+  result.sentence = summarize(result);
   return result;
 }
 
 /// The loop: question the model, add what is missing, until the alarm falls silent.
-Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& asked,
-                     const DiagnosisOptions& options) {
+Diagnosis questionModel(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& asked,
+                        const DiagnosisOptions& options) {
   Diagnosis result;
   StepwiseSelection ladder{measurements, asked, options};
   result.fit = ladder.fit();
@@ -117,54 +117,55 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
       inquiries.pop_back();
     }
     const CandidateTests& inquiry =
-        inquiries.emplace_back(measurements, ladder.model(), ladder.fit(), ladder.testable(), options.inquiry);
-    ladder.look(inquiry, result);
+        inquiries.emplace_back(measurements, ladder.model(), ladder.fit(), ladder.testableTerms(), options.inquiry);
+    ladder.recordStep(inquiry, result);
     if (result.steps.size() == 1) {
-      result.suspicious = suspicions(sets, measurements, ladder.model(), ladder.fit(), inquiry);
+      result.anomalies = findAnomalies(sets, measurements, ladder.model(), ladder.fit(), inquiry);
       result.alarm = inquiry.evidence().pValue;
     } else { // what was added may have hidden an accident
-      result.suspicious = accidents(sets, measurements, ladder.model(), ladder.fit(), inquiry);
+      result.anomalies = findTransientAnomalies(sets, measurements, ladder.model(), ladder.fit(), inquiry);
     }
-    const std::optional<ImageField> field = worthANote(strikingField(measurements, ladder.model(), ladder.fit()), most);
+    const std::optional<ImageField> field =
+        noteworthyField(findStrikingField(measurements, ladder.model(), ladder.fit()), most);
     const double level = result.suggested.empty() ? options.alarm : threshold::laterAlarm * options.alarm;
     const bool striking = inquiry.evidence().pValue <= level && inquiry.evidence().matters;
-    const bool alarm = (striking || field) && result.suspicious.empty();
-    const std::optional<StepwiseSelection::Choice> next = alarm ? ladder.best(inquiry) : std::nullopt;
+    const bool alarm = (striking || field) && result.anomalies.empty();
+    const std::optional<StepwiseSelection::Choice> next = alarm ? ladder.chooseNext(inquiry) : std::nullopt;
     const std::optional<std::size_t> candidate = next ? std::optional{next->candidate} : std::nullopt;
     if (alarm && inquiry.curveCount() > 0) {
       unknown = isUnknown(inquiry, candidate);
     }
-    const bool unknownField = alarm && field && !explains(inquiry, candidate, *field) && ladder.stays(*field, inquiry);
+    const bool unknownField =
+        alarm && field && !explains(inquiry, candidate, *field) && ladder.fieldPersists(*field, inquiry);
     unknown = unknown || unknownField;
-    const bool grows = options.grow && (!options.goesOn || options.goesOn());
+    const bool grows = options.extend && (!options.shouldContinue || options.shouldContinue());
     if (!grows || !alarm || unknown || !candidate || !ladder.add(inquiry, *next, result)) {
       if (ladder.takeBack(result)) {
         unknown = false;
         continue;
       }
-      auto [cells, best] = driverMap(inquiry, measurements);
-      result.map = std::move(cells);
-      result.drivers = std::move(best);
+      auto [cells, best] = mapDrivers(inquiry, measurements);
+      result.driverScores = std::move(cells);
+      result.driverCurves = std::move(best);
       if (unknownField) {
-        result.drivers.insert(result.drivers.begin(), fieldFinding(*field, measurements));
+        result.driverCurves.insert(result.driverCurves.begin(), curveFromField(*field, measurements));
       }
       result.scatter = ladder.fit().noise.pose;
-      const bool lasting =
-          !result.suspicious.empty() && !result.suspicious.front().capture; // else all would seem moved
+      const bool lasting = !result.anomalies.empty() && !result.anomalies.front().capture; // else all would seem moved
       if (!unknown && !lasting && (result.suggested.empty() || !striking)) {
-        addNew(movedBoards(sets, measurements, ladder.withoutMovedBoards()), result.suspicious);
+        addNew(findDisplacedBoards(sets, measurements, ladder.refitWithoutDisplacedBoards()), result.anomalies);
       }
       const bool missing = !result.suggested.empty() || (!grows && candidate);
       result.unexplained = alarm && !candidate && !unknown && !missing;
       result.verdict = verdictOf(result, ladder.fit().misfit, missing, unknown);
       result.with = ladder.added();
       if (unknown && !unknownField && grows) {
-        result.own = ownEffect(result.drivers.front(), measurements, ladder, result, options.inquiry);
+        result.own = fitOwnEffect(result.driverCurves.front(), measurements, ladder, result, options.inquiry);
       }
       const std::vector<std::string> leading = result.suggested.empty() && candidate
                                                    ? std::vector{inquiry.candidates()[*candidate].label()}
                                                    : result.suggested;
-      result.ranking = judged(ladder.findings(), inquiry, ladder.model(), ladder.fit(), leading);
+      result.ranking = judgeCandidates(ladder.findings(), inquiry, ladder.model(), ladder.fit(), leading);
       if (result.own) {
         result.suggested.push_back(result.own->label);
         result.steps.push_back(result.own->step);
@@ -173,9 +174,9 @@ Diagnosis questioned(const std::vector<CaptureSet>& sets, const Measurements& me
     }
   }
   result.lastFit = ladder.fit();
-  addFigures(sets, measurements, {asked, result.fit, inquiries.front()},
-             {ladder.model(), result.lastFit, inquiries.back()}, result);
-  result.sentence = sentence(result);
+  assembleFigures(sets, measurements, {asked, result.fit, inquiries.front()},
+                  {ladder.model(), result.lastFit, inquiries.back()}, result);
+  result.sentence = summarize(result);
   return result;
 }
 
@@ -185,8 +186,8 @@ bool isSpoiled(const DataAnomaly& suspicion) {
 }
 
 /// Without what these captures show.
-Measurements without(const std::vector<DataAnomaly>& suspicious, const std::vector<CaptureSet>& sets,
-                     Measurements measurements) {
+Measurements excludeSuspicious(const std::vector<DataAnomaly>& suspicious, const std::vector<CaptureSet>& sets,
+                               Measurements measurements) {
   for (std::size_t index = 0; index < measurements.pictures.size(); ++index) {
     const ImageObservation& picture = measurements.pictures[index];
     const int id = sets[picture.set].captures[picture.capture].id;
@@ -194,14 +195,14 @@ Measurements without(const std::vector<DataAnomaly>& suspicious, const std::vect
       return isSpoiled(suspicion) && suspicion.capture == id && suspicion.set == picture.set;
     });
     for (std::size_t sighting = 0; spoiled && sighting < picture.sightings.size(); ++sighting) {
-      setAside(measurements, {index, sighting});
+      excludeObservation(measurements, {index, sighting});
     }
   }
   return measurements;
 }
 
 /// What all captures show of candidates beside the model as given, whatever was set aside later.
-void takeAlone(const std::vector<CandidateFinding>& all, std::vector<CandidateFinding>& left) {
+void takeLoneEvidence(const std::vector<CandidateFinding>& all, std::vector<CandidateFinding>& left) {
   for (CandidateFinding& finding : left) {
     const auto same = std::find_if(all.begin(), all.end(), [&](const CandidateFinding& other) {
       return other.term.label() == finding.term.label();
@@ -214,23 +215,23 @@ void takeAlone(const std::vector<CandidateFinding>& all, std::vector<CandidateFi
 }
 
 /// Questioned again without captures that an accident spoiled: what is missing beside them is told as well.
-Diagnosis questionedWithoutSpoiled(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                   const Model& asked, const DiagnosisOptions& options) {
+Diagnosis questionWithoutSpoiled(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                 const Model& asked, const DiagnosisOptions& options) {
   constexpr int most = 4; // accidents
-  Diagnosis result = questioned(sets, measurements, asked, options);
+  Diagnosis result = questionModel(sets, measurements, asked, options);
   std::ptrdiff_t known = 0; // suspicions
-  for (int round = 0; options.grow && round < most; ++round) {
-    if (std::none_of(result.suspicious.begin() + known, result.suspicious.end(), isSpoiled)) {
+  for (int round = 0; options.extend && round < most; ++round) {
+    if (std::none_of(result.anomalies.begin() + known, result.anomalies.end(), isSpoiled)) {
       break;
     }
-    known = std::ssize(result.suspicious);
-    Diagnosis next = questioned(sets, without(result.suspicious, sets, measurements), asked, options);
-    addNew(next.suspicious, result.suspicious);
-    next.suspicious = result.suspicious;
+    known = std::ssize(result.anomalies);
+    Diagnosis next = questionModel(sets, excludeSuspicious(result.anomalies, sets, measurements), asked, options);
+    addNew(next.anomalies, result.anomalies);
+    next.anomalies = result.anomalies;
     next.alarm = result.alarm;
-    takeAlone(result.ranking, next.ranking);
+    takeLoneEvidence(result.ranking, next.ranking);
     next.verdict = Verdict::badCaptures;
-    next.sentence = sentence(next);
+    next.sentence = summarize(next);
     result = std::move(next);
   }
   return result;
@@ -241,10 +242,10 @@ Diagnosis questionedWithoutSpoiled(const std::vector<CaptureSet>& sets, const Me
 Diagnosis diagnose(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                    const DiagnosisOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
-  const Model asked = makeModel(measurements, options.with, options.without, options.effects);
+  const Model asked = buildModel(measurements, options.with, options.without, options.effects);
   Diagnosis result;
   try {
-    result = questionedWithoutSpoiled(sets, measurements, asked, options);
+    result = questionWithoutSpoiled(sets, measurements, asked, options);
   } catch (const InputError& error) {
     if (measurements.cornerCount == 0) {
       throw;
@@ -257,36 +258,39 @@ Diagnosis diagnose(const std::vector<CaptureSet>& sets, const Measurements& meas
 
 namespace {
 
-Figures::Left left(const std::vector<CaptureSet>& sets, const Measurements& measurements, const DiagnosedModel& asked) {
-  return {whatIfs(measurements, asked.inquiry), leftover(sets, measurements, asked.model, asked.fit),
-          boardShapes(measurements, asked.model, asked.fit)};
+Figures::Left buildResidualViews(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                 const DiagnosedModel& asked) {
+  return {computeJointCorrections(measurements, asked.inquiry),
+          computeResidualField(sets, measurements, asked.model, asked.fit),
+          estimateBoardShapes(measurements, asked.model, asked.fit)};
 }
 
 } // namespace
 
-void addFigures(const std::vector<CaptureSet>& sets, const Measurements& measurements, const DiagnosedModel& given,
-                const DiagnosedModel& last, Diagnosis& diagnosis) {
+void assembleFigures(const std::vector<CaptureSet>& sets, const Measurements& measurements, const DiagnosedModel& given,
+                     const DiagnosedModel& last, Diagnosis& diagnosis) {
   constexpr std::size_t compared = 12, shown = 10;
-  diagnosis.figures.taken = takenIn(sets, measurements);
+  diagnosis.figures.taken = indexCaptures(sets, measurements);
   std::vector<std::string> labels;
   std::vector<std::size_t> candidates;
   std::vector<CandidateFinding*> findings;
   for (CandidateFinding& finding : diagnosis.ranking) {
     labels.push_back(finding.term.label());
-    if (const auto candidate = given.inquiry.find(labels.back()); candidate && candidates.size() < shown) {
+    if (const auto candidate = given.inquiry.findCandidate(labels.back()); candidate && candidates.size() < shown) {
       candidates.push_back(*candidate);
       findings.push_back(&finding);
     }
   }
-  diagnosis.figures.aliases = aliasMatrix(given.inquiry, labels, compared);
-  std::vector<EffectSignature> looks = imprints(measurements, given.model, given.fit, given.inquiry, candidates);
+  diagnosis.figures.aliases = computeAliasMatrix(given.inquiry, labels, compared);
+  std::vector<EffectSignature> looks =
+      computeSignatures(measurements, given.model, given.fit, given.inquiry, candidates);
   for (std::size_t i = 0; i < looks.size(); ++i) {
     findings[i]->imprint = std::move(looks[i]);
   }
-  diagnosis.figures.recorded = driversOf(measurements, given.model, given.fit.unknowns);
-  diagnosis.figures.given = left(sets, measurements, given);
+  diagnosis.figures.recorded = collectDrivers(measurements, given.model, given.fit.unknowns);
+  diagnosis.figures.given = buildResidualViews(sets, measurements, given);
   if (!diagnosis.suggested.empty()) {
-    diagnosis.figures.last = left(sets, measurements, last);
+    diagnosis.figures.last = buildResidualViews(sets, measurements, last);
   }
 }
 

@@ -24,13 +24,13 @@ namespace naocal {
 ///
 /// Adds poses, pictures and cameras, and how much alike candidates are, with each pair that the captures cannot tell
 /// apart how many times as much data could.
-void addFigures(const Diagnosis& diagnosis, std::size_t mostPoints, nlohmann::json& file);
+void addFiguresJson(const Diagnosis& diagnosis, std::size_t mostPoints, nlohmann::json& file);
 /// Adds a candidate's figures.
-void addFigures(const CandidateFinding& finding, std::size_t mostPoints, nlohmann::json& entry);
+void addFiguresJson(const CandidateFinding& finding, std::size_t mostPoints, nlohmann::json& entry);
 
 /// Adds what was recorded at every picture, and what the models leave over: "asGiven" and, where something was added,
-/// "withSuggested". `mostPoints` as of `addFigures`.
-void addLeft(const Figures& figures, std::size_t mostPoints, nlohmann::json& file);
+/// "withSuggested". `mostPoints` as of `addFiguresJson`.
+void addResidualViewsJson(const Figures& figures, std::size_t mostPoints, nlohmann::json& file);
 
 using Json = nlohmann::json;
 
@@ -64,7 +64,7 @@ Json rankingEntry(const CandidateFinding& finding, std::size_t mostPoints) {
   Json entry{{"effect", finding.term.effect.name},
              {"at", finding.term.place},
              {"unknowns", unknowns(finding)},
-             {"state", nameOf(finding.state)},
+             {"state", toString(finding.state)},
              {"power", finding.power},
              {"minimalDetectable",
               finding.minimalDetectable.empty() ? Json(nullptr) : number(finding.minimalDetectable.front())},
@@ -83,11 +83,11 @@ Json rankingEntry(const CandidateFinding& finding, std::size_t mostPoints) {
   if (!finding.why.empty()) {
     entry["why"] = finding.why;
   }
-  addFigures(finding, mostPoints, entry);
+  addFiguresJson(finding, mostPoints, entry);
   return entry;
 }
 
-Json driver(const DriverCurve& finding) {
+Json driverJson(const DriverCurve& finding) {
   Json coefficients = Json::object();
   for (const Coefficient& coefficient : finding.coefficients) {
     coefficients[coefficient.name] = coefficient.value;
@@ -100,7 +100,7 @@ Json driver(const DriverCurve& finding) {
     result["about"] = finding.about;
   }
   if (!finding.coefficients.empty()) {
-    result["effect"] = curveEffect(finding);
+    result["effect"] = curveAsUserEffect(finding);
   }
   return result;
 }
@@ -110,7 +110,7 @@ Json driver(const DriverCurve& finding) {
 Json diagnosisJson(const Diagnosis& diagnosis, std::size_t mostPoints) {
   Json result{{"format", "naocal-diagnosis"},
               {"version", 1},
-              {"verdict", nameOf(diagnosis.verdict)},
+              {"verdict", toString(diagnosis.verdict)},
               {"sentence", diagnosis.sentence},
               {"lackOfFit",
                {{"statistic", diagnosis.lackOfFit.statistic},
@@ -138,14 +138,14 @@ Json diagnosisJson(const Diagnosis& diagnosis, std::size_t mostPoints) {
                                {"noiseFloorPx", step.noiseFloorPx},
                                {"alarm", step.alarm}});
   }
-  for (const DriverCurve& finding : diagnosis.drivers) {
-    result["drivers"].push_back(driver(finding));
+  for (const DriverCurve& finding : diagnosis.driverCurves) {
+    result["drivers"].push_back(driverJson(finding));
   }
-  for (const DriverScore& cell : diagnosis.map) {
+  for (const DriverScore& cell : diagnosis.driverScores) {
     result["map"].push_back(
         {{"at", cell.place}, {"driver", cell.driver}, {"evidence", cell.bayes}, {"pValue", cell.pValue}});
   }
-  for (const DataAnomaly& suspicion : diagnosis.suspicious) {
+  for (const DataAnomaly& suspicion : diagnosis.anomalies) {
     Json entry{{"why", suspicion.why}};
     if (suspicion.capture) {
       entry["capture"] = *suspicion.capture;
@@ -159,7 +159,7 @@ Json diagnosisJson(const Diagnosis& diagnosis, std::size_t mostPoints) {
     }
     result["suspicious"].push_back(std::move(entry));
   }
-  addFigures(diagnosis, mostPoints, result);
+  addFiguresJson(diagnosis, mostPoints, result);
   return result;
 }
 
@@ -189,7 +189,7 @@ Json aliasesJson(const Diagnosis& diagnosis) {
   for (const auto& row : diagnosis.figures.aliases.correlations.rowwise()) {
     Json& numbers = rows.emplace_back(Json::array());
     for (const double alike : row) {
-      numbers.push_back(shortened(alike));
+      numbers.push_back(roundToDigits(alike));
     }
   }
   for (const CandidateFinding& taken : diagnosis.ranking) {
@@ -205,35 +205,36 @@ Json aliasesJson(const Diagnosis& diagnosis) {
       const double alike = diagnosis.figures.aliases.correlations(one - labels.begin(), other - labels.begin());
       pairs.push_back({{"taken", *one},
                        {"other", equivalent},
-                       {"correlation", shortened(alike)},
-                       {"timesTheData", shortened(evidenceToTell(alike) / taken.evidence.likelihoodRatio)}});
+                       {"correlation", roundToDigits(alike)},
+                       {"timesTheData", roundToDigits(evidenceToSeparate(alike) / taken.evidence.likelihoodRatio)}});
     }
   }
   return {{"candidates", labels}, {"correlations", std::move(rows)}, {"confusable", std::move(pairs)}};
 }
 
-Json imprintJson(const EffectSignature& view, const Effect& effect) {
+Json signatureJson(const EffectSignature& view, const Effect& effect) {
   Json size = Json::object(), pictures = Json::array();
   for (std::size_t i = 0; i < effect.unknowns.size(); ++i) {
-    size[effect.unknowns[i].name] = {{"value", shortened(view.size[at(i)])}, {"unit", effect.unknowns[i].unit}};
+    size[effect.unknowns[i].name] = {{"value", roundToDigits(view.size[eigenIndex(i)])},
+                                     {"unit", effect.unknowns[i].unit}};
   }
   for (const EffectSignature::Seen& seen : view.pictures) {
     Json corners = Json::array();
     for (const auto& corner : seen.corners.colwise()) {
       corners.push_back(Json::array());
       for (const double number : corner) {
-        corners.back().push_back(shortened(number, 3));
+        corners.back().push_back(roundToDigits(number, 3));
       }
     }
     pictures.push_back({{"picture", seen.picture},
-                        {"rmsPxBefore", shortened(seen.beforePx)},
-                        {"rmsPxAfter", shortened(seen.afterPx)},
+                        {"rmsPxBefore", roundToDigits(seen.beforePx)},
+                        {"rmsPxAfter", roundToDigits(seen.afterPx)},
                         {"corners", std::move(corners)}});
   }
   return {{"found", view.found},
           {"size", std::move(size)},
-          {"rmsPxBefore", shortened(view.beforePx)},
-          {"rmsPxAfter", shortened(view.afterPx)},
+          {"rmsPxBefore", roundToDigits(view.beforePx)},
+          {"rmsPxAfter", roundToDigits(view.afterPx)},
           {"imitator", view.imitator},
           {"pictures", std::move(pictures)}};
 }
@@ -249,17 +250,17 @@ Json addedVariableJson(const AddedVariable& view, const Effect& effect, std::siz
   if (view.points.size() > mostPoints) {
     result["of"] = view.points.size();
   }
-  for (const AddedVariablePoint& point : thinned(view.points, mostPoints)) {
+  for (const AddedVariablePoint& point : thinOut(view.points, mostPoints)) {
     result["points"].push_back({{"pose", point.pose ? Json(*point.pose) : Json(nullptr)},
-                                {"signature", shortened(point.signature)},
-                                {"residual", shortened(point.residual)}});
+                                {"signature", roundToDigits(point.signature)},
+                                {"residual", roundToDigits(point.residual)}});
   }
   return result;
 }
 
 } // namespace
 
-void addFigures(const Diagnosis& diagnosis, std::size_t mostPoints, Json& file) {
+void addFiguresJson(const Diagnosis& diagnosis, std::size_t mostPoints, Json& file) {
   file["poses"] = posesJson(diagnosis.figures.taken);
   file["pictures"] = picturesJson(diagnosis.figures.taken);
   file["cameras"] = Json::object();
@@ -267,15 +268,15 @@ void addFigures(const Diagnosis& diagnosis, std::size_t mostPoints, Json& file) 
     file["cameras"][camera] = {{"width", size[0]}, {"height", size[1]}};
   }
   file["aliases"] = aliasesJson(diagnosis);
-  addLeft(diagnosis.figures, mostPoints, file);
+  addResidualViewsJson(diagnosis.figures, mostPoints, file);
 }
 
-void addFigures(const CandidateFinding& finding, std::size_t mostPoints, Json& entry) {
+void addFiguresJson(const CandidateFinding& finding, std::size_t mostPoints, Json& entry) {
   if (finding.addedVariable) {
     entry["addedVariable"] = addedVariableJson(*finding.addedVariable, finding.term.effect, mostPoints);
   }
   if (finding.imprint) {
-    entry["imprint"] = imprintJson(*finding.imprint, finding.term.effect);
+    entry["imprint"] = signatureJson(*finding.imprint, finding.term.effect);
   }
 }
 
@@ -301,14 +302,14 @@ Json recordedJson(const Figures& figures) {
   return result;
 }
 
-Json whatIfsJson(const Figures& figures, const Figures::Left& left, std::size_t mostPoints) {
+Json jointCorrectionsJson(const Figures& figures, const Figures::Left& left, std::size_t mostPoints) {
   Json result = Json::array();
   for (const SingleJointCorrection& joint : left.whatIfs) {
     Json points = Json::array();
-    for (const JointCorrection& point : thinned(joint.points, mostPoints)) {
+    for (const JointCorrection& point : thinOut(joint.points, mostPoints)) {
       points.push_back({{"pictures", point.pictures},
-                        {"deflection", shortened(point.deflection, 4)},
-                        {"sigma", shortened(point.sigma, 3)}});
+                        {"deflection", roundToDigits(point.deflection, 4)},
+                        {"sigma", roundToDigits(point.sigma, 3)}});
     }
     result.push_back({{"joint", figures.taken.joints[joint.motor]}, {"points", std::move(points)}});
     if (joint.points.size() > mostPoints) {
@@ -338,42 +339,42 @@ Json shapesJson(const Figures& figures, const Figures::Left& left) {
                          {"sigma", micrometres(corner.sigma)}});
     }
     result.push_back({{"board", figures.taken.boards[shape.board]},
-                      {"p", shortened(shape.pValue, 3)},
+                      {"p", roundToDigits(shape.pValue, 3)},
                       {"corners", std::move(corners)}});
   }
   return result;
 }
 
-Json leftJson(const Figures& figures, const Figures::Left& left, std::size_t mostPoints) {
+Json residualViewsJson(const Figures& figures, const Figures::Left& left, std::size_t mostPoints) {
   Json cells = Json::array(), boards = Json::array();
   for (const ResidualField::Cell& cell : left.leftover.cells) {
     cells.push_back({{"camera", figures.taken.pictures[cell.worstPicture].camera},
-                     {"u", shortened(cell.u, 4)},
-                     {"v", shortened(cell.v, 4)},
-                     {"du", shortened(cell.du, 3)},
-                     {"dv", shortened(cell.dv, 3)},
-                     {"sigma", shortened(cell.sigma, 3)},
+                     {"u", roundToDigits(cell.u, 4)},
+                     {"v", roundToDigits(cell.v, 4)},
+                     {"du", roundToDigits(cell.du, 3)},
+                     {"dv", roundToDigits(cell.dv, 3)},
+                     {"sigma", roundToDigits(cell.sigma, 3)},
                      {"corners", cell.corners},
                      {"worstPicture", cell.worstPicture}});
   }
-  for (const ResidualField::Seen& seen : thinned(left.leftover.boards, mostPoints)) {
+  for (const ResidualField::Seen& seen : thinOut(left.leftover.boards, mostPoints)) {
     boards.push_back({{"picture", seen.picture},
                       {"board", figures.taken.boards[seen.board]},
-                      {"distance", shortened(seen.distance, 4)},
-                      {"rmsPx", shortened(seen.rmsPx, 3)}});
+                      {"distance", roundToDigits(seen.distance, 4)},
+                      {"rmsPx", roundToDigits(seen.rmsPx, 3)}});
   }
-  return {{"whatIf", whatIfsJson(figures, left, mostPoints)},
+  return {{"whatIf", jointCorrectionsJson(figures, left, mostPoints)},
           {"boardShapes", shapesJson(figures, left)},
           {"withinPictures", {{"noisePx", left.leftover.noisePx}, {"cells", cells}, {"boards", boards}}}};
 }
 
 } // namespace
 
-void addLeft(const Figures& figures, std::size_t mostPoints, Json& file) {
+void addResidualViewsJson(const Figures& figures, std::size_t mostPoints, Json& file) {
   file["recorded"] = recordedJson(figures);
-  file["left"] = {{"asGiven", leftJson(figures, figures.given, mostPoints)}};
+  file["left"] = {{"asGiven", residualViewsJson(figures, figures.given, mostPoints)}};
   if (!figures.last.whatIfs.empty()) {
-    file["left"]["withSuggested"] = leftJson(figures, figures.last, mostPoints);
+    file["left"]["withSuggested"] = residualViewsJson(figures, figures.last, mostPoints);
   }
 }
 

@@ -89,9 +89,9 @@ struct Diagnosis {
   std::vector<std::string> suggested;    // labels, in the order they were added; that of `own` last
   std::optional<OwnEffect> own;          // beyond the catalogue, on top of the last model
   std::vector<SelectionStep> steps;      // the ladder
-  std::vector<DriverCurve> drivers;      // on the last model, best first
-  std::vector<DriverScore> map;          // on the last model
-  std::vector<DataAnomaly> suspicious;
+  std::vector<DriverCurve> driverCurves; // on the last model, best first
+  std::vector<DriverScore> driverScores; // on the last model
+  std::vector<DataAnomaly> anomalies;
   Figures figures;
   CalibrationResult fit;         // of the model as given
   CalibrationResult lastFit;     // with everything suggested that the catalogue has
@@ -105,8 +105,9 @@ struct DiagnosisOptions {
   std::vector<std::string> with, without; // the model to question: the base with and without these
   std::vector<Effect> effects = allEffects();
   double alarm = threshold::alarm; // family-wise rate of false alarms
-  bool grow = true;                // add what is missing; else only question the model as it is
-  std::function<bool()> goesOn;    // asked before each addition; false: the diagnosis says what it has found so far
+  bool extend = true;              // add what is missing; else only question the model as it is
+  std::function<bool()>
+      shouldContinue; // asked before each addition; false: the diagnosis says what it has found so far
 };
 
 } // namespace naocal

@@ -17,9 +17,9 @@ std::string percent(double p) {
   return p < 0.01 ? "below 1 %" : fmt::format("{:.0f} %", 100 * p);
 }
 
-std::string missing(const Diagnosis& diagnosis) {
+std::string formatMissing(const Diagnosis& diagnosis) {
   const CandidateFinding& first = diagnosis.ranking.front();
-  std::string text = fmt::format("{} is missing ({}).", first.term.label(), sizes(first));
+  std::string text = fmt::format("{} is missing ({}).", first.term.label(), formatSizes(first));
   if (!first.term.effect.what.empty()) {
     text += fmt::format(" That is: {}.", first.term.effect.what);
   }
@@ -44,35 +44,36 @@ std::string missing(const Diagnosis& diagnosis) {
 }
 
 /// The alarm stands, but its best candidate is no likelier there than not.
-std::string hardlyLikely(const Diagnosis& diagnosis) {
+std::string formatHardlyLikely(const Diagnosis& diagnosis) {
   const CandidateFinding& first = diagnosis.ranking.front();
   return fmt::format(
       "Something may be missing (chance that noise alone looks this convincing: {}). The likeliest cause "
       "is {} ({}), but these captures show too little of it to add it: take more poses.",
-      percent(diagnosis.alarm), first.term.label(), sizes(first));
+      percent(diagnosis.alarm), first.term.label(), formatSizes(first));
 }
 
 /// "LKneePitch", and how far: "±0.30°".
-std::pair<std::string, std::string> whereAndHowFar(const DriverCurve& curve) {
+std::pair<std::string, std::string> formatPlaceAndAmplitude(const DriverCurve& curve) {
   if (curve.unit == "m") {
     return {
         fmt::format("board {}, whose corners do not lie where its file has them (bent, badly printed or not on flat "
                     "ground?),",
                     curve.place),
-        fmt::format("{} along its {} axis", howFar(curve), curve.about)};
+        fmt::format("{} along its {} axis", formatAmplitude(curve), curve.about)};
   }
   if (curve.unit == "px") {
-    return {fmt::format("the lens of camera {}", curve.place), fmt::format("{} along {}", howFar(curve), curve.about)};
+    return {fmt::format("the lens of camera {}", curve.place),
+            fmt::format("{} along {}", formatAmplitude(curve), curve.about)};
   }
   return {curve.about.empty()
               ? curve.place
               : fmt::format("the mount of camera {}, which turns about its {} axis,", curve.place, curve.about),
-          howFar(curve)};
+          formatAmplitude(curve)};
 }
 
-std::string unknown(const Diagnosis& diagnosis) {
-  const DriverCurve& curve = diagnosis.drivers.front();
-  const auto [where, howFar] = whereAndHowFar(curve);
+std::string formatUnknown(const Diagnosis& diagnosis) {
+  const DriverCurve& curve = diagnosis.driverCurves.front();
+  const auto [where, howFar] = formatPlaceAndAmplitude(curve);
   std::vector<std::string> named = diagnosis.suggested; // in the catalogue
   std::string own;
   if (diagnosis.own) {
@@ -91,7 +92,7 @@ std::string unknown(const Diagnosis& diagnosis) {
 
 } // namespace
 
-std::string nameOf(Verdict verdict) {
+std::string toString(Verdict verdict) {
   switch (verdict) {
   case Verdict::adequate:
     return "adequate";
@@ -109,7 +110,7 @@ std::string nameOf(Verdict verdict) {
   return {};
 }
 
-std::string nameOf(CandidateState state) {
+std::string toString(CandidateState state) {
   switch (state) {
   case CandidateState::present:
     return "present";
@@ -129,7 +130,7 @@ std::string nameOf(CandidateState state) {
   return {};
 }
 
-std::string inWords(CandidateState state) {
+std::string describeState(CandidateState state) {
   switch (state) {
   case CandidateState::present:
     return "needed";
@@ -149,9 +150,9 @@ std::string inWords(CandidateState state) {
   return {};
 }
 
-std::string howFar(const DriverCurve& curve) {
-  const auto [unit, scale] = shownUnit(curve.unit);
-  return withUnit(fmt::format("±{:.2f}", scale * curve.amplitude), unit);
+std::string formatAmplitude(const DriverCurve& curve) {
+  const auto [unit, scale] = displayUnit(curve.unit);
+  return appendUnit(fmt::format("±{:.2f}", scale * curve.amplitude), unit);
 }
 
 bool isTold(const CandidateFinding& finding, std::size_t unknown) {
@@ -160,7 +161,7 @@ bool isTold(const CandidateFinding& finding, std::size_t unknown) {
                                                        threshold::untold * finding.term.effect.unknowns[unknown].sigma;
 }
 
-std::string sizes(const CandidateFinding& finding) {
+std::string formatSizes(const CandidateFinding& finding) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < finding.term.effect.unknowns.size(); ++i) {
     const Unknown& unknown = finding.term.effect.unknowns[i];
@@ -170,23 +171,23 @@ std::string sizes(const CandidateFinding& finding) {
       parts.push_back(unknown.name + " undetermined");
       continue;
     }
-    const auto [unit, scale] = shownUnit(unknown.unit);
-    parts.push_back(withUnit(fmt::format("{} = {:.3g} ± {:.1g}", unknown.name, scale * value, scale * sigma), unit));
+    const auto [unit, scale] = displayUnit(unknown.unit);
+    parts.push_back(appendUnit(fmt::format("{} = {:.3g} ± {:.1g}", unknown.name, scale * value, scale * sigma), unit));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-std::string sentence(const Diagnosis& diagnosis) {
+std::string summarize(const Diagnosis& diagnosis) {
   switch (diagnosis.verdict) {
   case Verdict::badCaptures:
     return fmt::format(
-        "Something is wrong with the captures or the set-up: {}{}.{}", diagnosis.suspicious.front().why,
-        diagnosis.suspicious.size() > 1 ? fmt::format("; and {} more", diagnosis.suspicious.size() - 1) : "",
+        "Something is wrong with the captures or the set-up: {}{}.{}", diagnosis.anomalies.front().why,
+        diagnosis.anomalies.size() > 1 ? fmt::format("; and {} more", diagnosis.anomalies.size() - 1) : "",
         diagnosis.suggested.empty() ? "" : fmt::format(" Missing besides: {}.", fmt::join(diagnosis.suggested, ", ")));
   case Verdict::unknownEffect:
-    return "An " + unknown(diagnosis);
+    return "An " + formatUnknown(diagnosis);
   case Verdict::effectMissing:
-    return missing(diagnosis);
+    return formatMissing(diagnosis);
   case Verdict::scatter:
     return fmt::format("Joint scatter: joints deflect at random from pose to pose by {:.3f}° (1 sigma), and nothing "
                        "that was recorded drives it: stiction or a slipping foot. Repeatability limits this robot, "
@@ -194,7 +195,7 @@ std::string sentence(const Diagnosis& diagnosis) {
                        degrees(diagnosis.scatter));
   case Verdict::inconclusive:
     if (diagnosis.unexplained && !diagnosis.ranking.empty()) {
-      return hardlyLikely(diagnosis);
+      return formatHardlyLikely(diagnosis);
     }
     return fmt::format(
         "Undecided: the model does not fit (p = {:.1g}), but no single cause stands out. Take more poses.",

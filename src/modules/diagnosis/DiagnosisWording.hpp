@@ -7,22 +7,22 @@
 namespace naocal {
 
 /// "effect-missing", ... as in diagnosis files.
-std::string nameOf(Verdict verdict);
+std::string toString(Verdict verdict);
 /// "present", ..., "no-data".
-std::string nameOf(CandidateState state);
+std::string toString(CandidateState state);
 /// The state as people read it: "needed", "could explain", "ruled out", ...
-std::string inWords(CandidateState state);
+std::string describeState(CandidateState state);
 
 /// The diagnosis in a sentence or two for people.
-std::string sentence(const Diagnosis& diagnosis);
+std::string summarize(const Diagnosis& diagnosis);
 
 /// How far a curve deflects: "±0.30°".
-std::string howFar(const DriverCurve& curve);
+std::string formatAmplitude(const DriverCurve& curve);
 
 /// Whether captures tell an unknown of a finding at all: to ten of its plausible sizes.
 bool isTold(const CandidateFinding& finding, std::size_t unknown);
 
 /// "c = 0.34 ± 0.02°/Nm, t undetermined": a finding's sizes.
-std::string sizes(const CandidateFinding& finding);
+std::string formatSizes(const CandidateFinding& finding);
 
 } // namespace naocal

@@ -22,23 +22,24 @@ namespace naocal {
 namespace {
 
 /// First with all corners in full: what has moved has lost its weight.
-FitMinimum fittedFrom(const Eigen::VectorXd& start, const Measurements& measurements, const Model& model,
-                      const CalibrationResult& fit) {
-  Fit full = nearlyFitted(measurements, model, fit.noise, Loss{}, start);
+FitMinimum fitFrom(const Eigen::VectorXd& start, const Measurements& measurements, const Model& model,
+                   const CalibrationResult& fit) {
+  Fit full = fitNearly(measurements, model, fit.noise, Loss{}, start);
   return refit(measurements, model, fit.noise, fit.loss, std::move(full), nearly).minimum;
 }
 
 } // namespace
 
-std::vector<std::optional<EventFit>> fitted(const std::vector<TransientEvent>& events, const Measurements& measurements,
-                                            const Model& model, const CalibrationResult& fit) {
-  const double without = fittedFrom(fit.unknowns, measurements, model, fit).linear.cost;
+std::vector<std::optional<EventFit>> fitEvents(const std::vector<TransientEvent>& events,
+                                               const Measurements& measurements, const Model& model,
+                                               const CalibrationResult& fit) {
+  const double without = fitFrom(fit.unknowns, measurements, model, fit).linear.cost;
   std::vector<std::optional<EventFit>> result(events.size());
-  inParallel(events.size(), [&](std::size_t i) {
+  parallelFor(events.size(), [&](std::size_t i) {
     Model larger = model;
     larger.add(events[i].term);
     try {
-      const FitMinimum minimum = fittedFrom(carried(model, fit.unknowns, larger), measurements, larger, fit);
+      const FitMinimum minimum = fitFrom(mapParameters(model, fit.unknowns, larger), measurements, larger, fit);
       const Term& term = larger.terms().back();
       result[i] = {2 * (without - minimum.linear.cost),
                    minimum.state.unknowns.segment(static_cast<Eigen::Index>(term.first), term.sigmas().size())};
@@ -58,7 +59,7 @@ bool isAfter(const RobotSample& instant, const Moment& moment) {
 }
 
 /// From a moment on a floor placement (x, y, yaw) is another one.
-Effect moved(EffectSite place, const Moment& moment) {
+Effect makeMove(EffectSite place, const Moment& moment) {
   Effect effect{.name = place == EffectSite::board ? "boardMoved" : "robotMoved",
                 .what = {},
                 .formula = {},
@@ -68,7 +69,7 @@ Effect moved(EffectSite place, const Moment& moment) {
   effect.correct = [place, moment](ModelState& belief, const RobotSample& instant, std::size_t at,
                                    std::span<const double> values) {
     if (isAfter(instant, moment)) {
-      auto placement = place == EffectSite::board ? belief.boardPlacement(at) : belief.ground();
+      auto placement = place == EffectSite::board ? belief.boardPlacement(at) : belief.worldFromSupport();
       placement[0] += values[0];
       placement[1] += values[1];
       placement[5] += values[2];
@@ -78,7 +79,7 @@ Effect moved(EffectSite place, const Moment& moment) {
 }
 
 /// At these instants a camera looks elsewhere than it should.
-Effect turned(std::string name, std::function<bool(const RobotSample&)> when) {
+Effect makeTurn(std::string name, std::function<bool(const RobotSample&)> when) {
   return {.name = std::move(name),
           .what = {},
           .formula = {},
@@ -92,18 +93,18 @@ Effect turned(std::string name, std::function<bool(const RobotSample&)> when) {
           }};
 }
 
-Effect bad(const Moment& moment) {
-  return turned("badCapture", [moment](const RobotSample& instant) {
+Effect makeBadPose(const Moment& moment) {
+  return makeTurn("badCapture", [moment](const RobotSample& instant) {
     return instant.set == moment.set && instant.time.count() == moment.time;
   });
 }
 
-Effect knocked(const Moment& moment) {
-  return turned("cameraKnocked", [moment](const RobotSample& instant) { return isAfter(instant, moment); });
+Effect makeKnock(const Moment& moment) {
+  return makeTurn("cameraKnocked", [moment](const RobotSample& instant) { return isAfter(instant, moment); });
 }
 
 /// From a moment on a joint reads more than before: a gear slipped, or its encoder.
-Effect stepped(const Moment& moment) {
+Effect makeStep(const Moment& moment) {
   return {.name = "jointStepped",
           .what = {},
           .formula = {},
@@ -132,12 +133,12 @@ double priorOf(const Moment& moment, const std::set<double>& times, std::size_t 
   return 2 * std::log(static_cast<double>(count) * share);
 }
 
-std::string inSet(std::size_t set, const std::vector<CaptureSet>& sets) {
+std::string formatSet(std::size_t set, const std::vector<CaptureSet>& sets) {
   return sets.size() > 1 ? " of " + sets[set].name : std::string{};
 }
 
 /// Whether there are several of them in the set.
-bool severalIn(std::size_t set, const Times& times) {
+bool hasSeveral(std::size_t set, const Times& times) {
   const auto ofSet = [set](const auto& entry) { return entry.first.first == set; };
   return std::count_if(times.begin(), times.end(), ofSet) > 1;
 }
@@ -157,17 +158,17 @@ std::vector<TransientEvent> movesAt(std::size_t most, const std::vector<CaptureS
       cameras[{picture.set, picture.camera}].insert(time);
     }
     for (const std::size_t joint :
-         picture.sightings.empty() ? std::vector<std::size_t>{} : jointsBetween(measurements.robot, picture)) {
+         picture.sightings.empty() ? std::vector<std::size_t>{} : observedJoints(measurements.robot, picture)) {
       joints[{picture.set, measurements.robot.joints[joint].motor}].insert(time);
     }
   }
   const auto addMoves = [&](const Times& times, const auto& effect, const auto& name) {
     for (const auto& [which, seen] : times) {
       const auto& [set, at] = which;
-      const std::vector<double> moments = momentsBetween(seen, most);
+      const std::vector<double> moments = midpointsBetween(seen, most);
       for (const double time : moments) {
         const Moment moment = momentIn(set, seen, time);
-        const std::string who = name(at), where = inSet(set, sets);
+        const std::string who = name(at), where = formatSet(set, sets);
         result.push_back({.term = {effect(moment), at, fmt::format("{} {:.3f}{}", who, time, where)},
                           .from = moment,
                           .who = who,
@@ -179,16 +180,16 @@ std::vector<TransientEvent> movesAt(std::size_t most, const std::vector<CaptureS
   };
   Times movable = boards, knockable = cameras;
   // of one board alone it is the robot that moves, of one camera alone it may as well be the head
-  std::erase_if(movable, [&](const auto& entry) { return !severalIn(entry.first.first, boards); });
-  std::erase_if(knockable, [&](const auto& entry) { return !severalIn(entry.first.first, cameras); });
+  std::erase_if(movable, [&](const auto& entry) { return !hasSeveral(entry.first.first, boards); });
+  std::erase_if(knockable, [&](const auto& entry) { return !hasSeveral(entry.first.first, cameras); });
   addMoves(
-      movable, [](const Moment& moment) { return moved(EffectSite::board, moment); },
+      movable, [](const Moment& moment) { return makeMove(EffectSite::board, moment); },
       [&](std::size_t at) { return "board " + measurements.targets[at].name; });
   addMoves(
-      stances, [](const Moment& moment) { return moved(EffectSite::stance, moment); },
-      [&](std::size_t at) { return "the robot in stance " + measurements.standings[at].name; });
-  addMoves(knockable, knocked, [&](std::size_t at) { return "camera " + measurements.robot.cameras[at].name; });
-  addMoves(joints, stepped, [&](std::size_t at) { return measurements.robot.joints[at].name; });
+      stances, [](const Moment& moment) { return makeMove(EffectSite::stance, moment); },
+      [&](std::size_t at) { return "the robot in stance " + measurements.stances[at].name; });
+  addMoves(knockable, makeKnock, [&](std::size_t at) { return "camera " + measurements.robot.cameras[at].name; });
+  addMoves(joints, makeStep, [&](std::size_t at) { return measurements.robot.joints[at].name; });
   return result;
 }
 
@@ -196,7 +197,7 @@ std::vector<TransientEvent> movesAt(std::size_t most, const std::vector<CaptureS
 std::vector<std::size_t> worstPictures(std::size_t most, const Measurements& measurements,
                                        const CalibrationResult& fit) {
   std::vector<double> squares(measurements.pictures.size(), 0), corners = squares;
-  for (const BoardResidual& sighting : fit.asReported) {
+  for (const BoardResidual& sighting : fit.withReportedAngles) {
     squares[sighting.picture] += sighting.residual.squaredNorm();
     corners[sighting.picture] += static_cast<double>(sighting.residual.cols());
   }
@@ -217,15 +218,15 @@ std::vector<std::size_t> worstPictures(std::size_t most, const Measurements& mea
 
 } // namespace
 
-bool sameThing(const TransientEvent& one, const TransientEvent& other) {
+bool isSameThing(const TransientEvent& one, const TransientEvent& other) {
   if (!one.from || !other.from) {
     return !one.from && !other.from && one.who == other.who && one.where == other.where;
   }
-  return one.from->set == other.from->set && one.term.at == other.term.at &&
+  return one.from->set == other.from->set && one.term.site == other.term.site &&
          one.term.effect.name == other.term.effect.name;
 }
 
-std::string happened(const TransientEvent& event, const Eigen::VectorXd& values) {
+std::string describeEvent(const TransientEvent& event, const Eigen::VectorXd& values) {
   if (!event.from) {
     return fmt::format("{}{} {}", event.who, event.where, event.what);
   }
@@ -240,32 +241,32 @@ std::string happened(const TransientEvent& event, const Eigen::VectorXd& values)
                      since, until);
 }
 
-std::vector<TransientEvent> possibleEvents(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                           const CalibrationResult& fit) {
+std::vector<TransientEvent> enumerateEvents(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                            const CalibrationResult& fit) {
   constexpr std::size_t most = 16; // per board, stance or camera
   constexpr std::size_t mostPictures = 128;
   std::vector<TransientEvent> result = movesAt(most, sets, measurements);
   for (const std::size_t index : worstPictures(mostPictures, measurements, fit)) {
     const ImageObservation& picture = measurements.pictures[index];
     const int id = sets[picture.set].captures[picture.capture].id;
-    const std::string name = fmt::format("capture {}", id), where = inSet(picture.set, sets);
-    result.push_back(
-        {.term = {bad({.set = picture.set, .time = picture.instant.time.count()}), picture.camera, name + where},
-         .who = name,
-         .where = where,
-         .captures = {id},
-         .what = "does not belong to the rest: another picture, or other angles"});
+    const std::string name = fmt::format("capture {}", id), where = formatSet(picture.set, sets);
+    result.push_back({.term = {makeBadPose({.set = picture.set, .time = picture.instant.time.count()}), picture.camera,
+                               name + where},
+                      .who = name,
+                      .where = where,
+                      .captures = {id},
+                      .what = "does not belong to the rest: another picture, or other angles"});
   }
   return result;
 }
 
-std::vector<TransientEvent> atAnyTime(const std::vector<TransientEvent>& things, const std::vector<CaptureSet>& sets,
-                                      const Measurements& measurements) {
+std::vector<TransientEvent> spreadOverTime(const std::vector<TransientEvent>& things,
+                                           const std::vector<CaptureSet>& sets, const Measurements& measurements) {
   constexpr std::size_t most = 128;
   std::vector<TransientEvent> result = movesAt(most, sets, measurements);
   std::erase_if(result, [&](const TransientEvent& event) {
     return std::none_of(things.begin(), things.end(),
-                        [&](const TransientEvent& thing) { return sameThing(event, thing); });
+                        [&](const TransientEvent& thing) { return isSameThing(event, thing); });
   });
   return result;
 }

@@ -28,20 +28,20 @@ struct TransientEvent {
 };
 
 /// Whether the same thing moved, at whatever moments of a set; or the same captures are meant.
-bool sameThing(const TransientEvent& one, const TransientEvent& other);
+bool isSameThing(const TransientEvent& one, const TransientEvent& other);
 
 /// "board B moved by 33 mm and 0.8°, 12.3 s after the first capture (between 8.2 and 16.4 s)". `values`: of the event's
 /// unknowns.
-std::string happened(const TransientEvent& event, const Eigen::VectorXd& values);
+std::string describeEvent(const TransientEvent& event, const Eigen::VectorXd& values);
 
 /// Boards, robot, cameras and joints' zeros may have moved between any two captures, at some sixteen moments each; any
 /// capture may be bad, of very many the 128 with the largest errors.
-std::vector<TransientEvent> possibleEvents(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                           const CalibrationResult& fit);
+std::vector<TransientEvent> enumerateEvents(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                            const CalibrationResult& fit);
 
 /// The same things at all moments between two captures, where they are many at 128 of them.
-std::vector<TransientEvent> atAnyTime(const std::vector<TransientEvent>& things, const std::vector<CaptureSet>& sets,
-                                      const Measurements& measurements);
+std::vector<TransientEvent> spreadOverTime(const std::vector<TransientEvent>& things,
+                                           const std::vector<CaptureSet>& sets, const Measurements& measurements);
 
 /// What a fit with an event in the model says of it. Far from zero the linearised evidence takes one thing that moved
 /// for another, or the moment for another.
@@ -51,7 +51,8 @@ struct EventFit {
 };
 
 /// Each event fitted at the noise levels and the loss of `fit`, from there. Absent where no search ends.
-std::vector<std::optional<EventFit>> fitted(const std::vector<TransientEvent>& events, const Measurements& measurements,
-                                            const Model& model, const CalibrationResult& fit);
+std::vector<std::optional<EventFit>> fitEvents(const std::vector<TransientEvent>& events,
+                                               const Measurements& measurements, const Model& model,
+                                               const CalibrationResult& fit);
 
 } // namespace naocal

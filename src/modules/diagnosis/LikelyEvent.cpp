@@ -21,7 +21,7 @@ namespace naocal {
 namespace {
 
 /// A single bad pose makes all of few poses seem to scatter: without it they would scatter less.
-std::vector<Noise> levelsBelow(const Noise& noise, std::size_t poses) {
+std::vector<Noise> lowerLevels(const Noise& noise, std::size_t poses) {
   constexpr std::size_t few = 128; // one of more that stands out by ten times their scatter still does by seven
   std::vector<Noise> result{noise};
   if (noise.pose + noise.reapproach > 0 && poses < few) {
@@ -36,12 +36,12 @@ std::vector<Noise> levelsBelow(const Noise& noise, std::size_t poses) {
 
 /// Per group, its Bayes factor where the level of noise suits it best, against the model at the first level, of which
 /// the evidence is known.
-std::vector<double> bestAtAny(const CandidateTests& inquiry, const std::vector<Noise>& levels) {
+std::vector<double> findBestAtAnyLevel(const CandidateTests& inquiry, const std::vector<Noise>& levels) {
   const ScoreProblem& problem = inquiry.problem();
   const PoseResiduals measured = measuredResiduals(*problem.poses);
   const auto devianceAt = [&](const Noise& level) {
-    return NullModel{problem, level}(measured, problem.priorScore()).deviance[0] + scatterPenalty(level.pose) +
-           scatterPenalty(level.reapproach);
+    return NullModel{problem, level}(measured, problem.priorScore()).deviance[0] + poseNoisePenalty(level.pose) +
+           poseNoisePenalty(level.reapproach);
   };
   std::vector<double> result;
   for (const GroupEvidence& group : inquiry.evidence().groups) {
@@ -50,7 +50,7 @@ std::vector<double> bestAtAny(const CandidateTests& inquiry, const std::vector<N
   const double first = levels.size() > 1 ? devianceAt(levels.front()) : 0;
   for (std::size_t level = 1; level < levels.size(); ++level) {
     const double deviance = devianceAt(levels[level]);
-    const Evidence evidence = evidenceOf(problem, levels[level]);
+    const Evidence evidence = computeEvidence(problem, levels[level]);
     for (std::size_t i = 0; i < result.size(); ++i) {
       result[i] = std::max(result[i], evidence.groups[i].bayes - (deviance - first));
     }
@@ -66,16 +66,16 @@ struct Rivals {
   double best() const { return std::max(lasting, passing); }
 };
 
-Rivals rivalsIn(const CandidateTests& inquiry, const std::vector<Noise>& levels) {
-  const std::vector<double> all = bestAtAny(inquiry, levels);
+Rivals findRivals(const CandidateTests& inquiry, const std::vector<Noise>& levels) {
+  const std::vector<double> all = findBestAtAnyLevel(inquiry, levels);
   const std::size_t named = inquiry.candidates().size();
   Rivals result;
   for (std::size_t i = 0; i < named; ++i) {
-    double& best = passes(inquiry.candidates()[i].effect) ? result.passing : result.lasting;
+    double& best = isTransient(inquiry.candidates()[i].effect) ? result.passing : result.lasting;
     best = std::max(best, all[i]);
   }
   for (std::size_t i = named; i < all.size(); ++i) {
-    if (inquiry.cellOf(i - named).shape != DriverBasis::Shape::step) {
+    if (inquiry.curveBasis(i - named).shape != DriverBasis::Shape::step) {
       result.passing = std::max(result.passing, all[i]);
     }
   }
@@ -92,14 +92,14 @@ struct Asked {
   const TransientEvent& event(std::size_t place) const { return events[order[place]]; }
 };
 
-Asked asked(std::vector<TransientEvent> events, const Measurements& measurements, const Model& model,
-            const CalibrationResult& fit, const std::vector<Noise>& levels) {
+Asked askEvents(std::vector<TransientEvent> events, const Measurements& measurements, const Model& model,
+                const CalibrationResult& fit, const std::vector<Noise>& levels) {
   std::vector<Term> terms;
   for (const TransientEvent& event : events) {
     terms.push_back(event.term);
   }
   const CandidateTests inquiry{measurements, model, fit, terms, {.draws = 0, .map = false}};
-  Asked result{std::move(events), bestAtAny(inquiry, levels), inquiry.evidence().groups};
+  Asked result{std::move(events), findBestAtAnyLevel(inquiry, levels), inquiry.evidence().groups};
   for (std::size_t i = 0; i < result.events.size(); ++i) {
     result.bayes[i] += result.events[i].prior;
   }
@@ -111,13 +111,13 @@ Asked asked(std::vector<TransientEvent> events, const Measurements& measurements
 }
 
 /// What chance shows at some of so many events.
-double shownByChance(const Asked& events, const Measurements& measurements) {
+double expectedByChance(const Asked& events, const Measurements& measurements) {
   const std::size_t possible = std::max(events.events.size(), measurements.pictures.size()); // also what is not asked
   return threshold::veryStrong + 2 * std::log(static_cast<double>(possible));
 }
 
 /// Whether the likeliest is ahead of its rivals, and large enough to matter.
-bool convinces(const Asked& events, const Rivals& rivals) {
+bool isConvincing(const Asked& events, const Rivals& rivals) {
   const std::size_t first = events.order.front();
   const GroupEvidence& evidence = events.evidence[first];
   return events.bayes[first] > std::max(rivals.lasting + threshold::veryStrong, rivals.passing + threshold::unnamed) &&
@@ -125,17 +125,18 @@ bool convinces(const Asked& events, const Rivals& rivals) {
 }
 
 /// The likeliest few, those that moved at all moments.
-std::vector<TransientEvent> atAllMoments(const Asked& coarse, const std::vector<CaptureSet>& sets,
-                                         const Measurements& measurements) {
+std::vector<TransientEvent> expandMoments(const Asked& coarse, const std::vector<CaptureSet>& sets,
+                                          const Measurements& measurements) {
   constexpr std::size_t most = 8;
   std::vector<TransientEvent> things;
   for (std::size_t place = 0; place < coarse.order.size() && things.size() < most; ++place) {
     const TransientEvent& event = coarse.event(place);
-    if (std::none_of(things.begin(), things.end(), [&](const TransientEvent& one) { return sameThing(one, event); })) {
+    if (std::none_of(things.begin(), things.end(),
+                     [&](const TransientEvent& one) { return isSameThing(one, event); })) {
       things.push_back(event);
     }
   }
-  std::vector<TransientEvent> result = atAnyTime(things, sets, measurements);
+  std::vector<TransientEvent> result = spreadOverTime(things, sets, measurements);
   std::copy_if(things.begin(), things.end(), std::back_inserter(result),
                [](const TransientEvent& one) { return !one.from; });
   return result;
@@ -149,21 +150,21 @@ struct Tried {
 };
 
 /// Fits of the likeliest, of each thing that may have moved at its best three moments; the best first.
-std::vector<Tried> triedOf(const Asked& events, const Measurements& measurements, const Model& model,
-                           const CalibrationResult& fit) {
+std::vector<Tried> tryLikeliest(const Asked& events, const Measurements& measurements, const Model& model,
+                                const CalibrationResult& fit) {
   constexpr std::size_t most = 12, moments = 3;
   std::vector<std::size_t> chosen;
   std::vector<TransientEvent> some;
   for (const std::size_t i : events.order) {
     const TransientEvent& event = events.events[i];
-    const auto before = static_cast<std::size_t>(
-        std::count_if(some.begin(), some.end(), [&](const TransientEvent& other) { return sameThing(event, other); }));
+    const auto before = static_cast<std::size_t>(std::count_if(
+        some.begin(), some.end(), [&](const TransientEvent& other) { return isSameThing(event, other); }));
     if (some.size() < most && before < moments) {
       chosen.push_back(i);
       some.push_back(event);
     }
   }
-  const std::vector<std::optional<EventFit>> fits = fitted(some, measurements, model, fit);
+  const std::vector<std::optional<EventFit>> fits = fitEvents(some, measurements, model, fit);
   std::vector<Tried> result;
   for (std::size_t i = 0; i < some.size(); ++i) {
     if (fits[i]) {
@@ -176,11 +177,11 @@ std::vector<Tried> triedOf(const Asked& events, const Measurements& measurements
 }
 
 /// An event with all the moments at which it would be hardly less likely.
-TransientEvent widened(TransientEvent event, const Asked& fine) {
+TransientEvent widenEvent(TransientEvent event, const Asked& fine) {
   double best = -std::numeric_limits<double>::infinity();
   const auto ofThis = [&](const auto& look) {
     for (std::size_t i = 0; i < fine.events.size(); ++i) {
-      if (sameThing(fine.events[i], event)) {
+      if (isSameThing(fine.events[i], event)) {
         look(*fine.events[i].from, fine.bayes[i]);
       }
     }
@@ -196,13 +197,13 @@ TransientEvent widened(TransientEvent event, const Asked& fine) {
 }
 
 /// ", unless it was board B (1 to 3)": each other thing that is hardly less likely.
-std::string whatElse(const std::vector<Tried>& tried) {
+std::string formatAlternatives(const std::vector<Tried>& tried) {
   std::string text;
   std::vector<const TransientEvent*> told{&tried.front().event};
   for (const Tried& other : tried) {
     const double behind = tried.front().bayes - other.bayes;
-    const bool is =
-        std::any_of(told.begin(), told.end(), [&](const TransientEvent* one) { return sameThing(other.event, *one); });
+    const bool is = std::any_of(told.begin(), told.end(),
+                                [&](const TransientEvent* one) { return isSameThing(other.event, *one); });
     if (behind < threshold::equallyLikely && !is) {
       const double odds = std::exp(behind / 2);
       text += fmt::format("{}{} ({})", text.empty() ? ", unless it was " : " or ", other.event.who,
@@ -214,12 +215,12 @@ std::string whatElse(const std::vector<Tried>& tried) {
 }
 
 /// With all corners in full, whichever board they seem to be on. Absent where that puts one behind its camera.
-std::optional<CalibrationResult> withAllCorners(const Measurements& measurements, const Model& model,
-                                                const CalibrationResult& fit) {
+std::optional<CalibrationResult> calibrateWithAllCorners(const Measurements& measurements, const Model& model,
+                                                         const CalibrationResult& fit) {
   CalibrationOptions options;
   options.noise = fit.noise;
   options.start = fit.unknowns;
-  options.estimateNoise = options.question = options.robust = options.setAside = false;
+  options.estimateNoise = options.question = options.robust = options.excludeDisplaced = false;
   try {
     return calibrate(measurements, model, options);
   } catch (const InputError&) {
@@ -227,51 +228,51 @@ std::optional<CalibrationResult> withAllCorners(const Measurements& measurements
   }
 }
 
-std::optional<LikelyEvent> likeliestAt(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                       const Model& model, const CalibrationResult& fit,
-                                       const CandidateTests& inquiry) {
-  std::vector<TransientEvent> events = possibleEvents(sets, measurements, fit);
-  const std::vector<TransientEvent> angles = wrongAngles(sets, measurements, fit);
+std::optional<LikelyEvent> findLikeliestAt(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                           const Model& model, const CalibrationResult& fit,
+                                           const CandidateTests& inquiry) {
+  std::vector<TransientEvent> events = enumerateEvents(sets, measurements, fit);
+  const std::vector<TransientEvent> angles = enumerateWrongAngles(sets, measurements, fit);
   events.insert(events.end(), angles.begin(), angles.end());
   if (events.empty()) {
     return std::nullopt;
   }
-  const std::vector<Noise> levels = levelsBelow(inquiry.noise(), inquiry.poses().size());
-  const Rivals rivals = rivalsIn(inquiry, levels);
-  const Asked coarse = asked(std::move(events), measurements, model, fit, levels);
+  const std::vector<Noise> levels = lowerLevels(inquiry.noise(), inquiry.poses().size());
+  const Rivals rivals = findRivals(inquiry, levels);
+  const Asked coarse = askEvents(std::move(events), measurements, model, fit, levels);
   constexpr double within = 0.5; // of what the rivals explain, where the best moments are not among the first few
-  if (coarse.bayes[coarse.order.front()] < std::max(shownByChance(coarse, measurements), within * rivals.best())) {
+  if (coarse.bayes[coarse.order.front()] < std::max(expectedByChance(coarse, measurements), within * rivals.best())) {
     return std::nullopt;
   }
-  const Asked fine = asked(atAllMoments(coarse, sets, measurements), measurements, model, fit, levels);
-  if (!convinces(fine, rivals)) {
+  const Asked fine = askEvents(expandMoments(coarse, sets, measurements), measurements, model, fit, levels);
+  if (!isConvincing(fine, rivals)) {
     return std::nullopt;
   }
-  const std::vector<Tried> tried = triedOf(fine, measurements, model, fit);
+  const std::vector<Tried> tried = tryLikeliest(fine, measurements, model, fit);
   if (tried.empty()) {
     return std::nullopt;
   }
   const Tried& best = tried.front();
-  const TransientEvent event = best.event.from ? widened(best.event, fine) : best.event;
+  const TransientEvent event = best.event.from ? widenEvent(best.event, fine) : best.event;
   constexpr double mostOdds = 1e12;
   return LikelyEvent{event, std::min(mostOdds, std::exp((best.bayes - rivals.best()) / 2)),
-                     happened(event, best.values) + whatElse(tried)};
+                     describeEvent(event, best.values) + formatAlternatives(tried)};
 }
 
 } // namespace
 
-std::optional<LikelyEvent> likeliestEvent(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                          const Model& model, const CalibrationResult& fit,
-                                          const CandidateTests& inquiry) {
+std::optional<LikelyEvent> findLikeliestEvent(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                              const Model& model, const CalibrationResult& fit,
+                                              const CandidateTests& inquiry) {
   if (std::none_of(fit.doubts.begin(), fit.doubts.end(), std::mem_fn(&Outlier::whole))) {
-    return likeliestAt(sets, measurements, model, fit, inquiry);
+    return findLikeliestAt(sets, measurements, model, fit, inquiry);
   }
-  const std::optional<CalibrationResult> all = withAllCorners(measurements, model, fit);
+  const std::optional<CalibrationResult> all = calibrateWithAllCorners(measurements, model, fit);
   if (!all) {
-    return likeliestAt(sets, measurements, model, fit, inquiry);
+    return findLikeliestAt(sets, measurements, model, fit, inquiry);
   }
   const CandidateTests again{measurements, model, *all, inquiry.candidates(), {.draws = 0}};
-  return likeliestAt(sets, measurements, model, *all, again);
+  return findLikeliestAt(sets, measurements, model, *all, again);
 }
 
 } // namespace naocal

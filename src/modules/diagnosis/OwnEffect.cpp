@@ -11,7 +11,7 @@
 
 namespace naocal {
 
-nlohmann::json curveEffect(const DriverCurve& curve) {
+nlohmann::json curveAsUserEffect(const DriverCurve& curve) {
   nlohmann::json unknowns = nlohmann::json::object();
   for (const Coefficient& coefficient : curve.coefficients) {
     const double size = std::max(1e-6, 2 * std::abs(coefficient.value));
@@ -23,28 +23,28 @@ nlohmann::json curveEffect(const DriverCurve& curve) {
           {"unknowns", unknowns}};
 }
 
-std::optional<OwnEffect> ownEffect(const DriverCurve& curve, const Measurements& measurements,
-                                   const StepwiseSelection& ladder, const Diagnosis& diagnosis,
-                                   const CandidateTestOptions& options) {
+std::optional<OwnEffect> fitOwnEffect(const DriverCurve& curve, const Measurements& measurements,
+                                      const StepwiseSelection& ladder, const Diagnosis& diagnosis,
+                                      const CandidateTestOptions& options) {
   const bool passes = curve.driver == "t" || curve.driver == "T"; // explains, but does not predict
   if (curve.coefficients.empty() || passes) {
     return std::nullopt;
   }
-  const nlohmann::json definition = curveEffect(curve);
-  const Effect effect = userEffect(JsonCursor{definition, "the curve"}, measurements.robot);
+  const nlohmann::json definition = curveAsUserEffect(curve);
+  const Effect effect = parseUserEffect(JsonCursor{definition, "the curve"}, measurements.robot);
   const std::vector<Term> terms = candidateTerms(measurements, {effect});
   if (terms.empty()) {
     return std::nullopt;
   }
   const CandidateTests asked{measurements, ladder.model(), ladder.fit(), terms, {.draws = 0, .map = false}};
-  const std::optional<CrossValidation> held = heldOut(asked, ladder.model(), diagnosis.suggested, {{0}});
+  const std::optional<CrossValidation> held = crossValidate(asked, ladder.model(), diagnosis.suggested, {{0}});
   if (!held || held->afterPx.front() >= held->beforePx) {
     return std::nullopt;
   }
   Model larger = withWeighingOffsets(measurements, ladder.model(), terms);
   larger.add(terms.front());
-  const CalibrationResult fit = ladder.fitOf(larger);
-  std::vector<Term> left = ladder.testable();
+  const CalibrationResult fit = ladder.fitLarger(larger);
+  std::vector<Term> left = ladder.testableTerms();
   const CandidateTests after{measurements, larger, fit, left, options};
   OwnEffect own{.label = terms.front().label(), .definition = definition.dump()};
   own.step.added = own.label;

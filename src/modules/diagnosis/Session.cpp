@@ -21,7 +21,7 @@ Json orNull(const auto& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
-Json rungJson(const ModelRevision& rung) {
+Json revisionJson(const ModelRevision& rung) {
   Json json{{"with", rung.with}, {"without", rung.without},   {"define", Json::parse(rung.definitions)},
             {"step", rung.step}, {"from", orNull(rung.from)}, {"rmsPx", rung.rmsPx}};
   if (rung.questioned) {
@@ -32,7 +32,7 @@ Json rungJson(const ModelRevision& rung) {
   return json;
 }
 
-std::vector<std::string> texts(const std::optional<JsonCursor>& list) {
+std::vector<std::string> readTexts(const std::optional<JsonCursor>& list) {
   std::vector<std::string> result;
   if (list) {
     for (const JsonCursor& one : list->elements()) {
@@ -47,8 +47,8 @@ bool isKnown(const std::optional<JsonCursor>& place) {
 }
 
 /// `before`: how many rungs stand before it.
-ModelRevision rungOf(const JsonCursor& place, int before) {
-  ModelRevision rung{.with = texts(place.at("with")), .without = texts(place.find("without"))};
+ModelRevision readRevision(const JsonCursor& place, int before) {
+  ModelRevision rung{.with = readTexts(place.at("with")), .without = readTexts(place.find("without"))};
   if (const auto define = place.find("define")) {
     define->elements(); // a list; what stands in it is checked with the robot's drawing
     rung.definitions = define->value().dump();
@@ -80,7 +80,7 @@ bool contains(const std::vector<std::string>& labels, const std::string& label) 
 std::vector<std::string> termLabels(const Model& model) {
   std::vector<std::string> labels;
   for (const Term& term : model.terms()) {
-    if (!term.isPlacement && term.asked) {
+    if (!term.isPlacement && term.requested) {
       labels.push_back(term.label());
     }
   }
@@ -137,7 +137,7 @@ void Session::goTo(std::size_t number) {
 nlohmann::json sessionJson(const Session& session) {
   Json ladder = Json::array();
   for (const ModelRevision& rung : session.ladder) {
-    ladder.push_back(rungJson(rung));
+    ladder.push_back(revisionJson(rung));
   }
   return {{"format", "naocal-session"},  {"version", 1},
           {"sets", session.inputs.sets}, {"sha256", session.inputs.sha256},
@@ -145,13 +145,13 @@ nlohmann::json sessionJson(const Session& session) {
 }
 
 Session readSession(const std::filesystem::path& file) {
-  const Json document = parseJson(fileContent(file), file.string());
+  const Json document = parseJson(readFile(file), file.string());
   const JsonCursor all{document, file.string()};
-  all.at("format").oneOf({"naocal-session"});
+  all.at("format").wordIndex({"naocal-session"});
   all.at("version").integer(1, 1);
-  Session session{.inputs = {texts(all.at("sets")), texts(all.at("sha256"))}};
+  Session session{.inputs = {readTexts(all.at("sets")), readTexts(all.at("sha256"))}};
   for (const JsonCursor& rung : all.at("ladder").elements()) {
-    session.ladder.push_back(rungOf(rung, static_cast<int>(session.ladder.size())));
+    session.ladder.push_back(readRevision(rung, static_cast<int>(session.ladder.size())));
   }
   if (session.ladder.empty()) {
     all.at("ladder").refuse("at least the model to begin with");

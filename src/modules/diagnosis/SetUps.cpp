@@ -25,19 +25,19 @@ constexpr double mostOffset = radians(15); // of a robot that still stands
 constexpr double some = 0.1;               // of all corners: more than a few pictures that belong elsewhere
 
 /// rms distance of corners when these sets are fitted [px]; absent when they cannot be.
-std::optional<double> misfitOf(const std::vector<CaptureSet>& sets, const Measurements& asTheyAre) {
+std::optional<double> computeMisfit(const std::vector<CaptureSet>& sets, const Measurements& asTheyAre) {
   try {
-    const Measurements measurements = measurementsOf(sets, asTheyAre.robot, asTheyAre.samePlace);
+    const Measurements measurements = buildMeasurements(sets, asTheyAre.robot, asTheyAre.samePlace);
     CalibrationOptions options;
     options.estimateNoise = options.question = false;
     options.robust = false;
-    return calibrate(measurements, makeModel(measurements), options).rmsPx;
+    return calibrate(measurements, buildModel(measurements), options).rmsPx;
   } catch (const InputError&) {
     return std::nullopt;
   }
 }
 
-std::vector<CaptureSet> mirrored(std::vector<CaptureSet> sets, const std::string& joint) {
+std::vector<CaptureSet> mirrorJoint(std::vector<CaptureSet> sets, const std::string& joint) {
   for (CaptureSet& set : sets) {
     const auto found = std::find(set.jointNames.begin(), set.jointNames.end(), joint);
     for (Capture& capture : set.captures) {
@@ -50,7 +50,7 @@ std::vector<CaptureSet> mirrored(std::vector<CaptureSet> sets, const std::string
   return sets;
 }
 
-std::vector<CaptureSet> camerasSwapped(std::vector<CaptureSet> sets) {
+std::vector<CaptureSet> swapCameras(std::vector<CaptureSet> sets) {
   for (CaptureSet& set : sets) {
     for (Capture& capture : set.captures) {
       capture.camera = capture.camera == "top" ? "bottom" : "top";
@@ -67,7 +67,7 @@ struct MovedThing {
   std::function<void(CaptureSet&, double time)> separate; // from then on it is another one
 };
 
-void putDownAnew(CaptureSet& set, int stance, double time) {
+void startNewStance(CaptureSet& set, int stance, double time) {
   const auto highest = std::max_element(set.stances.begin(), set.stances.end(),
                                         [](const Stance& a, const Stance& b) { return a.id < b.id; });
   const auto found =
@@ -82,7 +82,7 @@ void putDownAnew(CaptureSet& set, int stance, double time) {
   set.stances.push_back(anew);
 }
 
-void putElsewhere(CaptureSet& set, const std::string& board, double time) {
+void moveBoard(CaptureSet& set, const std::string& board, double time) {
   const std::string anew = board + " later";
   for (Capture& capture : set.captures) {
     if (!capture.corners || capture.time.count() <= time) {
@@ -100,7 +100,7 @@ void putElsewhere(CaptureSet& set, const std::string& board, double time) {
 }
 
 /// Stances that captures share, and boards on the floor, of which there are two or more.
-std::vector<MovedThing> movedThings(const std::vector<CaptureSet>& sets) {
+std::vector<MovedThing> listMovedThings(const std::vector<CaptureSet>& sets) {
   std::vector<MovedThing> result;
   for (std::size_t number = 0; number < sets.size(); ++number) {
     std::map<int, std::set<double>> stances;
@@ -113,12 +113,12 @@ std::vector<MovedThing> movedThings(const std::vector<CaptureSet>& sets) {
     }
     for (const auto& [stance, times] : stances) {
       result.push_back({fmt::format("the robot in stance {}", stance), "was put down anew", times, number,
-                        [id = stance](CaptureSet& set, double time) { putDownAnew(set, id, time); }});
+                        [id = stance](CaptureSet& set, double time) { startNewStance(set, id, time); }});
     }
     for (const Board& board : sets[number].boards) {
       if (board.link == "floor" && boards.size() > 1 && boards.contains(board.id)) {
         result.push_back({"board " + board.id, "was put elsewhere", boards[board.id], number,
-                          [id = board.id](CaptureSet& set, double time) { putElsewhere(set, id, time); }});
+                          [id = board.id](CaptureSet& set, double time) { moveBoard(set, id, time); }});
       }
     }
   }
@@ -137,27 +137,28 @@ struct BestMoment {
   Moment moment;
   double left = std::numeric_limits<double>::infinity(); // rms distance of corners [px]
 };
-BestMoment bestMoment(const MovedThing& thing, const std::vector<CaptureSet>& sets, const Measurements& measurements) {
+BestMoment findBestMoment(const MovedThing& thing, const std::vector<CaptureSet>& sets,
+                          const Measurements& measurements) {
   constexpr std::size_t coarse = 16;
   BestMoment best;
   const auto consider = [&](const std::vector<double>& moments) {
     for (const double time : moments) {
       std::vector<CaptureSet> corrected = sets;
       thing.separate(corrected[thing.set], time);
-      if (const auto left = misfitOf(corrected, measurements); left && *left < best.left) {
+      if (const auto left = computeMisfit(corrected, measurements); left && *left < best.left) {
         const auto after = thing.times.upper_bound(time);
         best = {{thing.set, time, *std::prev(after), *after}, *left};
       }
     }
   };
-  const std::vector<double> moments = momentsBetween(thing.times, coarse);
+  const std::vector<double> moments = midpointsBetween(thing.times, coarse);
   consider(moments);
   if (std::isfinite(best.left) && moments.size() == coarse) {
     const auto here = std::find(moments.begin(), moments.end(), best.moment.time);
     const double since = here == moments.begin() ? *thing.times.begin() : *std::prev(here);
     const double until = std::next(here) == moments.end() ? *thing.times.rbegin() : *std::next(here);
     const std::set<double> around{thing.times.lower_bound(since), thing.times.upper_bound(until)};
-    consider(momentsBetween(around, around.size()));
+    consider(midpointsBetween(around, around.size()));
   }
   const double first = firstTime(sets[thing.set]).count();
   best.moment.time -= first;
@@ -167,12 +168,12 @@ BestMoment bestMoment(const MovedThing& thing, const std::vector<CaptureSet>& se
 }
 
 /// What was moved so far that no linearised event shows it.
-std::optional<DataAnomaly> movedFar(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                    double least) {
+std::optional<DataAnomaly> findMovedFar(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                        double least) {
   constexpr double asGood = 1.05; // of the least misfit: the captures cannot tell which of them it was
   std::vector<std::pair<MovedThing, BestMoment>> mending;
-  for (const MovedThing& thing : movedThings(sets)) {
-    const BestMoment best = bestMoment(thing, sets, measurements);
+  for (const MovedThing& thing : listMovedThings(sets)) {
+    const BestMoment best = findBestMoment(thing, sets, measurements);
     if (best.left < least) {
       mending.emplace_back(thing, best);
     }
@@ -197,9 +198,9 @@ std::optional<DataAnomaly> movedFar(const std::vector<CaptureSet>& sets, const M
 
 } // namespace
 
-GrossMisfit GrossMisfit::of(const CalibrationResult& fit, const Model& model) {
+GrossMisfit GrossMisfit::assess(const CalibrationResult& fit, const Model& model) {
   double all = 0, far = 0;
-  for (const BoardResidual& sighting : fit.asReported) {
+  for (const BoardResidual& sighting : fit.withReportedAngles) {
     all += static_cast<double>(sighting.residual.cols());
     far += static_cast<double>((sighting.residual.colwise().norm().array() > threshold::impossiblePx).count());
   }
@@ -212,9 +213,9 @@ GrossMisfit GrossMisfit::of(const CalibrationResult& fit, const Model& model) {
           .absurd = absurd || fit.rmsPx > threshold::impossiblePx};
 }
 
-std::optional<DataAnomaly> wrongSetUp(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                      const GrossMisfit& misfit,
-                                      const std::function<bool(std::size_t)>& mayBeMirrored) {
+std::optional<DataAnomaly> findSetupError(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                          const GrossMisfit& misfit,
+                                          const std::function<bool(std::size_t)>& mayBeMirrored) {
   if (misfit.rmsPx < threshold::grossPx) {
     return std::nullopt;
   }
@@ -222,7 +223,7 @@ std::optional<DataAnomaly> wrongSetUp(const std::vector<CaptureSet>& sets, const
   double least = std::min(
       {threshold::mends * std::min(misfit.rmsPx, threshold::impossiblePx), threshold::soundPx, misfit.explainedPx});
   const auto consider = [&](const std::vector<CaptureSet>& corrected, const std::string& why) {
-    if (const auto left = misfitOf(corrected, measurements); left && *left < least) {
+    if (const auto left = computeMisfit(corrected, measurements); left && *left < least) {
       least = *left;
       best = DataAnomaly{{}, fmt::format("{} (so corrected the error is {:.1f} px)", why, *left)};
     }
@@ -230,14 +231,14 @@ std::optional<DataAnomaly> wrongSetUp(const std::vector<CaptureSet>& sets, const
   for (std::size_t joint : measurements.joints) {
     const std::string& name = measurements.robot.joints[joint].name;
     if (misfit.absurd || mayBeMirrored(joint)) {
-      consider(mirrored(sets, name), fmt::format("{}'s angles have the wrong sign", name));
+      consider(mirrorJoint(sets, name), fmt::format("{}'s angles have the wrong sign", name));
     }
   }
   if (sets.front().cameras.size() == 2) {
-    consider(camerasSwapped(sets), "the cameras' names are swapped");
+    consider(swapCameras(sets), "the cameras' names are swapped");
   }
   if (!best && misfit.rmsPx > threshold::impossiblePx) {
-    best = movedFar(sets, measurements, least);
+    best = findMovedFar(sets, measurements, least);
   }
   if (!best && misfit.rmsPx > threshold::nonsensePx && misfit.farShare > some && std::isfinite(misfit.rmsPx)) {
     best = DataAnomaly{{},

@@ -15,14 +15,15 @@ struct GrossMisfit {
   bool absurd = true;                                           // offsets that no robot has
   double explainedPx = std::numeric_limits<double>::infinity(); // rms with the likeliest effect in the model
 
-  static GrossMisfit of(const CalibrationResult& fit, const Model& model);
+  static GrossMisfit assess(const CalibrationResult& fit, const Model& model);
 };
 
 /// Where the fit is grossly off: a joint whose angles have the wrong sign, cameras whose names are swapped, or a robot
 /// or a board that was put elsewhere between two captures, tried by fitting the sets so corrected. Absent where the
 /// misfit is small or no such correction mends it. `misfit`: of the sets as they are. `mayBeMirrored`: motors worth a
 /// fit where the one as they are still tells.
-std::optional<DataAnomaly> wrongSetUp(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                      const GrossMisfit& misfit, const std::function<bool(std::size_t)>& mayBeMirrored);
+std::optional<DataAnomaly> findSetupError(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                          const GrossMisfit& misfit,
+                                          const std::function<bool(std::size_t)>& mayBeMirrored);
 
 } // namespace naocal

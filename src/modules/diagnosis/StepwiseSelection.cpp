@@ -33,7 +33,7 @@ CandidateFinding& findingOf(std::vector<CandidateFinding>& findings, const Term&
 
 /// What these captures notice of a candidate, from its part in `evidence`.
 void senseFrom(const GroupEvidence& evidence, double criticalP, CandidateFinding& finding) {
-  const Sensitivity sensed = sensitivity(evidence, finding.term.sigmas(), criticalP);
+  const Sensitivity sensed = computeSensitivity(evidence, finding.term.sigmas(), criticalP);
   finding.power = sensed.power;
   finding.minimalDetectable = sensed.detectable;
 }
@@ -80,11 +80,12 @@ void judgeAdded(const Term& term, const CalibrationResult& fit, double criticalP
 /// The first few of those left out that explain something: what they cannot be told from.
 void nameEquivalents(const CandidateTests& last, std::vector<CandidateFinding>& findings) {
   constexpr std::size_t few = 10;
-  const std::vector<std::size_t> order = last.candidatesByStanding();
-  for (std::size_t i = 0; i < std::min(few, order.size()) && last.standing(last.ofCandidate(order[i])) > 0; ++i) {
+  const std::vector<std::size_t> order = last.candidatesByRank();
+  for (std::size_t i = 0; i < std::min(few, order.size()) && last.rankingScore(last.candidateEvidence(order[i])) > 0;
+       ++i) {
     CandidateFinding& finding = findingOf(findings, last.candidates()[order[i]]);
     if (finding.equivalent.empty()) {
-      for (std::size_t other : equivalents(last, order[i])) {
+      for (std::size_t other : findEquivalents(last, order[i])) {
         finding.equivalent.push_back(last.candidates()[other].label());
       }
     }
@@ -93,12 +94,12 @@ void nameEquivalents(const CandidateTests& last, std::vector<CandidateFinding>& 
 
 } // namespace
 
-std::vector<CandidateFinding> judged(std::vector<CandidateFinding> findings, const CandidateTests& last,
-                                     const Model& model, const CalibrationResult& fit,
-                                     const std::vector<std::string>& suggested) {
+std::vector<CandidateFinding> judgeCandidates(std::vector<CandidateFinding> findings, const CandidateTests& last,
+                                              const Model& model, const CalibrationResult& fit,
+                                              const std::vector<std::string>& suggested) {
   const double criticalP = last.evidence().criticalP;
   for (std::size_t i = 0; i < last.candidates().size(); ++i) {
-    judgeLeftOut(last.ofCandidate(i), criticalP, findingOf(findings, last.candidates()[i]));
+    judgeLeftOut(last.candidateEvidence(i), criticalP, findingOf(findings, last.candidates()[i]));
   }
   for (const Term& term : model.terms()) {
     const auto added = std::find_if(findings.begin(), findings.end(), [&](const CandidateFinding& finding) {
@@ -116,7 +117,7 @@ std::vector<CandidateFinding> judged(std::vector<CandidateFinding> findings, con
     return leads ? 0 : shown ? 1 : 2;
   };
   std::stable_sort(findings.begin(), findings.end(), [&](const CandidateFinding& a, const CandidateFinding& b) {
-    return tier(a) != tier(b) ? tier(a) < tier(b) : last.standing(a.evidence) > last.standing(b.evidence);
+    return tier(a) != tier(b) ? tier(a) < tier(b) : last.rankingScore(a.evidence) > last.rankingScore(b.evidence);
   });
   return findings;
 }
@@ -125,7 +126,7 @@ namespace {
 
 /// A calibration; of captures of which an accident leads the search astray, with joints held to their readings and
 /// every corner in full.
-CalibrationResult calibratedOrHeld(const Measurements& measurements, const Model& model, CalibrationOptions options) {
+CalibrationResult calibrateOrHold(const Measurements& measurements, const Model& model, CalibrationOptions options) {
   try {
     return calibrate(measurements, model, options);
   } catch (const InputError&) {
@@ -140,13 +141,13 @@ CalibrationResult calibratedOrHeld(const Measurements& measurements, const Model
 StepwiseSelection::StepwiseSelection(const Measurements& measurements, const Model& model,
                                      const DiagnosisOptions& options)
     : measurements_{measurements}, options_{options}, candidates_{candidateTerms(measurements, options.effects)},
-      added_{options.with}, model_{model}, fit_{calibrated(model_, options.calibration.start)} {
+      added_{options.with}, model_{model}, fit_{calibrateFrom(model_, options.calibration.start)} {
   levels_ = fit_.noise;
   std::erase_if(candidates_, [&](const Term& term) { return model_.find(term.label()) != nullptr; });
   for (const Term& term : candidates_) {
     CandidateFinding& finding = findings_.emplace_back(CandidateFinding{.term = term});
     finding.evidence.bayes = -std::numeric_limits<double>::infinity();
-    if (const auto why = whyUntestable(term.effect, term.at, measurements)) {
+    if (const auto why = untestableReason(term.effect, term.site, measurements)) {
       finding.state = CandidateState::noData;
       finding.why = *why;
     }
@@ -155,10 +156,10 @@ StepwiseSelection::StepwiseSelection(const Measurements& measurements, const Mod
 
 /// No sighting is set aside: what a missing effect does to a board must not be taken for an accident. Noise levels are
 /// those of the first rung, found under the widest model: all rungs are compared at the same.
-CalibrationResult StepwiseSelection::calibrated(const Model& model, std::optional<Eigen::VectorXd> start) const {
+CalibrationResult StepwiseSelection::calibrateFrom(const Model& model, std::optional<Eigen::VectorXd> start) const {
   CalibrationOptions options = options_.calibration;
   options.start = std::move(start);
-  options.setAside = false;
+  options.excludeDisplaced = false;
   if (levels_) {
     options.noise = *levels_;
     options.estimateNoise = options.question = false;
@@ -166,7 +167,7 @@ CalibrationResult StepwiseSelection::calibrated(const Model& model, std::optiona
       options.loss = fit_.loss; // else boards that had no weight get it back first
     }
   }
-  CalibrationResult result = calibratedOrHeld(measurements_, model, options);
+  CalibrationResult result = calibrateOrHold(measurements_, model, options);
   std::size_t doubted = 0, elsewhere = 0;
   for (const Outlier& doubt : result.doubts) {
     (doubt.whole && doubt.distance > threshold::impossiblePx ? elsewhere : doubted) += doubt.corners.size();
@@ -181,13 +182,13 @@ CalibrationResult StepwiseSelection::calibrated(const Model& model, std::optiona
   return result;
 }
 
-CalibrationResult StepwiseSelection::withoutMovedBoards() const {
+CalibrationResult StepwiseSelection::refitWithoutDisplacedBoards() const {
   CalibrationOptions options = options_.calibration;
   options.start = fit_.unknowns;
   return calibrate(measurements_, model_, options);
 }
 
-std::vector<Term> StepwiseSelection::testable() const {
+std::vector<Term> StepwiseSelection::testableTerms() const {
   std::vector<Term> result;
   for (const CandidateFinding& finding : findings_) {
     if (finding.state != CandidateState::noData && !model_.find(finding.term.label())) {
@@ -203,17 +204,17 @@ CandidateFinding& StepwiseSelection::findingOf(const std::string& label) {
   return *found;
 }
 
-void StepwiseSelection::look(const CandidateTests& inquiry, Diagnosis& diagnosis) {
+void StepwiseSelection::recordStep(const CandidateTests& inquiry, Diagnosis& diagnosis) {
   for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
     CandidateFinding& finding = findingOf(inquiry.candidates()[i]);
-    finding.alone = diagnosis.steps.empty() ? inquiry.ofCandidate(i) : finding.alone;
-    if (inquiry.ofCandidate(i).bayes > finding.evidence.bayes) {
-      finding.evidence = inquiry.ofCandidate(i);
+    finding.alone = diagnosis.steps.empty() ? inquiry.candidateEvidence(i) : finding.alone;
+    if (inquiry.candidateEvidence(i).bayes > finding.evidence.bayes) {
+      finding.evidence = inquiry.candidateEvidence(i);
       finding.step = diagnosis.steps.size();
       finding.plausible = isPlausible(finding.evidence, finding.term.sigmas());
     }
   }
-  std::vector<std::size_t> order = inquiry.candidatesByStanding();
+  std::vector<std::size_t> order = inquiry.candidatesByRank();
   order.resize(std::min<std::size_t>(order.size(), 10));
   std::vector<std::vector<std::size_t>> asked; // each alone, then by two
   for (const std::size_t candidate : order) {
@@ -224,7 +225,7 @@ void StepwiseSelection::look(const CandidateTests& inquiry, Diagnosis& diagnosis
       asked.push_back({order[i], order[j]});
     }
   }
-  const std::optional<CrossValidation> held = heldOut(inquiry, model_, diagnosis.suggested, asked);
+  const std::optional<CrossValidation> held = crossValidate(inquiry, model_, diagnosis.suggested, asked);
   misleading_ = takenBack_;
   byTwo_.clear();
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -242,10 +243,10 @@ void StepwiseSelection::look(const CandidateTests& inquiry, Diagnosis& diagnosis
         finding.heldOutBefore = held->beforePx;
         finding.heldOutAfter = held->afterPx[i];
       }
-      finding.addedVariable = addedVariable(inquiry, model_, order[i]);
+      finding.addedVariable = computeAddedVariable(inquiry, model_, order[i]);
     }
   }
-  const LackOfFit misfit = lackOfFit(inquiry);
+  const LackOfFit misfit = testLackOfFit(inquiry);
   SelectionStep step{.dropped = dropped_, .rmsPx = fit_.rmsPx, .noiseFloorPx = misfit.noiseFloorPx};
   step.chi2 = fit_.chi2;
   step.dof = fit_.dof;
@@ -271,7 +272,7 @@ void StepwiseSelection::look(const CandidateTests& inquiry, Diagnosis& diagnosis
 namespace {
 
 /// Where `whole` becomes `part`, if it does.
-const Limit* limitThatIs(const Effect& part, const Effect& whole) {
+const Limit* findLimit(const Effect& part, const Effect& whole) {
   const auto found = std::find_if(whole.limits.begin(), whole.limits.end(),
                                   [&](const Limit& limit) { return limit.effect == part.name; });
   return found == whole.limits.end() ? nullptr : &*found;
@@ -287,74 +288,75 @@ bool isNeeded(const Term& term, const CalibrationResult& fit, double leastZ = 2)
 
 } // namespace
 
-bool passes(const Effect& effect) {
+bool isTransient(const Effect& effect) {
   return std::any_of(effect.needs.begin(), effect.needs.end(),
                      [](Driver driver) { return driver == Driver::time || driver == Driver::temperature; });
 }
 
-Model StepwiseSelection::with(const Term& term) const {
+Model StepwiseSelection::addTerm(const Term& term) const {
   std::vector<std::string> labels = added_;
   labels.push_back(term.label());
-  return makeModel(measurements_, labels, options_.without, options_.effects);
+  return buildModel(measurements_, labels, options_.without, options_.effects);
 }
 
-Model StepwiseSelection::withSized(const CandidateTests& inquiry, std::size_t candidate) const {
-  const Model model = with(inquiry.candidates()[candidate]);
+Model StepwiseSelection::addSizedTerm(const CandidateTests& inquiry, std::size_t candidate) const {
+  const Model model = addTerm(inquiry.candidates()[candidate]);
   const Term* const term = model.find(inquiry.candidates()[candidate].label());
   if (!term) { // a person left it out
     return model;
   }
-  const GroupEvidence& evidence = inquiry.ofCandidate(candidate);
+  const GroupEvidence& evidence = inquiry.candidateEvidence(candidate);
   const Eigen::ArrayXd information = evidence.covariance.diagonal().array().inverse();
   const Eigen::ArrayXd posterior = (information + term->sigmas().array().square().inverse()).inverse();
-  Eigen::VectorXd expected = carried(model_, fit_.unknowns, model),
-                  variances = carried(model_, fit_.covariance.diagonal(), model);
-  expected.segment(at(term->first), posterior.size()) = posterior * information * evidence.estimate.array();
-  variances.segment(at(term->first), posterior.size()) = posterior;
-  return withPriorsFor(model, expected, variances).value_or(model);
+  Eigen::VectorXd expected = mapParameters(model_, fit_.unknowns, model),
+                  variances = mapParameters(model_, fit_.covariance.diagonal(), model);
+  expected.segment(eigenIndex(term->first), posterior.size()) = posterior * information * evidence.estimate.array();
+  variances.segment(eigenIndex(term->first), posterior.size()) = posterior;
+  return addPriors(model, expected, variances).value_or(model);
 }
 
-bool StepwiseSelection::foretells(const CandidateTests& inquiry, std::size_t candidate) const {
+bool StepwiseSelection::predictsFurtherPoses(const CandidateTests& inquiry, std::size_t candidate) const {
   if (std::find(misleading_.begin(), misleading_.end(), inquiry.candidates()[candidate].label()) != misleading_.end()) {
     return false;
   }
-  if (!passes(inquiry.candidates()[candidate].effect)) {
+  if (!isTransient(inquiry.candidates()[candidate].effect)) {
     return true;
   }
   for (std::size_t cell = 0; cell < inquiry.map().cells.size(); ++cell) {
     if (inquiry.map().cells[cell].shape == DriverBasis::Shape::step &&
-        inquiry.ofCurve(inquiry.mounts().size() + cell).bayes >= inquiry.ofCandidate(candidate).bayes) {
+        inquiry.curveEvidence(inquiry.mounts().size() + cell).bayes >= inquiry.candidateEvidence(candidate).bayes) {
       return false;
     }
   }
-  return prequential(inquiry.problem(), inquiry.noise(), posesInTime(measurements_), candidate).predicts();
+  return scorePrequentially(inquiry.problem(), inquiry.noise(), sortPosesByTime(measurements_), candidate).predicts();
 }
 
-StepwiseSelection::Nearly StepwiseSelection::nearlyFitted(const Model& model, const Eigen::VectorXd& start) const {
-  const FitMinimum minimum = naocal::nearlyFitted(measurements_, model, fit_.noise, fit_.loss, start).minimum;
+StepwiseSelection::Nearly StepwiseSelection::fitModelNearly(const Model& model, const Eigen::VectorXd& start) const {
+  const FitMinimum minimum = naocal::fitNearly(measurements_, model, fit_.noise, fit_.loss, start).minimum;
   return {minimum.linear.cost, minimum.state.unknowns};
 }
 
-std::optional<StepwiseSelection::Choice> StepwiseSelection::best(const CandidateTests& inquiry) {
+std::optional<StepwiseSelection::Choice> StepwiseSelection::chooseNext(const CandidateTests& inquiry) {
   constexpr std::size_t most = 4;
   std::vector<std::size_t> order, likely = inquiry.candidatesByEvidence();
-  std::erase_if(likely, [&](std::size_t candidate) { return inquiry.ofCandidate(candidate).bayes <= 0; });
+  std::erase_if(likely, [&](std::size_t candidate) { return inquiry.candidateEvidence(candidate).bayes <= 0; });
   // one that is sure and negligible does not stand before one that matters
   std::stable_partition(likely.begin(), likely.end(), [&](std::size_t candidate) {
-    return !inquiry.evidence().matters || inquiry.ofCandidate(candidate).matters();
+    return !inquiry.evidence().matters || inquiry.candidateEvidence(candidate).matters();
   });
   const auto lasting = std::find_if(likely.begin(), likely.end(), [&](std::size_t candidate) {
-    return !passes(inquiry.candidates()[candidate].effect);
+    return !isTransient(inquiry.candidates()[candidate].effect);
   });
-  const double least = lasting == likely.end() ? 0 : inquiry.ofCandidate(*lasting).bayes - threshold::maxEvidenceGap;
+  const double least =
+      lasting == likely.end() ? 0 : inquiry.candidateEvidence(*lasting).bayes - threshold::maxEvidenceGap;
   for (const std::size_t candidate : likely) {
-    const GroupEvidence& here = inquiry.ofCandidate(candidate);
-    const GroupEvidence& first = inquiry.ofCandidate(order.empty() ? candidate : order.front());
+    const GroupEvidence& here = inquiry.candidateEvidence(candidate);
+    const GroupEvidence& first = inquiry.candidateEvidence(order.empty() ? candidate : order.front());
     if (order.size() == most || here.bayes < first.bayes - threshold::veryStrong || here.bayes < least ||
         (inquiry.evidence().matters && here.matters() != first.matters())) {
       break;
     }
-    if (foretells(inquiry, candidate)) {
+    if (predictsFurtherPoses(inquiry, candidate)) {
       order.push_back(candidate);
     }
   }
@@ -362,14 +364,14 @@ std::optional<StepwiseSelection::Choice> StepwiseSelection::best(const Candidate
     return std::nullopt;
   }
   std::vector<Nearly> fits(order.size() + 1); // the last without any of them
-  inParallel(fits.size(), [&](std::size_t i) {
-    const Model model = i < order.size() ? withSized(inquiry, order[i]) : model_;
-    fits[i] = nearlyFitted(model, carried(model_, fit_.unknowns, model));
+  parallelFor(fits.size(), [&](std::size_t i) {
+    const Model model = i < order.size() ? addSizedTerm(inquiry, order[i]) : model_;
+    fits[i] = fitModelNearly(model, mapParameters(model_, fit_.unknowns, model));
   });
   std::optional<Choice> best;
   double bestBayes = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const GroupEvidence& evidence = inquiry.ofCandidate(order[i]);
+    const GroupEvidence& evidence = inquiry.candidateEvidence(order[i]);
     const double drop = 2 * (fits.back().cost - fits[i].cost);
     CandidateFinding& finding = findingOf(inquiry.candidates()[order[i]]);
     if (finding.evidence.bayes == evidence.bayes) { // it is this rung that its predicted fall is of
@@ -385,7 +387,7 @@ std::optional<StepwiseSelection::Choice> StepwiseSelection::best(const Candidate
   return best;
 }
 
-void StepwiseSelection::equivalent(const Term& chosen, const Term& other) {
+void StepwiseSelection::markEquivalent(const Term& chosen, const Term& other) {
   findingOf(chosen).equivalent.push_back(other.label());
   CandidateFinding& twin = findingOf(other);
   if (twin.state != CandidateState::present) {
@@ -397,44 +399,44 @@ void StepwiseSelection::equivalent(const Term& chosen, const Term& other) {
 void StepwiseSelection::compareLimits(const Term& chosen) {
   for (const Term& other : candidates_) {
     const std::vector<std::string>& known = findingOf(chosen).equivalent;
-    if (other.at != chosen.at || other.effect.place != chosen.effect.place ||
+    if (other.site != chosen.site || other.effect.place != chosen.effect.place ||
         std::find(known.begin(), known.end(), other.label()) != known.end()) {
       continue;
     }
-    const Limit* const ofOther = limitThatIs(chosen.effect, other.effect);
-    if (!ofOther && !limitThatIs(other.effect, chosen.effect)) {
+    const Limit* const ofOther = findLimit(chosen.effect, other.effect);
+    if (!ofOther && !findLimit(other.effect, chosen.effect)) {
       continue;
     }
     std::vector<std::string> labels = added_;
     std::replace(labels.begin(), labels.end(), chosen.label(), other.label());
-    const Model instead = makeModel(measurements_, labels, options_.without, options_.effects);
+    const Model instead = buildModel(measurements_, labels, options_.without, options_.effects);
     if (!model_.find(chosen.label()) || !instead.find(other.label())) { // a person left it out
       continue;
     }
-    const double cost = nearlyFitted(instead, startInstead(chosen, other, instead)).cost;
-    if (2 * (cost - nearlyFitted(model_, fit_.unknowns).cost) < threshold::maxEvidenceGap) {
-      equivalent(chosen, other);
+    const double cost = fitModelNearly(instead, startWithInstead(chosen, other, instead)).cost;
+    if (2 * (cost - fitModelNearly(model_, fit_.unknowns).cost) < threshold::maxEvidenceGap) {
+      markEquivalent(chosen, other);
     }
   }
 }
 
-Eigen::VectorXd StepwiseSelection::startInstead(const Term& chosen, const Term& other, const Model& instead) const {
-  Eigen::VectorXd start = carried(model_, fit_.unknowns, instead);
+Eigen::VectorXd StepwiseSelection::startWithInstead(const Term& chosen, const Term& other, const Model& instead) const {
+  Eigen::VectorXd start = mapParameters(model_, fit_.unknowns, instead);
   const Term& from = *model_.find(chosen.label());
   const Term& to = *instead.find(other.label());
-  const Limit* const limit = limitThatIs(chosen.effect, other.effect);
+  const Limit* const limit = findLimit(chosen.effect, other.effect);
   for (std::size_t i = 0; i < to.effect.unknowns.size(); ++i) {
     const std::string& name = to.effect.unknowns[i].name;
-    double& value = start[at(to.first + i)];
+    double& value = start[eigenIndex(to.first + i)];
     for (std::size_t k = 0; k < from.effect.unknowns.size(); ++k) {
-      value = from.effect.unknowns[k].name == name ? fit_.unknowns[at(from.first + k)] : value;
+      value = from.effect.unknowns[k].name == name ? fit_.unknowns[eigenIndex(from.first + k)] : value;
     }
     value = limit && limit->unknown == name ? limit->value : value;
   }
   return start;
 }
 
-void StepwiseSelection::notEquivalent(const std::string& one, const std::string& other) {
+void StepwiseSelection::unmarkEquivalent(const std::string& one, const std::string& other) {
   std::erase(findingOf(one).equivalent, other);
   std::erase(findingOf(other).equivalent, one);
 }
@@ -452,9 +454,9 @@ bool StepwiseSelection::add(const CandidateTests& inquiry, const Choice& choice,
   }
   CandidateFinding& finding = findingOf(term);
   finding.state = CandidateState::present;
-  finding.evidence.bayes = std::max(finding.evidence.bayes, inquiry.ofCandidate(choice.candidate).bayes);
-  for (std::size_t other : equivalents(inquiry, choice.candidate)) {
-    equivalent(term, inquiry.candidates()[other]);
+  finding.evidence.bayes = std::max(finding.evidence.bayes, inquiry.candidateEvidence(choice.candidate).bayes);
+  for (std::size_t other : findEquivalents(inquiry, choice.candidate)) {
+    markEquivalent(term, inquiry.candidates()[other]);
   }
   added_.push_back(term.label());
   diagnosis.suggested.push_back(term.label());
@@ -464,7 +466,7 @@ bool StepwiseSelection::add(const CandidateTests& inquiry, const Choice& choice,
   for (const Term& earlier : model_.terms()) {
     const auto found = std::find(diagnosis.suggested.begin(), diagnosis.suggested.end() - 1, earlier.label());
     if (found != diagnosis.suggested.end() - 1 && isNeeded(earlier, fit_, threshold::stillNeeded)) {
-      notEquivalent(earlier.label(), diagnosis.suggested.back());
+      unmarkEquivalent(earlier.label(), diagnosis.suggested.back());
     }
   }
   return true;
@@ -486,26 +488,26 @@ bool StepwiseSelection::takeBack(Diagnosis& diagnosis) {
   return true;
 }
 
-bool StepwiseSelection::stays(const ImageField& field, const CandidateTests& inquiry) const {
+bool StepwiseSelection::fieldPersists(const ImageField& field, const CandidateTests& inquiry) const {
   constexpr std::size_t most = 6;
   const std::vector<std::size_t> order = inquiry.candidatesByEvidence();
-  for (std::size_t i = 0; i < std::min(most, order.size()) && inquiry.ofCandidate(order[i]).bayes > 0; ++i) {
-    const Model larger = with(inquiry.candidates()[order[i]]);
-    const CalibrationResult fit = fitOf(larger);
-    if (again(field, {measurements_, larger, fit}, measurements_).fit.bayes < field.fit.bayes / 2) {
+  for (std::size_t i = 0; i < std::min(most, order.size()) && inquiry.candidateEvidence(order[i]).bayes > 0; ++i) {
+    const Model larger = addTerm(inquiry.candidates()[order[i]]);
+    const CalibrationResult fit = fitLarger(larger);
+    if (refitField(field, {measurements_, larger, fit}, measurements_).fit.bayes < field.fit.bayes / 2) {
       return false;
     }
   }
   return true;
 }
 
-CalibrationResult StepwiseSelection::fitOf(const Model& larger) const {
-  return calibrated(larger, carried(model_, fit_.unknowns, larger));
+CalibrationResult StepwiseSelection::fitLarger(const Model& larger) const {
+  return calibrateFrom(larger, mapParameters(model_, fit_.unknowns, larger));
 }
 
 void StepwiseSelection::refit(const std::optional<Eigen::VectorXd>& start) {
-  const Model changed = makeModel(measurements_, added_, options_.without, options_.effects);
-  fit_ = start ? calibrated(changed, start) : fitOf(changed);
+  const Model changed = buildModel(measurements_, added_, options_.without, options_.effects);
+  fit_ = start ? calibrateFrom(changed, start) : fitLarger(changed);
   model_ = changed;
 }
 

@@ -27,7 +27,7 @@ struct Unknown {
 enum class EffectSite { motor, joint, camera, board, sole, length, all, stance };
 
 /// As the place of a board's effect: one set of unknowns for all boards.
-constexpr std::size_t everywhere = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t allSites = std::numeric_limits<std::size_t>::max();
 
 /// A driver at a joint other than the effect's own.
 struct RemoteDriver {

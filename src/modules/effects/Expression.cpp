@@ -41,7 +41,7 @@ double valueOf(const ExpressionSymbol& name, const RobotSample& instant, std::si
   }
 }
 
-ExpressionError told(const mu::Parser::exception_type& error, const std::string& text) {
+ExpressionError translateError(const mu::Parser::exception_type& error, const std::string& text) {
   const auto letter = static_cast<std::size_t>(std::clamp<int>(error.GetPos(), 0, static_cast<int>(text.size())));
   return {fmt::format("{} (at letter {})", error.GetMsg(), letter + 1), letter};
 }
@@ -64,19 +64,19 @@ Expression::Expression(const std::string& text, const std::function<ExpressionSy
       texts_.push_back(name);
     }
   } catch (const mu::Parser::exception_type& error) {
-    throw told(error, text);
+    throw translateError(error, text);
   }
   for (const std::string& name : texts_) {
     names_.push_back(resolve(name));
   }
   try {
-    ofThisThread().parser.Eval();
+    threadParser().parser.Eval();
   } catch (const mu::Parser::exception_type& error) {
-    throw told(error, text);
+    throw translateError(error, text);
   }
 }
 
-Expression::Parsed& Expression::ofThisThread() const {
+Expression::Parsed& Expression::threadParser() const {
   static thread_local std::map<const char*, Parsed> all;
   const auto [entry, isNew] = all.try_emplace(identity_.get());
   Parsed& parsed = entry->second;
@@ -94,7 +94,7 @@ Expression::Parsed& Expression::ofThisThread() const {
 }
 
 double Expression::operator()(const RobotSample& instant, std::size_t joint, std::span<const double> unknowns) const {
-  Parsed& parsed = ofThisThread();
+  Parsed& parsed = threadParser();
   for (std::size_t i = 0; i < names_.size(); ++i) {
     parsed.values[i] = valueOf(names_[i], instant, joint, unknowns);
   }

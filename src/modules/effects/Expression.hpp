@@ -28,14 +28,14 @@ public:
   /// Resolves each name that the text uses, in the order of names. Throws ExpressionError.
   Expression(const std::string& text, const std::function<ExpressionSymbol(const std::string&)>& resolve);
 
-  const std::vector<ExpressionSymbol>& names() const { return names_; }
+  const std::vector<ExpressionSymbol>& symbols() const { return names_; }
 
   /// The value [rad] at a joint.
   double operator()(const RobotSample& instant, std::size_t joint, std::span<const double> unknowns) const;
 
 private:
   struct Parsed;
-  Parsed& ofThisThread() const;
+  Parsed& threadParser() const;
 
   std::string text_;
   std::shared_ptr<const char> identity_; // the copies': a thread finds its own by it, as long as one lives

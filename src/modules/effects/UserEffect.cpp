@@ -34,7 +34,7 @@ Names namesOf(const Robot& robot) {
   return names;
 }
 
-std::vector<std::string> listed(const Names& names) {
+std::vector<std::string> listNames(const Names& names) {
   std::vector<std::string> result;
   for (const auto& [name, meaning] : names) {
     result.push_back(name);
@@ -51,7 +51,7 @@ void requireName(const JsonCursor& place, const std::string& name) {
   }
 }
 
-std::vector<Unknown> unknownsOf(const JsonCursor& place, Names& names) {
+std::vector<Unknown> readUnknowns(const JsonCursor& place, Names& names) {
   std::vector<Unknown> unknowns;
   for (const auto& [name, unknown] : place.members()) {
     requireName(unknown, name);
@@ -60,7 +60,7 @@ std::vector<Unknown> unknownsOf(const JsonCursor& place, Names& names) {
     }
     names[name] = {ExpressionSymbol::Kind::unknown, Driver::angle, unknowns.size()};
     const JsonCursor unit = unknown.at("unit");
-    if (!unitOf(unit.text())) {
+    if (!parseUnit(unit.text())) {
       unit.refuse(fmt::format("\"1\" or a product of powers of {}, such as rad/Nm^2", unitBases));
     }
     unknowns.push_back({name, unit.text(), unknown.at("sigma").number({1e-12, 1e6, "of the unknown's unit, above 0"})});
@@ -99,8 +99,9 @@ Expression expressionOf(const JsonCursor& place, const Names& names) {
     return {text, [&](const std::string& name) {
               const auto known = names.find(name);
               if (known == names.end()) {
-                refuseAt(placeOf(name, text), place, "names that are known",
-                         fmt::format("'{}'; near it are {}", name, fmt::join(nearNames(name, listed(names)), ", ")));
+                refuseAt(
+                    placeOf(name, text), place, "names that are known",
+                    fmt::format("'{}'; near it are {}", name, fmt::join(closestNames(name, listNames(names)), ", ")));
               }
               return known->second;
             }};
@@ -126,7 +127,7 @@ void requireNothingAtZero(const JsonCursor& place, const Expression& expression,
 
 } // namespace
 
-Effect userEffect(const JsonCursor& definition, const Robot& robot) {
+Effect parseUserEffect(const JsonCursor& definition, const Robot& robot) {
   Names names = namesOf(robot);
   Effect effect{.name = definition.at("name").text(), .place = EffectSite::motor, .linear = false, .kink = true};
   requireName(definition.at("name"), effect.name);
@@ -139,15 +140,15 @@ Effect userEffect(const JsonCursor& definition, const Robot& robot) {
         joints.push_back(each.name);
       }
       at.refuse("a joint or \"*\"",
-                fmt::format("\"{}\"; near it are {}", at.text(), fmt::join(nearNames(at.text(), joints), ", ")));
+                fmt::format("\"{}\"; near it are {}", at.text(), fmt::join(closestNames(at.text(), joints), ", ")));
     }
     effect.only = robot.joints[*joint].motor;
   }
-  effect.unknowns = unknownsOf(definition.at("unknowns"), names);
+  effect.unknowns = readUnknowns(definition.at("unknowns"), names);
   const JsonCursor correction = definition.at("correction");
   const Expression expression = expressionOf(correction, names);
   requireNothingAtZero(correction, expression, effect, robot);
-  for (const ExpressionSymbol& name : expression.names()) {
+  for (const ExpressionSymbol& name : expression.symbols()) {
     if (name.kind == ExpressionSymbol::Kind::elsewhere) {
       effect.elsewhere.push_back({name.driver, name.index});
     } else if (name.kind != ExpressionSymbol::Kind::unknown) {
@@ -167,10 +168,10 @@ Effect userEffect(const JsonCursor& definition, const Robot& robot) {
   return effect;
 }
 
-std::vector<Effect> userEffects(const JsonCursor& definitions, const Robot& robot) {
+std::vector<Effect> parseUserEffects(const JsonCursor& definitions, const Robot& robot) {
   std::vector<Effect> result;
   for (const JsonCursor& definition : definitions.elements()) {
-    result.push_back(userEffect(definition, robot));
+    result.push_back(parseUserEffect(definition, robot));
     const std::string& name = result.back().name;
     const auto same = [&](const Effect& other) { return other.name == name || other.alias == name; };
     if (std::any_of(allEffects().begin(), allEffects().end(), same) ||

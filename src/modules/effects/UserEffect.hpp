@@ -24,9 +24,9 @@ public:
 /// joint by its name (its q), tau_<joint>, imu_x, imu_y, com_x, com_y, the unknowns, and muParser's functions; it must
 /// vanish where the unknowns do. Throws InputError that says where, what was expected and what is near; for the
 /// correction's text a CorrectionError.
-Effect userEffect(const JsonCursor& definition, const Robot& robot);
+Effect parseUserEffect(const JsonCursor& definition, const Robot& robot);
 
 /// A list of them. Names must differ from each other and from the built-in effects'.
-std::vector<Effect> userEffects(const JsonCursor& definitions, const Robot& robot);
+std::vector<Effect> parseUserEffects(const JsonCursor& definitions, const Robot& robot);
 
 } // namespace naocal

@@ -10,7 +10,7 @@ namespace naocal {
 namespace {
 
 /// Whether an effect of the model looks at one of these.
-bool looksAt(const Model& model, std::initializer_list<Driver> drivers) {
+bool dependsOn(const Model& model, std::initializer_list<Driver> drivers) {
   const auto isOne = [&](Driver driver) { return std::find(drivers.begin(), drivers.end(), driver) != drivers.end(); };
   return std::any_of(model.terms().begin(), model.terms().end(), [&](const Term& term) {
     return std::any_of(term.effect.needs.begin(), term.effect.needs.end(), isOne) ||
@@ -29,36 +29,38 @@ bool carries(const Robot& robot, std::size_t joint, std::size_t link) {
 }
 
 /// Of every leg joint the mean of both feet's, weighted by what each of them carries.
-void share(const Robot& robot, const GravityLoad& right, double leftLoad, GravityLoad& left) {
+void shareLegLoad(const Robot& robot, const GravityLoad& right, double leftLoad, GravityLoad& left) {
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-    if (carriesSole(robot, joint)) {
-      left.torque[at(joint)] = leftLoad * left.torque[at(joint)] + (1 - leftLoad) * right.torque[at(joint)];
-      left.torqueByAngle.row(at(joint)) =
-          leftLoad * left.torqueByAngle.row(at(joint)) + (1 - leftLoad) * right.torqueByAngle.row(at(joint));
-      left.torqueGrowth[at(joint)] =
-          leftLoad * left.torqueGrowth[at(joint)] + (1 - leftLoad) * right.torqueGrowth[at(joint)];
+    if (isOnLeg(robot, joint)) {
+      left.torque[eigenIndex(joint)] =
+          leftLoad * left.torque[eigenIndex(joint)] + (1 - leftLoad) * right.torque[eigenIndex(joint)];
+      left.torqueByAngle.row(eigenIndex(joint)) = leftLoad * left.torqueByAngle.row(eigenIndex(joint)) +
+                                                  (1 - leftLoad) * right.torqueByAngle.row(eigenIndex(joint));
+      left.torqueGrowth[eigenIndex(joint)] =
+          leftLoad * left.torqueGrowth[eigenIndex(joint)] + (1 - leftLoad) * right.torqueGrowth[eigenIndex(joint)];
       if (left.growthByAngle.size() > 0) {
-        left.growthByAngle.row(at(joint)) =
-            leftLoad * left.growthByAngle.row(at(joint)) + (1 - leftLoad) * right.growthByAngle.row(at(joint));
+        left.growthByAngle.row(eigenIndex(joint)) = leftLoad * left.growthByAngle.row(eigenIndex(joint)) +
+                                                    (1 - leftLoad) * right.growthByAngle.row(eigenIndex(joint));
       }
     }
   }
 }
 
-GravityLoad loadOf(const Robot& robot, const ModelState& belief, const RobotSample& instant, bool withGrowthByAngle) {
-  const LinkPoses torsoFromLink = posture(robot, belief);
+GravityLoad computeLoad(const Robot& robot, const ModelState& belief, const RobotSample& instant,
+                        bool withGrowthByAngle) {
+  const LinkPoses torsoFromLink = forwardKinematics(robot, belief);
   const auto loadOn = [&](std::size_t heldLink) {
     return gravityLoad(robot, belief, torsoFromLink, heldLink, torsoFromLink[heldLink].rotation.col(2),
                        withGrowthByAngle);
   };
   switch (instant.supportFoot) {
   case SupportFoot::left:
-    return loadOn(robot.sole("left")->link);
+    return loadOn(robot.findSole("left")->link);
   case SupportFoot::right:
-    return loadOn(robot.sole("right")->link);
+    return loadOn(robot.findSole("right")->link);
   case SupportFoot::both: {
-    GravityLoad load = loadOn(robot.sole("left")->link);
-    share(robot, loadOn(robot.sole("right")->link), instant.leftLoad, load);
+    GravityLoad load = loadOn(robot.findSole("left")->link);
+    shareLegLoad(robot, loadOn(robot.findSole("right")->link), instant.leftLoad, load);
     return load;
   }
   case SupportFoot::none:
@@ -70,27 +72,27 @@ GravityLoad loadOf(const Robot& robot, const ModelState& belief, const RobotSamp
 }
 
 /// `loaded`, `growth`: whether torques and the centre of mass, and how torques' growth follows the offsets, are wanted.
-DriverState driven(const Measurements& measurements, const Model& model, const ImageObservation& picture,
-                   const Eigen::VectorXd& unknowns, bool loaded, bool growth) {
+DriverState driveState(const Measurements& measurements, const Model& model, const ImageObservation& picture,
+                       const Eigen::VectorXd& unknowns, bool loaded, bool growth) {
   const Robot& robot = measurements.robot;
-  const Eigen::Index joints = at(robot.joints.size()), offsets = at(model.offsets().size());
+  const Eigen::Index joints = eigenIndex(robot.joints.size()), offsets = eigenIndex(model.offsets().size());
   DriverState result{picture.instant, Eigen::MatrixXd::Zero(joints, offsets), Eigen::MatrixXd::Zero(joints, offsets),
                      Eigen::MatrixXd::Zero(growth ? joints : 0, offsets), Eigen::MatrixXd::Zero(2, offsets)};
   for (Eigen::Index i = 0; i < offsets; ++i) {
     const Term& offset = model.terms()[model.offsets()[static_cast<std::size_t>(i)]];
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-      if (robot.joints[joint].motor == offset.at) {
-        result.instant.q[at(joint)] -= unknowns[at(offset.first)];
-        result.angleByOffset(at(joint), i) = -1;
+      if (robot.joints[joint].motor == offset.site) {
+        result.instant.q[eigenIndex(joint)] -= unknowns[eigenIndex(offset.first)];
+        result.angleByOffset(eigenIndex(joint), i) = -1;
       }
     }
   }
   if (!loaded) {
     return result;
   }
-  ModelState belief = picture.drawn;
+  ModelState belief = picture.nominal;
   belief.values.head(joints) = result.instant.q;
-  const GravityLoad load = loadOf(robot, belief, result.instant, growth);
+  const GravityLoad load = computeLoad(robot, belief, result.instant, growth);
   result.instant.torque = load.torque;
   result.instant.torqueGrowth = load.torqueGrowth;
   result.instant.com = load.com.head<2>();
@@ -110,7 +112,7 @@ DriverState driven(const Measurements& measurements, const Model& model, const I
 
 } // namespace
 
-bool carriesSole(const Robot& robot, std::size_t joint) {
+bool isOnLeg(const Robot& robot, std::size_t joint) {
   for (const Sole& sole : robot.soles) {
     if (carries(robot, joint, sole.link)) {
       return true;
@@ -119,16 +121,16 @@ bool carriesSole(const Robot& robot, std::size_t joint) {
   return false;
 }
 
-DriverState drivenAt(const Measurements& measurements, const Model& model, const ImageObservation& picture,
-                     const Eigen::VectorXd& unknowns) {
-  const bool growth = looksAt(model, {Driver::torqueGrowth});
-  const bool loaded = growth || looksAt(model, {Driver::torque, Driver::com});
-  return driven(measurements, model, picture, unknowns, loaded, growth);
+DriverState computeDrivers(const Measurements& measurements, const Model& model, const ImageObservation& picture,
+                           const Eigen::VectorXd& unknowns) {
+  const bool growth = dependsOn(model, {Driver::torqueGrowth});
+  const bool loaded = growth || dependsOn(model, {Driver::torque, Driver::com});
+  return driveState(measurements, model, picture, unknowns, loaded, growth);
 }
 
-RobotSample instantOf(const Measurements& measurements, const Model& model, const ImageObservation& picture,
-                      const Eigen::VectorXd& unknowns) {
-  return driven(measurements, model, picture, unknowns, true, false).instant;
+RobotSample sampleAt(const Measurements& measurements, const Model& model, const ImageObservation& picture,
+                     const Eigen::VectorXd& unknowns) {
+  return driveState(measurements, model, picture, unknowns, true, false).instant;
 }
 
 } // namespace naocal

@@ -19,18 +19,18 @@ struct DriverState {
 /// foot's sole held still and level (both: each leg joint's two values weighted by the feet's loads, everything else
 /// with the left sole held; none: the torso held, upright). Where no effect of the model looks at the load, torque and
 /// centre of mass are left as they are: it is most of the work.
-DriverState drivenAt(const Measurements& measurements, const Model& model, const ImageObservation& picture,
-                     const Eigen::VectorXd& unknowns);
+DriverState computeDrivers(const Measurements& measurements, const Model& model, const ImageObservation& picture,
+                           const Eigen::VectorXd& unknowns);
 
 /// What drives effects at a picture's instant, given the unknowns: q = measured - o; torque and centre of mass of the
 /// drawn robot at those angles, the support foot's sole held still and level (both: each leg joint's two values
 /// weighted by the feet's loads, all else with the left sole held; none: the torso held, upright).
-RobotSample instantOf(const Measurements& measurements, const Model& model, const ImageObservation& picture,
-                      const Eigen::VectorXd& unknowns);
+RobotSample sampleAt(const Measurements& measurements, const Model& model, const ImageObservation& picture,
+                     const Eigen::VectorXd& unknowns);
 
 /// What is believed at a picture's instant given the unknowns. Every correction is evaluated at the instant; none sees
 /// another's.
-ModelState believed(const Measurements& measurements, const Model& model, const ImageObservation& picture,
-                    const Eigen::VectorXd& unknowns);
+ModelState predictState(const Measurements& measurements, const Model& model, const ImageObservation& picture,
+                        const Eigen::VectorXd& unknowns);
 
 } // namespace naocal

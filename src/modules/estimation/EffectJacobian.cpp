@@ -29,7 +29,7 @@ std::vector<RemoteDriver> drivers(const Effect& effect, std::size_t place) {
 }
 
 /// Drivers in general position, so that no correction vanishes by accident.
-RobotSample generic(const RobotSample& recorded) {
+RobotSample makeGenericSample(const RobotSample& recorded) {
   RobotSample result = recorded;
   result.q = Eigen::VectorXd::LinSpaced(recorded.q.size(), 0.2, 0.4);
   result.torque = Eigen::VectorXd::LinSpaced(recorded.q.size(), 0.01, 0.02);
@@ -53,7 +53,7 @@ class Visible {
 public:
   Visible(const Measurements& measurements, const ImageObservation& picture)
       : quantities_{measurements.quantities}, picture_{picture}, joints_(measurements.robot.joints.size(), 0) {
-    for (const std::size_t joint : jointsBetween(measurements.robot, picture)) {
+    for (const std::size_t joint : observedJoints(measurements.robot, picture)) {
       joints_[joint] = 1;
     }
   }
@@ -83,10 +83,10 @@ private:
 EffectJacobian::EffectJacobian(const Measurements& measurements, const Model& model, const ImageObservation& picture) {
   const Visible visible{measurements, picture};
   std::optional<RobotSample> inGeneral; // made where a term varies
-  ModelState belief = picture.drawn;
+  ModelState belief = picture.nominal;
   std::vector<Varying> varying;
   for (std::size_t term = 0; term < model.terms().size(); ++term) {
-    for (const std::size_t place : placesOn(model.terms()[term], measurements, picture)) {
+    for (const std::size_t place : sitesOn(model.terms()[term], measurements, picture)) {
       Varying found = correction(model, picture, term, place, belief, inGeneral);
       if (std::any_of(found.quantities.begin(), found.quantities.end(), std::cref(visible))) {
         varying.push_back(std::move(found));
@@ -108,14 +108,14 @@ EffectJacobian::Varying EffectJacobian::correction(const Model& model, const Ima
   Varying result{term, place, {}, drivers(effect, place), {}};
   const bool fixed = effect.linear && result.drivers.empty();
   if (!effect.definition.empty()) { // a user's effect turns its joint, be it nowhere but beyond a dead band
-    result.quantities.push_back(picture.drawn.quantities().angle(place));
+    result.quantities.push_back(picture.nominal.layout().angle(place));
     return result;
   }
   if (!fixed && !inGeneral) {
-    inGeneral = generic(picture.instant);
+    inGeneral = makeGenericSample(picture.instant);
   }
   const RobotSample& instant = fixed ? picture.instant : *inGeneral;
-  const Eigen::VectorXd& drawn = picture.drawn.values;
+  const Eigen::VectorXd& drawn = picture.nominal.values;
   std::vector<double> values(effect.unknowns.size(), 0);
   for (std::size_t k = 0; k < values.size(); ++k) {
     const double step = effect.unknowns[k].sigma;
@@ -140,7 +140,7 @@ EffectJacobian::Varying EffectJacobian::correction(const Model& model, const Ima
 void EffectJacobian::listSlopes(const Robot& robot, const Model& model, Varying varying) {
   const Term& term = model.terms()[varying.term];
   for (std::size_t i = 0; i < model.offsets().size(); ++i) {
-    const std::size_t motor = model.terms()[model.offsets()[i]].at;
+    const std::size_t motor = model.terms()[model.offsets()[i]].site;
     if (std::any_of(varying.drivers.begin(), varying.drivers.end(), [&](const RemoteDriver& driver) {
           return driver.driver != Driver::angle || robot.joints[driver.joint].motor == motor;
         })) {
@@ -158,23 +158,23 @@ void EffectJacobian::listSlopes(const Robot& robot, const Model& model, Varying 
   varying_.push_back(std::move(varying));
 }
 
-void EffectJacobian::addFixed(const Eigen::VectorXd& unknowns, ModelState& belief) const {
+void EffectJacobian::applyFixed(const Eigen::VectorXd& unknowns, ModelState& belief) const {
   for (std::size_t i = 0; i < fixedCount_; ++i) {
     belief.values[static_cast<Eigen::Index>(slopes_[i].quantity)] +=
         slopes_[i].value * unknowns[static_cast<Eigen::Index>(slopes_[i].unknown)];
   }
 }
 
-std::vector<StateDerivative> slopes(const Measurements& measurements, const Model& model,
-                                    const ImageObservation& picture, const Eigen::VectorXd& unknowns) {
+std::vector<StateDerivative> evaluateJacobian(const Measurements& measurements, const Model& model,
+                                              const ImageObservation& picture, const Eigen::VectorXd& unknowns) {
   const EffectJacobian all{measurements, model, picture};
-  std::vector<StateDerivative> result = all.list();
-  if (all.vary()) {
-    DriverState driven = drivenAt(measurements, model, picture, unknowns);
+  std::vector<StateDerivative> result = all.entries();
+  if (all.hasVarying()) {
+    DriverState driven = computeDrivers(measurements, model, picture, unknowns);
     EffectJacobian::Scratch scratch;
-    ModelState belief = picture.drawn;
+    ModelState belief = picture.nominal;
     std::vector<double> values(result.size() - all.fixedCount());
-    all.addVarying(model, picture, unknowns, driven, scratch, belief, values.data());
+    all.applyVarying(model, picture, unknowns, driven, scratch, belief, values.data());
     for (std::size_t i = 0; i < values.size(); ++i) {
       result[all.fixedCount() + i].value = values[i];
     }
@@ -187,26 +187,26 @@ namespace {
 double& driverIn(RobotSample& instant, const RemoteDriver& which) {
   switch (which.driver) {
   case Driver::torque:
-    return instant.torque[at(which.joint)];
+    return instant.torque[eigenIndex(which.joint)];
   case Driver::torqueGrowth:
-    return instant.torqueGrowth[at(which.joint)];
+    return instant.torqueGrowth[eigenIndex(which.joint)];
   case Driver::com:
-    return instant.com[at(which.joint)];
+    return instant.com[eigenIndex(which.joint)];
   default:
-    return instant.q[at(which.joint)];
+    return instant.q[eigenIndex(which.joint)];
   }
 }
 
-double byOffset(const DriverState& driven, const RemoteDriver& which, std::size_t offset) {
+double derivativeByOffset(const DriverState& driven, const RemoteDriver& which, std::size_t offset) {
   switch (which.driver) {
   case Driver::torque:
-    return driven.torqueByOffset(at(which.joint), at(offset));
+    return driven.torqueByOffset(eigenIndex(which.joint), eigenIndex(offset));
   case Driver::torqueGrowth:
-    return driven.growthByOffset(at(which.joint), at(offset));
+    return driven.growthByOffset(eigenIndex(which.joint), eigenIndex(offset));
   case Driver::com:
-    return driven.comByOffset(at(which.joint), at(offset));
+    return driven.comByOffset(eigenIndex(which.joint), eigenIndex(offset));
   default:
-    return driven.angleByOffset(at(which.joint), at(offset));
+    return driven.angleByOffset(eigenIndex(which.joint), eigenIndex(offset));
   }
 }
 
@@ -227,8 +227,8 @@ public:
   void operator()(const RobotSample& instant, std::span<const double> values, Take take) const {
     effect_.correct(scratch_, instant, place_, values);
     for (std::size_t i = 0; i < quantities_.size(); ++i) {
-      double& value = scratch_.values[at(quantities_[i])];
-      const double before = drawn_.values[at(quantities_[i])];
+      double& value = scratch_.values[eigenIndex(quantities_[i])];
+      const double before = drawn_.values[eigenIndex(quantities_[i])];
       take(i, value - before);
       value = before;
     }
@@ -244,18 +244,18 @@ private:
 
 } // namespace
 
-void EffectJacobian::addVarying(const Model& model, const ImageObservation& picture, const Eigen::VectorXd& unknowns,
-                                DriverState& driven, Scratch& scratch, ModelState& belief, double* values) const {
-  scratch.belief = picture.drawn;
+void EffectJacobian::applyVarying(const Model& model, const ImageObservation& picture, const Eigen::VectorXd& unknowns,
+                                  DriverState& driven, Scratch& scratch, ModelState& belief, double* values) const {
+  scratch.belief = picture.nominal;
   for (const Varying& varying : varying_) {
     const Term& term = model.terms()[varying.term];
     const std::vector<Unknown>& own = term.effect.unknowns;
     const std::size_t width = own.size() + varying.offsets.size();
     std::fill_n(values, width * varying.quantities.size(), 0);
-    const Correction correction{term.effect, varying.at, varying.quantities, picture.drawn, scratch.belief};
+    const Correction correction{term.effect, varying.at, varying.quantities, picture.nominal, scratch.belief};
     const std::span<const double> here = term.values(unknowns);
     correction(driven.instant, here,
-               [&](std::size_t i, double change) { belief.values[at(varying.quantities[i])] += change; });
+               [&](std::size_t i, double change) { belief.values[eigenIndex(varying.quantities[i])] += change; });
     scratch.values.assign(here.begin(), here.end());
     for (std::size_t k = 0; k < own.size(); ++k) {
       const double step = term.effect.linear ? own[k].sigma : 1e-4 * own[k].sigma;
@@ -274,7 +274,7 @@ void EffectJacobian::addVarying(const Model& model, const ImageObservation& pict
         correction(driven.instant, here, [&](std::size_t i, double change) {
           const double slope = sign * change / (2 * step);
           for (std::size_t j = 0; j < varying.offsets.size(); ++j) {
-            values[i * width + own.size() + j] += slope * byOffset(driven, which, varying.offsets[j]);
+            values[i * width + own.size() + j] += slope * derivativeByOffset(driven, which, varying.offsets[j]);
           }
         });
       }

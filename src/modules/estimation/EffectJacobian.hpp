@@ -24,12 +24,13 @@ public:
   EffectJacobian() = default;
   EffectJacobian(const Measurements& measurements, const Model& model, const ImageObservation& picture);
 
-  const std::vector<StateDerivative>& list() const { return slopes_; } // fixed ones first; of the others not the values
+  /// Fixed ones first; of the others not the values.
+  const std::vector<StateDerivative>& entries() const { return slopes_; }
   std::size_t fixedCount() const { return fixedCount_; }
-  bool vary() const { return !varying_.empty(); }
+  bool hasVarying() const { return !varying_.empty(); }
 
   /// Adds the fixed slopes' corrections to `belief`.
-  void addFixed(const Eigen::VectorXd& unknowns, ModelState& belief) const;
+  void applyFixed(const Eigen::VectorXd& unknowns, ModelState& belief) const;
 
   /// What evaluations work on.
   struct Scratch {
@@ -39,8 +40,8 @@ public:
   /// Adds the corrections of the terms that vary to `belief`, and writes the values of their slopes, in the list's
   /// order from `fixedCount()` on, behind `values`. Derivatives by what drives a term are central differences of that
   /// one term, joined by the chain rule with `driven`, which is left as it was.
-  void addVarying(const Model& model, const ImageObservation& picture, const Eigen::VectorXd& unknowns,
-                  DriverState& driven, Scratch& scratch, ModelState& belief, double* values) const;
+  void applyVarying(const Model& model, const ImageObservation& picture, const Eigen::VectorXd& unknowns,
+                    DriverState& driven, Scratch& scratch, ModelState& belief, double* values) const;
 
 private:
   struct Varying {
@@ -59,7 +60,7 @@ private:
 };
 
 /// All slopes at the given unknowns.
-std::vector<StateDerivative> slopes(const Measurements& measurements, const Model& model,
-                                    const ImageObservation& picture, const Eigen::VectorXd& unknowns);
+std::vector<StateDerivative> evaluateJacobian(const Measurements& measurements, const Model& model,
+                                              const ImageObservation& picture, const Eigen::VectorXd& unknowns);
 
 } // namespace naocal

@@ -10,7 +10,7 @@
 
 namespace naocal {
 
-JointErrorRoot deflectionRoot(const PosePart& pose, const Noise& noise) {
+JointErrorRoot jointErrorRoot(const PosePart& pose, const Noise& noise) {
   const auto count = static_cast<Eigen::Index>(pose.joints.size());
   JointErrorRoot root(count, count);
   root.reserve(count);
@@ -57,13 +57,13 @@ PoseSystem systemOf(const PoseRows& rows) {
           byDeflections * rows.residual};
 }
 
-MarginalSystem eliminated(const PoseSystem& pose, const Noise& noise, const JointErrorRoot& root) {
+MarginalSystem marginalize(const PoseSystem& pose, const Noise& noise, const JointErrorRoot& root) {
   MarginalSystem result;
-  eliminate(pose, noise, root, result);
+  marginalize(pose, noise, root, result);
   return result;
 }
 
-void eliminate(const PoseSystem& pose, const Noise& noise, const JointErrorRoot& root, MarginalSystem& result) {
+void marginalize(const PoseSystem& pose, const Noise& noise, const JointErrorRoot& root, MarginalSystem& result) {
   const double information = 1 / (noise.pixel * noise.pixel);
   const Eigen::Index unknowns = pose.unknownGradient.size(), joints = root.cols();
   result.hessian = information * pose.unknownGram;
@@ -73,10 +73,10 @@ void eliminate(const PoseSystem& pose, const Noise& noise, const JointErrorRoot&
     return;
   }
   result.half.resize(joints, unknowns + 1); // the residual goes along as one more unknown
-  result.half.leftCols(unknowns) = root.transpose() * pose.cross.transpose();
-  result.half.col(unknowns) = root.transpose() * pose.deflectionGradient;
+  result.half.leftCols(unknowns) = root.transpose() * pose.jointErrorCross.transpose();
+  result.half.col(unknowns) = root.transpose() * pose.jointErrorGradient;
   result.half *= information;
-  Eigen::MatrixXd spread = pose.deflectionGram * root;
+  Eigen::MatrixXd spread = pose.jointErrorGram * root;
   spread = (information * (root.transpose() * spread)).eval();
   spread.diagonal().array() += 1;
   result.inner.compute(spread);
@@ -135,7 +135,7 @@ void RowEquations::add(const ImageNormalEquations::Square& gram, const ImageNorm
   parts_.push_back(std::move(rows));
 }
 
-void RowEquations::take(const Eigen::VectorXd& deflections, PoseRows& rows) const {
+void RowEquations::takeRows(const Eigen::VectorXd& deflections, PoseRows& rows) const {
   Eigen::Index count = 0;
   for (const Eigen::MatrixXd& part : parts_) {
     count += part.rows();
@@ -150,7 +150,7 @@ void RowEquations::take(const Eigen::VectorXd& deflections, PoseRows& rows) cons
     const Eigen::HouseholderQR<Eigen::MatrixXd> turned{all};
     all = turned.matrixQR().topRows(columns_ + 1).triangularView<Eigen::Upper>();
   }
-  const Eigen::Index unknowns = at(rows.unknowns.size());
+  const Eigen::Index unknowns = eigenIndex(rows.unknowns.size());
   rows.byUnknowns = all.leftCols(unknowns);
   rows.byDeflections = all.middleCols(unknowns, deflections.size());
   rows.residual = all.col(columns_);

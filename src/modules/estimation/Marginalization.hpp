@@ -32,10 +32,10 @@ struct PosePart {
 /// The same with its normal equations.
 struct PoseSystem : PosePart {
   Eigen::MatrixXd unknownGram;        // sum of w J_x^T J_x      [px^2 / unknown^2]
-  Eigen::MatrixXd cross;              // sum of w J_x^T J_t
-  Eigen::MatrixXd deflectionGram;     // sum of w J_t^T J_t      [px^2 / rad^2]
+  Eigen::MatrixXd jointErrorCross;    // sum of w J_x^T J_t
+  Eigen::MatrixXd jointErrorGram;     // sum of w J_t^T J_t      [px^2 / rad^2]
   Eigen::VectorXd unknownGradient;    // sum of w J_x^T r
-  Eigen::VectorXd deflectionGradient; // sum of w J_t^T r
+  Eigen::VectorXd jointErrorGradient; // sum of w J_t^T r
 };
 
 /// The same as rows: their products are those of all the pose's weighted corners, of which there are many more. A
@@ -51,7 +51,7 @@ PoseSystem systemOf(const PoseRows& rows);
 /// t = root * z with z of unit covariance: root root^T = encoder^2 diag(scales^2) + reapproach^2 1 + pose^2 1 1^T
 /// within a joint, and + stance^2 1 1^T within a joint and stance.
 using JointErrorRoot = Eigen::SparseMatrix<double>;
-JointErrorRoot deflectionRoot(const PosePart& pose, const Noise& noise);
+JointErrorRoot jointErrorRoot(const PosePart& pose, const Noise& noise);
 
 /// The rows of one pose (`PoseRows`): for each of its pictures' groups as many as its corners tell numbers apart.
 class RowEquations {
@@ -64,7 +64,7 @@ public:
            const Eigen::MatrixXd& motion, const PreparedImage::Group& group, const double* slopeValues);
 
   /// Into `rows`, whose unknowns and joints are known: those columns, expressed at zero deflection.
-  void take(const Eigen::VectorXd& deflections, PoseRows& rows) const;
+  void takeRows(const Eigen::VectorXd& deflections, PoseRows& rows) const;
 
 private:
   Eigen::Index columns_ = 0;
@@ -73,14 +73,14 @@ private:
 
 /// A pose's deflections integrated out: Sigma = pixel^2 I + J_t S J_t^T by Woodbury on the deflections.
 struct MarginalSystem {
-  Eigen::LLT<Eigen::MatrixXd> inner; // I + root^T deflectionGram root / pixel^2 = L L^T
+  Eigen::LLT<Eigen::MatrixXd> inner; // I + root^T jointErrorGram root / pixel^2 = L L^T
   Eigen::MatrixXd half;              // L^-1 root^T J_t^T [J_x r] / pixel^2
   Eigen::MatrixXd hessian;           // J_x^T Sigma^-1 J_x
   Eigen::VectorXd unknownGradient;   // J_x^T Sigma^-1 r
   double cost = 0;                   // r^T Sigma^-1 r / 2
 };
-MarginalSystem eliminated(const PoseSystem& pose, const Noise& noise, const JointErrorRoot& root);
+MarginalSystem marginalize(const PoseSystem& pose, const Noise& noise, const JointErrorRoot& root);
 /// The same into `result`, whose memory is used again.
-void eliminate(const PoseSystem& pose, const Noise& noise, const JointErrorRoot& root, MarginalSystem& result);
+void marginalize(const PoseSystem& pose, const Noise& noise, const JointErrorRoot& root, MarginalSystem& result);
 
 } // namespace naocal

@@ -7,7 +7,7 @@
 
 namespace naocal {
 
-Eigen::VectorXd carried(const Model& from, const Eigen::VectorXd& unknowns, const Model& to) {
+Eigen::VectorXd mapParameters(const Model& from, const Eigen::VectorXd& unknowns, const Model& to) {
   std::map<std::string, double> values;
   const std::vector<std::string> names = from.names();
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -75,26 +75,26 @@ std::vector<std::string> Model::units() const {
   return result;
 }
 
-bool standsOn(const Sole& sole, SupportFoot foot) {
+bool isStanceSole(const Sole& sole, SupportFoot foot) {
   return foot == SupportFoot::right ? sole.name == "right" : foot != SupportFoot::none && sole.name == "left";
 }
 
-std::vector<std::size_t> placesOn(const Term& term, const Measurements& measurements, const ImageObservation& picture) {
+std::vector<std::size_t> sitesOn(const Term& term, const Measurements& measurements, const ImageObservation& picture) {
   const Robot& robot = measurements.robot;
   const auto only = [&](bool concerned) {
-    return concerned ? std::vector<std::size_t>{term.at} : std::vector<std::size_t>{};
+    return concerned ? std::vector<std::size_t>{term.site} : std::vector<std::size_t>{};
   };
   std::vector<std::size_t> result;
   switch (term.effect.place) {
   case EffectSite::motor:
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-      if (robot.joints[joint].motor == term.at) {
+      if (robot.joints[joint].motor == term.site) {
         result.push_back(joint);
       }
     }
     return result;
   case EffectSite::board:
-    if (term.at != everywhere) {
+    if (term.site != allSites) {
       return only(true);
     }
     for (std::size_t board = 0; board < measurements.targets.size(); ++board) {
@@ -104,11 +104,11 @@ std::vector<std::size_t> placesOn(const Term& term, const Measurements& measurem
     }
     return result;
   case EffectSite::camera:
-    return only(term.at == picture.camera);
+    return only(term.site == picture.camera);
   case EffectSite::stance:
-    return only(term.at == picture.stance);
+    return only(term.site == picture.stance);
   case EffectSite::sole:
-    return only(standsOn(robot.soles[term.at], picture.instant.supportFoot));
+    return only(isStanceSole(robot.soles[term.site], picture.instant.supportFoot));
   case EffectSite::joint:
   case EffectSite::length:
   case EffectSite::all:
@@ -117,12 +117,12 @@ std::vector<std::size_t> placesOn(const Term& term, const Measurements& measurem
   return only(true);
 }
 
-ModelState believed(const Measurements& measurements, const Model& model, const ImageObservation& picture,
-                    const Eigen::VectorXd& unknowns) {
-  const RobotSample instant = instantOf(measurements, model, picture, unknowns);
-  ModelState belief = picture.drawn;
+ModelState predictState(const Measurements& measurements, const Model& model, const ImageObservation& picture,
+                        const Eigen::VectorXd& unknowns) {
+  const RobotSample instant = sampleAt(measurements, model, picture, unknowns);
+  ModelState belief = picture.nominal;
   for (const Term& term : model.terms()) {
-    for (std::size_t at : placesOn(term, measurements, picture)) {
+    for (std::size_t at : sitesOn(term, measurements, picture)) {
       term.effect.correct(belief, instant, at, term.values(unknowns));
     }
   }

@@ -14,11 +14,11 @@ namespace naocal {
 /// An effect at a place, with its share of the vector of unknowns.
 struct Term {
   Effect effect;
-  std::size_t at = 0;       // the motor's joint, joint, camera, target, sole, length or standing; 0 for Place::all
+  std::size_t site = 0;     // the motor's joint, joint, camera, target, sole, length or standing; 0 for Place::all
   std::string place;        // its name
   std::size_t first = 0;    // its first unknown
   bool isPlacement = false; // where a board or a stance lies: not physics, but unknown as well
-  bool asked = true;        // false: an offset that is along only because torques depend on it
+  bool requested = true;    // false: an offset that is along only because torques depend on it
 
   std::string label() const { return effect.name + "@" + place; }
   std::span<const double> values(const Eigen::VectorXd& unknowns) const {
@@ -58,16 +58,16 @@ private:
 std::string labelFor(const std::string& given, const Robot& robot);
 
 /// Whether a joint lies between the torso and a sole.
-bool carriesSole(const Robot& robot, std::size_t joint);
+bool isOnLeg(const Robot& robot, std::size_t joint);
 
 /// Whether a foot's stance frame is this sole: on both feet it is the left one.
-bool standsOn(const Sole& sole, SupportFoot foot);
+bool isStanceSole(const Sole& sole, SupportFoot foot);
 
 /// Where a term corrects on a picture: each joint that its motor drives, each board if it sits everywhere, or just its
 /// place; nowhere if the picture has nothing to do with it.
-std::vector<std::size_t> placesOn(const Term& term, const Measurements& measurements, const ImageObservation& picture);
+std::vector<std::size_t> sitesOn(const Term& term, const Measurements& measurements, const ImageObservation& picture);
 
 /// Unknowns of one model in the order of another, by their names; new ones at zero.
-Eigen::VectorXd carried(const Model& from, const Eigen::VectorXd& unknowns, const Model& to);
+Eigen::VectorXd mapParameters(const Model& from, const Eigen::VectorXd& unknowns, const Model& to);
 
 } // namespace naocal

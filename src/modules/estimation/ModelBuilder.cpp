@@ -17,7 +17,7 @@ namespace naocal {
 /// Adds where boards lie and feet stand, as far as pictures depend on it and no survey says it. On the floor: x, y,
 /// yaw; on a link: all six, or three for a single mark. Their widths: the set's own (`placementSigma`), else
 /// "anywhere".
-void addPlacements(const Measurements& measurements, Model& model);
+void addPlacementTerms(const Measurements& measurements, Model& model);
 
 namespace {
 
@@ -36,7 +36,7 @@ void touchLengths(const Robot& robot, const ObservationChain& view, std::set<std
   }
 }
 
-Touched touched(const Measurements& measurements) {
+Touched findTouched(const Measurements& measurements) {
   const Robot& robot = measurements.robot;
   Touched result;
   for (const ImageObservation& picture : measurements.pictures) {
@@ -44,7 +44,7 @@ Touched touched(const Measurements& measurements) {
       continue;
     }
     result.cameras.insert(picture.camera);
-    for (const std::size_t joint : jointsBetween(robot, picture)) {
+    for (const std::size_t joint : observedJoints(robot, picture)) {
       result.joints.insert(joint);
       result.motors.insert(robot.joints[joint].motor);
     }
@@ -55,7 +55,7 @@ Touched touched(const Measurements& measurements) {
         result.boards.insert(sighting.view.board());
       }
       for (std::size_t sole = 0; target.onFloor && sole < robot.soles.size(); ++sole) {
-        if (standsOn(robot.soles[sole], picture.instant.supportFoot)) {
+        if (isStanceSole(robot.soles[sole], picture.instant.supportFoot)) {
           result.soles.insert(sole);
         }
       }
@@ -64,7 +64,7 @@ Touched touched(const Measurements& measurements) {
   return result;
 }
 
-template <typename List> NamedPlaces named(const std::set<std::size_t>& numbers, const List& list) {
+template <typename List> NamedPlaces namePlaces(const std::set<std::size_t>& numbers, const List& list) {
   NamedPlaces result;
   for (const std::size_t number : numbers) {
     result.emplace_back(number, list[number].name);
@@ -72,29 +72,29 @@ template <typename List> NamedPlaces named(const std::set<std::size_t>& numbers,
   return result;
 }
 
-NamedPlaces placesOf(const Effect& effect, const Measurements& measurements, const Touched& touched) {
+NamedPlaces candidateSites(const Effect& effect, const Measurements& measurements, const Touched& touched) {
   const Robot& robot = measurements.robot;
   switch (effect.place) {
   case EffectSite::motor: {
-    NamedPlaces result = named(touched.motors, robot.joints);
+    NamedPlaces result = namePlaces(touched.motors, robot.joints);
     std::erase_if(result, [&](const auto& place) { return effect.only && place.first != *effect.only; });
     return result;
   }
   case EffectSite::joint:
-    return named(touched.joints, robot.joints);
+    return namePlaces(touched.joints, robot.joints);
   case EffectSite::camera:
-    return named(touched.cameras, robot.cameras);
+    return namePlaces(touched.cameras, robot.cameras);
   case EffectSite::board: {
-    NamedPlaces result = named(touched.boards, measurements.targets);
+    NamedPlaces result = namePlaces(touched.boards, measurements.targets);
     if (effect.shared && result.size() > 1) {
-      result.emplace_back(everywhere, "all");
+      result.emplace_back(allSites, "all");
     }
     return result;
   }
   case EffectSite::sole:
-    return named(touched.soles, robot.soles);
+    return namePlaces(touched.soles, robot.soles);
   case EffectSite::length:
-    return named(touched.lengths, robot.lengths);
+    return namePlaces(touched.lengths, robot.lengths);
   case EffectSite::all:
     return {{0, "all"}};
   case EffectSite::stance:
@@ -104,7 +104,7 @@ NamedPlaces placesOf(const Effect& effect, const Measurements& measurements, con
 }
 
 /// What an instant does not tell at a joint, in words; nothing where it does.
-const char* missing(const RobotSample& instant, Driver driver, std::size_t joint, const Robot& robot) {
+const char* missingInput(const RobotSample& instant, Driver driver, std::size_t joint, const Robot& robot) {
   const auto at = static_cast<Eigen::Index>(joint);
   switch (driver) {
   case Driver::approach:
@@ -119,7 +119,7 @@ const char* missing(const RobotSample& instant, Driver driver, std::size_t joint
     return std::isnan(instant.imu.x()) ? "torso angles (imu)" : nullptr;
   case Driver::torque:
   case Driver::torqueGrowth:
-    return instant.supportFoot == SupportFoot::both && std::isnan(instant.leftLoad) && carriesSole(robot, joint)
+    return instant.supportFoot == SupportFoot::both && std::isnan(instant.leftLoad) && isOnLeg(robot, joint)
                ? "shares of the load on both feet (fsr)"
                : nullptr;
   case Driver::com:
@@ -133,11 +133,12 @@ const char* missing(const RobotSample& instant, Driver driver, std::size_t joint
 
 } // namespace
 
-std::vector<std::pair<std::size_t, std::string>> placesOf(const Effect& effect, const Measurements& measurements) {
-  return placesOf(effect, measurements, touched(measurements));
+std::vector<std::pair<std::size_t, std::string>> candidateSites(const Effect& effect,
+                                                                const Measurements& measurements) {
+  return candidateSites(effect, measurements, findTouched(measurements));
 }
 
-std::optional<std::string> whyUntestable(const Effect& effect, std::size_t at, const Measurements& measurements) {
+std::optional<std::string> untestableReason(const Effect& effect, std::size_t at, const Measurements& measurements) {
   if (effect.needs.empty() && effect.elsewhere.empty()) {
     return std::nullopt;
   }
@@ -145,13 +146,13 @@ std::optional<std::string> whyUntestable(const Effect& effect, std::size_t at, c
   std::size_t concerned = 0, without = 0;
   const char* what = nullptr;
   for (const ImageObservation& picture : measurements.pictures) {
-    const std::vector<std::size_t> places = placesOn(term, measurements, picture);
+    const std::vector<std::size_t> places = sitesOn(term, measurements, picture);
     const bool shares = effect.place == EffectSite::sole && picture.instant.supportFoot == SupportFoot::both;
     if (picture.sightings.empty() || places.empty() || shares) {
       continue;
     }
     const bool ofJoint = effect.place == EffectSite::motor || effect.place == EffectSite::joint;
-    std::vector<std::size_t> looked = jointsBetween(measurements.robot, picture);
+    std::vector<std::size_t> looked = observedJoints(measurements.robot, picture);
     std::erase_if(looked, [&](std::size_t joint) {
       return ofJoint && std::find(places.begin(), places.end(), joint) == places.end();
     });
@@ -160,7 +161,7 @@ std::optional<std::string> whyUntestable(const Effect& effect, std::size_t at, c
     }
     const char* lacks = nullptr;
     const auto look = [&](Driver driver, std::size_t joint) {
-      lacks = lacks ? lacks : missing(picture.instant, driver, joint, measurements.robot);
+      lacks = lacks ? lacks : missingInput(picture.instant, driver, joint, measurements.robot);
     };
     for (const std::size_t joint : looked) {
       for (const Driver driver : effect.needs) {
@@ -169,7 +170,7 @@ std::optional<std::string> whyUntestable(const Effect& effect, std::size_t at, c
     }
     for (const RemoteDriver& other : effect.elsewhere) {
       look(other.driver, other.joint);
-      const bool recorded = std::binary_search(measurements.recorded.begin(), measurements.recorded.end(),
+      const bool recorded = std::binary_search(measurements.recordedMotors.begin(), measurements.recordedMotors.end(),
                                                measurements.robot.joints[other.joint].motor);
       lacks = other.driver == Driver::angle && !recorded ? "angles of a joint that it looks at" : lacks;
     }
@@ -189,10 +190,10 @@ std::optional<std::string> whyUntestable(const Effect& effect, std::size_t at, c
 }
 
 std::vector<Term> candidateTerms(const Measurements& measurements, const std::vector<Effect>& effects) {
-  const Touched all = touched(measurements);
+  const Touched all = findTouched(measurements);
   std::vector<Term> result;
   for (const Effect& effect : effects) {
-    for (const auto& [at, place] : placesOf(effect, measurements, all)) {
+    for (const auto& [at, place] : candidateSites(effect, measurements, all)) {
       result.push_back({effect, at, place});
     }
   }
@@ -203,7 +204,7 @@ std::vector<Term> testableTerms(const Measurements& measurements, const Model& m
                                 const std::vector<Effect>& effects) {
   std::vector<Term> result = candidateTerms(measurements, effects);
   std::erase_if(result, [&](const Term& term) {
-    return whyUntestable(term.effect, term.at, measurements) ||
+    return untestableReason(term.effect, term.site, measurements) ||
            std::any_of(model.terms().begin(), model.terms().end(),
                        [&](const Term& own) { return own.label() == term.label(); });
   });
@@ -231,7 +232,7 @@ bool matches(std::string_view pattern, std::string_view text) {
   if (places.empty()) {
     throw InputError{fmt::format("'{}' names no effect at a place of these captures; near it are {} ('naocal effects' "
                                  "lists all effects)",
-                                 wanted, fmt::join(nearNames(wanted, known), ", "))};
+                                 wanted, fmt::join(closestNames(wanted, known), ", "))};
   }
   if (wanted.find('@') == std::string::npos) {
     throw InputError{
@@ -250,7 +251,7 @@ struct Pattern {
   /// A motor's effect may be named at either of its joints; '*' does not stand for "all".
   bool names(const Term& term, const Robot& robot) const {
     const std::string motors = term.effect.place == EffectSite::motor ? labelFor(given, robot) : given;
-    const bool onePlace = term.effect.place == EffectSite::board && term.at == everywhere;
+    const bool onePlace = term.effect.place == EffectSite::board && term.site == allSites;
     return onePlace ? matches(motors.substr(0, motors.find('@')), term.effect.name) && motors.ends_with("@all")
                     : matches(motors, term.label());
   }
@@ -292,7 +293,7 @@ bool looksAtWeight(const Term& term) {
 /// The offsets of recorded joints that move nothing but mass: torques near zero depend on them.
 std::vector<Term> weighingOffsets(const Measurements& measurements) {
   std::vector<Term> result;
-  for (const std::size_t motor : measurements.recorded) {
+  for (const std::size_t motor : measurements.recordedMotors) {
     if (!std::binary_search(measurements.joints.begin(), measurements.joints.end(), motor)) {
       result.push_back({jointOffset(), motor, measurements.robot.joints[motor].name, 0, false, false});
     }
@@ -330,8 +331,8 @@ Model withWeighingOffsets(const Measurements& measurements, Model model, const s
   return model;
 }
 
-Model makeModel(const Measurements& measurements, const std::vector<std::string>& with,
-                const std::vector<std::string>& without, const std::vector<Effect>& effects) {
+Model buildModel(const Measurements& measurements, const std::vector<std::string>& with,
+                 const std::vector<std::string>& without, const std::vector<Effect>& effects) {
   std::vector<Pattern> added = patterns(with), removed = patterns(without);
   const Robot& robot = measurements.robot;
   std::vector<std::string> known;
@@ -342,7 +343,7 @@ Model makeModel(const Measurements& measurements, const std::vector<std::string>
       mark(removed, term, robot);
       mark(added, term, robot);
     } else if (term.effect.base || anyNames(added, term, robot)) {
-      const auto undriven = whyUntestable(term.effect, term.at, measurements);
+      const auto undriven = untestableReason(term.effect, term.site, measurements);
       mark(added, term, robot, undriven);
       if (!undriven) {
         chosen.push_back(std::move(term));
@@ -371,7 +372,7 @@ Model makeModel(const Measurements& measurements, const std::vector<std::string>
   for (Term& term : chosen) {
     model.add(std::move(term));
   }
-  addPlacements(measurements, model);
+  addPlacementTerms(measurements, model);
   return model;
 }
 
@@ -395,7 +396,7 @@ Effect placementEffect(EffectSite place, const std::vector<std::size_t>& numbers
                                     std::span<const double> values) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const auto number = static_cast<Eigen::Index>(numbers[i]);
-      (place == EffectSite::board ? belief.boardPlacement(at) : belief.ground())[number] += values[i];
+      (place == EffectSite::board ? belief.boardPlacement(at) : belief.worldFromSupport())[number] += values[i];
     }
   };
   return effect;
@@ -427,7 +428,7 @@ void addBoardPlacement(const Measurements& measurements, std::size_t index, Mode
 
 } // namespace
 
-void addPlacements(const Measurements& measurements, Model& model) {
+void addPlacementTerms(const Measurements& measurements, Model& model) {
   std::set<std::size_t> seen, stood;
   for (const ImageObservation& picture : measurements.pictures) {
     for (const BoardObservation& sighting : picture.sightings) {
@@ -443,9 +444,9 @@ void addPlacements(const Measurements& measurements, Model& model) {
     }
   }
   for (std::size_t standing : stood) {
-    if (measurements.standings[standing].unknown) {
+    if (measurements.stances[standing].unknown) {
       model.add({placementEffect(EffectSite::stance, {0, 1, 5}, {anywhere, anywhere, anyDirection}), standing,
-                 measurements.standings[standing].name, 0, true});
+                 measurements.stances[standing].name, 0, true});
     }
   }
 }

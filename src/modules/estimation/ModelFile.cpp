@@ -11,7 +11,7 @@ namespace naocal {
 
 namespace {
 
-std::vector<Effect> withBuiltIn(const std::vector<Effect>& defined) {
+std::vector<Effect> addBuiltIn(const std::vector<Effect>& defined) {
   std::vector<Effect> result = allEffects();
   result.insert(result.end(), defined.begin(), defined.end());
   return result;
@@ -19,20 +19,20 @@ std::vector<Effect> withBuiltIn(const std::vector<Effect>& defined) {
 
 } // namespace
 
-std::vector<Effect> effectsWith(const nlohmann::json& definitions, const std::string& file, const Robot& robot) {
-  return withBuiltIn(userEffects(JsonCursor{definitions, file}, robot));
+std::vector<Effect> parseEffects(const nlohmann::json& definitions, const std::string& file, const Robot& robot) {
+  return addBuiltIn(parseUserEffects(JsonCursor{definitions, file}, robot));
 }
 
-nlohmann::json modelJson(const std::vector<std::string>& with, const std::vector<std::string>& without,
-                         nlohmann::json define) {
+nlohmann::json modelFileJson(const std::vector<std::string>& with, const std::vector<std::string>& without,
+                             nlohmann::json define) {
   return {
       {"format", "naocal-model"}, {"version", 1}, {"with", with}, {"without", without}, {"define", std::move(define)}};
 }
 
 ModelFile readModelFile(const std::filesystem::path& file, const Robot& robot) {
-  const nlohmann::json document = parseJson(fileContent(file), file.string());
+  const nlohmann::json document = parseJson(readFile(file), file.string());
   const JsonCursor all{document, file.string()};
-  all.at("format").oneOf({"naocal-model"});
+  all.at("format").wordIndex({"naocal-model"});
   all.at("version").integer(1, 1);
   ModelFile result;
   for (const auto& [key, list] : {std::pair{"with", &result.with}, std::pair{"without", &result.without}}) {
@@ -43,7 +43,7 @@ ModelFile readModelFile(const std::filesystem::path& file, const Robot& robot) {
     }
   }
   const auto define = all.find("define");
-  result.effects = withBuiltIn(define ? userEffects(*define, robot) : std::vector<Effect>{});
+  result.effects = addBuiltIn(define ? parseUserEffects(*define, robot) : std::vector<Effect>{});
   result.definitions = define ? define->value().dump() : "[]";
   return result;
 }

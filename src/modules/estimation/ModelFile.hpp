@@ -21,11 +21,11 @@ struct ModelFile {
 ModelFile readModelFile(const std::filesystem::path& file, const Robot& robot);
 
 /// What `readModelFile` reads. `define`: a list of a person's own effects.
-nlohmann::json modelJson(const std::vector<std::string>& with, const std::vector<std::string>& without,
-                         nlohmann::json define);
+nlohmann::json modelFileJson(const std::vector<std::string>& with, const std::vector<std::string>& without,
+                             nlohmann::json define);
 
 /// The built-in effects and those defined in a list of JSON (`effects/UserEffect.hpp`); `file` stands for it in
 /// messages.
-std::vector<Effect> effectsWith(const nlohmann::json& definitions, const std::string& file, const Robot& robot);
+std::vector<Effect> parseEffects(const nlohmann::json& definitions, const std::string& file, const Robot& robot);
 
 } // namespace naocal

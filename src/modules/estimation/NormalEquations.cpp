@@ -34,7 +34,7 @@ void NormalEquations::addRows(const ImageNormalEquations::Square& gram, const Im
       four[row].columns[share.column % 4] += slope * motion(row, share.quantity);
     }
   }
-  withWidestVectors([&]() __attribute__((always_inline)) {
+  dispatchSimd([&]() __attribute__((always_inline)) {
     for (std::size_t four = 0; four < fours; ++four) {
       for (std::size_t i = 0; i < rows; ++i) {
         Double4 sum{};
@@ -95,7 +95,7 @@ void ImageNormalEquations::add(const CornerBlocks& corners, const ProjectedBlock
   const double information = share / (pixelNoise * pixelNoise);
   const std::size_t blocks = corners.size();
   const bool quadratic = loss.scale == 0;
-  withWidestVectors([ =, this, &corners, &projected, &extraRows, &loss ]() __attribute__((always_inline)) {
+  dispatchSimd([ =, this, &corners, &projected, &extraRows, &loss ]() __attribute__((always_inline)) {
     Double4 squares{}, cost{}, counted{};
     for (std::size_t block = 0; block < blocks; ++block) {
       const ProjectedBlock& seen = projected[block];
@@ -192,7 +192,7 @@ template <typename Number> class Listed {
 public:
   Listed(std::size_t end, std::vector<Number>& list) : known_(end, -1), list_{list} {}
   /// Where it stands in the list, to which it is added where it is new.
-  Eigen::Index of(Number number) {
+  Eigen::Index indexOf(Number number) {
     Eigen::Index& place = known_[static_cast<std::size_t>(number)];
     if (place < 0) {
       place = static_cast<Eigen::Index>(list_.size());
@@ -216,7 +216,7 @@ std::optional<std::size_t> boardOf(const StateLayout& quantities, std::size_t qu
 PreparedImage::Group groupOf(const ObservationChain& view, const StateLayout& quantities,
                              const std::vector<std::size_t>& unknowns, const PreparedImage& prepared) {
   PreparedImage::Group group;
-  const std::vector<StateDerivative>& slopes = prepared.slopes.list();
+  const std::vector<StateDerivative>& slopes = prepared.slopes.entries();
   const std::size_t most = slopes.size() + prepared.joints.size();
   group.quantities.reserve(most);
   group.columns.reserve(most);
@@ -229,7 +229,7 @@ PreparedImage::Group groupOf(const ObservationChain& view, const StateLayout& qu
   const auto add = [&](Eigen::Index column, std::size_t quantity, std::size_t slope) {
     const auto board = boardOf(quantities, quantity);
     if (!board || *board == view.board()) {
-      group.shares.push_back({columnPlaces.of(column), quantityPlaces.of(quantity), slope});
+      group.shares.push_back({columnPlaces.indexOf(column), quantityPlaces.indexOf(quantity), slope});
     }
   };
   for (std::size_t i = 0; i < slopes.size(); ++i) {
@@ -240,7 +240,7 @@ PreparedImage::Group groupOf(const ObservationChain& view, const StateLayout& qu
     add(static_cast<Eigen::Index>(unknowns.size() + prepared.deflections[i]), quantities.angle(prepared.joints[i]), 0);
   }
   for (std::size_t quantity : group.quantities) {
-    if (const auto extra = view.extra(quantity)) {
+    if (const auto extra = view.extraIndex(quantity)) {
       group.extras.push_back(*extra);
     }
   }
@@ -249,10 +249,10 @@ PreparedImage::Group groupOf(const ObservationChain& view, const StateLayout& qu
 
 } // namespace
 
-void prepare(const Measurements& measurements, const ImageObservation& picture,
-             const std::vector<std::size_t>& unknowns, PreparedImage& prepared) {
+void prepareImage(const Measurements& measurements, const ImageObservation& picture,
+                  const std::vector<std::size_t>& unknowns, PreparedImage& prepared) {
   Numbers links{measurements.robot.links.size()};
-  const std::vector<StateDerivative>& slopes = prepared.slopes.list();
+  const std::vector<StateDerivative>& slopes = prepared.slopes.entries();
   prepared.slopeValues = {1};
   for (const StateDerivative& slope : slopes) {
     prepared.slopeValues.push_back(slope.value);

@@ -11,7 +11,7 @@
 
 namespace naocal {
 
-/// d(u), d(v) of four corners per unit of an extra (`ObservationChain::extraRows`).
+/// d(u), d(v) of four corners per unit of an extra (`ObservationChain::fillExtraRows`).
 struct ExtraRow {
   Double4 u, v;
 };
@@ -26,7 +26,7 @@ struct SightingWeight {
 };
 
 /// Sums over corners, in the six numbers of the picture's motion and the extras: every derivative by any quantity is a
-/// column of `ObservationChain::motion` times these, so their cost does not grow with the joints.
+/// column of `ObservationChain::fillMotionColumns` times these, so their cost does not grow with the joints.
 class ImageNormalEquations {
 public:
   static constexpr int most = 6 + static_cast<int>(extraCount);
@@ -61,7 +61,7 @@ struct PreparedImage {
   struct Group {
     std::vector<std::size_t> sightings;
     std::vector<std::size_t> quantities;
-    std::vector<std::size_t> extras;   // among the quantities (`ObservationChain::extra`)
+    std::vector<std::size_t> extras;   // among the quantities (`ObservationChain::extraIndex`)
     std::vector<Eigen::Index> columns; // that move them
     struct Share {
       Eigen::Index column, quantity; // places in the two lists above
@@ -83,8 +83,8 @@ struct PreparedImage {
 
 /// Finds links, groups and slope values, given joints, deflections and slopes. `unknowns`: of the picture's pose,
 /// ascending.
-void prepare(const Measurements& measurements, const ImageObservation& picture,
-             const std::vector<std::size_t>& unknowns, PreparedImage& prepared);
+void prepareImage(const Measurements& measurements, const ImageObservation& picture,
+                  const std::vector<std::size_t>& unknowns, PreparedImage& prepared);
 
 /// The normal equations of one pose: sums of w J^T J and w J^T r over its corners.
 class NormalEquations {

@@ -20,7 +20,7 @@ namespace naocal {
 
 /// What an evaluation works on. Each thread keeps its own: to allocate it anew takes as long as to project the corners.
 struct Residuals::Workspace {
-  static Workspace& ofThisThread(const Measurements& measurements) {
+  static Workspace& threadWorkspace(const Measurements& measurements) {
     static thread_local Workspace work;
     work.boards.resize(measurements.targets.size());
     work.cost = 0;
@@ -31,7 +31,7 @@ struct Residuals::Workspace {
   /// Most boards lie still from picture to picture.
   const RigidTransform& linkFromBoard(std::size_t board) {
     if (boards[board].placement != belief.boardPlacement(board)) {
-      boards[board] = {belief.boardPlacement(board), placed(belief.boardPlacement(board))};
+      boards[board] = {belief.boardPlacement(board), transformFromPlacement(belief.boardPlacement(board))};
     }
     return boards[board].linkFromBoard;
   }
@@ -42,7 +42,7 @@ struct Residuals::Workspace {
     const ImageObservation* const last = std::exchange(drivenPicture, &picture);
     if (!last || last->instant.q != picture.instant.q || last->instant.supportFoot != picture.instant.supportFoot ||
         picture.instant.supportFoot == SupportFoot::both) {
-      driven = drivenAt(measurements, model, picture, unknowns);
+      driven = computeDrivers(measurements, model, picture, unknowns);
       return;
     }
     RobotSample instant = picture.instant;
@@ -90,16 +90,16 @@ struct Residuals::Workspace {
 void Residuals::addFloorContact(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
                                 PosePart& part) const {
   const ObservationChain& sole = *picture.otherSole;
-  const CameraFrames attitude = sole.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
+  const CameraFrames attitude = sole.pathFrames(measurements_.robot, work.belief, work.torsoFromLink);
   const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
   const Eigen::Vector3d scale =
       noise_.pixel * Eigen::Vector3d{1 / FloorContact::height, 1 / FloorContact::tilt, 1 / FloorContact::tilt};
-  const Eigen::Matrix<double, 3, 6> byMotion = noise_.pixel * floorContactByMotion(normal);
+  const Eigen::Matrix<double, 3, 6> byMotion = noise_.pixel * floorContactJacobian(normal);
   const Eigen::Vector3d residual =
       scale.cwiseProduct(Eigen::Vector3d{-normal.dot(attitude.opticalFromWorld.translation), normal.x(), normal.y()});
-  work.motion.resize(6, at(prepared.floor.quantities.size()));
-  sole.motion(measurements_.robot, attitude, work.belief, work.torsoFromLink, prepared.floor.quantities, {},
-              work.motion);
+  work.motion.resize(6, eigenIndex(prepared.floor.quantities.size()));
+  sole.fillMotionColumns(measurements_.robot, attitude, work.belief, work.torsoFromLink, prepared.floor.quantities, {},
+                         work.motion);
   work.add(byMotion.transpose() * byMotion, byMotion.transpose() * residual, work.motion, prepared.floor);
   work.cost += residual.squaredNorm() / (noise_.pixel * noise_.pixel);
   part.squares += residual.squaredNorm();
@@ -114,7 +114,7 @@ void Residuals::addImuReading(const ImageObservation& picture, const PreparedIma
                               PosePart& part) const {
   const ObservationChain& torso = *prepared.torso;
   const StateLayout& quantities = measurements_.quantities;
-  const CameraFrames attitude = torso.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
+  const CameraFrames attitude = torso.pathFrames(measurements_.robot, work.belief, work.torsoFromLink);
   const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
   const double roll = work.belief.imuTilt()[0], pitch = work.belief.imuTilt()[1];
   const Eigen::Vector2d reading = picture.instant.imu;
@@ -128,12 +128,12 @@ void Residuals::addImuReading(const ImageObservation& picture, const PreparedIma
   byMotion.col(7) = (rotationX(-roll) * Eigen::Vector3d::UnitY().cross(pitched)).head<2>();
   byMotion *= scale;
   const Eigen::Vector2d residual = scale * (normal - told).head<2>();
-  work.motion.resize(8, at(prepared.imu.quantities.size()));
-  torso.motion(measurements_.robot, attitude, work.belief, work.torsoFromLink, prepared.imu.quantities, {},
-               work.motion);
+  work.motion.resize(8, eigenIndex(prepared.imu.quantities.size()));
+  torso.fillMotionColumns(measurements_.robot, attitude, work.belief, work.torsoFromLink, prepared.imu.quantities, {},
+                          work.motion);
   for (std::size_t i = 0; i < prepared.imu.quantities.size(); ++i) {
     for (std::size_t k = 0; k < 2; ++k) {
-      work.motion(at(6 + k), at(i)) = prepared.imu.quantities[i] == quantities.imuTilt() + k ? 1 : 0;
+      work.motion(eigenIndex(6 + k), eigenIndex(i)) = prepared.imu.quantities[i] == quantities.imuTilt() + k ? 1 : 0;
     }
   }
   work.add(byMotion.transpose() * byMotion, byMotion.transpose() * residual, work.motion, prepared.imu);
@@ -159,7 +159,7 @@ std::optional<ObservationChain> torsoOverFloor(const Measurements& measurements,
   }
   const bool right = picture.instant.supportFoot == SupportFoot::right;
   return ObservationChain::betweenLinks(measurements.robot, measurements.quantities, 0,
-                                        measurements.robot.sole(right ? "right" : "left")->link);
+                                        measurements.robot.findSole(right ? "right" : "left")->link);
 }
 
 } // namespace
@@ -168,23 +168,23 @@ Residuals::Residuals(const Measurements& measurements, const Model& model, const
     : measurements_{measurements}, model_{model}, noise_{noise}, loss_{loss}, sigmas_{model.sigmas()},
       free_(model.unknownCount(), true), prepared_(measurements.pictures.size()), columns_(measurements.poses.size()),
       roots_(measurements.poses.size()) {
-  inParallel(prepared_.size(), [&](std::size_t i) {
+  parallelFor(prepared_.size(), [&](std::size_t i) {
     prepared_[i].slopes = EffectJacobian{measurements, model, measurements.pictures[i]};
     prepared_[i].torso = torsoOverFloor(measurements, model, measurements.pictures[i]);
   });
-  inParallel(columns_.size(), [&](std::size_t pose) {
-    columns_[pose] = columnsOf(measurements.poses[pose]);
-    roots_[pose] = deflectionRoot(columns_[pose], noise_);
+  parallelFor(columns_.size(), [&](std::size_t pose) {
+    columns_[pose] = listColumns(measurements.poses[pose]);
+    roots_[pose] = jointErrorRoot(columns_[pose], noise_);
     for (const EncoderSample& reading : measurements.poses[pose].readings) {
       for (std::size_t index : reading.pictures) {
-        prepare(measurements, measurements.pictures[index], columns_[pose].unknowns, prepared_[index]);
+        prepareImage(measurements, measurements.pictures[index], columns_[pose].unknowns, prepared_[index]);
       }
     }
   });
 }
 
 /// The unknowns that a pose depends on, and a deflection per joint on its paths and encoder error.
-PosePart Residuals::columnsOf(const PoseGroup& pose) {
+PosePart Residuals::listColumns(const PoseGroup& pose) {
   PosePart part;
   std::vector<bool> moves(model_.unknownCount(), false);
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> deflections; // of motor and encoder error
@@ -192,11 +192,11 @@ PosePart Residuals::columnsOf(const PoseGroup& pose) {
   for (const EncoderSample& reading : pose.readings) {
     for (std::size_t index : reading.pictures) {
       PreparedImage& picture = prepared_[index];
-      for (const StateDerivative& slope : picture.slopes.list()) {
+      for (const StateDerivative& slope : picture.slopes.entries()) {
         moves[slope.unknown] = true;
       }
       if (latent) {
-        picture.joints = jointsBetween(measurements_.robot, measurements_.pictures[index]);
+        picture.joints = observedJoints(measurements_.robot, measurements_.pictures[index]);
       }
       for (std::size_t joint : picture.joints) {
         deflections[{measurements_.robot.joints[joint].motor, reading.encoderError[joint]}];
@@ -230,20 +230,20 @@ namespace {
 
 /// Takes a pose's normal equations apart, expressed at zero deflection.
 void takeSums(const NormalEquations& sums, const Eigen::VectorXd& deflections, PoseSystem& system) {
-  const Eigen::Index unknowns = at(system.unknowns.size()), joints = deflections.size();
+  const Eigen::Index unknowns = eigenIndex(system.unknowns.size()), joints = deflections.size();
   const Eigen::MatrixXd& gram = sums.gram();
   system.unknownGram = gram.topLeftCorner(unknowns, unknowns);
   system.unknownGradient = sums.gradient().head(unknowns);
-  system.cross = gram.topRightCorner(unknowns, joints);
-  system.deflectionGram = gram.bottomRightCorner(joints, joints);
-  system.deflectionGradient = sums.gradient().tail(joints);
+  system.jointErrorCross = gram.topRightCorner(unknowns, joints);
+  system.jointErrorGram = gram.bottomRightCorner(joints, joints);
+  system.jointErrorGradient = sums.gradient().tail(joints);
   if (joints == 0) {
     return;
   }
-  const Eigen::VectorXd drop = system.deflectionGram * deflections;
-  system.squares += deflections.dot(drop - 2 * system.deflectionGradient);
-  system.deflectionGradient -= drop;
-  system.unknownGradient -= system.cross * deflections;
+  const Eigen::VectorXd drop = system.jointErrorGram * deflections;
+  system.squares += deflections.dot(drop - 2 * system.jointErrorGradient);
+  system.jointErrorGradient -= drop;
+  system.unknownGradient -= system.jointErrorCross * deflections;
 }
 
 /// Where a pose's deflections would rest if everything were linear, its unknowns moved `along`.
@@ -257,27 +257,28 @@ Eigen::VectorXd restingDeflections(const MarginalSystem& part, const Eigen::Vect
 } // namespace
 
 /// What is believed at the picture's instant, and the values of its slopes there.
-void Residuals::believe(const ImageObservation& picture, const PreparedImage& prepared, const Eigen::VectorXd& unknowns,
-                        const Eigen::VectorXd& deflections, Workspace& work) const {
-  work.belief = picture.drawn;
-  prepared.slopes.addFixed(unknowns, work.belief);
+void Residuals::predictImageState(const ImageObservation& picture, const PreparedImage& prepared,
+                                  const Eigen::VectorXd& unknowns, const Eigen::VectorXd& deflections,
+                                  Workspace& work) const {
+  work.belief = picture.nominal;
+  prepared.slopes.applyFixed(unknowns, work.belief);
   work.slopes = prepared.slopeValues.data();
-  if (prepared.slopes.vary()) {
+  if (prepared.slopes.hasVarying()) {
     work.varyingSlopes = prepared.slopeValues;
     work.slopes = work.varyingSlopes.data();
     work.drive(measurements_, model_, picture, unknowns);
-    prepared.slopes.addVarying(model_, picture, unknowns, work.driven, work.scratch, work.belief,
-                               work.varyingSlopes.data() + 1 + prepared.slopes.fixedCount());
+    prepared.slopes.applyVarying(model_, picture, unknowns, work.driven, work.scratch, work.belief,
+                                 work.varyingSlopes.data() + 1 + prepared.slopes.fixedCount());
   }
   for (std::size_t i = 0; i < prepared.joints.size(); ++i) {
-    work.belief.angle(prepared.joints[i]) += deflections[at(prepared.deflections[i])];
+    work.belief.angle(prepared.joints[i]) += deflections[eigenIndex(prepared.deflections[i])];
   }
 }
 
 /// Adds the sums over a picture's corners to those of its pose. False: a corner is nowhere.
 bool Residuals::addPicture(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
                            PosePart& part) const {
-  posture(measurements_.robot, work.belief, prepared.links, work.torsoFromLink);
+  forwardKinematics(measurements_.robot, work.belief, prepared.links, work.torsoFromLink);
   if (picture.otherSole) {
     addFloorContact(picture, prepared, work, part);
   }
@@ -299,8 +300,8 @@ bool Residuals::addCorners(const BoardObservation& sighting, const std::vector<s
   for (std::size_t extra : extras) {
     for (std::size_t block = 0; block < sighting.corners.size(); ++block) {
       ExtraRow& row = work.extraRows.emplace_back();
-      ObservationChain::extraRows(extra, attitude, work.belief, sighting.corners[block], work.projected[block], row.u,
-                                  row.v);
+      ObservationChain::fillExtraRows(extra, attitude, work.belief, sighting.corners[block], work.projected[block],
+                                      row.u, row.v);
     }
   }
   work.corners.add(sighting.corners, work.projected, work.extraRows, noise_.pixel,
@@ -311,7 +312,7 @@ bool Residuals::addCorners(const BoardObservation& sighting, const std::vector<s
 bool Residuals::addGroup(const ImageObservation& picture, const PreparedImage::Group& group, Workspace& work,
                          PosePart& part) const {
   const ObservationChain& path = picture.sightings[group.sightings.front()].view;
-  CameraFrames attitude = path.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
+  CameraFrames attitude = path.pathFrames(measurements_.robot, work.belief, work.torsoFromLink);
   if (std::find(group.extras.begin(), group.extras.end(), rowTimeExtra) != group.extras.end()) {
     path.setDrift(measurements_.robot, work.belief, work.torsoFromLink, picture.instant.velocity, attitude);
   }
@@ -321,9 +322,9 @@ bool Residuals::addGroup(const ImageObservation& picture, const PreparedImage::G
       return false;
     }
   }
-  work.motion.resize(at(6 + group.extras.size()), at(group.quantities.size()));
-  path.motion(measurements_.robot, attitude, work.belief, work.torsoFromLink, group.quantities, group.extras,
-              work.motion);
+  work.motion.resize(eigenIndex(6 + group.extras.size()), eigenIndex(group.quantities.size()));
+  path.fillMotionColumns(measurements_.robot, attitude, work.belief, work.torsoFromLink, group.quantities, group.extras,
+                         work.motion);
   work.add(work.corners.gram(), work.corners.gradient(), work.motion, group);
   work.cost += work.corners.cost();
   part.squares += work.corners.squares();
@@ -332,10 +333,10 @@ bool Residuals::addGroup(const ImageObservation& picture, const PreparedImage::G
   return true;
 }
 
-Residuals::State Residuals::start(const Eigen::VectorXd& unknowns) const {
+Residuals::State Residuals::startState(const Eigen::VectorXd& unknowns) const {
   State state{unknowns, {}};
   for (const PosePart& pose : columns_) {
-    state.deflections.push_back(Eigen::VectorXd::Zero(at(pose.joints.size())));
+    state.deflections.push_back(Eigen::VectorXd::Zero(eigenIndex(pose.joints.size())));
   }
   return state;
 }
@@ -348,7 +349,7 @@ bool Residuals::addPose(std::size_t pose, const State& state, const Eigen::Vecto
     for (std::size_t index : reading.pictures) {
       const ImageObservation& picture = measurements_.pictures[index];
       const PreparedImage& ready = prepared_[index];
-      believe(picture, ready, state.unknowns, deflections, work);
+      predictImageState(picture, ready, state.unknowns, deflections, work);
       if (!addPicture(picture, ready, work, part)) {
         return false;
       }
@@ -361,20 +362,20 @@ bool Residuals::addPose(std::size_t pose, const State& state, const Eigen::Vecto
 /// A pose's sums at these deflections, which are then eliminated. False: one of its corners is nowhere.
 bool Residuals::lineariseAt(std::size_t pose, const State& state, const Eigen::VectorXd& inSigmas, PoseSystem& system,
                             MarginalSystem& part) const {
-  Workspace& work = Workspace::ofThisThread(measurements_);
+  Workspace& work = Workspace::threadWorkspace(measurements_);
   const Eigen::VectorXd deflections = roots_[pose] * inSigmas;
-  work.sums.clear(at(system.unknowns.size() + system.joints.size()));
+  work.sums.clear(eigenIndex(system.unknowns.size() + system.joints.size()));
   work.wantsRows = false;
   if (!addPose(pose, state, deflections, work, system)) {
     return false;
   }
   takeSums(work.sums, deflections, system);
-  eliminate(system, noise_, roots_[pose], part);
+  marginalize(system, noise_, roots_[pose], part);
   return true;
 }
 
 /// Goes on from a pose's sums to where its deflections rest.
-void Residuals::settle(std::size_t pose, State& state, PoseSystem& system, MarginalSystem& part) const {
+void Residuals::settleDeflections(std::size_t pose, State& state, PoseSystem& system, MarginalSystem& part) const {
   constexpr int most = 20;
   constexpr double little = 1e-4; // of the cost, which a step would gain
   Eigen::VectorXd& here = state.deflections[pose];
@@ -399,18 +400,18 @@ void Residuals::settle(std::size_t pose, State& state, PoseSystem& system, Margi
 std::optional<std::vector<PoseRows>> Residuals::rows(const State& state) const {
   std::vector<PoseRows> result(columns_.size());
   std::atomic<bool> possible = true;
-  inParallel(columns_.size(), [&](std::size_t pose) {
-    Workspace& work = Workspace::ofThisThread(measurements_);
+  parallelFor(columns_.size(), [&](std::size_t pose) {
+    Workspace& work = Workspace::threadWorkspace(measurements_);
     PoseRows& rows = result[pose];
     static_cast<PosePart&>(rows) = columns_[pose];
     const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
-    work.rows.clear(at(rows.unknowns.size() + rows.joints.size()));
+    work.rows.clear(eigenIndex(rows.unknowns.size() + rows.joints.size()));
     work.wantsRows = true;
     if (!possible || !addPose(pose, state, deflections, work, rows)) {
       possible = false;
       return;
     }
-    work.rows.take(deflections, rows);
+    work.rows.takeRows(deflections, rows);
   });
   return possible ? std::optional{std::move(result)} : std::nullopt;
 }
@@ -424,7 +425,7 @@ template <class AtPose> bool Residuals::linearisePoses(Linear& result, const AtP
     result.eliminated.resize(columns_.size());
   }
   std::atomic<bool> possible = true;
-  inParallel(columns_.size(), [&](std::size_t pose) {
+  parallelFor(columns_.size(), [&](std::size_t pose) {
     if (possible && !atPose(pose, result.poses[pose], result.eliminated[pose])) {
       possible = false;
     }
@@ -447,15 +448,15 @@ void Residuals::addUp(const State& state, Linear& result) const {
   }
   for (std::size_t i = 0; i < free_.size(); ++i) {
     if (!free_[i]) {
-      result.gradient[at(i)] = 0;
-      result.hessian.row(at(i)).setZero();
-      result.hessian.col(at(i)).setZero();
-      result.hessian(at(i), at(i)) = 1;
+      result.gradient[eigenIndex(i)] = 0;
+      result.hessian.row(eigenIndex(i)).setZero();
+      result.hessian.col(eigenIndex(i)).setZero();
+      result.hessian(eigenIndex(i), eigenIndex(i)) = 1;
     }
   }
 }
 
-std::optional<Residuals::Linear> Residuals::linearised(const State& state) const {
+std::optional<Residuals::Linear> Residuals::linearise(const State& state) const {
   std::optional<Linear> result{std::in_place};
   const bool possible = linearisePoses(*result, [&](std::size_t pose, PoseSystem& system, MarginalSystem& part) {
     return lineariseAt(pose, state, state.deflections[pose], system, part);
@@ -473,7 +474,7 @@ bool Residuals::linearise(State& state, Linear& result) const {
       return false;
     }
     if (!columns_[pose].joints.empty()) {
-      settle(pose, state, system, part);
+      settleDeflections(pose, state, system, part);
     }
     return true;
   });
@@ -483,7 +484,7 @@ bool Residuals::linearise(State& state, Linear& result) const {
   return possible;
 }
 
-Residuals::State Residuals::moved(const State& state, const Linear& linear, const Eigen::VectorXd& step) const {
+Residuals::State Residuals::applyStep(const State& state, const Linear& linear, const Eigen::VectorXd& step) const {
   State result{state.unknowns + step, {}};
   for (std::size_t pose = 0; pose < columns_.size(); ++pose) {
     if (columns_[pose].joints.empty()) {
@@ -493,24 +494,24 @@ Residuals::State Residuals::moved(const State& state, const Linear& linear, cons
     const MarginalSystem& part = linear.eliminated[pose];
     Eigen::VectorXd along = Eigen::VectorXd::Zero(part.half.cols() - 1);
     for (std::size_t i = 0; i < columns_[pose].unknowns.size(); ++i) {
-      along[at(i)] = step[at(columns_[pose].unknowns[i])];
+      along[eigenIndex(i)] = step[eigenIndex(columns_[pose].unknowns[i])];
     }
     result.deflections.push_back(restingDeflections(part, along));
   }
   return result;
 }
 
-std::optional<std::vector<BoardMotionSums>> Residuals::sightingMotions(const State& state) const {
+std::optional<std::vector<BoardMotionSums>> Residuals::boardMotions(const State& state) const {
   std::vector<BoardMotionSums> result;
-  Workspace& work = Workspace::ofThisThread(measurements_);
+  Workspace& work = Workspace::threadWorkspace(measurements_);
   for (std::size_t pose = 0; pose < columns_.size(); ++pose) {
     const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
-    const Eigen::Index columns = at(columns_[pose].unknowns.size() + columns_[pose].joints.size());
+    const Eigen::Index columns = eigenIndex(columns_[pose].unknowns.size() + columns_[pose].joints.size());
     for (const EncoderSample& reading : measurements_.poses[pose].readings) {
       for (std::size_t index : reading.pictures) {
         const ImageObservation& picture = measurements_.pictures[index];
-        believe(picture, prepared_[index], state.unknowns, deflections, work);
-        posture(measurements_.robot, work.belief, prepared_[index].links, work.torsoFromLink);
+        predictImageState(picture, prepared_[index], state.unknowns, deflections, work);
+        forwardKinematics(measurements_.robot, work.belief, prepared_[index].links, work.torsoFromLink);
         for (const PreparedImage::Group& group : prepared_[index].groups) {
           for (std::size_t sighting : group.sightings) {
             BoardMotionSums motion{.picture = index, .sighting = sighting, .pose = pose};
@@ -530,7 +531,7 @@ std::optional<std::vector<BoardMotionSums>> Residuals::sightingMotions(const Sta
 /// Fills in a sighting's sums. False: a corner is nowhere.
 bool Residuals::addMotion(const BoardObservation& sighting, const PreparedImage::Group& group, Workspace& work,
                           BoardMotionSums& motion) const {
-  CameraFrames attitude = sighting.view.pathAttitude(measurements_.robot, work.belief, work.torsoFromLink);
+  CameraFrames attitude = sighting.view.pathFrames(measurements_.robot, work.belief, work.torsoFromLink);
   if (std::find(group.extras.begin(), group.extras.end(), rowTimeExtra) != group.extras.end()) {
     sighting.view.setDrift(measurements_.robot, work.belief, work.torsoFromLink,
                            measurements_.pictures[motion.picture].instant.velocity, attitude);
@@ -539,9 +540,9 @@ bool Residuals::addMotion(const BoardObservation& sighting, const PreparedImage:
   if (!addCorners(sighting, group.extras, attitude, work)) {
     return false;
   }
-  work.motion.resize(at(6 + group.extras.size()), at(group.quantities.size()));
-  sighting.view.motion(measurements_.robot, attitude, work.belief, work.torsoFromLink, group.quantities, group.extras,
-                       work.motion);
+  work.motion.resize(eigenIndex(6 + group.extras.size()), eigenIndex(group.quantities.size()));
+  sighting.view.fillMotionColumns(measurements_.robot, attitude, work.belief, work.torsoFromLink, group.quantities,
+                                  group.extras, work.motion);
   const ImageNormalEquations::Square gram = work.corners.gram();
   motion.gram = gram.topLeftCorner<6, 6>();
   motion.gradient = work.corners.gradient().head<6>();
@@ -552,16 +553,16 @@ bool Residuals::addMotion(const BoardObservation& sighting, const PreparedImage:
   return true;
 }
 
-std::vector<BoardResidual> Residuals::sightings(const State& state) const {
+std::vector<BoardResidual> Residuals::boardResiduals(const State& state) const {
   std::vector<BoardResidual> result;
-  Workspace& work = Workspace::ofThisThread(measurements_);
+  Workspace& work = Workspace::threadWorkspace(measurements_);
   for (std::size_t pose = 0; pose < columns_.size(); ++pose) {
     const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
     for (const EncoderSample& reading : measurements_.poses[pose].readings) {
       for (std::size_t index : reading.pictures) {
         const ImageObservation& picture = measurements_.pictures[index];
-        believe(picture, prepared_[index], state.unknowns, deflections, work);
-        posture(measurements_.robot, work.belief, prepared_[index].links, work.torsoFromLink);
+        predictImageState(picture, prepared_[index], state.unknowns, deflections, work);
+        forwardKinematics(measurements_.robot, work.belief, prepared_[index].links, work.torsoFromLink);
         for (std::size_t i = 0; i < picture.sightings.size(); ++i) {
           result.push_back(sightingResidual(index, i, work));
         }
@@ -573,12 +574,12 @@ std::vector<BoardResidual> Residuals::sightings(const State& state) const {
 
 BoardResidual Residuals::sightingResidual(std::size_t picture, std::size_t index, Workspace& work) const {
   const BoardObservation& sighting = measurements_.pictures[picture].sightings[index];
-  CameraFrames attitude = sighting.view.attitude(measurements_.robot, work.belief, work.torsoFromLink);
+  CameraFrames attitude = sighting.view.cameraFrames(measurements_.robot, work.belief, work.torsoFromLink);
   if (work.belief.rowTime() != 0) {
     sighting.view.setDrift(measurements_.robot, work.belief, work.torsoFromLink,
                            measurements_.pictures[picture].instant.velocity, attitude);
   }
-  const Eigen::Index count = at(sighting.ids.size());
+  const Eigen::Index count = eigenIndex(sighting.ids.size());
   BoardResidual result{picture,
                        index,
                        Eigen::Matrix2Xd(2, count),

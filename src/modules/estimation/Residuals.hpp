@@ -51,9 +51,9 @@ public:
     std::vector<MarginalSystem> eliminated;
   };
 
-  State start(const Eigen::VectorXd& unknowns) const;
+  State startState(const Eigen::VectorXd& unknowns) const;
   /// Absent: the state is impossible. Poses side by side on all cores, summed in their order.
-  std::optional<Linear> linearised(const State& state) const;
+  std::optional<Linear> linearise(const State& state) const;
   /// The same where deflections have come to rest at the state's unknowns (variable projection: Golub and Pereyra,
   /// Inverse Problems 19 (2003) R1), so that the cost follows the unknowns alone: where corners lose their weight the
   /// gradient by the unknowns tells nothing of what deflections would still gain. False: the state is impossible.
@@ -61,16 +61,16 @@ public:
   bool linearise(State& state, Linear& result) const;
   /// The same as rows, for a model with many unknowns. Absent: the state is impossible.
   std::optional<std::vector<PoseRows>> rows(const State& state) const;
-  State moved(const State& state, const Linear& linear, const Eigen::VectorXd& step) const;
+  State applyStep(const State& state, const Linear& linear, const Eigen::VectorXd& step) const;
   const Eigen::VectorXd& scales() const { return sigmas_; }
 
   /// Per sighting what is seen against what was measured at a state.
-  std::vector<BoardResidual> sightings(const State& state) const;
+  std::vector<BoardResidual> boardResiduals(const State& state) const;
   /// The same sightings, in an order of their own, against motions of their boards. Absent: the state is impossible.
-  std::optional<std::vector<BoardMotionSums>> sightingMotions(const State& state) const;
+  std::optional<std::vector<BoardMotionSums>> boardMotions(const State& state) const;
 
   /// Only these unknowns are free; the others stay where they are (all free by default).
-  void freeOnly(const std::vector<bool>& free) { free_ = free; }
+  void setFree(const std::vector<bool>& free) { free_ = free; }
 
   const Measurements& measurements() const { return measurements_; }
   const Model& model() const { return model_; }
@@ -80,14 +80,14 @@ private:
   struct Workspace;
   bool lineariseAt(std::size_t pose, const State& state, const Eigen::VectorXd& inSigmas, PoseSystem& system,
                    MarginalSystem& part) const;
-  void settle(std::size_t pose, State& state, PoseSystem& system, MarginalSystem& part) const;
+  void settleDeflections(std::size_t pose, State& state, PoseSystem& system, MarginalSystem& part) const;
   template <class AtPose> bool linearisePoses(Linear& result, const AtPose& atPose) const;
   void addUp(const State& state, Linear& result) const;
   bool addPose(std::size_t pose, const State& state, const Eigen::VectorXd& deflections, Workspace& work,
                PosePart& part) const;
-  PosePart columnsOf(const PoseGroup& pose);
-  void believe(const ImageObservation& picture, const PreparedImage& prepared, const Eigen::VectorXd& unknowns,
-               const Eigen::VectorXd& deflections, Workspace& work) const;
+  PosePart listColumns(const PoseGroup& pose);
+  void predictImageState(const ImageObservation& picture, const PreparedImage& prepared,
+                         const Eigen::VectorXd& unknowns, const Eigen::VectorXd& deflections, Workspace& work) const;
   bool addPicture(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
                   PosePart& part) const;
   void addFloorContact(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,

@@ -14,7 +14,7 @@ Eigen::VectorXd asEigen(const Column& numbers) {
 
 } // namespace
 
-Eigen::VectorXd dlibMinimum(const CostFunction& cost, Eigen::Index unknowns, double range, std::size_t calls) {
+Eigen::VectorXd minimizeWithDlib(const CostFunction& cost, Eigen::Index unknowns, double range, std::size_t calls) {
   constexpr double impossible = 1e12; // it cannot work with infinity
   Column lower(unknowns), upper(unknowns);
   lower = -range;

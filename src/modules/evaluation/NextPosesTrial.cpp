@@ -20,16 +20,16 @@ std::vector<CommandedPose> randomPoses(const Robot& robot, std::size_t count, st
   options.choice = 1;
   SimulationPlan plan;
   for (Board& board : plan.boards) {
-    board.placement->y -= halfStance;
+    board.placement->y -= halfFootDistance;
   }
   std::vector<CommandedPose> result;
-  for (PlannedPose& pose : stablePoses(robot, plan.boards, plan.cameras, options)) {
+  for (PlannedPose& pose : planInformativePoses(robot, plan.boards, plan.cameras, options)) {
     result.push_back({fmt::format("P{:02}", result.size()), pose.supportFoot, std::move(pose.angles)});
   }
   return result;
 }
 
-std::vector<CommandedPose> commanded(const std::vector<ProposedPose>& poses) {
+std::vector<CommandedPose> commandPoses(const std::vector<ProposedPose>& poses) {
   std::vector<CommandedPose> result;
   for (const ProposedPose& pose : poses) {
     result.push_back({fmt::format("N{:02}", result.size()), pose.pose.supportFoot, pose.pose.angles, pose.approach});
@@ -67,8 +67,8 @@ struct Weighed {
   ModelAmbiguity question;
 };
 
-Weighed weighed(const Measurements& measurements, ModelAmbiguity question) {
-  const Model model = makeModel(measurements, question.with, question.without, question.effects);
+Weighed weighHypotheses(const Measurements& measurements, ModelAmbiguity question) {
+  const Model model = buildModel(measurements, question.with, question.without, question.effects);
   CalibrationResult fit = calibrate(measurements, model);
   std::vector<Term> terms;
   for (const Hypothesis& suspect : question.suspects) {
@@ -84,17 +84,17 @@ Weighed weighed(const Measurements& measurements, ModelAmbiguity question) {
   const CandidateTests inquiry{measurements, model, fit, terms, options};
   std::vector<double> evidence;
   for (std::size_t i = 0; i < terms.size(); ++i) {
-    evidence.push_back(inquiry.ofCandidate(i).bayes);
-    question.suspects[i].size = inquiry.ofCandidate(i).estimate;
+    evidence.push_back(inquiry.candidateEvidence(i).bayes);
+    question.suspects[i].size = inquiry.candidateEvidence(i).estimate;
   }
-  const std::vector<double> odds = probabilities(evidence);
+  const std::vector<double> odds = posteriorProbabilities(evidence);
   for (std::size_t i = 0; i < odds.size(); ++i) {
     question.suspects[i].odds = odds[i];
   }
   return {model, std::move(fit), std::move(question)};
 }
 
-const Hypothesis& likeliest(const Weighed& weighed) {
+const Hypothesis& findLikeliest(const Weighed& weighed) {
   const std::vector<Hypothesis>& suspects = weighed.question.suspects;
   return *std::max_element(suspects.begin(), suspects.end(),
                            [](const Hypothesis& a, const Hypothesis& b) { return a.odds < b.odds; });
@@ -113,24 +113,24 @@ TrialArm arm(const Robot& robot, const Subject& subject, const CaptureSet& start
              const std::string& hidden, bool propose, std::uint64_t seed, const NextPosesTrialOptions& options) {
   std::vector<CaptureSet> sets{start};
   for (std::size_t taken = 0; taken < options.most; taken += options.batch) {
-    const Measurements measurements = measurementsOf(sets, robot, true);
-    const Weighed now = weighed(measurements, question);
+    const Measurements measurements = buildMeasurements(sets, robot, true);
+    const Weighed now = weighHypotheses(measurements, question);
     NextPosesOptions next;
     next.count = options.batch;
     next.seed = 1000 * seed + taken;
     next.samePlace = true;
     const std::vector<CommandedPose> poses =
-        propose
-            ? commanded(
-                  nextPoses(sets, measurements, {now.model, now.fit.unknowns, now.fit.noise}, now.question, next).poses)
-            : randomPoses(robot, options.batch, next.seed + 1);
+        propose ? commandPoses(proposeNextPoses(sets, measurements, {now.model, now.fit.unknowns, now.fit.noise},
+                                                now.question, next)
+                                   .poses)
+                : randomPoses(robot, options.batch, next.seed + 1);
     const CaptureSet captures = subject.captures(poses, sets.size()).set;
     sets.emplace_back();
     for (std::size_t count = 1; count <= poses.size(); ++count) {
       sets.back() = firstPoses(captures, poses, count);
-      const Weighed then = weighed(measurementsOf(sets, robot, true), question);
-      if (likeliest(then).odds >= options.certainty) {
-        return {taken + count, likeliest(then).label == hidden};
+      const Weighed then = weighHypotheses(buildMeasurements(sets, robot, true), question);
+      if (findLikeliest(then).odds >= options.certainty) {
+        return {taken + count, findLikeliest(then).label == hidden};
       }
     }
   }
@@ -139,17 +139,17 @@ TrialArm arm(const Robot& robot, const Subject& subject, const CaptureSet& start
 
 } // namespace
 
-NextPosesTrial nextTrial(const Robot& robot, std::uint64_t seed, const NextPosesTrialOptions& options) {
+NextPosesTrial runNextPosesTrial(const Robot& robot, std::uint64_t seed, const NextPosesTrialOptions& options) {
   const Subject subject{robot, seed, options.flawScale};
   const Simulation start = subject.captures(randomPoses(robot, options.start, seed), 0);
-  const Measurements measurements = measurementsOf({start.set}, robot);
+  const Measurements measurements = buildMeasurements({start.set}, robot);
   const DiagnosisOptions asked;
   const Diagnosis diagnosis = diagnose({start.set}, measurements, asked);
-  const ModelAmbiguity question = openQuestion(diagnosis, robot, asked);
+  const ModelAmbiguity question = findAmbiguity(diagnosis, robot, asked);
   const TrueEffect& hidden = start.truth.effects.back();
   NextPosesTrial result{seed, hidden.effect + "@" + hidden.at, {}, {}, {}};
   if (diagnosis.verdict != Verdict::effectMissing || !question.rivals ||
-      likeliest(weighed(measurements, question)).odds >= options.certainty) {
+      findLikeliest(weighHypotheses(measurements, question)).odds >= options.certainty) {
     return result;
   }
   for (const Hypothesis& suspect : question.suspects) {

@@ -35,6 +35,6 @@ struct NextPosesTrial {
 /// Asks what is open after the first captures, then takes further poses, proposed ones and, apart from them, random
 /// stable ones; every batch in a stance of its own, the boards where they lie. After each pose the class is weighed:
 /// exp(evidence / 2), evidence = 2 ln of the Bayes factor, all of the class's members together 1.
-NextPosesTrial nextTrial(const Robot& robot, std::uint64_t seed, const NextPosesTrialOptions& options = {});
+NextPosesTrial runNextPosesTrial(const Robot& robot, std::uint64_t seed, const NextPosesTrialOptions& options = {});
 
 } // namespace naocal

@@ -27,8 +27,8 @@ struct Problem {
 
 } // namespace
 
-Eigen::VectorXd swarmMinimum(const CostFunction& cost, Eigen::Index unknowns, double range, std::size_t calls,
-                             std::uint64_t seed) {
+Eigen::VectorXd minimizeWithSwarm(const CostFunction& cost, Eigen::Index unknowns, double range, std::size_t calls,
+                                  std::uint64_t seed) {
   constexpr unsigned particles = 40;
   const auto own = static_cast<unsigned>(seed);
   const pagmo::population start{pagmo::problem{Problem{&cost, unknowns, range}}, particles, own};

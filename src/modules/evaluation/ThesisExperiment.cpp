@@ -29,7 +29,7 @@ double angleSigma(AngleNoise noise) {
 /// Of a gear that sticks, behind the encoder: half the dead zone of a motor [rad].
 const double stiction = radians(0.05);
 
-bool dithered(const ThesisSetting& setting) {
+bool isDithered(const ThesisSetting& setting) {
   return setting.jointNoise == AngleNoise::encoder || setting.jointNoise == AngleNoise::stiction;
 }
 
@@ -38,19 +38,19 @@ bool dithered(const ThesisSetting& setting) {
 Noise thesisNoise(const ThesisSetting& setting, double pixel) {
   const double noPixelNoise = setting.angleNoise() ? 0.03 : 0.01; // [px]
   const double rounding =
-      encoderStep / std::sqrt(dithered(setting) ? 6.0 : 12.0); // uniform, or a sum of two uniform ones
+      encoderStep / std::sqrt(isDithered(setting) ? 6.0 : 12.0); // uniform, or a sum of two uniform ones
   return {.pixel = setting.pixelNoise() ? pixel : noPixelNoise,
           .encoder = setting.angleNoise() ? std::hypot(angleSigma(setting.jointNoise), rounding) : 0,
           .pose = setting.angleNoise() && setting.jointNoise == AngleNoise::stiction ? stiction : 0};
 }
 
-AngleReading angleReading(double commanded, const ThesisSetting& setting, RandomStream& chance) {
+AngleReading readAngle(double commanded, const ThesisSetting& setting, RandomStream& chance) {
   if (!setting.angleNoise()) {
     return {commanded, commanded};
   }
-  const double raw = commanded + chance.within(encoderStep / 2);
+  const double raw = commanded + chance.uniformWithin(encoderStep / 2);
   const double noise =
-      dithered(setting) ? chance.within(encoderStep / 2) : chance.normal(angleSigma(setting.jointNoise));
+      isDithered(setting) ? chance.uniformWithin(encoderStep / 2) : chance.normal(angleSigma(setting.jointNoise));
   const double behind = setting.jointNoise == AngleNoise::stiction ? chance.normal(stiction) : 0;
   return {raw + behind, encoderStep * std::round((raw + noise) / encoderStep)};
 }
@@ -65,8 +65,8 @@ std::vector<Eigen::VectorXd> candidatePoses(const Robot& robot, const ThesisScen
   options.sight = scenery.limits;
   const PlanningScene scene{robot, options.supportFoot, scenery.targets, scenery.cameras, options.sight};
   std::vector<Eigen::VectorXd> poses;
-  for (const ModelState& belief : stableAttitudes(robot, scene, options, count)) {
-    poses.emplace_back(belief.values.head(at(robot.joints.size())));
+  for (const ModelState& belief : sampleStableStates(robot, scene, options, count)) {
+    poses.emplace_back(belief.values.head(eigenIndex(robot.joints.size())));
   }
   return poses;
 }
@@ -91,21 +91,22 @@ struct Prospect {
 
 std::vector<Prospect> prospects(const ThesisExperiment& stage, const Model& model, const Noise& noise) {
   constexpr std::size_t robots = 40, enough = 24;
-  const auto unknowns = at(model.unknownCount());
-  Measurements taken = stage.everything();
+  const auto unknowns = eigenIndex(model.unknownCount());
+  Measurements taken = stage.allObservations();
   std::vector<Prospect> result(taken.poses.size(), Prospect{Eigen::MatrixXd::Zero(unknowns, unknowns)});
   RandomStream chance{1, "robots before the thesis's poses"};
   const auto exact = [](double angle) { return AngleReading{angle, angle}; };
   for (std::size_t robot = 0; robot < robots; ++robot) {
     Eigen::VectorXd offsets{unknowns};
     for (double& offset : offsets) {
-      offset = chance.within(range);
+      offset = chance.uniformWithin(range);
     }
-    stage.take(offsets, exact, 0, chance, taken);
+    stage.simulate(offsets, exact, 0, chance, taken);
     const Residuals residuals{taken, model, noise};
-    const auto linear = residuals.linearised(residuals.start(offsets)).value(); // what is seen lies before the camera
+    const auto linear =
+        residuals.linearise(residuals.startState(offsets)).value(); // what is seen lies before the camera
     for (std::size_t pose = 0; pose < result.size(); ++pose) {
-      PoseInformation told = informationOf(linear.poses[pose], noise);
+      PoseInformation told = marginalInformation(linear.poses[pose], noise);
       told.hessian /= robots;
       told.addTo(result[pose].information);
       result[pose].sees = result[pose].sees && cornersSeen(taken.poses[pose], taken) >= enough;
@@ -119,36 +120,36 @@ std::vector<std::size_t> chainOf(const Robot& robot, const ThesisExperiment& sta
                                  const std::vector<Eigen::VectorXd>& poses, const std::vector<std::size_t>& usable,
                                  std::size_t count) {
   const ThesisCriterion thesis{
-      robot, supportSole(robot, SupportFoot::left), drawnCameras(640, 480), stage.joints(), {}};
+      robot, supportSole(robot, SupportFoot::left), nominalCameras(640, 480), stage.joints(), {}};
   std::vector<ValidPose> candidates;
   for (const std::size_t pose : usable) {
-    candidates.push_back({drawnBelief(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0}), {}});
+    candidates.push_back({nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0}), {}});
     candidates.back().belief.values.head(poses[pose].size()) = poses[pose];
   }
-  return thesis.chain(candidates, count);
+  return thesis.selectChain(candidates, count);
 }
 
 } // namespace
 
-std::vector<ThesisPose> posesOf(const ThesisSetting& setting, const Robot& robot,
-                                const std::vector<Eigen::VectorXd>& chosen) {
+std::vector<ThesisPose> posesForSetting(const ThesisSetting& setting, const Robot& robot,
+                                        const std::vector<Eigen::VectorXd>& chosen) {
   std::vector<ThesisPose> result;
   for (std::size_t i = 0; i < setting.poses; ++i) {
     result.push_back({SupportFoot::left, chosen.at(i)});
   }
   for (std::size_t i = 0; setting.bothLegs && i < setting.poses; ++i) {
-    result.push_back({SupportFoot::right, mirrored(robot, chosen.at(i))});
+    result.push_back({SupportFoot::right, mirrorAngles(robot, chosen.at(i))});
   }
   return result;
 }
 
-std::vector<Eigen::VectorXd> thesisPoses(const Robot& robot, ThesisFeature feature, PoseChoice choice,
-                                         std::size_t count) {
+std::vector<Eigen::VectorXd> selectThesisPoses(const Robot& robot, ThesisFeature feature, PoseChoice choice,
+                                               std::size_t count) {
   constexpr std::size_t candidates = 300;
-  const std::vector<Eigen::VectorXd> poses = candidatePoses(robot, thesisScenery(feature), candidates);
+  const std::vector<Eigen::VectorXd> poses = candidatePoses(robot, makeThesisScene(feature), candidates);
   const ThesisSetting drawn{.feature = feature, .poses = poses.size()};
-  const ThesisExperiment stage{robot, drawn, posesOf(drawn, robot, poses)};
-  const Model model = unknownsOf(stage, range / std::sqrt(3.0), 0);
+  const ThesisExperiment stage{robot, drawn, posesForSetting(drawn, robot, poses)};
+  const Model model = makeExperimentModel(stage, range / std::sqrt(3.0), 0);
   const std::vector<Prospect> all = prospects(stage, model, Noise{});
   std::vector<std::size_t> usable;
   std::vector<Eigen::MatrixXd> informations;
@@ -160,12 +161,12 @@ std::vector<Eigen::VectorXd> thesisPoses(const Robot& robot, ThesisFeature featu
   }
   if (usable.size() < count) {
     throw InputError{fmt::format("expected {} poses that see the {} despite wrong offsets, found {} in {} stable ones",
-                                 count, word(feature), usable.size(), poses.size())};
+                                 count, toString(feature), usable.size(), poses.size())};
   }
   const Eigen::MatrixXd prior = model.sigmas().cwiseAbs2().cwiseInverse().asDiagonal();
   std::vector<Eigen::VectorXd> result;
   for (const std::size_t chosen : choice == PoseChoice::chain ? chainOf(robot, stage, poses, usable, count)
-                                                              : mostInformative(prior, informations, count)) {
+                                                              : selectDOptimal(prior, informations, count)) {
     result.push_back(poses[usable[chosen]]);
   }
   return result;
@@ -198,8 +199,8 @@ std::vector<Board> floorTiles() {
 
 } // namespace
 
-ThesisScene thesisScenery(ThesisFeature feature) {
-  ThesisScene result{{}, drawnCameras(640, 480), {}};
+ThesisScene makeThesisScene(ThesisFeature feature) {
+  ThesisScene result{{}, nominalCameras(640, 480), {}};
   if (feature == ThesisFeature::grid) {
     result.targets = floorTiles();
     result.limits.farthest = 4.5; // from the camera, half a metre over the floor
@@ -207,17 +208,17 @@ ThesisScene thesisScenery(ThesisFeature feature) {
     result.limits.corners = 1;
     return result;
   }
-  result.targets = boardsAround();
+  result.targets = defaultBoards();
   for (Board& board : result.targets) { // seen from the sole
-    board.placement->y -= halfStance;
+    board.placement->y -= halfFootDistance;
   }
   return result;
 }
 
-Measurements everythingInSight(const Robot& robot, const ThesisScene& scenery, const ThesisSetting& setting,
+Measurements observeEverything(const Robot& robot, const ThesisScene& scenery, const ThesisSetting& setting,
                                const std::vector<ThesisPose>& poses) {
   CaptureSet set{.name = "thesis", .model = robot.model, .cameras = scenery.cameras, .boards = scenery.targets};
-  set.stances = {{0, SupportFoot::left, Placement{}}, {1, SupportFoot::right, Placement{.y = -betweenFeet}}};
+  set.stances = {{0, SupportFoot::left, Placement{}}, {1, SupportFoot::right, Placement{.y = -footDistance}}};
   for (Board& board : set.boards) {
     if (setting.unknownPlaces) {
       board.placementGuess = *board.placement;
@@ -250,7 +251,7 @@ Measurements everythingInSight(const Robot& robot, const ThesisScene& scenery, c
       }
     }
   }
-  return measurementsOf({set}, robot);
+  return buildMeasurements({set}, robot);
 }
 
 namespace {
@@ -282,12 +283,12 @@ void findSeen(const Board& target, const CameraFrames& attitude, const Projected
 
 ThesisExperiment::ThesisExperiment(const Robot& robot, const ThesisSetting& setting,
                                    const std::vector<ThesisPose>& poses)
-    : scenery_{thesisScenery(setting.feature)}, everything_{everythingInSight(robot, scenery_, setting, poses)} {
+    : scenery_{makeThesisScene(setting.feature)}, everything_{observeEverything(robot, scenery_, setting, poses)} {
   std::vector<Effect> effects{jointOffset()};
   if (setting.unknownPlaces) {
     effects.push_back(cameraRotation());
   }
-  model_ = makeModel(everything_, {}, {}, effects);
+  model_ = buildModel(everything_, {}, {}, effects);
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     const auto motor = std::find(joints().begin(), joints().end(), robot.joints[joint].motor);
     if (motor != joints().end()) {
@@ -311,48 +312,48 @@ void ThesisExperiment::look(const ImageObservation& all, const Eigen::VectorXd& 
   thread_local ProjectedBlocks projected;
   thread_local BoardCorners corners;
   const Robot& robot = everything_.robot;
-  ModelState real = all.drawn;
+  ModelState real = all.nominal;
   for (const auto& [joint, i] : driven_) {
     real.angle(joint) = angles[i];
   }
   for (std::size_t term = joints().size(); term < model_.terms().size(); ++term) { // mounts and places
     const Term& other = model_.terms()[term];
-    for (const std::size_t place : placesOn(other, everything_, all)) {
+    for (const std::size_t place : sitesOn(other, everything_, all)) {
       other.effect.correct(real, all.instant, place, other.values(truth));
     }
   }
-  posture(robot, real, all.sightings.front().view.links(), torsoFromLink);
-  CameraFrames attitude = all.sightings.front().view.pathAttitude(robot, real, torsoFromLink);
+  forwardKinematics(robot, real, all.sightings.front().view.links(), torsoFromLink);
+  CameraFrames attitude = all.sightings.front().view.pathFrames(robot, real, torsoFromLink);
   const CameraIntrinsics& lens = scenery_.cameras.at(robot.cameras[all.camera].name);
   seen.sightings.clear();
   for (const BoardObservation& sighting : all.sightings) {
-    sighting.view.placeBoard(placed(real.boardPlacement(sighting.view.board())), attitude);
+    sighting.view.placeBoard(transformFromPlacement(real.boardPlacement(sighting.view.board())), attitude);
     if (!sighting.view.project(attitude, real, sighting.corners, projected)) {
       continue;
     }
     const Board& target = everything_.targets[sighting.view.board()].board;
     findSeen(target, attitude, projected, lens, scenery_.limits, corners);
     if (!corners.ids.empty()) {
-      seen.sightings.push_back({sighting.view, cornerBlocks(target, corners), corners.ids});
+      seen.sightings.push_back({sighting.view, packCorners(target, corners), corners.ids});
     }
   }
 }
 
-void ThesisExperiment::take(const Eigen::VectorXd& truth, const std::function<AngleReading(double)>& read, double pixel,
-                            RandomStream& chance, Measurements& taken) const {
-  Eigen::VectorXd angles{at(joints().size())}, reported = angles;
+void ThesisExperiment::simulate(const Eigen::VectorXd& truth, const std::function<AngleReading(double)>& read,
+                                double pixel, RandomStream& chance, Measurements& taken) const {
+  Eigen::VectorXd angles{eigenIndex(joints().size())}, reported = angles;
   for (const PoseGroup& pose : everything_.poses) {
     for (const EncoderSample& each : pose.readings) {
-      const ModelState& commanded = everything_.pictures[each.pictures.front()].drawn;
+      const ModelState& commanded = everything_.pictures[each.pictures.front()].nominal;
       for (std::size_t i = 0; i < joints().size(); ++i) {
         const AngleReading reading = read(commanded.angle(joints()[i]));
-        angles[at(i)] = reading.raw - truth[at(i)];
-        reported[at(i)] = reading.reported;
+        angles[eigenIndex(i)] = reading.raw - truth[eigenIndex(i)];
+        reported[eigenIndex(i)] = reading.reported;
       }
       for (const std::size_t index : each.pictures) {
         ImageObservation& picture = taken.pictures[index];
         for (const auto& [joint, i] : driven_) {
-          picture.drawn.angle(joint) = picture.instant.q[at(joint)] = reported[i];
+          picture.nominal.angle(joint) = picture.instant.q[eigenIndex(joint)] = reported[i];
         }
         look(everything_.pictures[index], angles, truth, picture);
       }
@@ -370,7 +371,7 @@ void ThesisExperiment::take(const Eigen::VectorXd& truth, const std::function<An
   }
 }
 
-Model unknownsOf(const ThesisExperiment& stage, double offsetSigma, double mountSigma) {
+Model makeExperimentModel(const ThesisExperiment& stage, double offsetSigma, double mountSigma) {
   Model result;
   for (Term term : stage.model().terms()) {
     for (Unknown& unknown : term.effect.unknowns) {

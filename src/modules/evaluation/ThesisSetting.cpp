@@ -50,8 +50,8 @@ std::vector<AngleNoise> readings(const ThesisSetting& setting) {
 } // namespace
 
 std::string ThesisSetting::name() const {
-  return fmt::format("{}, {} poses, {}{}{}{}{}{}{}", word(feature), poses, word(noise),
-                     angleNoise() ? fmt::format(" ({})", word(jointNoise)) : "",
+  return fmt::format("{}, {} poses, {}{}{}{}{}{}{}", toString(feature), poses, toString(noise),
+                     angleNoise() ? fmt::format(" ({})", toString(jointNoise)) : "",
                      samples > 1 ? fmt::format(", {} samples", samples) : "", largeErrors ? ", 1..6.5 deg" : "",
                      bothLegs ? ", both legs" : "", unknownPlaces ? ", mounts and places unknown" : "",
                      choice == PoseChoice::chain ? ", the thesis's poses" : "");
@@ -71,12 +71,12 @@ std::vector<ThesisCell> thesisCells() {
       }
     }
   }
-  const std::vector<ThesisCell> beyond = cellsBeyond();
+  const std::vector<ThesisCell> beyond = furtherCells();
   cells.insert(cells.end(), beyond.begin(), beyond.end());
   return cells;
 }
 
-std::vector<ThesisCell> cellsBeyond() {
+std::vector<ThesisCell> furtherCells() {
   const ThesisSetting real{.noise = ThesisNoise::both, .jointNoise = AngleNoise::encoder};
   ThesisSetting legs = real, places = real, sticking = real, chain = real;
   legs.bothLegs = true;
@@ -93,7 +93,7 @@ std::vector<ThesisCell> cellsBeyond() {
   return cells;
 }
 
-bool ofTable55(const ThesisSetting& setting) {
+bool isInTable55(const ThesisSetting& setting) {
   return setting.feature == ThesisFeature::grid && setting.poses == 3 && setting.noise == ThesisNoise::none;
 }
 
@@ -109,23 +109,23 @@ std::vector<std::pair<ThesisSetting, std::vector<ThesisSolver>>> thesisSettings(
   return result;
 }
 
-std::string_view word(ThesisFeature feature) {
+std::string_view toString(ThesisFeature feature) {
   return feature == ThesisFeature::grid ? "grid" : "boards";
 }
 
-std::string_view word(ThesisNoise noise) {
+std::string_view toString(ThesisNoise noise) {
   return std::array{"none", "pixel", "joint", "both"}.at(static_cast<std::size_t>(noise));
 }
 
-std::string_view word(AngleNoise noise) {
+std::string_view toString(AngleNoise noise) {
   return std::array{"0.007rad", "0.007deg", "encoder", "encoder+stiction"}.at(static_cast<std::size_t>(noise));
 }
 
-std::string_view word(PoseChoice choice) {
+std::string_view toString(PoseChoice choice) {
   return choice == PoseChoice::ours ? "ours" : "thesis-chain";
 }
 
-std::string_view word(ThesisSolver solver) {
+std::string_view toString(ThesisSolver solver) {
   return std::array{"lm", "lm-random-starts", "ours", "lm-numeric", "dlib", "pso"}.at(static_cast<std::size_t>(solver));
 }
 

@@ -66,23 +66,23 @@ struct ThesisCell {
 
 /// What the thesis left open, with the real encoder's noise and 0.3 px of the corners: both legs at once, unknown
 /// mounts and places, stiction, and poses of the thesis's chain.
-std::vector<ThesisCell> cellsBeyond();
+std::vector<ThesisCell> furtherCells();
 
 /// All cells, by table, those beyond it last. Table 5.5 is printed without its feature and poses: its 13 % of failures
 /// are the grid's 3 poses of table 5.6.
 std::vector<ThesisCell> thesisCells();
 
 /// Whether it is one of table 5.5, on which other solvers are compared.
-bool ofTable55(const ThesisSetting& setting);
+bool isInTable55(const ThesisSetting& setting);
 
 /// The settings of all cells, each once, and which solvers they are for: ours and plain for all.
 std::vector<std::pair<ThesisSetting, std::vector<ThesisSolver>>> thesisSettings();
 
 /// As in evaluation files.
-std::string_view word(ThesisFeature feature);
-std::string_view word(ThesisNoise noise);
-std::string_view word(AngleNoise noise);
-std::string_view word(ThesisSolver solver);
-std::string_view word(PoseChoice choice);
+std::string_view toString(ThesisFeature feature);
+std::string_view toString(ThesisNoise noise);
+std::string_view toString(AngleNoise noise);
+std::string_view toString(ThesisSolver solver);
+std::string_view toString(PoseChoice choice);
 
 } // namespace naocal

@@ -34,7 +34,7 @@ const ThesisTally* ThesisEvaluation::tally(const ThesisSetting& setting, ThesisS
   return found == outcomes.end() ? nullptr : &found->tally;
 }
 
-ThesisEvaluation merged(const std::vector<ThesisEvaluation>& parts) {
+ThesisEvaluation mergeEvaluations(const std::vector<ThesisEvaluation>& parts) {
   ThesisEvaluation result = parts.front();
   for (auto part = parts.begin() + 1; part != parts.end(); ++part) {
     if (part->seed != result.seed || part->sets != result.sets || part->pixel != result.pixel ||
@@ -67,7 +67,7 @@ ThesisEvaluation merged(const std::vector<ThesisEvaluation>& parts) {
   return result;
 }
 
-std::optional<NoiseInterpretation> bestReading(const ThesisEvaluation& evaluation) {
+std::optional<NoiseInterpretation> bestInterpretation(const ThesisEvaluation& evaluation) {
   std::optional<NoiseInterpretation> best;
   for (const AngleNoise reading : {AngleNoise::radians, AngleNoise::degrees, AngleNoise::encoder}) {
     for (std::size_t tolerance = 0; tolerance < toleranceCount; ++tolerance) {
@@ -114,17 +114,17 @@ nlohmann::json cellJson(const ThesisCell& cell, ThesisSolver solver, const Thesi
   const ThesisSetting& setting = cell.setting;
   nlohmann::json result = {
       {"table", cell.table},
-      {"feature", word(setting.feature)},
+      {"feature", toString(setting.feature)},
       {"poses", setting.poses},
-      {"noise", word(setting.noise)},
-      {"jointNoise", word(setting.jointNoise)},
+      {"noise", toString(setting.noise)},
+      {"jointNoise", toString(setting.jointNoise)},
       {"samples", setting.samples},
       {"errors", setting.largeErrors ? largeErrors : usualErrors},
       {"legs", setting.bothLegs ? "both" : "left"},
       {"places", setting.unknownPlaces ? "unknown" : "known"},
-      {"chosenBy", word(setting.choice)},
-      {"solver", word(solver)},
-      {"thesisSolver", word(cell.solver)},
+      {"chosenBy", toString(setting.choice)},
+      {"solver", toString(solver)},
+      {"thesisSolver", toString(cell.solver)},
       {"thesis", cell.published ? nlohmann::json(*cell.published) : nlohmann::json()},
       {"success", byTolerance([&](std::size_t i) { return tally.successAt(i); })},
       {"limit", byTolerance([&](std::size_t i) { return tally.limitAt(i); })},
@@ -146,23 +146,23 @@ nlohmann::json cellJson(const ThesisCell& cell, ThesisSolver solver, const Thesi
 template <typename Word> Word wordAt(const JsonCursor& cell, const char* key, const std::vector<Word>& all) {
   std::vector<std::string_view> words;
   for (const Word each : all) {
-    words.push_back(word(each));
+    words.push_back(toString(each));
   }
-  return all[cell.at(key).oneOf(words)];
+  return all[cell.at(key).wordIndex(words)];
 }
 
 ThesisSetting settingAt(const JsonCursor& cell) {
   using enum ThesisNoise;
   ThesisSetting setting;
   setting.feature = wordAt<ThesisFeature>(cell, "feature", {ThesisFeature::grid, ThesisFeature::boards});
-  setting.poses = static_cast<std::size_t>(cell.at("poses").integer(1, largestNumber));
+  setting.poses = static_cast<std::size_t>(cell.at("poses").integer(1, maxInteger));
   setting.noise = wordAt<ThesisNoise>(cell, "noise", {none, pixel, joint, both});
   setting.jointNoise = wordAt<AngleNoise>(
       cell, "jointNoise", {AngleNoise::radians, AngleNoise::degrees, AngleNoise::encoder, AngleNoise::stiction});
-  setting.samples = static_cast<std::size_t>(cell.at("samples").integer(1, largestNumber));
-  setting.largeErrors = cell.at("errors").oneOf({usualErrors, largeErrors}) == 1;
-  setting.bothLegs = cell.at("legs").oneOf({"left", "both"}) == 1;
-  setting.unknownPlaces = cell.at("places").oneOf({"known", "unknown"}) == 1;
+  setting.samples = static_cast<std::size_t>(cell.at("samples").integer(1, maxInteger));
+  setting.largeErrors = cell.at("errors").wordIndex({usualErrors, largeErrors}) == 1;
+  setting.bothLegs = cell.at("legs").wordIndex({"left", "both"}) == 1;
+  setting.unknownPlaces = cell.at("places").wordIndex({"known", "unknown"}) == 1;
   setting.choice = wordAt<PoseChoice>(cell, "chosenBy", {PoseChoice::ours, PoseChoice::chain});
   return setting;
 }
@@ -176,13 +176,13 @@ template <std::size_t size> void readCounts(const JsonCursor& list, std::array<s
 ThesisTally tallyAt(const JsonCursor& cell, const std::vector<std::string>& joints) {
   const JsonCursor counts = cell.at("counts");
   ThesisTally tally;
-  tally.sets = static_cast<std::size_t>(counts.at("sets").integer(0, largestNumber));
-  tally.limitDraws = static_cast<std::size_t>(counts.at("draws").integer(0, largestNumber));
+  tally.sets = static_cast<std::size_t>(counts.at("sets").integer(0, maxInteger));
+  tally.limitDraws = static_cast<std::size_t>(counts.at("draws").integer(0, maxInteger));
   readCounts(counts.at("success"), tally.success);
   readCounts(counts.at("limit"), tally.limit);
   for (const auto& [key, status] : statusKeys) {
     tally.status[static_cast<std::size_t>(status)] =
-        static_cast<std::size_t>(cell.at("status").at(key).integer(0, largestNumber));
+        static_cast<std::size_t>(cell.at("status").at(key).integer(0, maxInteger));
   }
   for (const std::string& joint : joints) { // of one leg: fewer
     if (const auto errors = cell.find("errorCounts"); errors && errors->find(joint)) {
@@ -218,8 +218,8 @@ nlohmann::json evaluationJson(const ThesisEvaluation& evaluation) {
                            {"errorBins", {{"firstDegrees", firstErrorDegrees}, {"widthDegrees", errorBinDegrees}}},
                            {"offsetBins", {{"firstDegrees", firstOffsetDegrees}, {"widthDegrees", offsetBinDegrees}}},
                            {"cells", cells}};
-  if (const auto best = bestReading(evaluation)) {
-    result["reproduction"] = {{"jointNoise", word(best->jointNoise)},
+  if (const auto best = bestInterpretation(evaluation)) {
+    result["reproduction"] = {{"jointNoise", toString(best->jointNoise)},
                               {"toleranceDegrees", toleranceDegrees(best->tolerance)},
                               {"rmsDifference", best->difference},
                               {"cells", best->cells}};
@@ -228,9 +228,9 @@ nlohmann::json evaluationJson(const ThesisEvaluation& evaluation) {
 }
 
 ThesisEvaluation readEvaluation(const std::filesystem::path& file) {
-  const nlohmann::json json = parseJson(fileContent(file), file.string());
+  const nlohmann::json json = parseJson(readFile(file), file.string());
   const JsonCursor top{json, file.string()};
-  top.at("format").oneOf({"naocal-evaluation"});
+  top.at("format").wordIndex({"naocal-evaluation"});
   top.at("version").integer(1, 1);
   ThesisEvaluation result;
   const JsonCursor seed = top.at("seed");
@@ -238,9 +238,9 @@ ThesisEvaluation readEvaluation(const std::filesystem::path& file) {
     seed.refuse("a whole number");
   }
   result.seed = seed.value().get<std::uint64_t>();
-  result.sets = static_cast<std::size_t>(top.at("sets").integer(1, largestNumber));
+  result.sets = static_cast<std::size_t>(top.at("sets").integer(1, maxInteger));
   result.pixel = top.at("pixelNoise").number({0, 1000, "px"});
-  result.parts = static_cast<std::size_t>(top.at("parts").integer(1, largestNumber));
+  result.parts = static_cast<std::size_t>(top.at("parts").integer(1, maxInteger));
   for (const JsonCursor& part : top.at("done").elements()) {
     result.done.push_back(static_cast<std::size_t>(part.integer(0, static_cast<int>(result.parts) - 1)));
   }
@@ -283,11 +283,11 @@ void ThesisTally::add(const Eigen::VectorXd& offset, const ThesisSolution& answe
   limitDraws += limitErrors.size();
   errors.resize(std::max(errors.size(), static_cast<std::size_t>(answer.errors.size())));
   for (std::size_t joint = 0; joint < static_cast<std::size_t>(answer.errors.size()); ++joint) {
-    ++errors[joint][binOf(answer.errors[at(joint)], firstErrorDegrees, errorBinDegrees, errorBins)];
+    ++errors[joint][binOf(answer.errors[eigenIndex(joint)], firstErrorDegrees, errorBinDegrees, errorBins)];
   }
   offsets.resize(static_cast<std::size_t>(offset.size()));
   for (std::size_t joint = 0; joint < offsets.size(); ++joint) {
-    ++offsets[joint][binOf(offset[at(joint)], firstOffsetDegrees, offsetBinDegrees, offsetBins)];
+    ++offsets[joint][binOf(offset[eigenIndex(joint)], firstOffsetDegrees, offsetBinDegrees, offsetBins)];
   }
   for (std::size_t i = 0; i < toleranceCount; ++i) {
     const double tolerance = radians(toleranceDegrees(i));

@@ -74,7 +74,7 @@ nlohmann::json evaluationJson(const ThesisEvaluation& evaluation);
 ThesisEvaluation readEvaluation(const std::filesystem::path& file);
 
 /// The parts together. Throws InputError where they are not of one evaluation, or overlap.
-ThesisEvaluation merged(const std::vector<ThesisEvaluation>& parts);
+ThesisEvaluation mergeEvaluations(const std::vector<ThesisEvaluation>& parts);
 
 /// How the thesis's figures are met by its own solvers.
 struct NoiseInterpretation {
@@ -87,6 +87,6 @@ struct NoiseInterpretation {
 /// Of all readings of the joint noise and all tolerances the pair that meets the thesis's figures best, over the cells
 /// with joint noise, which alone depend on the reading, but for those in which the thesis never succeeded. Absent: none
 /// was evaluated.
-std::optional<NoiseInterpretation> bestReading(const ThesisEvaluation& evaluation);
+std::optional<NoiseInterpretation> bestInterpretation(const ThesisEvaluation& evaluation);
 
 } // namespace naocal

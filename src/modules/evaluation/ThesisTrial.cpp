@@ -25,8 +25,8 @@ public:
     Eigen::MatrixXd hessian;
   };
   bool linearise(const Residuals::State& state, Linear& result) const;
-  Residuals::State moved(const Residuals::State& state, const Linear&, const Eigen::VectorXd& step) const {
-    return residuals_.start(state.unknowns + step);
+  Residuals::State applyStep(const Residuals::State& state, const Linear&, const Eigen::VectorXd& step) const {
+    return residuals_.startState(state.unknowns + step);
   }
   const Eigen::VectorXd& scales() const { return residuals_.scales(); }
 
@@ -37,7 +37,7 @@ private:
 };
 
 /// The range of a NAO's offsets in the thesis [rad], either way.
-const double largestOffset = radians(6.5);
+const double maxThesisOffset = radians(6.5);
 
 /// Where a search ended.
 struct ThesisSearchResult {
@@ -45,7 +45,7 @@ struct ThesisSearchResult {
   Eigen::VectorXd unknowns;
   double cost = std::numeric_limits<double>::infinity();
   double sigma = 0; // the largest of an offset, where costs are halves of chi2
-  bool better(const ThesisSearchResult& other) const { return ended && (!other.ended || cost < other.cost); }
+  bool isBetterThan(const ThesisSearchResult& other) const { return ended && (!other.ended || cost < other.cost); }
 };
 
 /// The solvers of the evaluation, before one error set.
@@ -58,12 +58,12 @@ public:
       : pixels_{pixels}, whitened_{whitened}, flat_{flat}, offsets_{static_cast<Eigen::Index>(offsets)},
         numbers_{numbers}, starts_{starts} {}
 
-  ThesisSearchResult found(ThesisSolver solver);
+  ThesisSearchResult solve(ThesisSolver solver);
 
 private:
   template <typename Problem> ThesisSearchResult search(const Problem& problem, const Residuals::State& start) const;
   ThesisSearchResult fromRandomStarts();
-  ThesisSearchResult ours();
+  ThesisSearchResult solveOurs();
   ThesisSearchResult byCostsOnly(ThesisSolver solver);
   Eigen::VectorXd zero() const { return Eigen::VectorXd::Zero(pixels_.scales().size()); }
   Eigen::VectorXd randomStart();
@@ -77,7 +77,7 @@ private:
 
 /// Predicted minus measured, all corners.
 std::optional<Eigen::VectorXd> NumericPixelProblem::pixels(const Eigen::VectorXd& unknowns) const {
-  const std::vector<BoardResidual> sightings = residuals_.sightings(residuals_.start(unknowns));
+  const std::vector<BoardResidual> sightings = residuals_.boardResiduals(residuals_.startState(unknowns));
   Eigen::Index count = 0;
   for (const BoardResidual& sighting : sightings) {
     count += sighting.residual.size();
@@ -114,7 +114,7 @@ bool NumericPixelProblem::linearise(const Residuals::State& state, Linear& resul
 Eigen::VectorXd ThesisSearch::randomStart() {
   Eigen::VectorXd start = zero();
   for (double& offset : start.head(offsets_)) {
-    offset = starts_.within(largestOffset);
+    offset = starts_.uniformWithin(maxThesisOffset);
   }
   return start;
 }
@@ -122,7 +122,7 @@ Eigen::VectorXd ThesisSearch::randomStart() {
 template <typename Problem>
 ThesisSearchResult ThesisSearch::search(const Problem& problem, const Residuals::State& start) const {
   constexpr double smallestFall = 1e-6; // a thousandth of the noise, or of a pixel
-  auto minimum = levenbergMarquardt(problem, start, {.smallestFall = smallestFall});
+  auto minimum = levenbergMarquardt(problem, start, {.minCostDecrease = smallestFall});
   if (!minimum) {
     return {};
   }
@@ -135,12 +135,12 @@ ThesisSearchResult ThesisSearch::search(const Problem& problem, const Residuals:
 /// The best of searches from zero and at random, until three have ended in it; at most fifty (the thesis's number).
 ThesisSearchResult ThesisSearch::fromRandomStarts() {
   constexpr int most = 50, enough = 3;
-  ThesisSearchResult best = search(pixels_, pixels_.start(zero()));
+  ThesisSearchResult best = search(pixels_, pixels_.startState(zero()));
   for (int tries = 1, same = best.ended ? 1 : 0; tries < most && same < enough; ++tries) {
-    ThesisSearchResult next = search(pixels_, pixels_.start(randomStart()));
+    ThesisSearchResult next = search(pixels_, pixels_.startState(randomStart()));
     if (next.ended && std::abs(next.cost - best.cost) <= 1e-6 * (1 + best.cost)) {
       ++same;
-    } else if (next.better(best)) {
+    } else if (next.isBetterThan(best)) {
       best = std::move(next);
       same = 1;
     }
@@ -150,18 +150,18 @@ ThesisSearchResult ThesisSearch::fromRandomStarts() {
 
 /// From zero; from random starts as well as long as what is left is more than the noise explains (five sigmas of chi2).
 /// Where only pixels are noisy and the pictures alone tell every offset, the prior does not count in the end.
-ThesisSearchResult ThesisSearch::ours() {
+ThesisSearchResult ThesisSearch::solveOurs() {
   constexpr int most = 20;
   constexpr double needed = 0.01; // of an offset, whose prior has 0.1 [rad]
-  ThesisSearchResult best = search(whitened_, whitened_.start(zero()));
+  ThesisSearchResult best = search(whitened_, whitened_.startState(zero()));
   const double explained = 0.5 * (numbers_ + 5 * std::sqrt(2 * numbers_));
   for (int tries = 1; tries < most && !(best.ended && best.cost < explained); ++tries) {
-    if (ThesisSearchResult next = search(whitened_, whitened_.start(randomStart())); next.better(best)) {
+    if (ThesisSearchResult next = search(whitened_, whitened_.startState(randomStart())); next.isBetterThan(best)) {
       best = std::move(next);
     }
   }
   if (flat_ && best.ended && best.sigma < needed) {
-    if (ThesisSearchResult last = search(*flat_, flat_->start(best.unknowns)); last.ended) {
+    if (ThesisSearchResult last = search(*flat_, flat_->startState(best.unknowns)); last.ended) {
       return last;
     }
   }
@@ -172,31 +172,32 @@ ThesisSearchResult ThesisSearch::ours() {
 ThesisSearchResult ThesisSearch::byCostsOnly(ThesisSolver solver) {
   constexpr std::size_t swarmCalls = 40'000, dlibCalls = 500;
   const CostFunction cost = [this](const Eigen::VectorXd& unknowns) {
-    const auto there = pixels_.linearised(pixels_.start(unknowns));
+    const auto there = pixels_.linearise(pixels_.startState(unknowns));
     return there ? there->cost : std::numeric_limits<double>::infinity();
   };
-  ThesisSearchResult result{true, solver == ThesisSolver::dlib ? dlibMinimum(cost, offsets_, largestOffset, dlibCalls)
-                                                               : swarmMinimum(cost, offsets_, largestOffset, swarmCalls,
-                                                                              starts_.below(1u << 31))};
+  ThesisSearchResult result{
+      true, solver == ThesisSolver::dlib
+                ? minimizeWithDlib(cost, offsets_, maxThesisOffset, dlibCalls)
+                : minimizeWithSwarm(cost, offsets_, maxThesisOffset, swarmCalls, starts_.uniformBelow(1u << 31))};
   result.cost = cost(result.unknowns);
   return result;
 }
 
-ThesisSearchResult ThesisSearch::found(ThesisSolver solver) {
+ThesisSearchResult ThesisSearch::solve(ThesisSolver solver) {
   switch (solver) {
   case ThesisSolver::plain:
     break;
   case ThesisSolver::randomStarts:
     return fromRandomStarts();
   case ThesisSolver::ours:
-    return ours();
+    return solveOurs();
   case ThesisSolver::numeric:
-    return search(NumericPixelProblem{pixels_}, pixels_.start(zero()));
+    return search(NumericPixelProblem{pixels_}, pixels_.startState(zero()));
   case ThesisSolver::dlib:
   case ThesisSolver::swarm:
     return byCostsOnly(solver);
   }
-  return search(pixels_, pixels_.start(zero()));
+  return search(pixels_, pixels_.startState(zero()));
 }
 
 namespace {
@@ -229,58 +230,59 @@ ThesisStatus ThesisSolution::status(double tolerance) const {
 }
 
 ThesisTrial::ThesisTrial(const ThesisExperiment& stage, const ThesisSetting& setting, double pixel)
-    : stage_{stage}, setting_{setting}, noise_{thesisNoise(setting, pixel)}, plainModel_{unknownsOf(stage, noPrior,
-                                                                                                    noPrior)},
-      ourModel_{unknownsOf(stage, jointOffset().unknowns.front().sigma, cameraRotation().unknowns.front().sigma)},
-      taken_{stage.everything()} {}
+    : stage_{stage}, setting_{setting}, noise_{thesisNoise(setting, pixel)},
+      plainModel_{makeExperimentModel(stage, noPrior, noPrior)}, ourModel_{makeExperimentModel(
+                                                                     stage, jointOffset().unknowns.front().sigma,
+                                                                     cameraRotation().unknowns.front().sigma)},
+      taken_{stage.allObservations()} {}
 
 void ThesisTrial::draw(std::uint64_t seed, std::size_t number) {
   const std::string set = fmt::format("thesis set {}", number);
   RandomStream errors{seed, set}, measuring{seed, set + ", measured"};
-  truth_ = Eigen::VectorXd::Zero(at(stage_.model().unknownCount()));
+  truth_ = Eigen::VectorXd::Zero(eigenIndex(stage_.model().unknownCount()));
   for (double& offset : truth_.head(joints())) {
     do {
-      offset = errors.within(largestOffset);
+      offset = errors.uniformWithin(maxThesisOffset);
     } while (setting_.largeErrors && std::abs(offset) < leastError);
   }
   for (const Term& term : stage_.model().terms()) {
     for (std::size_t i = 0; term.first >= stage_.joints().size() && i < term.effect.unknowns.size(); ++i) {
       const double most = !term.isPlacement ? mostTurned : term.effect.unknowns[i].unit == "m" ? mostShifted : mostYaw;
-      truth_[at(term.first + i)] = errors.within(most);
+      truth_[eigenIndex(term.first + i)] = errors.uniformWithin(most);
     }
   }
   const double pixel = setting_.pixelNoise() ? noise_.pixel : 0;
-  stage_.take(
-      truth_, [&](double angle) { return angleReading(angle, setting_, measuring); }, pixel, measuring, taken_);
+  stage_.simulate(
+      truth_, [&](double angle) { return readAngle(angle, setting_, measuring); }, pixel, measuring, taken_);
   pixels_.emplace(taken_, plainModel_, onePixel);
   whitened_.emplace(taken_, ourModel_, noise_);
   if (!setting_.angleNoise()) {
     flat_.emplace(taken_, plainModel_, noise_);
   }
-  const auto atTruth = pixels_->linearised(pixels_->start(truth_)).value(); // what is seen lies before the camera
+  const auto atTruth = pixels_->linearise(pixels_->startState(truth_)).value(); // what is seen lies before the camera
   numbers_ = numbersOf(atTruth);
   rmsAtTruth_ = std::sqrt(2 * atTruth.cost / numbers_);
   starts_.emplace(seed, set + ", starts");
   limits_.emplace(seed, set + ", limit");
 }
 
-ThesisSolution ThesisTrial::answer(ThesisSolver solver) {
+ThesisSolution ThesisTrial::solve(ThesisSolver solver) {
   const ThesisSearchResult found =
-      ThesisSearch{*pixels_, *whitened_, flat_ ? &*flat_ : nullptr, stage_.joints().size(), numbers_, *starts_}.found(
+      ThesisSearch{*pixels_, *whitened_, flat_ ? &*flat_ : nullptr, stage_.joints().size(), numbers_, *starts_}.solve(
           solver);
-  const auto there = found.ended ? pixels_->linearised(pixels_->start(found.unknowns)) : std::nullopt;
+  const auto there = found.ended ? pixels_->linearise(pixels_->startState(found.unknowns)) : std::nullopt;
   if (!there) {
     return {};
   }
   return {true, std::sqrt(2 * there->cost / numbers_), 2 * rmsAtTruth_ + 1, (found.unknowns - truth_).head(joints())};
 }
 
-std::vector<double> ThesisTrial::limit(std::size_t draws) {
+std::vector<double> ThesisTrial::drawLimitErrors(std::size_t draws) {
   std::vector<double> result(draws, 0);
   if (setting_.noise == ThesisNoise::none) {
     return result;
   }
-  const Eigen::LLT<Eigen::MatrixXd> root{whitened_->linearised(whitened_->start(truth_)).value().hessian};
+  const Eigen::LLT<Eigen::MatrixXd> root{whitened_->linearise(whitened_->startState(truth_)).value().hessian};
   for (double& largest : result) {
     Eigen::VectorXd error{truth_.size()};
     for (double& number : error) {

@@ -26,14 +26,14 @@ public:
   ThesisTrial(const ThesisExperiment& stage, const ThesisSetting& setting, double pixel);
 
   void draw(std::uint64_t seed, std::size_t number);
-  ThesisSolution answer(ThesisSolver solver);
+  ThesisSolution solve(ThesisSolver solver);
 
   /// Largest offset errors [rad] that an efficient estimator would make on this set: draws of N(0, H^-1), H our
   /// solver's information at the true offsets, the prior of `naocal solve` included (Cramer-Rao limit; zero without
   /// noise). Rounding errors count as normal ones of the same variance.
-  std::vector<double> limit(std::size_t draws);
+  std::vector<double> drawLimitErrors(std::size_t draws);
 
-  const Measurements& taken() const { return taken_; }
+  const Measurements& measurements() const { return taken_; }
   Eigen::VectorXd offsets() const { return truth_.head(joints()); } // the true ones, per joint of the stage [rad]
   const Noise& noise() const { return noise_; }
 

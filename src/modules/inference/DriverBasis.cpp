@@ -24,7 +24,7 @@ Eigen::RowVectorXd legendre(double x, Eigen::Index count) {
   return result;
 }
 
-Eigen::RowVectorXd DriverBasis::basis(double x) const {
+Eigen::RowVectorXd DriverBasis::basisAt(double x) const {
   switch (shape) {
   case Shape::smooth:
     return legendre((x - middle) / half, count);
@@ -49,17 +49,17 @@ std::set<double> distinctValues(const std::vector<double>& values) {
   return result;
 }
 
-DriverBasis smoothCell(const std::set<double>& distinct, Eigen::Index degree) {
+DriverBasis polynomialBasis(const std::set<double>& distinct, Eigen::Index degree) {
   DriverBasis cell;
   cell.least = *distinct.begin();
   cell.most = *distinct.rbegin();
   cell.middle = (cell.least + cell.most) / 2;
   cell.half = cell.most - cell.middle;
-  cell.count = std::min(degree, at(distinct.size()) - 1);
+  cell.count = std::min(degree, eigenIndex(distinct.size()) - 1);
   return cell;
 }
 
-std::vector<DriverBasis> rippleCells() {
+std::vector<DriverBasis> rippleBases() {
   constexpr int fewest = 2, most = 8;
   std::vector<DriverBasis> result;
   for (int waves = fewest; waves <= most; ++waves) {
@@ -72,8 +72,8 @@ std::vector<DriverBasis> rippleCells() {
   return result;
 }
 
-std::vector<DriverBasis> stepCells(const std::set<double>& times) {
-  const std::vector<double> moments = momentsBetween(times, 24);
+std::vector<DriverBasis> stepBases(const std::set<double>& times) {
+  const std::vector<double> moments = midpointsBetween(times, 24);
   std::vector<DriverBasis> result;
   for (double moment : moments) {
     DriverBasis& cell = result.emplace_back();
@@ -85,7 +85,7 @@ std::vector<DriverBasis> stepCells(const std::set<double>& times) {
   return result;
 }
 
-DriverBasis rootCell(const std::set<double>& distinct) {
+DriverBasis rootBasis(const std::set<double>& distinct) {
   DriverBasis cell;
   cell.shape = DriverBasis::Shape::root;
   cell.half = std::max(std::abs(*distinct.begin()), std::abs(*distinct.rbegin()));
@@ -93,7 +93,7 @@ DriverBasis rootCell(const std::set<double>& distinct) {
   return cell;
 }
 
-std::vector<double> momentsBetween(const std::set<double>& times, std::size_t most) {
+std::vector<double> midpointsBetween(const std::set<double>& times, std::size_t most) {
   const std::vector<double> all{times.begin(), times.end()};
   const std::size_t gaps = all.size() - 1, parts = std::min(gaps, most);
   std::vector<double> result;
@@ -115,14 +115,14 @@ struct Bent {
   std::vector<std::vector<std::size_t>> pictures;
 };
 
-Bent bentBy(std::size_t motor, const PoseGroup& pose, const PosePart& part) {
+Bent findBent(std::size_t motor, const PoseGroup& pose, const PosePart& part) {
   Bent result;
   for (std::size_t i = 0; i < part.joints.size(); ++i) {
     if (part.joints[i] != motor) {
       continue;
     }
     if (result.pictures.empty()) {
-      result.first = at(i);
+      result.first = eigenIndex(i);
     }
     auto& pictures = result.pictures.emplace_back();
     for (const EncoderSample& reading : pose.readings) {
@@ -148,30 +148,30 @@ std::vector<double> valuesAt(const std::vector<Bent>& bent, const DriverSeries& 
 /// All that a motor's deflection may follow over one driver.
 std::vector<DriverBasis> allShapes(const DriverSeries& driver, std::size_t motor, const std::set<double>& distinct) {
   constexpr Eigen::Index degree = 4;
-  std::vector<DriverBasis> result{smoothCell(distinct, degree)};
+  std::vector<DriverBasis> result{polynomialBasis(distinct, degree)};
   if (driver.kind == Driver::angle && driver.joint == motor) {
-    const std::vector<DriverBasis> waves = rippleCells();
+    const std::vector<DriverBasis> waves = rippleBases();
     result.insert(result.end(), waves.begin(), waves.end());
   }
   if (driver.kind == Driver::time) {
-    const std::vector<DriverBasis> slips = stepCells(distinct);
+    const std::vector<DriverBasis> slips = stepBases(distinct);
     result.insert(result.end(), slips.begin(), slips.end());
   }
   if (driver.kind == Driver::torque && driver.joint == motor) {
-    result.push_back(rootCell(distinct));
+    result.push_back(rootBasis(distinct));
   }
   return result;
 }
 
 /// The columns of those cells that `shapesOf(driver, motor, distinct values)` makes.
 template <typename ShapesOf>
-DriverColumns columnsOf(const Measurements& measurements, std::vector<DriverSeries> drivers,
-                        const std::vector<PoseRows>& poses, const ShapesOf& shapesOf) {
+DriverColumns buildColumns(const Measurements& measurements, std::vector<DriverSeries> drivers,
+                           const std::vector<PoseRows>& poses, const ShapesOf& shapesOf) {
   DriverColumns result{std::move(drivers), {}, 0, std::vector<std::vector<DriverColumns::Block>>(poses.size())};
   for (std::size_t motor : measurements.joints) {
     std::vector<Bent> bent;
     for (std::size_t pose = 0; pose < poses.size(); ++pose) {
-      bent.push_back(bentBy(motor, measurements.poses[pose], poses[pose]));
+      bent.push_back(findBent(motor, measurements.poses[pose], poses[pose]));
     }
     const Eigen::Index firstColumn = result.count;
     const std::size_t firstCell = result.cells.size();
@@ -205,11 +205,13 @@ DriverColumns columnsOf(const Measurements& measurements, std::vector<DriverSeri
       if (rows == 0 || result.count == firstColumn) {
         continue;
       }
-      DriverColumns::Block block{bent[pose].first, firstColumn, Eigen::MatrixXd(at(rows), result.count - firstColumn)};
+      DriverColumns::Block block{bent[pose].first, firstColumn,
+                                 Eigen::MatrixXd(eigenIndex(rows), result.count - firstColumn)};
       for (std::size_t i = 0; i < valuesOf.size(); ++i) {
         const DriverBasis& cell = result.cells[firstCell + i];
         for (std::size_t row = 0; row < rows; ++row) {
-          block.values.row(at(row)).segment(cell.first - firstColumn, cell.count) = cell.basis(valuesOf[i][next + row]);
+          block.values.row(eigenIndex(row)).segment(cell.first - firstColumn, cell.count) =
+              cell.basisAt(valuesOf[i][next + row]);
         }
       }
       next += rows;
@@ -229,15 +231,16 @@ double DriverSeries::mean(const std::vector<std::size_t>& pictures) const {
   return sum / static_cast<double>(pictures.size());
 }
 
-DriverColumns driverColumns(const Measurements& measurements, std::vector<DriverSeries> drivers,
-                            const std::vector<PoseRows>& poses) {
-  return columnsOf(measurements, std::move(drivers), poses, allShapes);
+DriverColumns buildDriverColumns(const Measurements& measurements, std::vector<DriverSeries> drivers,
+                                 const std::vector<PoseRows>& poses) {
+  return buildColumns(measurements, std::move(drivers), poses, allShapes);
 }
 
-DriverColumns proportionalColumns(const Measurements& measurements, std::vector<DriverSeries> drivers,
-                                  const std::vector<PoseRows>& poses) {
-  return columnsOf(measurements, std::move(drivers), poses,
-                   [](const auto&, std::size_t, const auto& values) { return std::vector{smoothCell(values, 1)}; });
+DriverColumns buildProportionalColumns(const Measurements& measurements, std::vector<DriverSeries> drivers,
+                                       const std::vector<PoseRows>& poses) {
+  return buildColumns(measurements, std::move(drivers), poses, [](const auto&, std::size_t, const auto& values) {
+    return std::vector{polynomialBasis(values, 1)};
+  });
 }
 
 namespace {
@@ -257,11 +260,11 @@ void add(std::vector<DriverSeries>& drivers, DriverSeries driver, const std::vec
 
 } // namespace
 
-std::vector<DriverSeries> driversOf(const Measurements& measurements, const Model& model,
-                                    const Eigen::VectorXd& unknowns) {
+std::vector<DriverSeries> collectDrivers(const Measurements& measurements, const Model& model,
+                                         const Eigen::VectorXd& unknowns) {
   std::vector<RobotSample> instants;
   for (const ImageObservation& picture : measurements.pictures) {
-    instants.push_back(instantOf(measurements, model, picture, unknowns));
+    instants.push_back(sampleAt(measurements, model, picture, unknowns));
   }
   std::vector<DriverSeries> drivers;
   for (std::size_t joint : measurements.joints) {
@@ -297,7 +300,7 @@ std::vector<DriverSeries> driversOf(const Measurements& measurements, const Mode
   return drivers;
 }
 
-std::string nameAt(const DriverSeries& driver, std::size_t motor) {
+std::string expressionName(const DriverSeries& driver, std::size_t motor) {
   if (driver.joint == motor && driver.kind == Driver::angle) {
     return "q";
   }
@@ -325,7 +328,7 @@ double valueAt(const RobotSample& instant, Driver kind, std::size_t joint) {
   return kind == Driver::time ? instant.time.count() : instant.q[static_cast<Eigen::Index>(joint)];
 }
 
-Effect turning(const DriverSeries& driver, const DriverBasis& cell) {
+Effect makeTurnEffect(const DriverSeries& driver, const DriverBasis& cell) {
   Effect effect{.name = "mountTurns",
                 .what = {},
                 .formula = {},
@@ -334,13 +337,13 @@ Effect turning(const DriverSeries& driver, const DriverBasis& cell) {
                 .correct = [kind = driver.kind, joint = driver.joint, cell](ModelState& belief,
                                                                             const RobotSample& instant, std::size_t,
                                                                             std::span<const double> values) {
-                  const Eigen::RowVectorXd basis = cell.basis(valueAt(instant, kind, joint));
+                  const Eigen::RowVectorXd basis = cell.basisAt(valueAt(instant, kind, joint));
                   const Eigen::Map<const Eigen::Matrix3Xd> coefficients{values.data(), 3, cell.count};
                   belief.mountRotation() += coefficients * basis.transpose();
                 }};
   for (Eigen::Index n = 1; n <= cell.count; ++n) {
     for (const char* axis : {"x", "y", "z"}) {
-      effect.unknowns.push_back({axis + std::to_string(n), "rad", plausibleCurve});
+      effect.unknowns.push_back({axis + std::to_string(n), "rad", curvePriorSigma});
     }
   }
   return effect;
@@ -348,7 +351,7 @@ Effect turning(const DriverSeries& driver, const DriverBasis& cell) {
 
 } // namespace
 
-std::vector<MountCurve> mountCurves(const Measurements& measurements, const std::vector<DriverSeries>& drivers) {
+std::vector<MountCurve> buildMountCurves(const Measurements& measurements, const std::vector<DriverSeries>& drivers) {
   std::vector<MountCurve> result;
   for (std::size_t camera = 0; camera < measurements.robot.cameras.size(); ++camera) {
     for (std::size_t i = 0; i < drivers.size(); ++i) {
@@ -365,11 +368,11 @@ std::vector<MountCurve> mountCurves(const Measurements& measurements, const std:
       if (distinct.size() < 2) {
         continue;
       }
-      DriverBasis cell = smoothCell(distinct, mostPolynomials);
+      DriverBasis cell = polynomialBasis(distinct, mostPolynomials);
       cell.driver = i;
-      result.push_back(
-          {{turning(drivers[i], cell), camera, measurements.robot.cameras[camera].name + " over " + drivers[i].name},
-           cell});
+      result.push_back({{makeTurnEffect(drivers[i], cell), camera,
+                         measurements.robot.cameras[camera].name + " over " + drivers[i].name},
+                        cell});
     }
   }
   return result;

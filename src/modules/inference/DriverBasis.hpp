@@ -13,7 +13,7 @@
 namespace naocal {
 
 /// How large a curve's coefficients plausibly are [rad]: some tenths of a degree.
-constexpr double plausibleCurve = 0.005;
+constexpr double curvePriorSigma = 0.005;
 
 /// Legendre polynomials P_1 .. P_count at x in [-1, 1].
 Eigen::RowVectorXd legendre(double x, Eigen::Index count);
@@ -36,7 +36,7 @@ struct DriverBasis {
   std::size_t choices = 1; // cells of this shape, of which at most one is true
 
   /// Its columns at a value of the driver.
-  Eigen::RowVectorXd basis(double x) const;
+  Eigen::RowVectorXd basisAt(double x) const;
 };
 
 /// How much a driver must change to have changed, in its unit: less is a sum's rounding.
@@ -45,17 +45,17 @@ constexpr double leastChange = 1e-9;
 /// A driver's values, each once: those that differ by rounding only are one.
 std::set<double> distinctValues(const std::vector<double>& values);
 /// Polynomials up to a degree over a driver's distinct values, of which there are two or more; as many as those allow.
-DriverBasis smoothCell(const std::set<double>& distinct, Eigen::Index degree);
+DriverBasis polynomialBasis(const std::set<double>& distinct, Eigen::Index degree);
 /// Ripples of two and more periods per turn: one per turn is an effect with a name.
-std::vector<DriverBasis> rippleCells();
+std::vector<DriverBasis> rippleBases();
 /// Steps at moments between these times.
-std::vector<DriverBasis> stepCells(const std::set<double>& times);
+std::vector<DriverBasis> stepBases(const std::set<double>& times);
 /// The root of a driver with these values.
-DriverBasis rootCell(const std::set<double>& distinct);
+DriverBasis rootBasis(const std::set<double>& distinct);
 
 /// The middles of gaps between neighbouring times, at most `most`: all times in so many parts, the widest gap of each.
 /// What happens once happens while nothing is recorded, and the likelier the longer that lasts.
-std::vector<double> momentsBetween(const std::set<double>& times, std::size_t most);
+std::vector<double> midpointsBetween(const std::set<double>& times, std::size_t most);
 
 /// Something that was known at every capture and that a joint's deflection may vary with.
 struct DriverSeries {
@@ -89,20 +89,20 @@ struct DriverColumns {
 
 /// The map of each joint in `measurements.joints` over each of `drivers`. `poses`: as the residuals make them, for the
 /// places of their deflections.
-DriverColumns driverColumns(const Measurements& measurements, std::vector<DriverSeries> drivers,
-                            const std::vector<PoseRows>& poses);
+DriverColumns buildDriverColumns(const Measurements& measurements, std::vector<DriverSeries> drivers,
+                                 const std::vector<PoseRows>& poses);
 
 /// Only deflections in proportion to each of `drivers`.
-DriverColumns proportionalColumns(const Measurements& measurements, std::vector<DriverSeries> drivers,
-                                  const std::vector<PoseRows>& poses);
+DriverColumns buildProportionalColumns(const Measurements& measurements, std::vector<DriverSeries> drivers,
+                                       const std::vector<PoseRows>& poses);
 
 /// Everything that joints' deflections may vary with: angles and torques of all joints in use, time; and of each joint
 /// itself how it was approached, its temperature and its speed. What was recorded nowhere or never changed is left out.
-std::vector<DriverSeries> driversOf(const Measurements& measurements, const Model& model,
-                                    const Eigen::VectorXd& unknowns);
+std::vector<DriverSeries> collectDrivers(const Measurements& measurements, const Model& model,
+                                         const Eigen::VectorXd& unknowns);
 
 /// A driver's name in the expression of an effect at `motor`: "q" and "tau" for its own.
-std::string nameAt(const DriverSeries& driver, std::size_t motor);
+std::string expressionName(const DriverSeries& driver, std::size_t motor);
 
 /// A camera's mount turning as time passes or the head moves: a rotation vector in the mount's axes, each component a
 /// curve over one driver. The curves' constants are `cameraRotation`.
@@ -110,11 +110,11 @@ struct MountCurve {
   Term term;        // coefficients of the first column about x, y, z, then those of the second [rad]
   DriverBasis cell; // columns of each component
 
-  std::size_t camera() const { return term.at; }
+  std::size_t camera() const { return term.site; }
 };
 
 /// The cameras' part of the map: every mount over time and over the angles of the joints that carry it. Two polynomials
 /// suffice: a mount has no gear.
-std::vector<MountCurve> mountCurves(const Measurements& measurements, const std::vector<DriverSeries>& drivers);
+std::vector<MountCurve> buildMountCurves(const Measurements& measurements, const std::vector<DriverSeries>& drivers);
 
 } // namespace naocal

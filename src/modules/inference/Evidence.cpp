@@ -21,8 +21,8 @@ double tail(double fall, Eigen::Index freedom) {
 double smallestP(const ScoreProblem& problem, const ScoreTest& tests, const Eigen::VectorXd& ratio) {
   std::map<std::pair<bool, Eigen::Index>, double> largest; // of groups that are named or not, by their freedom
   for (std::size_t i = 0; i < problem.groups.size(); ++i) {
-    double& most = largest[{i < problem.named, tests.freedom(i)}];
-    most = std::max(most, ratio[at(i)]);
+    double& most = largest[{i < problem.named, tests.degreesOfFreedom(i)}];
+    most = std::max(most, ratio[eigenIndex(i)]);
   }
   double result = 1;
   for (const auto& [kind, most] : largest) {
@@ -32,17 +32,17 @@ double smallestP(const ScoreProblem& problem, const ScoreTest& tests, const Eige
 }
 
 /// At most how often pure noise shows a `smallestP` as small, if no two groups told the same (Bonferroni).
-double mostOften(const ScoreProblem& problem, double smallest) {
+double boundChance(const ScoreProblem& problem, double smallest) {
   const auto named = static_cast<double>(problem.named), all = static_cast<double>(problem.groups.size());
   return smallest * (named + (all - named) / threshold::curveRarity);
 }
 
 /// Of a group; where its first few coefficients may suffice, all degrees as likely: the mean of their Bayes factors.
-double bayesOf(const ColumnGroup& group, const Eigen::MatrixXd& information, const Eigen::VectorXd& score) {
+double groupBayesFactor(const ColumnGroup& group, const Eigen::MatrixXd& information, const Eigen::VectorXd& score) {
   const Eigen::Index part = group.part > 0 ? group.part : group.count;
   std::vector<double> degrees;
   for (Eigen::Index count = part; count <= group.count; count += part) {
-    degrees.push_back(bayesFactor(information.topLeftCorner(count, count), score.head(count)));
+    degrees.push_back(computeBayesFactor(information.topLeftCorner(count, count), score.head(count)));
   }
   const double most = *std::max_element(degrees.begin(), degrees.end());
   double mean = 0;
@@ -71,18 +71,18 @@ double fallBeside(const ScoreProblem& problem, const ScoreTest& tests, const Eig
 }
 
 /// Estimates and Bayes factors of the measurements' groups.
-GroupEvidence described(const ScoreProblem& problem, const ScoreTest& tests, std::size_t i,
-                        const Eigen::VectorXd& scores) {
+GroupEvidence describeGroup(const ScoreProblem& problem, const ScoreTest& tests, std::size_t i,
+                            const Eigen::VectorXd& scores) {
   const ColumnGroup& columns = problem.groups[i];
   const Eigen::VectorXd plausible = problem.plausible.segment(columns.first, columns.count);
   Eigen::MatrixXd scaled = plausible.asDiagonal() * tests.informationOf(i) * plausible.asDiagonal();
   const Eigen::VectorXd scaledScore = plausible.cwiseProduct(scores.segment(columns.first, columns.count));
   GroupEvidence group;
-  group.bayes = bayesOf(columns, scaled, scaledScore);
+  group.bayes = groupBayesFactor(columns, scaled, scaledScore);
   scaled.diagonal().array() += 1e-4; // a wide prior instead of none: absorbed directions stay where they are
   const Eigen::LDLT<Eigen::MatrixXd> wide{scaled};
   group.keptFraction = tests.keptFraction(i);
-  group.freedom = tests.freedom(i);
+  group.freedom = tests.degreesOfFreedom(i);
   group.estimate = plausible.cwiseProduct(wide.solve(scaledScore));
   group.covariance = plausible.asDiagonal() * wide.solve(Eigen::MatrixXd::Identity(columns.count, columns.count)) *
                      plausible.asDiagonal();
@@ -94,7 +94,7 @@ GroupEvidence described(const ScoreProblem& problem, const ScoreTest& tests, std
 
 } // namespace
 
-double bayesFactor(const Eigen::MatrixXd& information, const Eigen::VectorXd& score) {
+double computeBayesFactor(const Eigen::MatrixXd& information, const Eigen::VectorXd& score) {
   double most = 0, sum = 0;
   for (const auto& [width, odds] : plausibleWidths) {
     Eigen::MatrixXd posterior = information;
@@ -109,18 +109,18 @@ double bayesFactor(const Eigen::MatrixXd& information, const Eigen::VectorXd& sc
   return most + 2 * std::log(sum);
 }
 
-Evidence evidenceOf(const ScoreProblem& problem, const Noise& noise, Eigen::Index draws, std::uint64_t seed) {
+Evidence computeEvidence(const ScoreProblem& problem, const Noise& noise, Eigen::Index draws, std::uint64_t seed) {
   const PoseResiduals measured = measuredResiduals(*problem.poses);
   const NullModel alone{problem, noise};
   const ScoreTest tests{alone};
   const Eigen::MatrixXd own = alone(measured, problem.priorScore()).own;
   const Eigen::VectorXd scores = tests.projectedScores(measured, own).col(0);
-  const Eigen::VectorXd ratio = tests.falls(measured, own);
+  const Eigen::VectorXd ratio = tests.chi2Decreases(measured, own);
   Evidence result;
   for (std::size_t i = 0; i < problem.groups.size(); ++i) {
-    GroupEvidence& group = result.groups.emplace_back(described(problem, tests, i, scores));
-    group.likelihoodRatio = ratio[at(i)];
-    group.pValue = tail(ratio[at(i)], tests.freedom(i));
+    GroupEvidence& group = result.groups.emplace_back(describeGroup(problem, tests, i, scores));
+    group.likelihoodRatio = ratio[eigenIndex(i)];
+    group.pValue = tail(ratio[eigenIndex(i)], tests.degreesOfFreedom(i));
   }
   const auto likeliestFrom = [&](std::size_t from) {
     const auto found =
@@ -141,16 +141,17 @@ Evidence evidenceOf(const ScoreProblem& problem, const Noise& noise, Eigen::Inde
       const bool likely = i != first && group.bayes > 2 * std::log(static_cast<double>(problem.named));
       result.matters =
           likely && group.matters() &&
-          mostOften(problem, tail(fallBeside(problem, tests, scores, problem.groups[i], problem.groups[first]),
-                                  group.freedom)) <= threshold::alarm;
+          boundChance(problem, tail(fallBeside(problem, tests, scores, problem.groups[i], problem.groups[first]),
+                                    group.freedom)) <= threshold::alarm;
     }
   }
   result.information = tests.information();
   if (draws == 0) {
     return result;
   }
-  const PoseResiduals noiseOnly = drawnResiduals(*problem.poses, noise, draws, seed);
-  const Eigen::MatrixXd drawn = tests.falls(noiseOnly, alone(noiseOnly, Eigen::VectorXd::Zero(problem.own())).own);
+  const PoseResiduals noiseOnly = drawResiduals(*problem.poses, noise, draws, seed);
+  const Eigen::MatrixXd drawn =
+      tests.chi2Decreases(noiseOnly, alone(noiseOnly, Eigen::VectorXd::Zero(problem.ownCount())).own);
   std::vector<double> smallest;
   for (Eigen::Index i = 0; i < draws; ++i) {
     smallest.push_back(smallestP(problem, tests, drawn.col(i)));
@@ -160,7 +161,7 @@ Evidence evidenceOf(const ScoreProblem& problem, const Noise& noise, Eigen::Inde
   const auto as = std::upper_bound(smallest.begin(), smallest.end(), seen) - smallest.begin();
   result.pValue = (1 + static_cast<double>(as)) / (1 + static_cast<double>(draws));
   if (as == 0) { // beyond all that was drawn
-    result.pValue = std::min(result.pValue, mostOften(problem, seen));
+    result.pValue = std::min(result.pValue, boundChance(problem, seen));
   }
   result.criticalP = smallest[smallest.size() / 20];
   return result;

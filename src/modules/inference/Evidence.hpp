@@ -12,7 +12,7 @@ namespace naocal {
 struct GroupEvidence {
   double likelihoodRatio = 0; // fall of chi2, -2 ln likelihood, when it is added
   double pValue = 1;          // of that ratio by chi2, as if it were the only candidate
-  double bayes = 0;           // 2 ln of the Bayes factor against the model alone (`bayesFactor`)
+  double bayes = 0;           // 2 ln of the Bayes factor against the model alone (`computeBayesFactor`)
   double keptFraction = 0;
   double movedPx = 0; // how far it moves predicted corners, rms, the own unknowns refitted; of likely effects and the
                       // likeliest curve only
@@ -44,11 +44,12 @@ constexpr PlausibleWidth plausibleWidths[] = {{1, 0.8}, {4, 0.2}};
 /// 2 ln of the Bayes factor of coefficients ~ N(0, width^2), mixed over `plausibleWidths`, against none:
 ///   B(width) = |I + width^2 V|^-1/2 exp(s^T (V + width^-2)^-1 s / 2),   s, V their score and information in units of
 /// what is plausible.
-double bayesFactor(const Eigen::MatrixXd& information, const Eigen::VectorXd& score);
+double computeBayesFactor(const Eigen::MatrixXd& information, const Eigen::VectorXd& score);
 
 /// Score tests of all groups at one level of noise, with the null distribution of their largest by a parametric
 /// bootstrap of the linearised problem (`draws` sets of pure noise; none when 0): the alarm's rate is then right for
 /// any number of poses and any correlation of candidates.
-Evidence evidenceOf(const ScoreProblem& problem, const Noise& noise, Eigen::Index draws = 0, std::uint64_t seed = 1);
+Evidence computeEvidence(const ScoreProblem& problem, const Noise& noise, Eigen::Index draws = 0,
+                         std::uint64_t seed = 1);
 
 } // namespace naocal

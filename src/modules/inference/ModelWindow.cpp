@@ -31,15 +31,15 @@ using Members = std::vector<WindowMember>;
 class Window {
 public:
   Window(const WideModel& wide, const Noise& noise, std::size_t expected)
-      : problem_{wide.problem()}, expected_{expected}, alone_{problem_, noise}, tests_{alone_}, misfit_{poseMisfit(
+      : problem_{wide.problem()}, expected_{expected}, alone_{problem_, noise}, tests_{alone_}, misfit_{testPoseMisfit(
                                                                                                     problem_, noise)} {
     const PoseResiduals measured = measuredResiduals(*problem_.poses);
     const Eigen::MatrixXd own = alone_(measured, problem_.priorScore()).own;
     score_ = problem_.plausible.cwiseProduct(tests_.projectedScores(measured, own).col(0));
     const auto& factor = alone_.factor();
-    answers_ = factor.matrixU().solve(tests_.explained()) * problem_.plausible.asDiagonal();
+    answers_ = factor.matrixU().solve(tests_.explainedInformation()) * problem_.plausible.asDiagonal();
     alone0_ = problem_.unknowns - factor.matrixU().solve(own).col(0);
-    variances_ = factor.solve(Eigen::MatrixXd::Identity(problem_.own(), problem_.own())).diagonal();
+    variances_ = factor.solve(Eigen::MatrixXd::Identity(problem_.ownCount(), problem_.ownCount())).diagonal();
     moveToZero(wide.sizes());
     countGroups();
   }
@@ -48,7 +48,7 @@ public:
   WindowModel model(const Members& members) {
     WindowModel result{.members = members};
     const std::vector<Eigen::Index> columns = columnsOf(members);
-    const auto count = at(columns.size());
+    const auto count = eigenIndex(columns.size());
     if (count == 0) {
       result.unknowns = alone0_;
       result.variances = variances_;
@@ -128,7 +128,7 @@ private:
         if (row == column) {
           break;
         }
-        const Eigen::MatrixXd between = with(earlier).middleRows(group.first, member.count);
+        const Eigen::MatrixXd between = informationWith(earlier).middleRows(group.first, member.count);
         result.block(column, row, member.count, earlier.count) = between;
         result.block(row, column, earlier.count, member.count) = between.transpose();
         row += earlier.count;
@@ -138,7 +138,7 @@ private:
     return result;
   }
   /// Information of all columns with a member's.
-  Eigen::Ref<const Eigen::MatrixXd> with(const WindowMember& member) {
+  Eigen::Ref<const Eigen::MatrixXd> informationWith(const WindowMember& member) {
     auto [entry, isNew] = known_.try_emplace(member.group);
     if (isNew) {
       const ColumnGroup& group = problem_.groups[member.group];
@@ -157,7 +157,7 @@ private:
         continue;
       }
       const Eigen::VectorXd scaled = own.cwiseQuotient(problem_.plausible.segment(columns.first, columns.count));
-      const Eigen::VectorXd pull = with({group, columns.count}) * scaled;
+      const Eigen::VectorXd pull = informationWith({group, columns.count}) * scaled;
       chi2OfNone_ += 2 * score_.segment(columns.first, columns.count).dot(scaled) +
                      scaled.dot(pull.segment(columns.first, columns.count));
       score_ += pull;
@@ -194,19 +194,19 @@ private:
   std::map<std::size_t, Eigen::MatrixXd> known_;
 };
 
-bool has(const Members& members, std::size_t group) {
+bool hasGroup(const Members& members, std::size_t group) {
   return std::any_of(members.begin(), members.end(), [&](const WindowMember& one) { return one.group == group; });
 }
 
-Members without(Members members, std::size_t place) {
+Members removeMember(Members members, std::size_t place) {
   members.erase(members.begin() + static_cast<std::ptrdiff_t>(place));
   return members;
 }
 
 /// Each group that `members` lacks, added in the degree that suits it best.
-template <class Visit> void eachAddition(Window& window, const Members& members, const Visit& visit) {
+template <class Visit> void visitAdditions(Window& window, const Members& members, const Visit& visit) {
   for (std::size_t group = 0; group < window.groups(); ++group) {
-    if (has(members, group)) {
+    if (hasGroup(members, group)) {
       continue;
     }
     std::optional<WindowModel> best;
@@ -223,11 +223,11 @@ template <class Visit> void eachAddition(Window& window, const Members& members,
 }
 
 /// Adds what lowers the cost most, then drops what does not raise it.
-WindowModel likeliest(Window& window) {
+WindowModel findLikeliest(Window& window) {
   WindowModel best = window.model({});
   while (best.members.size() < mostMembers) {
     std::optional<WindowModel> next;
-    eachAddition(window, best.members, [&](WindowModel larger) {
+    visitAdditions(window, best.members, [&](WindowModel larger) {
       if (larger.cost < best.cost && (!next || larger.cost < next->cost)) {
         next = std::move(larger);
       }
@@ -237,7 +237,7 @@ WindowModel likeliest(Window& window) {
     }
     best = *std::move(next);
     for (std::size_t i = 0; i + 1 < best.members.size();) {
-      WindowModel smaller = window.model(without(best.members, i));
+      WindowModel smaller = window.model(removeMember(best.members, i));
       if (smaller.cost <= best.cost) {
         best = std::move(smaller);
         i = 0;
@@ -253,26 +253,26 @@ WindowModel likeliest(Window& window) {
 std::vector<WindowModel> neighbours(Window& window, const WindowModel& best) {
   std::vector<WindowModel> result{best};
   for (std::size_t i = 0; i < best.members.size(); ++i) {
-    const Members smaller = without(best.members, i);
+    const Members smaller = removeMember(best.members, i);
     result.push_back(window.model(smaller));
-    eachAddition(window, smaller, [&](WindowModel swapped) {
-      if (!has(best.members, swapped.members.back().group)) {
+    visitAdditions(window, smaller, [&](WindowModel swapped) {
+      if (!hasGroup(best.members, swapped.members.back().group)) {
         result.push_back(std::move(swapped));
       }
     });
   }
   if (best.members.size() < mostMembers) {
-    eachAddition(window, best.members, [&](WindowModel larger) { result.push_back(std::move(larger)); });
+    visitAdditions(window, best.members, [&](WindowModel larger) { result.push_back(std::move(larger)); });
   }
   return result;
 }
 
 } // namespace
 
-ModelWindow modelWindow(const WideModel& wide, const Noise& noise, std::size_t expected) {
+ModelWindow searchModelWindow(const WideModel& wide, const Noise& noise, std::size_t expected) {
   Window window{wide, noise, expected};
   ModelWindow result;
-  result.models = neighbours(window, likeliest(window));
+  result.models = neighbours(window, findLikeliest(window));
   std::sort(result.models.begin(), result.models.end(),
             [](const WindowModel& a, const WindowModel& b) { return a.cost < b.cost; });
   const WindowModel& best = result.models.front();
@@ -284,7 +284,7 @@ ModelWindow modelWindow(const WideModel& wide, const Noise& noise, std::size_t e
   std::erase_if(result.models, [](const WindowModel& model) { return model.weight < leastWeight; });
   const double kept = std::accumulate(result.models.begin(), result.models.end(), 0.0,
                                       [](double all, const WindowModel& model) { return all + model.weight; });
-  result.mean = result.variance = Eigen::VectorXd::Zero(wide.problem().own());
+  result.mean = result.variance = Eigen::VectorXd::Zero(wide.problem().ownCount());
   result.groupWeights.assign(wide.problem().groups.size(), 0);
   for (WindowModel& model : result.models) {
     model.weight /= kept;

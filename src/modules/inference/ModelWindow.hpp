@@ -29,9 +29,9 @@ struct WindowModel {
 /// What the captures say of the own unknowns if this or that may be missing: an average over a window of models.
 ///
 /// The cost of a model m, D_m = -2 ln B_m + 2 ln K per effect (K: effects to choose from; for a curve: curves, times
-/// four degrees) with B_m as in `bayesFactor`. From the model alone, the group that lowers D most is added until none
-/// does, then what does not raise D by its removal is dropped (a twin leaves when the truth joins). The window is that
-/// model, every removal, every swap of one member, and every addition (Madigan and Raftery, JASA 89 (1994) 1535;
+/// four degrees) with B_m as in `computeBayesFactor`. From the model alone, the group that lowers D most is added until
+/// none does, then what does not raise D by its removal is dropped (a twin leaves when the truth joins). The window is
+/// that model, every removal, every swap of one member, and every addition (Madigan and Raftery, JASA 89 (1994) 1535;
 /// Hoeting et al., Statistical Science 14 (1999) 382), weighted by exp(-D_m / (2 misfit)) (quasi-likelihood: Burnham
 /// and Anderson, Model selection, 2002, section 2.5):
 ///   mean = sum w_m unknowns_m,   variance = sum w_m [misfit C_m + (unknowns_m - mean)^2].
@@ -46,6 +46,6 @@ struct ModelWindow {
   /// The 95 % interval of an own unknown's posterior, a mixture of Student's t about each model's value: [low, high].
   std::array<double, 2> interval(Eigen::Index unknown) const;
 };
-ModelWindow modelWindow(const WideModel& wide, const Noise& noise, std::size_t expected = 0);
+ModelWindow searchModelWindow(const WideModel& wide, const Noise& noise, std::size_t expected = 0);
 
 } // namespace naocal

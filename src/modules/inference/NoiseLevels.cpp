@@ -16,7 +16,7 @@ double noiseFloorPx(const std::vector<PoseRows>& poses, const Noise& noise) {
   double numbers = 0, expected = 0;
   for (const PoseRows& pose : poses) {
     numbers += pose.numbers;
-    const Eigen::MatrixXd moved = pose.byDeflections * deflectionRoot(pose, noise);
+    const Eigen::MatrixXd moved = pose.byDeflections * jointErrorRoot(pose, noise);
     expected += corner * pose.numbers + moved.squaredNorm();
   }
   return std::sqrt(2 * expected / std::max(1.0, numbers));
@@ -34,7 +34,7 @@ struct Candidates {
 };
 
 /// -2 ln likelihood of candidates ~ N(0, kappa^2), against none.
-double devianceOf(const Candidates& all, double kappa) {
+double computeDeviance(const Candidates& all, double kappa) {
   Eigen::MatrixXd posterior = all.information;
   posterior.diagonal().array() += 1 / (kappa * kappa);
   const Eigen::LLT<Eigen::MatrixXd> factor{posterior};
@@ -57,7 +57,7 @@ double wideDeviance(const ScoreProblem& problem, const Noise& noise) {
                            plausible.asDiagonal()};
   double least = 0;
   for (const double kappa : kappas) {
-    least = std::min(least, devianceOf(all, kappa));
+    least = std::min(least, computeDeviance(all, kappa));
   }
   return outcome.deviance[0] + least;
 }
@@ -120,10 +120,10 @@ private:
   void add(const ScoreProblem& problem, const Noise& noise, double Noise::*level, bool penalised,
            const std::vector<double>& further) {
     std::vector<double> found(further.size());
-    inParallel(further.size(), [&](std::size_t i) {
+    parallelFor(further.size(), [&](std::size_t i) {
       Noise there = noise;
       there.*level = further[i];
-      found[i] = wideDeviance(problem, there) + (penalised ? scatterPenalty(further[i]) : 0);
+      found[i] = wideDeviance(problem, there) + (penalised ? poseNoisePenalty(further[i]) : 0);
     });
     for (std::size_t i = 0; i < further.size(); ++i) {
       const auto place = std::upper_bound(levels.begin(), levels.end(), further[i]) - levels.begin();
@@ -135,12 +135,12 @@ private:
 
 } // namespace
 
-double scatterPenalty(double level) {
+double poseNoisePenalty(double level) {
   const double ratio = level / usualScatter;
   return 2 * std::log1p(ratio * ratio);
 }
 
-NoiseLevels noiseLevels(const ScoreProblem& wide, const Noise& noise, const RepeatInfo& repeated) {
+NoiseLevels estimateNoiseLevels(const ScoreProblem& wide, const Noise& noise, const RepeatInfo& repeated) {
   const DriverColumns none{.blocks = std::vector<std::vector<DriverColumns::Block>>(wide.poses->size())};
   ScoreProblem problem = wide;
   problem.groups.resize(problem.named);

@@ -35,7 +35,7 @@ constexpr double suspectScatter = 0.8 * mostScatter;
 
 /// -2 ln of the half-Cauchy prior of pose noise [rad], up to a constant, of 0.02 degrees: few poses hardly tell its
 /// level (Gelman, Bayesian Analysis 1 (2006) 515).
-double scatterPenalty(double level);
+double poseNoisePenalty(double level);
 
 /// Re-approach, stance and pose noise by restricted likelihood (REML: Patterson and Thompson, Biometrika 58 (1971) 545)
 /// under the widest model: all candidate effects are in it as random effects gamma ~ N(0, kappa^2) in units of what is
@@ -50,6 +50,6 @@ double scatterPenalty(double level);
 /// projected out. Re-approach and stance are told by differences within poses alone (pose noise set free); re-approach
 /// only where poses were left and taken again, stance only where they were taken again by a robot put down anew.
 /// `noise`: pixels and encoders, which stay. The problem's curves are left out: they would take scatter for a shape.
-NoiseLevels noiseLevels(const ScoreProblem& wide, const Noise& noise, const RepeatInfo& repeated);
+NoiseLevels estimateNoiseLevels(const ScoreProblem& wide, const Noise& noise, const RepeatInfo& repeated);
 
 } // namespace naocal

@@ -11,12 +11,12 @@ namespace {
 constexpr double everything = 0.05; // [rad]: a pose noise that lets every joint go where it likes
 
 Eigen::MatrixXd deflectionCovariance(const PosePart& pose, const Noise& noise) {
-  const JointErrorRoot root = deflectionRoot(pose, noise);
+  const JointErrorRoot root = jointErrorRoot(pose, noise);
   return Eigen::MatrixXd{root * JointErrorRoot{root.transpose()}};
 }
 
 /// chi2 of the model alone at its minimum, its unknowns' priors included.
-double chi2Of(const NullModel& alone) {
+double computeChi2(const NullModel& alone) {
   const ScoreProblem& problem = alone.problem();
   double squares = 0;
   for (const PoseRows& pose : *problem.poses) {
@@ -29,14 +29,14 @@ double chi2Of(const NullModel& alone) {
 
 } // namespace
 
-PoseMisfit poseMisfit(const ScoreProblem& problem, const Noise& noise) {
+PoseMisfit testPoseMisfit(const ScoreProblem& problem, const Noise& noise) {
   Noise loose = noise;
   loose.pose = everything;
   const NullModel held{problem, noise}, free{problem, loose};
   PoseMisfit result;
-  result.within = chi2Of(free);
-  result.chi2 = std::max(0.0, chi2Of(held) - result.within);
-  Eigen::MatrixXd learned = Eigen::MatrixXd::Zero(problem.own(), problem.own());
+  result.within = computeChi2(free);
+  result.chi2 = std::max(0.0, computeChi2(held) - result.within);
+  Eigen::MatrixXd learned = Eigen::MatrixXd::Zero(problem.ownCount(), problem.ownCount());
   const double information = 1 / (noise.pixel * noise.pixel);
   for (std::size_t number = 0; number < problem.poses->size(); ++number) {
     const PoseRows& pose = (*problem.poses)[number];
@@ -46,8 +46,8 @@ PoseMisfit poseMisfit(const ScoreProblem& problem, const Noise& noise) {
     result.directions += (information * (pose.byDeflections.transpose() * pose.byDeflections) - bent.transpose() * bent)
                              .cwiseProduct(more)
                              .sum();
-    const Eigen::Index own = problem.ownOf(pose);
-    const std::vector<std::size_t> unknowns = problem.ownUnknownsOf(pose);
+    const Eigen::Index own = problem.ownCountIn(pose);
+    const std::vector<std::size_t> unknowns = problem.ownUnknownsIn(pose);
     const Eigen::MatrixXd cross = information * (pose.byUnknowns.leftCols(own).transpose() * pose.byDeflections) -
                                   whitener.unknowns.leftCols(own).transpose() * bent;
     learned(unknowns, unknowns) += cross * more * cross.transpose();

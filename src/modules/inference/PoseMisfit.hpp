@@ -15,6 +15,6 @@ struct PoseMisfit {
   double directions = 0; // of the poses' deflections that the pictures tell: the first sum
   double within = 0;     // chi2 with every joint free
 };
-PoseMisfit poseMisfit(const ScoreProblem& problem, const Noise& noise);
+PoseMisfit testPoseMisfit(const ScoreProblem& problem, const Noise& noise);
 
 } // namespace naocal

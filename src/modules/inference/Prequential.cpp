@@ -33,8 +33,8 @@ struct Outcome {
 };
 
 /// Of some poses only.
-Outcome outcomeOf(const ScoreProblem& problem, const Noise& noise, const std::vector<std::size_t>& poses,
-                  std::size_t group) {
+Outcome evaluateOutcome(const ScoreProblem& problem, const Noise& noise, const std::vector<std::size_t>& poses,
+                        std::size_t group) {
   std::vector<PoseRows> rows;
   for (const std::size_t pose : poses) {
     rows.push_back((*problem.poses)[pose]);
@@ -44,14 +44,14 @@ Outcome outcomeOf(const ScoreProblem& problem, const Noise& noise, const std::ve
   part.plausible = problem.plausible;
   part.groups = {problem.groups[group]};
   part.named = 1;
-  const GroupEvidence evidence = evidenceOf(part, noise).groups.front();
-  const PoseMisfit misfit = poseMisfit(part, noise);
+  const GroupEvidence evidence = computeEvidence(part, noise).groups.front();
+  const PoseMisfit misfit = testPoseMisfit(part, noise);
   return {evidence.bayes, std::max(0.0, misfit.chi2 - evidence.likelihoodRatio), misfit.freedom};
 }
 
 } // namespace
 
-std::vector<std::size_t> posesInTime(const Measurements& measurements) {
+std::vector<std::size_t> sortPosesByTime(const Measurements& measurements) {
   std::vector<std::size_t> order(measurements.poses.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -64,15 +64,15 @@ bool Prequential::predicts() const {
   return gain > threshold::predictsNext && tail > threshold::predictsTail;
 }
 
-Prequential prequential(const ScoreProblem& problem, const Noise& noise, const std::vector<std::size_t>& order,
-                        std::size_t group) {
+Prequential scorePrequentially(const ScoreProblem& problem, const Noise& noise, const std::vector<std::size_t>& order,
+                               std::size_t group) {
   const auto first = static_cast<std::ptrdiff_t>(order.size() - (order.size() + 4) / 5);
-  const Outcome all = outcomeOf(problem, noise, order, group),
-                before = outcomeOf(problem, noise, {order.begin(), order.begin() + first}, group);
+  const Outcome all = evaluateOutcome(problem, noise, order, group),
+                before = evaluateOutcome(problem, noise, {order.begin(), order.begin() + first}, group);
   const double freedom = std::max(1.0, all.freedom - before.freedom);
   const double usual = std::max(1.0, before.chi2 / before.freedom); // what other effects leave everywhere
   return {.gain = all.bayes - before.bayes,
-          .tail = fisherTail(std::max(0.0, all.chi2 - before.chi2) / freedom / usual, freedom, before.freedom)};
+          .tail = fTail(std::max(0.0, all.chi2 - before.chi2) / freedom / usual, freedom, before.freedom)};
 }
 
 } // namespace naocal

@@ -9,7 +9,7 @@
 namespace naocal {
 
 /// Poses in the order in which they were taken.
-std::vector<std::size_t> posesInTime(const Measurements& measurements);
+std::vector<std::size_t> sortPosesByTime(const Measurements& measurements);
 
 /// How well a group of columns predicts the last fifth of the poses from those before. What drifts must: a line through
 /// a step lowers the error of poses between others, but not of those to come.
@@ -20,8 +20,8 @@ struct Prequential {
 
   bool predicts() const;
 };
-/// `order`: of the problem's poses, as in `posesInTime`. `group`: one of the named ones.
-Prequential prequential(const ScoreProblem& problem, const Noise& noise, const std::vector<std::size_t>& order,
-                        std::size_t group);
+/// `order`: of the problem's poses, as in `sortPosesByTime`. `group`: one of the named ones.
+Prequential scorePrequentially(const ScoreProblem& problem, const Noise& noise, const std::vector<std::size_t>& order,
+                               std::size_t group);
 
 } // namespace naocal

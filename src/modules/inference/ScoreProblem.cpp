@@ -32,7 +32,7 @@ void GramSum::add(const std::vector<std::size_t>& columns, const Eigen::MatrixXd
   }
 }
 
-Eigen::MatrixXd GramSum::taken() {
+Eigen::MatrixXd GramSum::sum() {
   multiply();
   return sum_.selfadjointView<Eigen::Lower>();
 }
@@ -48,7 +48,7 @@ void GramSum::multiply() {
 
 namespace {
 
-Eigen::MatrixXd normals(Eigen::Index rows, Eigen::Index columns, boost::random::mt19937_64& random) {
+Eigen::MatrixXd drawNormals(Eigen::Index rows, Eigen::Index columns, boost::random::mt19937_64& random) {
   boost::random::normal_distribution<double> normal;
   return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return normal(random); });
 }
@@ -63,14 +63,14 @@ PoseResiduals measuredResiduals(const std::vector<PoseRows>& poses) {
   return result;
 }
 
-PoseResiduals drawnResiduals(const std::vector<PoseRows>& poses, const Noise& noise, Eigen::Index draws,
-                             std::uint64_t seed) {
+PoseResiduals drawResiduals(const std::vector<PoseRows>& poses, const Noise& noise, Eigen::Index draws,
+                            std::uint64_t seed) {
   boost::random::mt19937_64 random{seed};
   PoseResiduals result;
   for (const PoseRows& pose : poses) {
-    Eigen::MatrixXd& drawn = result.emplace_back(noise.pixel * normals(pose.residual.size(), draws, random));
-    const Eigen::MatrixXd deflections = normals(pose.byDeflections.cols(), draws, random);
-    drawn.noalias() += Eigen::MatrixXd{pose.byDeflections * deflectionRoot(pose, noise)} * deflections;
+    Eigen::MatrixXd& drawn = result.emplace_back(noise.pixel * drawNormals(pose.residual.size(), draws, random));
+    const Eigen::MatrixXd deflections = drawNormals(pose.byDeflections.cols(), draws, random);
+    drawn.noalias() += Eigen::MatrixXd{pose.byDeflections * jointErrorRoot(pose, noise)} * deflections;
   }
   return result;
 }
@@ -78,22 +78,22 @@ PoseResiduals drawnResiduals(const std::vector<PoseRows>& poses, const Noise& no
 ScoreProblem::ScoreProblem(const std::vector<PoseRows>& poses, const DriverColumns& map, Eigen::VectorXd unknowns,
                            Eigen::VectorXd sigmas, Eigen::Index candidates)
     : poses{&poses}, map{&map}, unknowns{std::move(unknowns)}, sigmas{std::move(sigmas)}, candidates{candidates} {
-  const Eigen::Index columns = own() + candidates;
+  const Eigen::Index columns = ownCount() + candidates;
   gram = Eigen::MatrixXd::Zero(columns, columns);
-  for (GramSum& part : gatheredInParts(
+  for (GramSum& part : gatherInParts(
            poses.size(), [&] { return GramSum{columns}; },
            [&](std::size_t pose, GramSum&sum) { sum.add(poses[pose].unknowns, poses[pose].byUnknowns); })) {
-    gram += part.taken();
+    gram += part.sum();
   }
 }
 
-Eigen::Index ScoreProblem::ownOf(const PosePart& pose) const {
-  return std::lower_bound(pose.unknowns.begin(), pose.unknowns.end(), static_cast<std::size_t>(own())) -
+Eigen::Index ScoreProblem::ownCountIn(const PosePart& pose) const {
+  return std::lower_bound(pose.unknowns.begin(), pose.unknowns.end(), static_cast<std::size_t>(ownCount())) -
          pose.unknowns.begin();
 }
 
-std::vector<std::size_t> ScoreProblem::ownUnknownsOf(const PosePart& pose) const {
-  return {pose.unknowns.begin(), pose.unknowns.begin() + ownOf(pose)};
+std::vector<std::size_t> ScoreProblem::ownUnknownsIn(const PosePart& pose) const {
+  return {pose.unknowns.begin(), pose.unknowns.begin() + ownCountIn(pose)};
 }
 
 } // namespace naocal

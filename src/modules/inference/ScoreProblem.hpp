@@ -20,7 +20,7 @@ public:
   /// `columns`: which one each of the rows' columns is.
   void add(const std::vector<std::size_t>& columns, const Eigen::MatrixXd& rows);
   /// Symmetric; what was added so far.
-  Eigen::MatrixXd taken();
+  Eigen::MatrixXd sum();
 
 private:
   void multiply();
@@ -38,8 +38,8 @@ PoseResiduals measuredResiduals(const std::vector<PoseRows>& poses);
 
 /// `draws` sets of residuals that are nothing but noise: r ~ N(0, pixel^2 I + J_t S J_t^T). The same seed gives the
 /// same draws.
-PoseResiduals drawnResiduals(const std::vector<PoseRows>& poses, const Noise& noise, Eigen::Index draws,
-                             std::uint64_t seed);
+PoseResiduals drawResiduals(const std::vector<PoseRows>& poses, const Noise& noise, Eigen::Index draws,
+                            std::uint64_t seed);
 
 /// Columns that stand or fall together: an effect's unknowns, or a curve of the map's.
 struct ColumnGroup {
@@ -66,10 +66,10 @@ struct ScoreProblem {
   Eigen::Index candidates = 0;     // columns that `poses` have beyond the own unknowns
   Eigen::VectorXd plausible;       // per column of a group: how large its coefficient plausibly is
 
-  Eigen::Index own() const { return sigmas.size(); }
+  Eigen::Index ownCount() const { return sigmas.size(); }
   /// How many of a pose's unknowns are the model's own: the first of them; and these.
-  Eigen::Index ownOf(const PosePart& pose) const;
-  std::vector<std::size_t> ownUnknownsOf(const PosePart& pose) const;
+  Eigen::Index ownCountIn(const PosePart& pose) const;
+  std::vector<std::size_t> ownUnknownsIn(const PosePart& pose) const;
   /// -2 ln of the own unknowns' prior: half of its gradient where `poses` were linearised.
   Eigen::VectorXd priorScore() const { return unknowns.cwiseQuotient(sigmas.cwiseAbs2()); }
 };

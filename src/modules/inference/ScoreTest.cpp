@@ -13,7 +13,7 @@ namespace naocal {
 namespace {
 
 /// What has the same product with itself, and no more rows than columns.
-Eigen::MatrixXd compressed(const Eigen::MatrixXd& half) {
+Eigen::MatrixXd compressRows(const Eigen::MatrixXd& half) {
   if (half.rows() <= half.cols()) {
     return half;
   }
@@ -24,13 +24,13 @@ Eigen::MatrixXd compressed(const Eigen::MatrixXd& half) {
 
 NullModel::NullModel(const ScoreProblem& problem, const Noise& noise) : problem_{problem}, noise_{noise} {
   const double information = 1 / (noise.pixel * noise.pixel);
-  const Eigen::Index own = problem.own();
+  const Eigen::Index own = problem.ownCount();
   whiteners_.resize(problem.poses->size());
   Eigen::MatrixXd hessian = information * problem.gram.topLeftCorner(own, own);
   hessian.diagonal() += problem.sigmas.cwiseAbs2().cwiseInverse();
   const auto none = [&] { return Taken{Eigen::MatrixXd::Zero(own, own)}; };
   const auto take = [&](std::size_t pose, Taken& taken) { takeDeflections(pose, taken); };
-  for (const Taken& part : gatheredInParts(whiteners_.size(), none, take)) {
+  for (const Taken& part : gatherInParts(whiteners_.size(), none, take)) {
     hessian -= part.information;
     logDeterminant_ += part.logDeterminant;
   }
@@ -39,16 +39,16 @@ NullModel::NullModel(const ScoreProblem& problem, const Noise& noise) : problem_
 
 void NullModel::takeDeflections(std::size_t pose, Taken& taken) {
   const PoseRows& rows = (*problem_.poses)[pose];
-  const Eigen::MatrixXd moved = rows.byDeflections * deflectionRoot(rows, noise_) / noise_.pixel;
+  const Eigen::MatrixXd moved = rows.byDeflections * jointErrorRoot(rows, noise_) / noise_.pixel;
   Eigen::MatrixXd inner = moved.transpose() * moved;
   inner.diagonal().array() += 1;
   const Eigen::LLT<Eigen::MatrixXd> factor{inner};
   taken.logDeterminant += 2 * factor.matrixLLT().diagonal().array().log().sum();
   Whitener& whitener = whiteners_[pose];
-  whitener.half = compressed(factor.matrixL().solve(moved.transpose()));
+  whitener.half = compressRows(factor.matrixL().solve(moved.transpose()));
   whitener.unknowns.noalias() = whitener.half * rows.byUnknowns / noise_.pixel;
-  const std::vector<std::size_t> unknowns = problem_.ownUnknownsOf(rows);
-  const auto answers = whitener.unknowns.leftCols(problem_.ownOf(rows));
+  const std::vector<std::size_t> unknowns = problem_.ownUnknownsIn(rows);
+  const auto answers = whitener.unknowns.leftCols(problem_.ownCountIn(rows));
   taken.information(unknowns, unknowns) += answers.transpose() * answers;
 }
 
@@ -65,14 +65,14 @@ NullModel::Outcome NullModel::operator()(const PoseResiduals& residuals, const E
   };
   const auto add = [&](std::size_t pose, Outcome& sum) {
     const PoseRows& rows = (*problem_.poses)[pose];
-    const Eigen::Index own = problem_.ownOf(rows);
+    const Eigen::Index own = problem_.ownCountIn(rows);
     const Eigen::MatrixXd bent = whiteners_[pose].half * residuals[pose] / noise_.pixel;
     sum.chi2 -= bent.colwise().squaredNorm();
-    sum.own(problem_.ownUnknownsOf(rows), Eigen::all) +=
+    sum.own(problem_.ownUnknownsIn(rows), Eigen::all) +=
         information * (rows.byUnknowns.leftCols(own).transpose() * residuals[pose]) -
         whiteners_[pose].unknowns.leftCols(own).transpose() * bent;
   };
-  for (const Outcome& part : gatheredInParts(residuals.size(), none, add)) {
+  for (const Outcome& part : gatherInParts(residuals.size(), none, add)) {
     result.chi2 += part.chi2;
     result.own += part.own;
   }
@@ -88,7 +88,7 @@ namespace {
 constexpr double absorbed = 1e-4;
 
 /// W with |W s|^2 = s^T block^-1 s over those directions that are not absorbed.
-Eigen::MatrixXd whiteningOf(const Eigen::MatrixXd& block, const Eigen::MatrixXd& whole) {
+Eigen::MatrixXd computeWhitening(const Eigen::MatrixXd& block, const Eigen::MatrixXd& whole) {
   const Eigen::VectorXd scale = whole.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   const SymmetricEigen eigen = symmetricEigen(scale.asDiagonal() * block * scale.asDiagonal());
   Eigen::Index lost = 0;
@@ -106,28 +106,29 @@ ScoreTest::ScoreTest(const NullModel& alone) : alone_{alone} {
   const ScoreProblem& problem = alone.problem();
   const std::size_t poses = problem.poses->size();
   Eigen::MatrixXd whitened = problem.gram / (noise().pixel * noise().pixel);
-  for (GramSum& part : gatheredInParts(
+  for (GramSum& part : gatherInParts(
            poses, [&] { return GramSum{problem.gram.cols()}; },
            [&](std::size_t pose, GramSum&sum) {
              sum.add((*problem.poses)[pose].unknowns, alone.whitener(pose).unknowns);
            })) {
-    whitened -= part.taken();
+    whitened -= part.sum();
   }
   deflections_.resize(poses);
-  const std::vector<Columns> parts = gatheredInParts(
-      poses, [&] { return noColumns(problem); }, [&](std::size_t pose, Columns& columns) { addCurves(pose, columns); });
-  Columns columns = noColumns(problem);
+  const std::vector<Columns> parts = gatherInParts(
+      poses, [&] { return makeEmptyColumns(problem); },
+      [&](std::size_t pose, Columns& columns) { addCurves(pose, columns); });
+  Columns columns = makeEmptyColumns(problem);
   for (const Columns& part : parts) {
     columns += part;
   }
-  columns.cross.leftCols(problem.candidates) = whitened.topRightCorner(problem.own(), problem.candidates);
+  columns.cross.leftCols(problem.candidates) = whitened.topRightCorner(problem.ownCount(), problem.candidates);
   columns.candidates = whitened.bottomRightCorner(problem.candidates, problem.candidates);
   project(columns);
 }
 
-ScoreTest::Columns ScoreTest::noColumns(const ScoreProblem& problem) {
+ScoreTest::Columns ScoreTest::makeEmptyColumns(const ScoreProblem& problem) {
   Columns columns;
-  columns.cross = Eigen::MatrixXd::Zero(problem.own(), problem.candidates + problem.map->count);
+  columns.cross = Eigen::MatrixXd::Zero(problem.ownCount(), problem.candidates + problem.map->count);
   for (const DriverBasis& cell : problem.map->cells) {
     columns.cells.push_back(Eigen::MatrixXd::Zero(cell.count, cell.count));
   }
@@ -151,7 +152,7 @@ void ScoreTest::addCurves(std::size_t pose, Columns& columns) {
   if (problem.map->blocks[pose].empty()) {
     return;
   }
-  const Eigen::Index own = problem.ownOf(rows);
+  const Eigen::Index own = problem.ownCountIn(rows);
   const Eigen::MatrixXd mixed = information * (rows.byUnknowns.leftCols(own).transpose() * rows.byDeflections) -
                                 whitener.unknowns.leftCols(own).transpose() * deflections;
   const Eigen::MatrixXd deflectionInformation =
@@ -160,7 +161,7 @@ void ScoreTest::addCurves(std::size_t pose, Columns& columns) {
     const Eigen::Index count = block.values.cols();
     const Eigen::MatrixXd byBlock = mixed.middleCols(block.firstDeflection, block.values.rows()) * block.values;
     for (Eigen::Index i = 0; i < own; ++i) {
-      columns.cross.row(at(rows.unknowns[static_cast<std::size_t>(i)]))
+      columns.cross.row(eigenIndex(rows.unknowns[static_cast<std::size_t>(i)]))
           .segment(problem.candidates + block.firstColumn, count) += byBlock.row(i);
     }
     const auto bent = deflectionInformation.block(block.firstDeflection, block.firstDeflection, block.values.rows(),
@@ -187,7 +188,7 @@ void ScoreTest::project(const Columns& columns) {
         effect ? columns.candidates.block(group.first, group.first, group.count, group.count) : columns.cells[cell++];
     const auto part = explained_.middleCols(group.first, group.count);
     blocks_.push_back(whole - part.transpose() * part);
-    whitening_.push_back(whiteningOf(blocks_.back(), whole));
+    whitening_.push_back(computeWhitening(blocks_.back(), whole));
     kept_.push_back(whole.trace() > 0 ? blocks_.back().trace() / whole.trace() : 0);
   }
 }
@@ -200,13 +201,13 @@ Eigen::MatrixXd ScoreTest::projectedScores(const PoseResiduals& residuals, const
   const auto none = [&] { return Eigen::MatrixXd{Eigen::MatrixXd::Zero(result.rows(), result.cols())}; };
   const auto add = [&](std::size_t pose, Eigen::MatrixXd& sum) {
     const PoseRows& rows = (*problem.poses)[pose];
-    const Eigen::Index first = problem.ownOf(rows), rest = at(rows.unknowns.size()) - first;
+    const Eigen::Index first = problem.ownCountIn(rows), rest = eigenIndex(rows.unknowns.size()) - first;
     const NullModel::Whitener& whitener = alone_.whitener(pose);
     const Eigen::MatrixXd bent = whitener.half * residuals[pose] / noise().pixel;
     const Eigen::MatrixXd part = information * (rows.byUnknowns.rightCols(rest).transpose() * residuals[pose]) -
                                  whitener.unknowns.rightCols(rest).transpose() * bent;
     for (Eigen::Index i = 0; i < rest; ++i) {
-      sum.row(at(rows.unknowns[static_cast<std::size_t>(first + i)]) - problem.own()) += part.row(i);
+      sum.row(eigenIndex(rows.unknowns[static_cast<std::size_t>(first + i)]) - problem.ownCount()) += part.row(i);
     }
     if (problem.map->blocks[pose].empty()) {
       return;
@@ -218,23 +219,23 @@ Eigen::MatrixXd ScoreTest::projectedScores(const PoseResiduals& residuals, const
           block.values.transpose() * deflections.middleRows(block.firstDeflection, block.values.rows());
     }
   };
-  for (const Eigen::MatrixXd& part : gatheredInParts(residuals.size(), none, add)) {
+  for (const Eigen::MatrixXd& part : gatherInParts(residuals.size(), none, add)) {
     result -= part;
   }
   return result;
 }
 
 /// What a group's first few columns do to a pose's residuals.
-Eigen::MatrixXd ScoreTest::byColumns(std::size_t group, Eigen::Index count, std::size_t pose) const {
+Eigen::MatrixXd ScoreTest::columnsOfGroup(std::size_t group, Eigen::Index count, std::size_t pose) const {
   const ScoreProblem& problem = alone_.problem();
   const PoseRows& rows = (*problem.poses)[pose];
   const Eigen::Index first = problem.groups[group].first;
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rows.residual.size(), count);
   if (first < problem.candidates) {
-    const auto wanted = static_cast<std::size_t>(problem.own() + first);
+    const auto wanted = static_cast<std::size_t>(problem.ownCount() + first);
     auto unknown = std::lower_bound(rows.unknowns.begin(), rows.unknowns.end(), wanted);
     for (; unknown != rows.unknowns.end() && *unknown < wanted + static_cast<std::size_t>(count); ++unknown) {
-      result.col(at(*unknown - wanted)) = rows.byUnknowns.col(unknown - rows.unknowns.begin());
+      result.col(eigenIndex(*unknown - wanted)) = rows.byUnknowns.col(unknown - rows.unknowns.begin());
     }
     return result;
   }
@@ -252,7 +253,7 @@ Eigen::MatrixXd ScoreTest::informationWith(std::size_t group, Eigen::Index count
   const ScoreProblem& problem = alone_.problem();
   PoseResiduals moved;
   for (std::size_t pose = 0; pose < problem.poses->size(); ++pose) {
-    moved.push_back(byColumns(group, count, pose));
+    moved.push_back(columnsOfGroup(group, count, pose));
   }
   return -projectedScores(moved, explained_.middleCols(problem.groups[group].first, count));
 }
@@ -266,27 +267,28 @@ double ScoreTest::movedPx(std::size_t group, const Eigen::VectorXd& coefficients
     numbers += rows.numbers;
   }
   if (first < problem.candidates) { // |J_o o + G c|^2 by the sums of all poses
-    const Eigen::Index column = problem.own() + first;
+    const Eigen::Index column = problem.ownCount() + first;
     squares = own.dot(problem.gram.topLeftCorner(own.size(), own.size()) * own) +
               2 * own.dot(problem.gram.block(0, column, own.size(), count) * coefficients) +
               coefficients.dot(problem.gram.block(column, column, count, count) * coefficients);
   } else {
     for (std::size_t pose = 0; pose < problem.poses->size(); ++pose) {
       const PoseRows& rows = (*problem.poses)[pose];
-      squares += (rows.byUnknowns.leftCols(problem.ownOf(rows)) * own(problem.ownUnknownsOf(rows)) +
-                  byColumns(group, count, pose) * coefficients)
+      squares += (rows.byUnknowns.leftCols(problem.ownCountIn(rows)) * own(problem.ownUnknownsIn(rows)) +
+                  columnsOfGroup(group, count, pose) * coefficients)
                      .squaredNorm();
     }
   }
   return std::sqrt(2 * std::max(0.0, squares) / std::max(1.0, numbers));
 }
 
-Eigen::MatrixXd ScoreTest::falls(const PoseResiduals& residuals, const Eigen::MatrixXd& own) const {
+Eigen::MatrixXd ScoreTest::chi2Decreases(const PoseResiduals& residuals, const Eigen::MatrixXd& own) const {
   const std::vector<ColumnGroup>& groups = alone_.problem().groups;
   const Eigen::MatrixXd all = projectedScores(residuals, own);
-  Eigen::MatrixXd result(at(groups.size()), all.cols());
+  Eigen::MatrixXd result(eigenIndex(groups.size()), all.cols());
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    result.row(at(i)) = (whitening_[i] * all.middleRows(groups[i].first, groups[i].count)).colwise().squaredNorm();
+    result.row(eigenIndex(i)) =
+        (whitening_[i] * all.middleRows(groups[i].first, groups[i].count)).colwise().squaredNorm();
   }
   return result;
 }

@@ -59,7 +59,7 @@ public:
 
   /// How far each group (row) lowers chi2 of each set of residuals (column); `own`: the model's own part of their
   /// scores, as in `NullModel::Outcome`.
-  Eigen::MatrixXd falls(const PoseResiduals& residuals, const Eigen::MatrixXd& own) const;
+  Eigen::MatrixXd chi2Decreases(const PoseResiduals& residuals, const Eigen::MatrixXd& own) const;
 
   /// Scores of all columns, downhill, projected: one row per column, as `ScoreProblem::groups` counts them.
   Eigen::MatrixXd projectedScores(const PoseResiduals& residuals, const Eigen::MatrixXd& own) const;
@@ -72,14 +72,14 @@ public:
   const Eigen::MatrixXd& informationOf(std::size_t group) const { return blocks_[group]; }
   /// L^-1 H_og of all columns g, L of `NullModel::factor`: the own unknowns answer one unit of a column by -L^-T of
   /// it.
-  const Eigen::MatrixXd& explained() const { return explained_; }
+  const Eigen::MatrixXd& explainedInformation() const { return explained_; }
 
   /// Projected information of the candidates' columns (not of the map's).
   const Eigen::MatrixXd& information() const { return information_; }
   /// The part of a group's information that the own unknowns do not absorb.
   double keptFraction(std::size_t group) const { return kept_[group]; }
   /// Of a group's chi2: columns that are not absorbed.
-  Eigen::Index freedom(std::size_t group) const { return whitening_[group].rows(); }
+  Eigen::Index degreesOfFreedom(std::size_t group) const { return whitening_[group].rows(); }
   const Noise& noise() const { return alone_.noise(); }
 
 private:
@@ -90,10 +90,10 @@ private:
 
     Columns& operator+=(const Columns& other); // without the candidates
   };
-  static Columns noColumns(const ScoreProblem& problem);
+  static Columns makeEmptyColumns(const ScoreProblem& problem);
   void addCurves(std::size_t pose, Columns& columns);
   void project(const Columns& columns);
-  Eigen::MatrixXd byColumns(std::size_t group, Eigen::Index count, std::size_t pose) const;
+  Eigen::MatrixXd columnsOfGroup(std::size_t group, Eigen::Index count, std::size_t pose) const;
 
   const NullModel& alone_;
   std::vector<Eigen::MatrixXd> deflections_; // per pose: B J_t / pixel (`NullModel::Whitener`)

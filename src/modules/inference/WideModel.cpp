@@ -19,7 +19,7 @@ Eigen::VectorXd priorsOf(const Model& model, const Eigen::VectorXd& unknowns) {
   Eigen::VectorXd sigmas = model.sigmas();
   for (const Term& term : model.terms()) {
     if (!term.effect.base) {
-      for (Eigen::Index i = at(term.first); i < at(term.first + term.effect.unknowns.size()); ++i) {
+      for (Eigen::Index i = eigenIndex(term.first); i < eigenIndex(term.first + term.effect.unknowns.size()); ++i) {
         sigmas[i] = std::max(sigmas[i], std::abs(unknowns[i]) / threshold::implausible);
       }
     }
@@ -28,10 +28,10 @@ Eigen::VectorXd priorsOf(const Model& model, const Eigen::VectorXd& unknowns) {
 }
 
 /// The rows of a model at its fit; unknowns beyond the state's are zero.
-std::vector<PoseRows> rowsAt(const Measurements& measurements, const Model& model, const FittedPoint& point) {
+std::vector<PoseRows> linearisedRows(const Measurements& measurements, const Model& model, const FittedPoint& point) {
   const Residuals residuals{measurements, model, point.noise, point.loss};
   Residuals::State state = point.state;
-  state.unknowns.conservativeResizeLike(Eigen::VectorXd::Zero(at(model.unknownCount())));
+  state.unknowns.conservativeResizeLike(Eigen::VectorXd::Zero(eigenIndex(model.unknownCount())));
   auto rows = residuals.rows(state);
   if (!rows) {
     throw InputError{"the fit puts a corner that was seen behind the camera: these captures do not belong together"};
@@ -44,17 +44,17 @@ std::vector<PoseRows> rowsAt(const Measurements& measurements, const Model& mode
 WideModel::WideModel(const Measurements& measurements, const Model& model, std::vector<Term> candidates,
                      const FittedPoint& point, bool curves)
     : measurements_{measurements}, candidates_{std::move(candidates)} {
-  const auto own = at(model.unknownCount());
+  const auto own = eigenIndex(model.unknownCount());
   const Eigen::VectorXd unknowns = point.state.unknowns.head(own);
   std::vector<DriverSeries> drivers;
   if (curves) {
-    drivers = driversOf(measurements, model, unknowns);
-    mounts_ = mountCurves(measurements, drivers);
+    drivers = collectDrivers(measurements, model, unknowns);
+    mounts_ = buildMountCurves(measurements, drivers);
   }
   Model extended = model;
   std::vector<ColumnGroup> groups;
   const auto extend = [&](const Term& term) {
-    groups.push_back({at(extended.unknownCount()) - own, at(term.effect.unknowns.size())});
+    groups.push_back({eigenIndex(extended.unknownCount()) - own, eigenIndex(term.effect.unknowns.size())});
     extended.add(term);
   };
   for (const Term& candidate : candidates_) {
@@ -64,9 +64,9 @@ WideModel::WideModel(const Measurements& measurements, const Model& model, std::
     extend(mount.term);
     groups.back().part = 3;
   }
-  const Eigen::Index columns = at(extended.unknownCount()) - own;
-  poses_ = rowsAt(measurements, extended, point);
-  map_ = driverColumns(measurements, std::move(drivers), poses_);
+  const Eigen::Index columns = eigenIndex(extended.unknownCount()) - own;
+  poses_ = linearisedRows(measurements, extended, point);
+  map_ = buildDriverColumns(measurements, std::move(drivers), poses_);
   for (const DriverBasis& cell : map_.cells) {
     const bool nested = cell.shape == DriverBasis::Shape::smooth;
     groups.push_back({columns + cell.first, cell.count, nested ? 1 : 0, cell.choices});
@@ -75,7 +75,7 @@ WideModel::WideModel(const Measurements& measurements, const Model& model, std::
   problem_.groups = std::move(groups);
   problem_.named = candidates_.size();
   problem_.plausible.resize(columns + map_.count);
-  problem_.plausible << extended.sigmas().tail(columns), Eigen::VectorXd::Constant(map_.count, plausibleCurve);
+  problem_.plausible << extended.sigmas().tail(columns), Eigen::VectorXd::Constant(map_.count, curvePriorSigma);
   sizes_ = Eigen::VectorXd::Zero(columns + map_.count);
   sizes_.head(point.state.unknowns.size() - own) = point.state.unknowns.tail(point.state.unknowns.size() - own);
 }

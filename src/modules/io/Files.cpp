@@ -57,7 +57,7 @@ private:
 
 } // namespace
 
-std::string fileContent(const std::filesystem::path& file) {
+std::string readFile(const std::filesystem::path& file) {
   std::error_code ignored;
   const bool folder = std::filesystem::is_directory(file, ignored);
   errno = 0;

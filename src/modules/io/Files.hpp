@@ -7,7 +7,7 @@
 namespace naocal {
 
 /// The whole content of a file. Throws InputError that names the file and the reason.
-std::string fileContent(const std::filesystem::path& file);
+std::string readFile(const std::filesystem::path& file);
 
 /// Writes a file whole or not at all: temporary file beside it, fsync, rename. Throws InputError with the reason.
 void writeAtomically(const std::filesystem::path& file, std::string_view content);

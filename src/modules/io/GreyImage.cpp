@@ -21,7 +21,7 @@ bool isPossible(std::int64_t width, std::int64_t height) {
   return width > 0 && height > 0 && width <= most && height <= most && width * height <= most;
 }
 
-std::optional<GreyPicture> fromPng(std::string_view content) {
+std::optional<GreyPicture> decodePng(std::string_view content) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   const std::unique_ptr<png_image, decltype(&png_image_free)> freed{&image, png_image_free};
@@ -48,7 +48,7 @@ std::optional<GreyPicture> fromPng(std::string_view content) {
   return result;
 }
 
-std::optional<GreyPicture> fromJpeg(std::string_view content) {
+std::optional<GreyPicture> decodeJpeg(std::string_view content) {
   const TurboJpeg turbo{tjInitDecompress(), tjDestroy};
   const auto* bytes = reinterpret_cast<const unsigned char*>(content.data());
   GreyPicture result;
@@ -67,7 +67,7 @@ std::optional<GreyPicture> fromJpeg(std::string_view content) {
 }
 
 /// The simple interface packs three times as slowly what has noise in it. False: libpng gave up, by a long jump.
-bool writtenAsPng(const GreyPicture& picture, std::string& content) {
+bool encodeAsPng(const GreyPicture& picture, std::string& content) {
   png_structp writer = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
   png_infop info = png_create_info_struct(writer);
   if (setjmp(png_jmpbuf(writer)) != 0) {
@@ -94,30 +94,30 @@ bool writtenAsPng(const GreyPicture& picture, std::string& content) {
 
 } // namespace
 
-GreyPicture decodedPicture(std::string_view content, const std::string& name) {
-  if (auto picture = content.starts_with("\x89PNG") ? fromPng(content) : fromJpeg(content)) {
+GreyPicture decodeImage(std::string_view content, const std::string& name) {
+  if (auto picture = content.starts_with("\x89PNG") ? decodePng(content) : decodeJpeg(content)) {
     return *std::move(picture);
   }
   throw InputError{fmt::format("{}: expected a whole picture (.png or .jpg), but it could not be read as one", name)};
 }
 
-GreyPicture readPicture(const std::filesystem::path& file) {
+GreyPicture readImage(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) {
     throw InputError{fmt::format("{}: a picture was expected, but there is no such file", file.string())};
   }
-  return decodedPicture(fileContent(file), file.string());
+  return decodeImage(readFile(file), file.string());
 }
 
-std::string png(const GreyPicture& picture) {
+std::string encodePng(const GreyPicture& picture) {
   std::string content;
-  if (!isPossible(picture.width, picture.height) || !writtenAsPng(picture, content)) {
+  if (!isPossible(picture.width, picture.height) || !encodeAsPng(picture, content)) {
     throw InputError{fmt::format("a picture of {} x {} pixels was expected to become a PNG, but it cannot",
                                  picture.width, picture.height)};
   }
   return content;
 }
 
-std::string jpeg(std::span<const std::uint8_t> pixels, int width, int height, int quality) {
+std::string encodeJpeg(std::span<const std::uint8_t> pixels, int width, int height, int quality) {
   const TurboJpeg turbo{tjInitCompress(), tjDestroy};
   const bool coloured = pixels.size() > std::size_t(width) * std::size_t(height);
   const int subsampling = coloured ? TJSAMP_420 : TJSAMP_GRAY;
@@ -133,13 +133,14 @@ std::string jpeg(std::span<const std::uint8_t> pixels, int width, int height, in
   return content;
 }
 
-void writePicture(const GreyPicture& picture, const std::filesystem::path& file) {
+void writeImage(const GreyPicture& picture, const std::filesystem::path& file) {
   const std::string ending = file.extension().string();
   if (ending != ".png" && ending != ".jpg") {
     throw InputError{
         fmt::format("{}: expected a picture's name that ends with .png or .jpg, found '{}'", file.string(), ending)};
   }
-  writeAtomically(file, ending == ".png" ? png(picture) : jpeg(picture.pixels, picture.width, picture.height, 95));
+  writeAtomically(file, ending == ".png" ? encodePng(picture)
+                                         : encodeJpeg(picture.pixels, picture.width, picture.height, 95));
 }
 
 } // namespace naocal

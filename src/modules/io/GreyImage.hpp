@@ -15,7 +15,7 @@ struct GreyPicture {
   int width = 0, height = 0;        // [px]
   std::vector<std::uint8_t> pixels; // [grey level]; width * height of them
 
-  std::uint8_t at(int x, int y) const { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
+  std::uint8_t grey(int x, int y) const { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };
 
 /// The grey level of red, green and blue: Y, as JPEG and cameras define it (ITU-R BT.601-7, 2.5.1).
@@ -26,17 +26,17 @@ inline std::uint8_t luma(const std::uint8_t* rgb) {
 /// A picture file's grey levels; colours become their luma, what is transparent white. Throws
 /// InputError, with what the picture is called, where it is neither PNG nor JPEG, is cut off or has more than 64
 /// million pixels.
-GreyPicture decodedPicture(std::string_view content, const std::string& name);
-GreyPicture readPicture(const std::filesystem::path& file);
+GreyPicture decodeImage(std::string_view content, const std::string& name);
+GreyPicture readImage(const std::filesystem::path& file);
 
 /// As a PNG: every grey level is kept.
-std::string png(const GreyPicture& picture);
+std::string encodePng(const GreyPicture& picture);
 
 /// As a JPEG. `pixels`: row by row, width * height of them, one byte each or three (red, green, blue); `quality` 1 to
 /// 100.
-std::string jpeg(std::span<const std::uint8_t> pixels, int width, int height, int quality);
+std::string encodeJpeg(std::span<const std::uint8_t> pixels, int width, int height, int quality);
 
 /// Writes a PNG or JPEG, as the file's name ends (.png, .jpg), at once or not at all. Throws InputError.
-void writePicture(const GreyPicture& picture, const std::filesystem::path& file);
+void writeImage(const GreyPicture& picture, const std::filesystem::path& file);
 
 } // namespace naocal

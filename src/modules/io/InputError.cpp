@@ -24,7 +24,8 @@ std::size_t distance(const std::string& a, const std::string& b) {
 
 } // namespace
 
-std::vector<std::string> nearNames(const std::string& text, const std::vector<std::string>& known, std::size_t most) {
+std::vector<std::string> closestNames(const std::string& text, const std::vector<std::string>& known,
+                                      std::size_t most) {
   std::vector<std::string> result = known;
   std::stable_sort(result.begin(), result.end(),
                    [&](const std::string& a, const std::string& b) { return distance(text, a) < distance(text, b); });

@@ -14,7 +14,7 @@ public:
 };
 
 /// Of the known names those that differ from `text` in the fewest letters, best first, for people who mistyped.
-std::vector<std::string> nearNames(const std::string& text, const std::vector<std::string>& known,
-                                   std::size_t most = 5);
+std::vector<std::string> closestNames(const std::string& text, const std::vector<std::string>& known,
+                                      std::size_t most = 5);
 
 } // namespace naocal

@@ -44,7 +44,7 @@ JsonCursor::JsonCursor(const json& value, std::string file)
 JsonCursor::JsonCursor(const json& value, std::string path, std::shared_ptr<const Surroundings> surroundings)
     : value_{&value}, path_{std::move(path)}, surroundings_{std::move(surroundings)} {}
 
-JsonCursor JsonCursor::about(std::string name, std::string remedy) const {
+JsonCursor JsonCursor::describeAs(std::string name, std::string remedy) const {
   return {*value_, path_,
           std::make_shared<Surroundings>(Surroundings{surroundings_->file, std::move(name), std::move(remedy)})};
 }
@@ -152,7 +152,7 @@ std::vector<double> JsonCursor::numbers(std::size_t count, const Range& range, s
   return numbers;
 }
 
-std::size_t JsonCursor::oneOf(const std::vector<std::string_view>& words) const {
+std::size_t JsonCursor::wordIndex(const std::vector<std::string_view>& words) const {
   const auto word = std::find_if(words.begin(), words.end(), [&](std::string_view candidate) {
     return value_->is_string() && value_->get_ref<const std::string&>() == candidate;
   });
@@ -231,7 +231,7 @@ private:
 };
 
 /// The text with the number literals that JSON does not know quoted; empty when there are none.
-std::string withQuotedLiterals(std::string_view text) {
+std::string quoteLiterals(std::string_view text) {
   std::string quoted;
   std::size_t copied = 0;
   bool inString = false;
@@ -264,7 +264,7 @@ json parseJson(const std::string& text, const std::string& file) {
   try {
     return parse(text);
   } catch (const json::exception& error) {
-    if (const std::string quoted = withQuotedLiterals(text); !quoted.empty()) {
+    if (const std::string quoted = quoteLiterals(text); !quoted.empty()) {
       try {
         return parse(quoted);
       } catch (const json::exception&) {

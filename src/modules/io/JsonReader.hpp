@@ -18,7 +18,7 @@ struct Range {
   std::string_view unit;
 };
 inline constexpr Range anyNumber{-1e15, 1e15, ""};
-inline constexpr int largestNumber = std::numeric_limits<int>::max();
+inline constexpr int maxInteger = std::numeric_limits<int>::max();
 
 /// One place in a JSON document and what it is called, so that every refusal (InputError) names file, path, what was
 /// expected and what was found. The document must outlive it.
@@ -28,7 +28,7 @@ public:
   JsonCursor(const nlohmann::json& value, std::string file);
 
   /// The same place with what to call it beside its path ("capture 17") and what to do when it is refused.
-  JsonCursor about(std::string name, std::string remedy) const;
+  JsonCursor describeAs(std::string name, std::string remedy) const;
 
   /// The value under a key of this object; `find` is empty and `at` refuses when there is none.
   std::optional<JsonCursor> find(const std::string& key) const;
@@ -47,7 +47,7 @@ public:
   std::vector<double> numbers(std::size_t count, const Range& range, std::string_view why, bool nullable = false) const;
 
   /// The index among `words` of the text at this place.
-  std::size_t oneOf(const std::vector<std::string_view>& words) const;
+  std::size_t wordIndex(const std::vector<std::string_view>& words) const;
 
   /// Throws InputError: file, path, `expected`, and what is found here unless `found` says it better.
   [[noreturn]] void refuse(std::string_view expected, std::string_view found = {}) const;

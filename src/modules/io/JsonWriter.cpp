@@ -7,21 +7,21 @@ const nlohmann::json nothing;
 
 } // namespace
 
-const nlohmann::json& child(const nlohmann::json& read, const std::string& key) {
+const nlohmann::json& childOrNull(const nlohmann::json& read, const std::string& key) {
   const auto entry = read.find(key);
   return entry == read.end() ? nothing : *entry;
 }
 
-const nlohmann::json& entryWith(const std::string& key, const nlohmann::json& value, const nlohmann::json& list) {
+const nlohmann::json& entryOrNull(const std::string& key, const nlohmann::json& value, const nlohmann::json& list) {
   for (const nlohmann::json& entry : list) {
-    if (child(entry, key) == value) {
+    if (childOrNull(entry, key) == value) {
       return entry;
     }
   }
   return nothing;
 }
 
-nlohmann::ordered_json finished(const nlohmann::ordered_json& known, const nlohmann::json& read) {
+nlohmann::ordered_json mergeUnknownKeys(const nlohmann::ordered_json& known, const nlohmann::json& read) {
   auto object = nlohmann::ordered_json::object();
   for (const auto& [key, value] : known.items()) {
     if (!value.is_null()) {
@@ -38,7 +38,7 @@ nlohmann::ordered_json finished(const nlohmann::ordered_json& known, const nlohm
   return object;
 }
 
-std::string dumped(const nlohmann::ordered_json& value) {
+std::string compactText(const nlohmann::ordered_json& value) {
   return value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 

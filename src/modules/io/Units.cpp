@@ -5,7 +5,7 @@
 
 namespace naocal {
 
-std::optional<UnitPowers> unitOf(std::string_view text) {
+std::optional<UnitPowers> parseUnit(std::string_view text) {
   static const std::regex factor{R"(([*/]?)(1|rad|m|px|s|row|Nm|K|A)(?:\^(\d+(?:\.\d+)?))?(?=[*/]|$))"};
   const std::string all{text};
   UnitPowers unit;
@@ -18,13 +18,14 @@ std::optional<UnitPowers> unitOf(std::string_view text) {
     }
     read += static_cast<std::size_t>(found->length());
     if (base != "1") {
-      unit = product(std::move(unit), {{base, 1}}, (sign == "/" ? -1 : 1) * (power.empty() ? 1 : std::stod(power)));
+      unit =
+          multiplyUnits(std::move(unit), {{base, 1}}, (sign == "/" ? -1 : 1) * (power.empty() ? 1 : std::stod(power)));
     }
   }
   return read > 0 && read == all.size() ? std::optional{unit} : std::nullopt;
 }
 
-std::string textOf(const UnitPowers& unit) {
+std::string formatUnit(const UnitPowers& unit) {
   std::string over, under;
   for (const auto& [base, power] : unit) {
     std::string& side = power > 0 ? over : under;
@@ -38,7 +39,7 @@ std::string textOf(const UnitPowers& unit) {
   return (over.empty() ? "1" : over) + under;
 }
 
-UnitPowers product(UnitPowers one, const UnitPowers& other, double power) {
+UnitPowers multiplyUnits(UnitPowers one, const UnitPowers& other, double power) {
   for (const auto& [base, own] : other) {
     const double sum = one[base] + own * power;
     if (sum == 0) {

@@ -18,14 +18,14 @@ using UnitPowers = std::map<std::string, double, std::less<>>;
 inline constexpr std::string_view unitBases = "rad, m, px, s, row, Nm, K or A";
 
 /// Absent: that is no such product.
-std::optional<UnitPowers> unitOf(std::string_view text);
-std::string textOf(const UnitPowers& unit);
+std::optional<UnitPowers> parseUnit(std::string_view text);
+std::string formatUnit(const UnitPowers& unit);
 
 /// one * other^power
-UnitPowers product(UnitPowers one, const UnitPowers& other, double power = 1);
+UnitPowers multiplyUnits(UnitPowers one, const UnitPowers& other, double power = 1);
 
 /// The unit in which a person reads a quantity, and how many of it make one of its own: ("°/Nm", 57.3) for "rad/Nm".
-inline std::pair<std::string, double> shownUnit(const std::string& unit) {
+inline std::pair<std::string, double> displayUnit(const std::string& unit) {
   if (unit.starts_with("rad")) {
     return {"°" + unit.substr(3), degrees(1.0)};
   }
@@ -36,7 +36,7 @@ inline std::pair<std::string, double> shownUnit(const std::string& unit) {
 }
 
 /// "3 mm", "0.2°", "0.2°/Nm", "0.2".
-inline std::string withUnit(std::string number, const std::string& shownUnit) {
+inline std::string appendUnit(std::string number, const std::string& shownUnit) {
   const bool apart = !shownUnit.empty() && !shownUnit.starts_with("°");
   return std::move(number) + (apart ? " " : "") + shownUnit;
 }

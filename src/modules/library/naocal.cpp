@@ -20,16 +20,16 @@ Captures readCaptures(const std::vector<std::filesystem::path>& folders, const s
   for (const std::filesystem::path& folder : folders) {
     captures.sets.push_back(readCaptureSet(folder).set);
     captures.sources.sets.push_back(std::filesystem::weakly_canonical(folder).string());
-    captures.sources.sha256.push_back(sha256(fileContent(folder / "captures.json")));
+    captures.sources.sha256.push_back(sha256(readFile(folder / "captures.json")));
   }
   const Robot robot = loadRobot(configuration, captures.sets.front().model);
-  captures.measurements = measurementsOf(captures.sets, robot);
+  captures.measurements = buildMeasurements(captures.sets, robot);
   return captures;
 }
 
 Calibrated calibrate(const Captures& captures, const std::vector<std::string>& effects,
                      const CalibrationOptions& options) {
-  Model model = makeModel(captures.measurements, effects);
+  Model model = buildModel(captures.measurements, effects);
   CalibrationResult result = calibrate(captures.measurements, model, options);
   return {std::move(model), std::move(result)};
 }

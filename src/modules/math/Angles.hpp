@@ -24,7 +24,7 @@ struct SineCosine {
 };
 
 /// The same direction in (-pi, pi] [rad].
-inline double wrapped(double angle) {
+inline double wrapAngle(double angle) {
   return std::remainder(angle, 2 * std::numbers::pi);
 }
 

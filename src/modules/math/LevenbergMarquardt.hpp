@@ -11,10 +11,11 @@ namespace naocal {
 
 struct LevenbergMarquardtOptions {
   int maxIterations = 300;
-  double firstDamping = 1e-3; // in units of 1 / scale^2
-  double smallestFall =
-      1e-9;              // stop when the quadratic model predicts a smaller fall of the cost [1 = half a chi2 unit]
-  double settled = 1e-3; // a fall over the last ten iterations below which a search that could not go on has arrived
+  double initialDamping = 1e-3; // in units of 1 / scale^2
+  double minCostDecrease =
+      1e-9; // stop when the quadratic model predicts a smaller fall of the cost [1 = half a chi2 unit]
+  double stalledDecrease =
+      1e-3; // a fall over the last ten iterations below which a search that could not go on has arrived
 };
 
 /// Where the search ended.
@@ -45,7 +46,7 @@ auto levenbergMarquardt(const Problem& problem, CandidateState start, const Leve
     return std::nullopt;
   }
   typename Problem::Linear there;
-  double damping = options.firstDamping, growth = 2;
+  double damping = options.initialDamping, growth = 2;
   bool arrived = false; // by a step, not by the start
   std::vector<double> costs;
   while (minimum.iterations < options.maxIterations && !minimum.converged) {
@@ -60,11 +61,11 @@ auto levenbergMarquardt(const Problem& problem, CandidateState start, const Leve
     }
     costs.push_back(here.cost);
     // A step whose predicted fall is nothing, or drowns in the cost's rounding, ends the search, taken or not.
-    minimum.converged = predictedFall < options.smallestFall + 1e-12 * here.cost && damping < 1e3;
+    minimum.converged = predictedFall < options.minCostDecrease + 1e-12 * here.cost && damping < 1e3;
     if (minimum.converged && arrived) {
       break;
     }
-    CandidateState candidate = problem.moved(minimum.state, here, step);
+    CandidateState candidate = problem.applyStep(minimum.state, here, step);
     const double fall = problem.linearise(candidate, there) ? here.cost - there.cost : -1;
     arrived = fall > 0;
     if (arrived) {
@@ -83,7 +84,8 @@ auto levenbergMarquardt(const Problem& problem, CandidateState start, const Leve
     }
   }
   constexpr std::size_t some = 10;
-  minimum.converged |= costs.size() > some && costs[costs.size() - 1 - some] - minimum.linear.cost < options.settled;
+  minimum.converged |=
+      costs.size() > some && costs[costs.size() - 1 - some] - minimum.linear.cost < options.stalledDecrease;
   return minimum;
 }
 

@@ -9,7 +9,7 @@
 namespace naocal {
 
 /// A place in a standard container as Eigen counts places.
-inline Eigen::Index at(std::size_t i) {
+inline Eigen::Index eigenIndex(std::size_t i) {
   return static_cast<Eigen::Index>(i);
 }
 

@@ -8,7 +8,7 @@
 
 namespace naocal {
 
-double depthInside(const ConvexPolygon& outline, const Eigen::Vector2d& point) {
+double insideDepth(const ConvexPolygon& outline, const Eigen::Vector2d& point) {
   double depth = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Eigen::Vector2d side = outline[(i + 1) % outline.size()] - outline[i];
@@ -18,7 +18,7 @@ double depthInside(const ConvexPolygon& outline, const Eigen::Vector2d& point) {
   return depth;
 }
 
-ConvexPolygon hull(const ConvexPolygon& points) {
+ConvexPolygon convexHull(const ConvexPolygon& points) {
   namespace geometry = boost::geometry;
   using Point = geometry::model::d2::point_xy<double>;
   constexpr bool clockwise = false, closed = false;
@@ -35,7 +35,7 @@ ConvexPolygon hull(const ConvexPolygon& points) {
   return result;
 }
 
-bool withinHull(const ConvexPolygon& points, const Eigen::Vector2d& point) {
+bool hullContains(const ConvexPolygon& points, const Eigen::Vector2d& point) {
   // Seen from the point, all others lie in a wedge from `right` to `left` narrower than half a turn, unless it is
   // within.
   const auto turn = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); };
@@ -52,12 +52,12 @@ bool withinHull(const ConvexPolygon& points, const Eigen::Vector2d& point) {
   return false;
 }
 
-Eigen::Vector2d middle(const ConvexPolygon& outline) {
+Eigen::Vector2d vertexMean(const ConvexPolygon& outline) {
   const Eigen::Vector2d sum = std::accumulate(outline.begin(), outline.end(), Eigen::Vector2d::Zero().eval());
   return sum / static_cast<double>(outline.size());
 }
 
-bool apart(const ConvexPolygon& a, const ConvexPolygon& b) {
+bool areSeparated(const ConvexPolygon& a, const ConvexPolygon& b) {
   const auto hasBeyond = [](const ConvexPolygon& one, const ConvexPolygon& other) {
     for (std::size_t i = 0; i < one.size(); ++i) {
       const Eigen::Vector2d side = one[(i + 1) % one.size()] - one[i];

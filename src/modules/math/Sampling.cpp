@@ -68,8 +68,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<UnitCubeSampler> unitPoints(SamplingMethod sampling, std::uint64_t seed, std::size_t dimensions,
-                                            std::size_t count, std::size_t first) {
+std::unique_ptr<UnitCubeSampler> makeSampler(SamplingMethod sampling, std::uint64_t seed, std::size_t dimensions,
+                                             std::size_t count, std::size_t first) {
   switch (sampling) {
   case SamplingMethod::random:
     return std::make_unique<RandomPoints>(seed, first);

@@ -25,8 +25,8 @@ public:
 
 /// Points `first`, `first + 1`, ... of a sequence of `count` points in `dimensions`; those of a grid lie in the middle
 /// of its cells, of which there are as many as `count` allows, at least one along every dimension.
-std::unique_ptr<UnitCubeSampler> unitPoints(SamplingMethod sampling, std::uint64_t seed, std::size_t dimensions,
-                                            std::size_t count, std::size_t first);
+std::unique_ptr<UnitCubeSampler> makeSampler(SamplingMethod sampling, std::uint64_t seed, std::size_t dimensions,
+                                             std::size_t count, std::size_t first);
 
 /// A stream of chance, repeatable by its seed and named by its purpose: more noise in the pictures leaves the robot and
 /// its motions as they were.
@@ -38,18 +38,20 @@ public:
   }
 
   /// Uniform in [-range, range].
-  double within(double range) { return range * (2 * unit_(engine_) - 1); }
-  bool chance(double probability) { return unit_(engine_) < probability; }
+  double uniformWithin(double range) { return range * (2 * unit_(engine_) - 1); }
+  bool bernoulli(double probability) { return unit_(engine_) < probability; }
   /// Normal, mean 0.
   double normal(double sigma) { return sigma * normal_(engine_); }
   /// Student's t with 4 degrees of freedom, scaled to the standard deviation `sigma` (its own is sqrt 2).
-  double heavyTailed(double sigma) { return sigma / std::numbers::sqrt2 * student_(engine_); }
+  double studentT4(double sigma) { return sigma / std::numbers::sqrt2 * student_(engine_); }
   /// Uniform over the circle of this radius.
-  Eigen::Vector2d direction(double length) {
-    const double angle = within(std::numbers::pi);
+  Eigen::Vector2d randomDirection(double length) {
+    const double angle = uniformWithin(std::numbers::pi);
     return {length * std::cos(angle), length * std::sin(angle)};
   }
-  std::size_t below(std::size_t count) { return std::uniform_int_distribution<std::size_t>{0, count - 1}(engine_); }
+  std::size_t uniformBelow(std::size_t count) {
+    return std::uniform_int_distribution<std::size_t>{0, count - 1}(engine_);
+  }
 
 private:
   static std::uint64_t hash(std::string_view text) { // FNV-1a: the same on every machine

@@ -12,18 +12,18 @@ inline double sum(const Double4& lane) {
 }
 
 #ifdef __x86_64__
-template <typename Work> [[gnu::target("avx2,fma")]] void withWideVectors(const Work& work) {
+template <typename Work> [[gnu::target("avx2,fma")]] void runWithAvx2(const Work& work) {
   work();
 }
 #endif
 
 /// Calls `work`, of whose code there are two: for any processor, and for those with AVX2 and fused multiply-add. `work`
 /// must be an always_inline lambda. The two differ in rounding only.
-template <typename Work> void withWidestVectors(const Work& work) {
+template <typename Work> void dispatchSimd(const Work& work) {
 #ifdef __x86_64__
   static const bool wide = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
   if (wide) {
-    return withWideVectors(work);
+    return runWithAvx2(work);
   }
 #endif
   work();

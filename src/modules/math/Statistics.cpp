@@ -20,7 +20,7 @@ double chiSquaredTail(double value, double freedom) {
   return cdf(complement(ChiSquared{freedom}, value));
 }
 
-double fisherTail(double value, double freedom, double remaining) {
+double fTail(double value, double freedom, double remaining) {
   return cdf(complement(Fisher{freedom, remaining}, value));
 }
 

@@ -7,7 +7,7 @@ namespace naocal {
 double chiSquaredTail(double value, double freedom);
 
 /// P(x >= value) of F: the ratio of a mean square with `freedom` and one with `remaining` degrees of freedom.
-double fisherTail(double value, double freedom, double remaining);
+double fTail(double value, double freedom, double remaining);
 
 /// x with P(|t| <= x) = 0.95 of Student's t.
 double studentHalfWidth(double freedom);

@@ -12,10 +12,10 @@ namespace naocal {
 namespace {
 
 /// The one that, with `rest`, is judged best, none of the chosen; the first one where none can be judged.
-std::size_t bestBeside(const Eigen::MatrixXd& rest, const Objective& judge,
-                       const std::vector<Eigen::MatrixXd>& candidates, const std::vector<std::size_t>& chosen) {
+std::size_t findBestBeside(const Eigen::MatrixXd& rest, const Objective& judge,
+                           const std::vector<Eigen::MatrixXd>& candidates, const std::vector<std::size_t>& chosen) {
   std::vector<double> values(candidates.size());
-  inParallel(candidates.size(), [&](std::size_t i) { values[i] = judge(rest + candidates[i]); });
+  parallelFor(candidates.size(), [&](std::size_t i) { values[i] = judge(rest + candidates[i]); });
   for (const std::size_t taken : chosen) {
     values[taken] = std::numeric_limits<double>::infinity();
   }
@@ -24,18 +24,18 @@ std::size_t bestBeside(const Eigen::MatrixXd& rest, const Objective& judge,
 
 } // namespace
 
-std::vector<std::size_t> greedySelection(const Objective& judge, Eigen::MatrixXd known,
-                                         const std::vector<Eigen::MatrixXd>& candidates, std::size_t count) {
+std::vector<std::size_t> selectGreedily(const Objective& judge, Eigen::MatrixXd known,
+                                        const std::vector<Eigen::MatrixXd>& candidates, std::size_t count) {
   std::vector<std::size_t> chosen;
   while (chosen.size() < std::min(count, candidates.size())) {
-    chosen.push_back(bestBeside(known, judge, candidates, chosen));
+    chosen.push_back(findBestBeside(known, judge, candidates, chosen));
     known += candidates[chosen.back()];
   }
   return chosen;
 }
 
-void exchange(const Objective& judge, const Eigen::MatrixXd& known, const std::vector<Eigen::MatrixXd>& candidates,
-              std::vector<std::size_t>& chosen) {
+void improveByExchange(const Objective& judge, const Eigen::MatrixXd& known,
+                       const std::vector<Eigen::MatrixXd>& candidates, std::vector<std::size_t>& chosen) {
   Eigen::MatrixXd sum = known;
   for (const std::size_t index : chosen) {
     sum += candidates[index];
@@ -45,7 +45,7 @@ void exchange(const Objective& judge, const Eigen::MatrixXd& known, const std::v
     better = false;
     for (std::size_t& each : chosen) {
       const Eigen::MatrixXd rest = sum - candidates[each];
-      const std::size_t other = bestBeside(rest, judge, candidates, chosen);
+      const std::size_t other = findBestBeside(rest, judge, candidates, chosen);
       if (const double there = judge(rest + candidates[other]); there < value - 1e-9 * std::abs(value)) {
         each = other;
         sum = rest + candidates[other];
@@ -56,12 +56,12 @@ void exchange(const Objective& judge, const Eigen::MatrixXd& known, const std::v
   }
 }
 
-std::vector<std::size_t> mostInformative(const Eigen::MatrixXd& prior, const std::vector<Eigen::MatrixXd>& candidates,
-                                         std::size_t count) {
+std::vector<std::size_t> selectDOptimal(const Eigen::MatrixXd& prior, const std::vector<Eigen::MatrixXd>& candidates,
+                                        std::size_t count) {
   const auto volume = [](const Eigen::MatrixXd& information) {
     return -Eigen::LLT<Eigen::MatrixXd>{information}.matrixLLT().diagonal().array().log().sum();
   };
-  return greedySelection(volume, prior, candidates, count);
+  return selectGreedily(volume, prior, candidates, count);
 }
 
 } // namespace naocal

@@ -53,7 +53,7 @@ RestReadings::RestReadings(const std::vector<double>& angles) {
 }
 
 /// visit(x, P(readings | x)) on evenly spaced places, as far as the readings allow.
-template <class Visit> void RestReadings::overPlaces(double jitter, const Visit& visit) const {
+template <class Visit> void RestReadings::visitPlaces(double jitter, const Visit& visit) const {
   constexpr int points = 80;
   const double least = -0.5 - 3 * jitter, most = highest() + 0.5 + 3 * jitter;
   for (int i = 0; i < points; ++i) {
@@ -68,7 +68,7 @@ template <class Visit> void RestReadings::overPlaces(double jitter, const Visit&
 
 double RestReadings::logLikelihood(double jitter) const {
   double sum = 0;
-  overPlaces(jitter, [&](double, double probability) { sum += probability; });
+  visitPlaces(jitter, [&](double, double probability) { sum += probability; });
   return std::log(std::max(sum, 1e-300));
 }
 
@@ -77,7 +77,7 @@ RestReadings::Place RestReadings::place(double jitter) const {
   // readings of one rest that lie further apart than this jitter allows had more
   for (double likely = std::max(jitter / encoderStep, leastJitter); sum < 1e-100; likely *= jitterRatio) {
     sum = mean = square = 0;
-    overPlaces(likely, [&](double x, double probability) {
+    visitPlaces(likely, [&](double x, double probability) {
       sum += probability;
       mean += probability * x;
       square += probability * x * x;
@@ -87,7 +87,7 @@ RestReadings::Place RestReadings::place(double jitter) const {
   return {lowest_ + encoderStep * mean, encoderStep * encoderStep * std::max(0.0, square / sum - mean * mean)};
 }
 
-std::vector<double> encoderJitter(const std::vector<std::vector<RestReadings>>& rests) {
+std::vector<double> estimateEncoderJitter(const std::vector<std::vector<RestReadings>>& rests) {
   constexpr double spread = 0.4; // of ln(level) between joints
   std::map<std::vector<std::pair<int, int>>, std::vector<double>> known;
   std::vector<std::vector<double>> curves;

@@ -29,7 +29,7 @@ public:
   const std::vector<std::pair<int, int>>& pattern() const { return counts_; }
 
 private:
-  template <class Visit> void overPlaces(double jitter, const Visit& visit) const;
+  template <class Visit> void visitPlaces(double jitter, const Visit& visit) const;
 
   double lowest_ = 0;                       // angle of step 0: the mean of all readings less their steps [rad]
   std::vector<std::pair<int, int>> counts_; // step, how often
@@ -38,6 +38,6 @@ private:
 /// The jitter of each joint's encoder at rest [rad], from `rests[joint]`: the likeliest level, drawn towards the one
 /// that all joints together show (their encoders are of one make: levels within a factor of 1.5 of each other, 1
 /// sigma), for few rests tell a joint's own level but roughly. 0 where no readings of a rest ever differ.
-std::vector<double> encoderJitter(const std::vector<std::vector<RestReadings>>& rests);
+std::vector<double> estimateEncoderJitter(const std::vector<std::vector<RestReadings>>& rests);
 
 } // namespace naocal

@@ -14,7 +14,7 @@ struct FloorContact {
 /// from that sole; `normal` is the floor's there:
 ///
 ///   height = -n . t, d(height) = -n . v;  d(n) = omega x n
-inline Eigen::Matrix<double, 3, 6> floorContactByMotion(const Eigen::Vector3d& normal) {
+inline Eigen::Matrix<double, 3, 6> floorContactJacobian(const Eigen::Vector3d& normal) {
   Eigen::Matrix<double, 3, 6> result = Eigen::Matrix<double, 3, 6>::Zero();
   result.row(0).tail<3>() = -normal.transpose() / FloorContact::height;
   result.bottomLeftCorner<2, 3>() = -crossMatrix(normal).topRows<2>() / FloorContact::tilt;

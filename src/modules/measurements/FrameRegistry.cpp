@@ -23,26 +23,26 @@ FrameRegistry::FrameRegistry(const std::vector<CaptureSet>& sets, const Robot& r
     : oneScope_{sets.size() == 1 || samePlace} {
   for (const CaptureSet& set : sets) {
     addTargets(set, robot);
-    addStandings(set);
+    addStances(set);
   }
   fixWorld(sets);
 }
 
 std::size_t FrameRegistry::targetIndex(const CaptureSet& set, const std::string& board) const {
-  return targetByName_.at(scoped(set, board));
+  return targetByName_.at(scopedId(set, board));
 }
 
-std::size_t FrameRegistry::standingIndex(const CaptureSet& set, int stance) const {
-  return standingByName_.at(scoped(set, std::to_string(stance)));
+std::size_t FrameRegistry::stanceIndex(const CaptureSet& set, int stance) const {
+  return standingByName_.at(scopedId(set, std::to_string(stance)));
 }
 
-std::string FrameRegistry::scoped(const CaptureSet& set, const std::string& id) const {
+std::string FrameRegistry::scopedId(const CaptureSet& set, const std::string& id) const {
   return oneScope_ ? id : set.name + "/" + id;
 }
 
 void FrameRegistry::addTargets(const CaptureSet& set, const Robot& robot) {
   for (const Board& board : set.boards) {
-    const std::string name = scoped(set, board.id);
+    const std::string name = scopedId(set, board.id);
     if (targetByName_.contains(name)) {
       continue;
     }
@@ -56,9 +56,9 @@ void FrameRegistry::addTargets(const CaptureSet& set, const Robot& robot) {
   }
 }
 
-void FrameRegistry::addStandings(const CaptureSet& set) {
+void FrameRegistry::addStances(const CaptureSet& set) {
   for (const Stance& stance : set.stances) {
-    const std::string name = scoped(set, std::to_string(stance.id));
+    const std::string name = scopedId(set, std::to_string(stance.id));
     if (standingByName_.contains(name)) {
       continue;
     }
@@ -74,7 +74,7 @@ void FrameRegistry::fixWorld(const std::vector<CaptureSet>& sets) {
     for (const Capture& capture : set.captures) {
       for (const BoardCorners& corners : capture.corners.value_or(std::vector<BoardCorners>{})) {
         if (!corners.ids.empty()) {
-          seen.insert(scoped(set, corners.board));
+          seen.insert(scopedId(set, corners.board));
         }
       }
     }

@@ -18,14 +18,14 @@ public:
   FrameRegistry(const std::vector<CaptureSet>& sets, const Robot& robot, bool samePlace);
 
   std::size_t targetIndex(const CaptureSet& set, const std::string& board) const;
-  std::size_t standingIndex(const CaptureSet& set, int stance) const;
+  std::size_t stanceIndex(const CaptureSet& set, int stance) const;
   const std::vector<Target>& targets() const { return targets_; }
-  const std::vector<StanceInstance>& standings() const { return standings_; }
+  const std::vector<StanceInstance>& stances() const { return standings_; }
 
 private:
-  std::string scoped(const CaptureSet& set, const std::string& id) const;
+  std::string scopedId(const CaptureSet& set, const std::string& id) const;
   void addTargets(const CaptureSet& set, const Robot& robot);
-  void addStandings(const CaptureSet& set);
+  void addStances(const CaptureSet& set);
   void fixWorld(const std::vector<CaptureSet>& sets);
 
   bool oneScope_;

@@ -18,14 +18,14 @@ namespace naocal {
 
 /// Sorts the pictures into an order of their own, joins those of one reading, and readings of one pose; fills `poses`,
 /// `joints` and `repeats`.
-void groupReadings(const std::vector<CaptureSet>& sets, Measurements& measurements);
+void groupByPose(const std::vector<CaptureSet>& sets, Measurements& measurements);
 
 /// One capture of one of the sets in terms of the robot's joints, cameras and targets. `measurements` has its robot,
 /// quantities and targets already.
 /// Throws InputError for what the robot cannot have measured (unknown camera, no corners, joint needed but not
 /// recorded).
-ImageObservation recordedPicture(const std::vector<CaptureSet>& sets, std::size_t set, std::size_t capture,
-                                 const Measurements& measurements, const FrameRegistry& places);
+ImageObservation makeImageObservation(const std::vector<CaptureSet>& sets, std::size_t set, std::size_t capture,
+                                      const Measurements& measurements, const FrameRegistry& places);
 
 namespace {
 
@@ -101,8 +101,8 @@ RestReadings readingsOf(const Rest& rest, std::size_t joint, const PoseGroup& po
 }
 
 /// Per joint the readings of all rests, pose after pose.
-std::vector<std::vector<RestReadings>> allReadings(const std::vector<std::vector<Rest>>& restsOf,
-                                                   const Measurements& measurements) {
+std::vector<std::vector<RestReadings>> collectReadings(const std::vector<std::vector<Rest>>& restsOf,
+                                                       const Measurements& measurements) {
   const std::size_t joints = measurements.robot.joints.size();
   std::vector<std::vector<RestReadings>> readings(joints);
   for (std::size_t pose = 0; pose < measurements.poses.size(); ++pose) {
@@ -119,14 +119,14 @@ std::vector<std::vector<RestReadings>> allReadings(const std::vector<std::vector
 /// motor share its encoder.
 std::vector<double> jitterOf(std::vector<std::vector<RestReadings>> readings, const Measurements& measurements) {
   const auto isRecorded = [&](std::size_t joint) {
-    return std::binary_search(measurements.recorded.begin(), measurements.recorded.end(), joint);
+    return std::binary_search(measurements.recordedMotors.begin(), measurements.recordedMotors.end(), joint);
   };
   for (std::size_t joint = 0; joint < readings.size(); ++joint) {
     if (!isRecorded(joint)) {
       readings[joint].clear();
     }
   }
-  const std::vector<double> ofMotors = encoderJitter(readings);
+  const std::vector<double> ofMotors = estimateEncoderJitter(readings);
   std::vector<double> result;
   for (const Joint& joint : measurements.robot.joints) {
     result.push_back(isRecorded(joint.motor) ? ofMotors[joint.motor] : 0.0);
@@ -159,7 +159,7 @@ void placeJoints(const std::vector<std::vector<Rest>>& restsOf, const std::vecto
         for (const std::size_t reading : rest.readings) {
           for (const std::size_t index : pose.readings[reading].pictures) {
             measurements.pictures[index].instant.q[static_cast<Eigen::Index>(joint)] = place.angle;
-            measurements.pictures[index].drawn.angle(joint) = place.angle;
+            measurements.pictures[index].nominal.angle(joint) = place.angle;
           }
         }
       }
@@ -194,14 +194,14 @@ void countRepeats(const std::vector<Rest>& rests, const PoseGroup& pose, std::ve
 void addFloorContact(const Measurements& measurements, ImageObservation& picture) {
   const Robot& robot = measurements.robot;
   if (picture.instant.supportFoot == SupportFoot::both) {
-    picture.otherSole = ObservationChain::betweenLinks(robot, measurements.quantities, robot.sole("right")->link,
-                                                       robot.sole("left")->link);
+    picture.otherSole = ObservationChain::betweenLinks(robot, measurements.quantities, robot.findSole("right")->link,
+                                                       robot.findSole("left")->link);
   }
 }
 
 } // namespace
 
-void groupReadings(const std::vector<CaptureSet>& sets, Measurements& measurements) {
+void groupByPose(const std::vector<CaptureSet>& sets, Measurements& measurements) {
   auto& pictures = measurements.pictures;
   const auto key = [&](const ImageObservation& picture) {
     const Capture& capture = sets[picture.set].captures[picture.capture];
@@ -226,13 +226,13 @@ void groupReadings(const std::vector<CaptureSet>& sets, Measurements& measuremen
       pose.name = name.second;
       rests.push_back(groupPose(sets, members, measurements.pictures, tolerance, pose));
     }
-    measurements.jitter = jitterOf(allReadings(rests, measurements), measurements);
+    measurements.jitter = jitterOf(collectReadings(rests, measurements), measurements);
     tolerance = toleranceFor(measurements.jitter);
   }
-  placeJoints(rests, allReadings(rests, measurements), measurements);
+  placeJoints(rests, collectReadings(rests, measurements), measurements);
   for (std::size_t pose = 0; pose < rests.size(); ++pose) {
     const std::vector<EncoderSample>& readings = measurements.poses[pose].readings;
-    measurements.repeats |= readings.size() > 1;
+    measurements.hasRepeats |= readings.size() > 1;
     addFloorContact(measurements, measurements.pictures[readings.front().pictures.front()]);
     countRepeats(rests[pose], measurements.poses[pose], measurements.pictures);
   }
@@ -267,7 +267,7 @@ void refuseOtherRobots(const std::vector<CaptureSet>& sets) {
   }
 }
 
-Seconds earliest(const CaptureSet& set) {
+Seconds earliestTime(const CaptureSet& set) {
   Seconds first = Seconds::max();
   for (const Capture& capture : set.captures) {
     first = std::min(first, capture.time);
@@ -317,7 +317,7 @@ std::vector<std::size_t> posesOfPictures(const Measurements& measurements) {
   return result;
 }
 
-Measurements measurementsOf(const std::vector<CaptureSet>& sets, const Robot& robot, bool samePlace) {
+Measurements buildMeasurements(const std::vector<CaptureSet>& sets, const Robot& robot, bool samePlace) {
   refuseOtherRobots(sets);
   const FrameRegistry places{sets, robot, samePlace};
   Measurements result;
@@ -325,12 +325,12 @@ Measurements measurementsOf(const std::vector<CaptureSet>& sets, const Robot& ro
   result.samePlace = samePlace;
   result.quantities = StateLayout{robot.joints.size(), robot.lengths.size(), places.targets().size()};
   result.targets = places.targets();
-  result.standings = places.standings();
-  result.recorded = recordedMotors(sets, robot);
+  result.stances = places.stances();
+  result.recordedMotors = recordedMotors(sets, robot);
   for (std::size_t set = 0; set < sets.size(); ++set) {
-    const Seconds first = earliest(sets[set]);
+    const Seconds first = earliestTime(sets[set]);
     for (std::size_t capture = 0; capture < sets[set].captures.size(); ++capture) {
-      result.pictures.push_back(recordedPicture(sets, set, capture, result, places));
+      result.pictures.push_back(makeImageObservation(sets, set, capture, result, places));
       result.pictures.back().instant.time -= first;
       result.pictures.back().instant.set = set;
       for (const BoardObservation& sighting : result.pictures.back().sightings) {
@@ -338,7 +338,7 @@ Measurements measurementsOf(const std::vector<CaptureSet>& sets, const Robot& ro
       }
     }
   }
-  groupReadings(sets, result);
+  groupByPose(sets, result);
   return result;
 }
 
@@ -378,7 +378,7 @@ double leftLoad(const Capture& capture) {
 }
 
 std::size_t targetLink(const Robot& robot, const Target& target, SupportFoot foot) {
-  return target.onFloor ? robot.sole(foot == SupportFoot::right ? "right" : "left")->link
+  return target.onFloor ? robot.findSole(foot == SupportFoot::right ? "right" : "left")->link
                         : *robot.linkIndex(target.board.link);
 }
 
@@ -398,7 +398,7 @@ void addSighting(const CaptureSet& set, const Capture& capture, const BoardCorne
                                    set.name, capture.id, robot.joints[joint].name, corners.board)};
     }
   }
-  result.sightings.push_back({std::move(view), cornerBlocks(target.board, corners), corners.ids});
+  result.sightings.push_back({std::move(view), packCorners(target.board, corners), corners.ids});
 }
 
 /// The readings, or resting angles where there are none.
@@ -406,32 +406,32 @@ void drawAngles(const Robot& robot, ImageObservation& result) {
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     double& angle = result.instant.q[static_cast<Eigen::Index>(joint)];
     if (std::isnan(angle)) {
-      angle = robot.joints[joint].resting;
+      angle = robot.joints[joint].restAngle;
     }
-    result.drawn.angle(joint) = angle;
+    result.nominal.angle(joint) = angle;
   }
 }
 
 /// The file's lens, and placements known or guessed.
 void drawScene(const CameraIntrinsics& camera, const Measurements& measurements, ImageObservation& result) {
-  result.drawn.lens().head<4>() << camera.fx, camera.fy, camera.cx, camera.cy;
+  result.nominal.lens().head<4>() << camera.fx, camera.fy, camera.cx, camera.cy;
   for (std::size_t i = 0; i < camera.distortion.size(); ++i) {
-    result.drawn.lens()[static_cast<Eigen::Index>(4 + i)] = camera.distortion[i];
+    result.nominal.lens()[static_cast<Eigen::Index>(4 + i)] = camera.distortion[i];
   }
   const auto numbers = [](const Placement& p) {
     return (Eigen::Matrix<double, 6, 1>{} << p.x, p.y, p.z, p.roll, p.pitch, p.yaw).finished();
   };
-  result.drawn.ground() = numbers(measurements.standings[result.stance].placement);
+  result.nominal.worldFromSupport() = numbers(measurements.stances[result.stance].placement);
   for (std::size_t target = 0; target < measurements.targets.size(); ++target) {
     const Board& board = measurements.targets[target].board;
-    result.drawn.boardPlacement(target) = numbers(board.placement.value_or(board.placementGuess));
+    result.nominal.boardPlacement(target) = numbers(board.placement.value_or(board.placementGuess));
   }
 }
 
 } // namespace
 
-ImageObservation recordedPicture(const std::vector<CaptureSet>& sets, std::size_t setIndex, std::size_t index,
-                                 const Measurements& measurements, const FrameRegistry& places) {
+ImageObservation makeImageObservation(const std::vector<CaptureSet>& sets, std::size_t setIndex, std::size_t index,
+                                      const Measurements& measurements, const FrameRegistry& places) {
   const Robot& robot = measurements.robot;
   const CaptureSet& set = sets[setIndex];
   const Capture& capture = set.captures[index];
@@ -447,7 +447,7 @@ ImageObservation recordedPicture(const std::vector<CaptureSet>& sets, std::size_
   ImageObservation result{.set = setIndex,
                           .capture = index,
                           .camera = *camera,
-                          .stance = places.standingIndex(set, capture.stance),
+                          .stance = places.stanceIndex(set, capture.stance),
                           .instant = {.time = capture.time,
                                       .supportFoot = capture.supportFoot,
                                       .q = perJoint(robot, set, capture.joints.measured),
@@ -457,7 +457,7 @@ ImageObservation recordedPicture(const std::vector<CaptureSet>& sets, std::size_
                                       .current = perJoint(robot, set, capture.joints.current),
                                       .imu = capture.imu.value_or(Eigen::Vector2d::Constant(RobotSample::nothing)),
                                       .leftLoad = leftLoad(capture)},
-                          .drawn = drawnBelief(robot, measurements.quantities),
+                          .nominal = nominalState(robot, measurements.quantities),
                           .sightings = {}};
   for (const BoardCorners& corners : *capture.corners) {
     addSighting(set, capture, corners, places.targetIndex(set, corners.board), measurements, result);
@@ -467,7 +467,7 @@ ImageObservation recordedPicture(const std::vector<CaptureSet>& sets, std::size_
   return result;
 }
 
-std::vector<std::size_t> jointsBetween(const Robot& robot, const ImageObservation& picture) {
+std::vector<std::size_t> observedJoints(const Robot& robot, const ImageObservation& picture) {
   std::vector<char> between(robot.joints.size(), 0);
   const auto add = [&](const ObservationChain& view) {
     for (const std::size_t joint : view.joints()) {

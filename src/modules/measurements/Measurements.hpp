@@ -39,7 +39,7 @@ struct ImageObservation {
   std::size_t set = 0, capture = 0; // index into the sets given and into that set's captures
   std::size_t camera = 0, stance = 0;
   RobotSample instant; // q = measured angles [rad], resting angles where not recorded
-  ModelState drawn;    // the drawing, the file's lens, measured angles, placements known or guessed
+  ModelState nominal;  // the drawing, the file's lens, measured angles, placements known or guessed
   std::vector<BoardObservation> sightings;
   std::optional<ObservationChain>
       otherSole; // standing on both feet, once per pose: how the right sole sees the left one's floor
@@ -71,15 +71,15 @@ struct Measurements {
   Robot robot;
   StateLayout quantities{0, 0, 0};
   std::vector<Target> targets;
-  std::vector<StanceInstance> standings;
+  std::vector<StanceInstance> stances;
   std::vector<ImageObservation> pictures;
   std::vector<PoseGroup> poses;
-  std::vector<std::size_t> joints;   // motors of joints between some camera and some target, ascending
-  std::vector<std::size_t> recorded; // motors whose angles every capture tells, ascending
+  std::vector<std::size_t> joints;         // motors of joints between some camera and some target, ascending
+  std::vector<std::size_t> recordedMotors; // motors whose angles every capture tells, ascending
   std::vector<double> jitter; // per joint of the robot: of its encoder's readings at rest [rad]; 0: they never differ
   std::size_t cornerCount = 0;
-  bool repeats = false;   // some pose was taken more than once
-  bool samePlace = false; // boards and stances of equal ids are the same in all sets
+  bool hasRepeats = false; // some pose was taken more than once
+  bool samePlace = false;  // boards and stances of equal ids are the same in all sets
 };
 
 /// Of each picture the pose that it belongs to; 0 for one without corners, which belongs to none.
@@ -88,9 +88,9 @@ std::vector<std::size_t> posesOfPictures(const Measurements& measurements);
 /// Prepares sets of one robot. `samePlace` joins boards and stances of equal ids over the sets.
 /// Throws InputError for what the robot cannot have measured (unknown link, joint needed but not recorded, other
 /// robot).
-Measurements measurementsOf(const std::vector<CaptureSet>& sets, const Robot& robot, bool samePlace = false);
+Measurements buildMeasurements(const std::vector<CaptureSet>& sets, const Robot& robot, bool samePlace = false);
 
 /// Joints between the picture's camera and what it shows, and between the soles where both stand, ascending.
-std::vector<std::size_t> jointsBetween(const Robot& robot, const ImageObservation& picture);
+std::vector<std::size_t> observedJoints(const Robot& robot, const ImageObservation& picture);
 
 } // namespace naocal

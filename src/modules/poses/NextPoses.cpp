@@ -24,12 +24,12 @@ std::vector<ProposedPose> candidates(const Robot& robot, const CaptureSet& set, 
     PoseOptions wanted;
     wanted.supportFoot = here.supportFoot;
     wanted.seed = options.seed;
-    wanted.tries = 400 * options.candidates;
+    wanted.maxAttempts = 400 * options.candidates;
     wanted.stability.jointError = options.jointError;
     const PlanningScene scene{robot, here.supportFoot, here.boards, set.cameras, wanted.sight};
-    for (const ModelState& belief : stableAttitudes(robot, scene, wanted, options.candidates / around.size())) {
+    for (const ModelState& belief : sampleStableStates(robot, scene, wanted, options.candidates / around.size())) {
       ProposedPose pose{{here.supportFoot, belief.values.head(static_cast<Eigen::Index>(robot.joints.size())), {}},
-                        randomApproach(robot, random)};
+                        drawApproach(robot, random)};
       result.push_back(pose);
       if (bothWays) {
         pose.approach = -pose.approach;
@@ -53,7 +53,7 @@ std::vector<std::size_t> greedily(const Discrimination& discrimination, const Pl
     for (const std::size_t i : left) {
       Eigen::MatrixXd with = known;
       information.promised[i].addTo(with);
-      if (const double gain = discrimination.gain(before, discrimination.misfits(with)); gain > best) {
+      if (const double gain = discrimination.expectedGain(before, discrimination.misfits(with)); gain > best) {
         best = gain;
         next = i;
       }
@@ -75,7 +75,7 @@ std::map<std::string, double> offsetSigmas(const Model& model, const Eigen::Matr
   for (const std::size_t offset : model.offsets()) {
     const Term& term = model.terms()[offset];
     const auto at = static_cast<Eigen::Index>(term.first);
-    if (term.asked) {
+    if (term.requested) {
       result[term.place] = std::sqrt(covariance(at, at));
     }
   }
@@ -84,8 +84,8 @@ std::map<std::string, double> offsetSigmas(const Model& model, const Eigen::Matr
 
 } // namespace
 
-NextPoses nextPoses(const std::vector<CaptureSet>& sets, const Measurements& measurements, const FittedModel& fit,
-                    const ModelAmbiguity& question, const NextPosesOptions& options) {
+NextPoses proposeNextPoses(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                           const FittedModel& fit, const ModelAmbiguity& question, const NextPosesOptions& options) {
   NextPoses result;
   result.why = question.why;
   if (question.suspects.empty()) {
@@ -93,17 +93,17 @@ NextPoses nextPoses(const std::vector<CaptureSet>& sets, const Measurements& mea
     return result;
   }
   const Robot& robot = measurements.robot;
-  result.around = surroundings(sets, measurements, fit.model, fit.unknowns);
+  result.around = findLocalScenes(sets, measurements, fit.model, fit.unknowns);
   if (result.around.empty()) {
     result.whyNone = "no board lies on the floor before a standing robot";
   }
   if (result.around.empty() || options.count == 0) {
     return result;
   }
-  const bool bothWays = looksAtApproach(withSuspects(measurements, fit.model, question));
+  const bool bothWays = dependsOnApproach(addHypotheses(measurements, fit.model, question));
   const std::vector<ProposedPose> drawn = candidates(robot, sets.back(), result.around, bothWays, options);
   const std::vector<ProposedPose> poses =
-      feasibleByFit(sets, measurements, fit.model, fit.unknowns, result.around, drawn);
+      filterFeasible(sets, measurements, fit.model, fit.unknowns, result.around, drawn);
   if (poses.empty()) {
     result.whyNone = "no stable pose was found that sees a board";
     return result;
@@ -112,31 +112,31 @@ NextPoses nextPoses(const std::vector<CaptureSet>& sets, const Measurements& mea
   result.seeing = poses.size() / (bothWays ? 2 : 1);
   result.jointError = options.jointError;
   result.noise = fit.noise;
-  result.firstStance = plannedStance(sets, SupportFoot::left);
-  result.samples = samplesOf(measurements);
+  result.firstStance = plannedStanceId(sets, SupportFoot::left);
+  result.samples = samplesPerPose(measurements);
 
   const PlannedInformation information =
-      plannedInformation(sets, measurements, fit, question, result.around, poses, options.samePlace);
+      predictInformation(sets, measurements, fit, question, result.around, poses, options.samePlace);
   const Discrimination discrimination{question, static_cast<Eigen::Index>(information.own.unknownCount())};
   Eigen::MatrixXd known = information.known;
   for (const std::size_t chosen : greedily(discrimination, information, poses,
                                            ReachabilityCheck{robot, options.jointError}, options.count, known)) {
     result.poses.push_back(poses[chosen]);
   }
-  result.growth = discrimination.growth(discrimination.misfits(information.known), discrimination.misfits(known));
+  result.growth = discrimination.growthFactor(discrimination.misfits(information.known), discrimination.misfits(known));
   result.predictedSigma = offsetSigmas(information.own, known);
   std::mt19937_64 random{options.seed};
   std::shuffle(result.poses.begin(), result.poses.end(), random);
   return result;
 }
 
-NextPoses nextPoses(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Diagnosis& diagnosis,
-                    const DiagnosisOptions& asked, const NextPosesOptions& options) {
-  const ModelAmbiguity question = openQuestion(diagnosis, measurements.robot, asked);
-  const Model model = makeModel(measurements, diagnosis.with, asked.without, asked.effects);
+NextPoses proposeNextPoses(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                           const Diagnosis& diagnosis, const DiagnosisOptions& asked, const NextPosesOptions& options) {
+  const ModelAmbiguity question = findAmbiguity(diagnosis, measurements.robot, asked);
+  const Model model = buildModel(measurements, diagnosis.with, asked.without, asked.effects);
   Noise noise = diagnosis.lastFit.noise;
   noise.pose = diagnosis.scatter;
-  return nextPoses(sets, measurements, {model, diagnosis.lastFit.unknowns, noise}, question, options);
+  return proposeNextPoses(sets, measurements, {model, diagnosis.lastFit.unknowns, noise}, question, options);
 }
 
 } // namespace naocal

@@ -38,11 +38,13 @@ struct NextPoses {
 /// Chooses among stable poses in sight of the boards (PoseGenerator), on the captures' feet, each approached from above
 /// and from below where that matters: greedily the one with the largest Discrimination::gain beside the captures and
 /// those before it. The measurement model is linearised at the fit, noise as there. The same seed proposes the same.
-NextPoses nextPoses(const std::vector<CaptureSet>& sets, const Measurements& measurements, const FittedModel& fit,
-                    const ModelAmbiguity& question, const NextPosesOptions& options = {});
+NextPoses proposeNextPoses(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                           const FittedModel& fit, const ModelAmbiguity& question,
+                           const NextPosesOptions& options = {});
 
 /// After a diagnosis: of its last model and what it leaves open.
-NextPoses nextPoses(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Diagnosis& diagnosis,
-                    const DiagnosisOptions& asked, const NextPosesOptions& options = {});
+NextPoses proposeNextPoses(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                           const Diagnosis& diagnosis, const DiagnosisOptions& asked,
+                           const NextPosesOptions& options = {});
 
 } // namespace naocal

@@ -18,9 +18,9 @@ namespace naocal {
 void PlanRefiner::refinePoses(PlanDraft& draft) {
   const PlanEvaluator score{robot_, draft.boards, cameras_, options_};
   PoseSampler attitudes{robot_, score.scene(), options_.poses};
-  std::vector<Eigen::MatrixXd> own = score.parts(draft.poses);
-  Eigen::MatrixXd sum = score.sum(draft.poses);
-  double now = score.value(sum, draft.poses);
+  std::vector<Eigen::MatrixXd> own = score.informationParts(draft.poses);
+  Eigen::MatrixXd sum = score.totalInformation(draft.poses);
+  double now = score.objective(sum, draft.poses);
   PassCounts unused;
   const std::size_t attempts = options_.refinements * draft.poses.size();
   for (std::size_t attempt = 0; attempt < attempts; ++attempt) {
@@ -29,14 +29,14 @@ void PlanRefiner::refinePoses(PlanDraft& draft) {
     for (double& number : point) {
       number = std::clamp(number + step(attempt, attempts), 0.0, 1.0);
     }
-    auto moved = attitudes.at(point, unused);
+    auto moved = attitudes.sampleAt(point, unused);
     if (!moved) {
       continue;
     }
-    const Eigen::MatrixXd part = score.parts({*moved}).front();
+    const Eigen::MatrixXd part = score.informationParts({*moved}).front();
     const Eigen::MatrixXd with = sum - own[i] + part;
     std::swap(draft.poses[i], *moved);
-    if (const double there = score.value(with, draft.poses); there < now) {
+    if (const double there = score.objective(with, draft.poses); there < now) {
       now = there;
       sum = with;
       own[i] = part;
@@ -48,7 +48,7 @@ void PlanRefiner::refinePoses(PlanDraft& draft) {
 
 void PlanRefiner::refineBoards(PlanDraft& draft) {
   const BoardPlacementRules places{robot_, options_.poses.supportFoot, options_.farthestBoard, options_.gap};
-  const MirroredBoards mirror{draft.boards, middleBetweenFeet(options_.poses.supportFoot)};
+  const MirroredBoards mirror{draft.boards, midlineBetweenFeet(options_.poses.supportFoot)};
   double now = value(draft);
   const std::size_t attempts = options_.refinements * draft.boards.size();
   for (std::size_t attempt = 0; attempt < attempts; ++attempt) {
@@ -61,10 +61,10 @@ void PlanRefiner::refineBoards(PlanDraft& draft) {
     place.y += size * move(random_);
     place.yaw += 5 * size * move(random_);
     if (options_.mirrored) {
-      mirror.follow(draft.boards, i);
+      mirror.mirrorMoved(draft.boards, i);
     }
-    const bool allowed =
-        places.allow(draft.boards, i) && (!options_.mirrored || places.allow(draft.boards, mirror.mate(i)));
+    const bool allowed = places.isAllowed(draft.boards, i) &&
+                         (!options_.mirrored || places.isAllowed(draft.boards, mirror.mirrorImageOf(i)));
     if (const double there = allowed ? value(draft) : now; there < now) {
       now = there;
     } else {
@@ -75,14 +75,14 @@ void PlanRefiner::refineBoards(PlanDraft& draft) {
 
 double PlanRefiner::value(const PlanDraft& draft) const {
   const PlanEvaluator score{robot_, draft.boards, cameras_, options_};
-  Eigen::MatrixXd sum = score.known();
-  for (const Eigen::MatrixXd& part : score.parts(draft.poses)) {
+  Eigen::MatrixXd sum = score.priorInformation();
+  for (const Eigen::MatrixXd& part : score.informationParts(draft.poses)) {
     if (part.leftCols(part.rows()).isZero()) {
       return std::numeric_limits<double>::infinity(); // a pose that sees nothing
     }
     sum += part;
   }
-  return score.value(sum, draft.poses);
+  return score.objective(sum, draft.poses);
 }
 
 double PlanRefiner::step(std::size_t attempt, std::size_t attempts) {
@@ -95,15 +95,15 @@ PlanEvaluator::PlanEvaluator(const Robot& robot, const std::vector<Board>& board
     : robot_{robot}, cameras_{cameras}, options_{options}, boards_{boards}, scene_{robot, options.poses.supportFoot,
                                                                                    boards, cameras,
                                                                                    options.poses.sight},
-      judge_{robot, scene_, scene_.joints(), options.criterion, options.known}, worn_{wornRobots(robot, options.poses,
-                                                                                                 options.wornRobots,
-                                                                                                 1)},
+      judge_{robot, scene_, scene_.joints(), options.criterion, options.known}, worn_{drawPerturbedRobots(
+                                                                                    robot, options.poses,
+                                                                                    options.perturbedRobots, 1)},
       known_{judge_.prior().replicate(1, static_cast<Eigen::Index>(worn_.size() + 1))} {
   for (const Eigen::VectorXd& angles : options.kept) {
-    kept_.push_back({scene_.drawn(), {}, 0});
+    kept_.push_back({scene_.nominalState(), {}, 0});
     kept_.back().belief.values.head(angles.size()) = angles;
   }
-  for (const Eigen::MatrixXd& part : parts(kept_)) {
+  for (const Eigen::MatrixXd& part : informationParts(kept_)) {
     known_ += part;
   }
 }
@@ -116,13 +116,14 @@ Interaction PlanEvaluator::interaction(const std::vector<ValidPose>& poses) cons
   return thesis().interaction(poses);
 }
 
-std::vector<ValidPose> PlanEvaluator::best(const std::vector<ValidPose>& candidates, std::size_t count) const {
+std::vector<ValidPose> PlanEvaluator::selectPoses(const std::vector<ValidPose>& candidates, std::size_t count) const {
   if (options_.criterion == Criterion::discriminate) {
-    return EffectPairCriterion{robot_, boards_, cameras_, options_}.best(kept_, candidates, count);
+    return EffectPairCriterion{robot_, boards_, cameras_, options_}.selectPoses(kept_, candidates, count);
   }
-  const std::vector<std::size_t> indices = options_.criterion == Criterion::interaction
-                                               ? thesis().chain(candidates, count)
-                                               : selected(judge_, expected(known_), expectedParts(candidates), count);
+  const std::vector<std::size_t> indices =
+      options_.criterion == Criterion::interaction
+          ? thesis().selectChain(candidates, count)
+          : naocal::selectPoses(judge_, expectedInformation(known_), expectedParts(candidates), count);
   std::vector<ValidPose> result;
   for (const std::size_t index : indices) {
     result.push_back(candidates[index]);
@@ -137,14 +138,14 @@ std::optional<double> PlanEvaluator::misfit(const std::vector<ValidPose>& poses)
 }
 
 std::vector<Eigen::MatrixXd> PlanEvaluator::partsOfDrawn(const std::vector<ValidPose>& poses) const {
-  std::vector<Eigen::MatrixXd> result = informations(robot_, scene_, poses, options_.noise);
+  std::vector<Eigen::MatrixXd> result = computeInformation(robot_, scene_, poses, options_.noise);
   for (Eigen::MatrixXd& information : result) {
-    information = judge_.part(information);
+    information = judge_.relevantInformation(information);
   }
   return result;
 }
 
-Eigen::MatrixXd PlanEvaluator::expected(const Eigen::MatrixXd& sum) const {
+Eigen::MatrixXd PlanEvaluator::expectedInformation(const Eigen::MatrixXd& sum) const {
   Eigen::MatrixXd result = ofRobot(sum, 0);
   for (std::size_t robot = 1; robot <= worn_.size(); ++robot) {
     result += ofRobot(sum, robot) / static_cast<double>(worn_.size());
@@ -155,7 +156,7 @@ Eigen::MatrixXd PlanEvaluator::expected(const Eigen::MatrixXd& sum) const {
 std::vector<Eigen::MatrixXd> PlanEvaluator::expectedParts(const std::vector<ValidPose>& poses) const {
   std::vector<Eigen::MatrixXd> result = partsOfDrawn(poses);
   for (const Eigen::VectorXd& errors : worn_) {
-    const std::vector<Eigen::MatrixXd> own = partsOfDrawn(takenBy(errors, poses));
+    const std::vector<Eigen::MatrixXd> own = partsOfDrawn(applyErrors(errors, poses));
     for (std::size_t pose = 0; pose < poses.size(); ++pose) {
       result[pose] += own[pose] / static_cast<double>(worn_.size());
     }
@@ -163,10 +164,10 @@ std::vector<Eigen::MatrixXd> PlanEvaluator::expectedParts(const std::vector<Vali
   return result;
 }
 
-std::vector<Eigen::MatrixXd> PlanEvaluator::parts(const std::vector<ValidPose>& poses) const {
+std::vector<Eigen::MatrixXd> PlanEvaluator::informationParts(const std::vector<ValidPose>& poses) const {
   std::vector<Eigen::MatrixXd> result = partsOfDrawn(poses);
   for (std::size_t robot = 0; robot < worn_.size(); ++robot) {
-    const std::vector<Eigen::MatrixXd> own = partsOfDrawn(takenBy(worn_[robot], poses));
+    const std::vector<Eigen::MatrixXd> own = partsOfDrawn(applyErrors(worn_[robot], poses));
     for (std::size_t pose = 0; pose < poses.size(); ++pose) {
       if (robot == 0) {
         result[pose].conservativeResize(Eigen::NoChange, known_.cols());
@@ -181,9 +182,9 @@ Eigen::MatrixXd PlanEvaluator::ofRobot(const Eigen::MatrixXd& sum, std::size_t r
   return sum.middleCols(static_cast<Eigen::Index>(robot) * sum.rows(), sum.rows());
 }
 
-Eigen::MatrixXd PlanEvaluator::sum(const std::vector<ValidPose>& poses) const {
+Eigen::MatrixXd PlanEvaluator::totalInformation(const std::vector<ValidPose>& poses) const {
   Eigen::MatrixXd result = known_;
-  for (const Eigen::MatrixXd& part : parts(poses)) {
+  for (const Eigen::MatrixXd& part : informationParts(poses)) {
     result += part;
   }
   return result;
@@ -193,7 +194,7 @@ double PlanEvaluator::worstSigma(const Eigen::MatrixXd& sum) const {
   return std::sqrt(judge_.covariance(ofRobot(sum, 0)).diagonal().maxCoeff());
 }
 
-double PlanEvaluator::value(const Eigen::MatrixXd& sum, const std::vector<ValidPose>& poses) const {
+double PlanEvaluator::objective(const Eigen::MatrixXd& sum, const std::vector<ValidPose>& poses) const {
   if (options_.criterion != Criterion::time) {
     double ofWorn = 0;
     for (std::size_t robot = 1; robot <= worn_.size(); ++robot) {
@@ -203,36 +204,36 @@ double PlanEvaluator::value(const Eigen::MatrixXd& sum, const std::vector<ValidP
   }
   constexpr double farMore = 1e6;
   const double missing = worstSigma(sum) / options_.sigma;
-  return missing > 1 ? farMore * missing : secondsToPlay(robot_, poses, options_.secondsPerPose);
+  return missing > 1 ? farMore * missing : playTime(robot_, poses, options_.secondsPerPose);
 }
 
 std::map<std::string, double> PlanEvaluator::sigmas(const std::vector<ValidPose>& poses, bool known) const {
   const PoseCriterion judge{robot_, scene_, judge_.joints(), options_.criterion, known};
   Eigen::MatrixXd sum = judge.prior();
   for (const std::vector<ValidPose>* each : {&kept_, &poses}) {
-    for (const Eigen::MatrixXd& information : informations(robot_, scene_, *each, options_.noise)) {
-      sum += judge.part(information);
+    for (const Eigen::MatrixXd& information : computeInformation(robot_, scene_, *each, options_.noise)) {
+      sum += judge.relevantInformation(information);
     }
   }
-  return named(judge.covariance(sum).diagonal());
+  return nameSigmas(judge.covariance(sum).diagonal());
 }
 
-std::map<std::string, double> PlanEvaluator::sigmasOfRobots(const std::vector<ValidPose>& poses) const {
+std::map<std::string, double> PlanEvaluator::perturbedSigmas(const std::vector<ValidPose>& poses) const {
   constexpr std::size_t robots = 100;
   std::vector<ValidPose> all = kept_;
   all.insert(all.end(), poses.begin(), poses.end());
   Eigen::VectorXd variances = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(judge_.joints().size()));
-  for (const Eigen::VectorXd& errors : wornRobots(robot_, options_.poses, robots, 2)) {
+  for (const Eigen::VectorXd& errors : drawPerturbedRobots(robot_, options_.poses, robots, 2)) {
     Eigen::MatrixXd sum = judge_.prior();
-    for (const Eigen::MatrixXd& part : partsOfDrawn(takenBy(errors, all))) {
+    for (const Eigen::MatrixXd& part : partsOfDrawn(applyErrors(errors, all))) {
       sum += part;
     }
     variances += judge_.covariance(sum).diagonal() / robots;
   }
-  return named(variances);
+  return nameSigmas(variances);
 }
 
-std::map<std::string, double> PlanEvaluator::named(const Eigen::VectorXd& variances) const {
+std::map<std::string, double> PlanEvaluator::nameSigmas(const Eigen::VectorXd& variances) const {
   std::map<std::string, double> result;
   for (std::size_t i = 0; i < judge_.joints().size(); ++i) {
     result[robot_.joints[judge_.joints()[i]].name] = std::sqrt(variances[static_cast<Eigen::Index>(i)]);
@@ -243,30 +244,30 @@ std::map<std::string, double> PlanEvaluator::named(const Eigen::VectorXd& varian
 namespace {
 
 PlanOptions ofDrawnRobot(PlanOptions options) {
-  options.wornRobots = 0;
+  options.perturbedRobots = 0;
   return options;
 }
 
 } // namespace
 
-PlanDraft PlanOptimizer::found(const std::vector<Board>& boards, const std::vector<ValidPose>& attitudes) {
+PlanDraft PlanOptimizer::optimize(const std::vector<Board>& boards, const std::vector<ValidPose>& attitudes) {
   if (options_.criterion == Criterion::time) {
     return quickest(boards, attitudes);
   }
   if (options_.criterion == Criterion::interaction || options_.criterion == Criterion::discriminate) {
-    return {PlanEvaluator{robot_, boards, cameras_, options_}.best(attitudes, options_.poses.count), boards};
+    return {PlanEvaluator{robot_, boards, cameras_, options_}.selectPoses(attitudes, options_.poses.count), boards};
   }
-  return refinedFromStarts(boards, attitudes);
+  return refineFromStarts(boards, attitudes);
 }
 
 /// Selected for worn robots too, first refined for the drawn one: refining for worn ones takes many times as long.
-PlanDraft PlanOptimizer::refinedFromStarts(const std::vector<Board>& boards, const std::vector<ValidPose>& attitudes) {
+PlanDraft PlanOptimizer::refineFromStarts(const std::vector<Board>& boards, const std::vector<ValidPose>& attitudes) {
   const PlanOptions drawn = ofDrawnRobot(options_);
   std::vector<PlanDraft> drafts(options_.starts, PlanDraft{{}, boards});
-  inParallel(drafts.size(), [&](std::size_t i) {
+  parallelFor(drafts.size(), [&](std::size_t i) {
     PlanOptions beginning = options_;
     beginning.criterion = static_cast<Criterion>(i % static_cast<std::size_t>(Criterion::interaction));
-    drafts[i].poses = PlanEvaluator{robot_, boards, cameras_, beginning}.best(attitudes, options_.poses.count);
+    drafts[i].poses = PlanEvaluator{robot_, boards, cameras_, beginning}.selectPoses(attitudes, options_.poses.count);
     refine(drafts[i], attitudes, drawn, i);
   });
   PlanDraft best = *std::min_element(drafts.begin(), drafts.end(), [&](const PlanDraft& one, const PlanDraft& other) {
@@ -284,7 +285,8 @@ PlanDraft PlanOptimizer::quickest(const std::vector<Board>& boards, const std::v
   PlanDraft best;
   double least = std::numeric_limits<double>::infinity();
   for (options.poses.count = 2; options.poses.count <= options_.poses.count; ++options.poses.count) {
-    PlanDraft draft{PlanEvaluator{robot_, boards, cameras_, options}.best(attitudes, options.poses.count), boards};
+    PlanDraft draft{PlanEvaluator{robot_, boards, cameras_, options}.selectPoses(attitudes, options.poses.count),
+                    boards};
     refine(draft, attitudes, options, options.poses.count);
     const double there = value(draft, options);
     if (there > least && least < reached) {
@@ -299,7 +301,7 @@ PlanDraft PlanOptimizer::quickest(const std::vector<Board>& boards, const std::v
     throw InputError{
         fmt::format("expected at most {} poses to tell every offset to {:.3f} degrees, found {:.3f}; ask for more "
                     "poses or less",
-                    options_.poses.count, degrees(options_.sigma), worst(best))};
+                    options_.poses.count, degrees(options_.sigma), worstSigma(best))};
   }
   return best;
 }
@@ -311,7 +313,7 @@ void PlanOptimizer::refine(PlanDraft& draft, std::vector<ValidPose> attitudes, c
   for (const bool again : {false, true}) {
     if (again && options.criterion != Criterion::time) {
       attitudes.insert(attitudes.end(), draft.poses.begin(), draft.poses.end());
-      draft.poses = PlanEvaluator{robot_, draft.boards, cameras_, options}.best(attitudes, options.poses.count);
+      draft.poses = PlanEvaluator{robot_, draft.boards, cameras_, options}.selectPoses(attitudes, options.poses.count);
     }
     refinement.refinePoses(draft);
     if (options.moveBoards) {
@@ -319,19 +321,19 @@ void PlanOptimizer::refine(PlanDraft& draft, std::vector<ValidPose> attitudes, c
     }
   }
   const std::string found =
-      fmt::format("refined {} poses: the worst offset's sigma is {:.4f} deg", draft.poses.size(), worst(draft));
+      fmt::format("refined {} poses: the worst offset's sigma is {:.4f} deg", draft.poses.size(), worstSigma(draft));
   const std::lock_guard lock{telling_};
   tell_(found);
 }
 
 double PlanOptimizer::value(const PlanDraft& draft, const PlanOptions& options) const {
   const PlanEvaluator here{robot_, draft.boards, cameras_, options};
-  return here.value(here.sum(draft.poses), draft.poses);
+  return here.objective(here.totalInformation(draft.poses), draft.poses);
 }
 
-double PlanOptimizer::worst(const PlanDraft& draft) const { // [deg]
+double PlanOptimizer::worstSigma(const PlanDraft& draft) const { // [deg]
   const PlanEvaluator here{robot_, draft.boards, cameras_, options_};
-  return degrees(here.worstSigma(here.sum(draft.poses)));
+  return degrees(here.worstSigma(here.totalInformation(draft.poses)));
 }
 
 } // namespace naocal

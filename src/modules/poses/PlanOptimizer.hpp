@@ -21,28 +21,29 @@ public:
                 const std::map<std::string, CameraIntrinsics>& cameras, const PlanOptions& options);
 
   const PlanningScene& scene() const { return scene_; }
-  const PoseCriterion& judge() const { return judge_; }
+  const PoseCriterion& criterion() const { return judge_; }
   /// Poses that are taken besides (PlanOptions::kept).
-  const std::vector<ValidPose>& kept() const { return kept_; }
+  const std::vector<ValidPose>& keptPoses() const { return kept_; }
 
   /// The best set of `count` poses that is found by the criterion; the thesis's may be smaller.
-  std::vector<ValidPose> best(const std::vector<ValidPose>& candidates, std::size_t count) const;
+  std::vector<ValidPose> selectPoses(const std::vector<ValidPose>& candidates, std::size_t count) const;
   Interaction interaction(const std::vector<ValidPose>& poses) const;
 
   /// By how much chi2 the wrong one of PlanOptions::effects fits worse after these poses (EffectPairCriterion); absent
   /// where none are named.
   std::optional<double> misfit(const std::vector<ValidPose>& poses) const;
 
-  /// Each pose's information, as far as it is judged: of the drawn robot, and beside it of PlanOptions::wornRobots.
-  std::vector<Eigen::MatrixXd> parts(const std::vector<ValidPose>& poses) const;
+  /// Each pose's information, as far as it is judged: of the drawn robot, and beside it of
+  /// PlanOptions::perturbedRobots.
+  std::vector<Eigen::MatrixXd> informationParts(const std::vector<ValidPose>& poses) const;
   /// That of all of them and what is known before.
-  Eigen::MatrixXd sum(const std::vector<ValidPose>& poses) const;
+  Eigen::MatrixXd totalInformation(const std::vector<ValidPose>& poses) const;
   /// What is known before: priors, and the poses that are kept.
-  const Eigen::MatrixXd& known() const { return known_; }
+  const Eigen::MatrixXd& priorInformation() const { return known_; }
 
   /// To be made small; `sum` is that of the poses. For `time` the seconds to play them, far more where they do not
   /// reach the sigma that is asked for.
-  double value(const Eigen::MatrixXd& sum, const std::vector<ValidPose>& poses) const;
+  double objective(const Eigen::MatrixXd& sum, const std::vector<ValidPose>& poses) const;
   /// Of an offset of the drawn robot, by a sum [rad].
   double worstSigma(const Eigen::MatrixXd& sum) const;
 
@@ -51,16 +52,16 @@ public:
   std::map<std::string, double> sigmas(const std::vector<ValidPose>& poses, bool known) const;
   /// The root of the mean variance over 100 robots with joint errors, whose pictures show what the drawn robot's do
   /// not.
-  std::map<std::string, double> sigmasOfRobots(const std::vector<ValidPose>& poses) const;
+  std::map<std::string, double> perturbedSigmas(const std::vector<ValidPose>& poses) const;
 
 private:
   /// What the drawn robot's pictures tell, and those of worn ones on average, together.
-  Eigen::MatrixXd expected(const Eigen::MatrixXd& sum) const;
+  Eigen::MatrixXd expectedInformation(const Eigen::MatrixXd& sum) const;
   std::vector<Eigen::MatrixXd> expectedParts(const std::vector<ValidPose>& poses) const;
   std::vector<Eigen::MatrixXd> partsOfDrawn(const std::vector<ValidPose>& poses) const;
   /// The robot's part of a sum: 0 the drawn one's.
   Eigen::MatrixXd ofRobot(const Eigen::MatrixXd& sum, std::size_t robot) const;
-  std::map<std::string, double> named(const Eigen::VectorXd& variances) const;
+  std::map<std::string, double> nameSigmas(const Eigen::VectorXd& variances) const;
 
   ThesisCriterion thesis() const;
 
@@ -114,14 +115,14 @@ public:
   /// Begins with the boards where they are. The thesis's criterion and `discriminate` select only; `time` takes as few
   /// poses as reach its sigma, and more as long as that saves time (InputError where there are none); all others begin
   /// PlanOptions::starts times, refine, and go on with the best.
-  PlanDraft found(const std::vector<Board>& boards, const std::vector<ValidPose>& attitudes);
+  PlanDraft optimize(const std::vector<Board>& boards, const std::vector<ValidPose>& attitudes);
 
 private:
-  PlanDraft refinedFromStarts(const std::vector<Board>& boards, const std::vector<ValidPose>& attitudes);
+  PlanDraft refineFromStarts(const std::vector<Board>& boards, const std::vector<ValidPose>& attitudes);
   PlanDraft quickest(const std::vector<Board>& boards, const std::vector<ValidPose>& attitudes);
   void refine(PlanDraft& draft, std::vector<ValidPose> attitudes, const PlanOptions& options, std::uint64_t seed);
   double value(const PlanDraft& draft, const PlanOptions& options) const;
-  double worst(const PlanDraft& draft) const;
+  double worstSigma(const PlanDraft& draft) const;
 
   const Robot& robot_;
   const std::map<std::string, CameraIntrinsics>& cameras_;

@@ -23,8 +23,8 @@
 namespace naocal {
 
 /// `poses` of POSES.json: each with the seconds from the one before it, where these are known.
-nlohmann::json posesOf(const std::vector<ProposedPose>& poses, const std::vector<std::optional<double>>& seconds,
-                       const Robot& robot);
+nlohmann::json poseListJson(const std::vector<ProposedPose>& poses, const std::vector<std::optional<double>>& seconds,
+                            const Robot& robot);
 
 /// Angles by name, fingers at rest.
 nlohmann::json anglesJson(const Eigen::VectorXd& angles, const Robot& robot);
@@ -79,7 +79,7 @@ std::string_view supportOf(const PosePlan& plan) {
 Json comparisonJson(const PosePlan& plan) {
   Json result = Json::array();
   for (const CriterionResult& each : plan.comparison) {
-    result.push_back({{"criterion", name(each.criterion)},
+    result.push_back({{"criterion", toString(each.criterion)},
                       {"poses", each.poses},
                       {"worstSigma", each.worst},
                       {"meanSigma", each.mean},
@@ -95,7 +95,7 @@ Json comparisonJson(const PosePlan& plan) {
 } // namespace
 
 Json planJson(const PosePlan& plan, const Robot& robot) {
-  Json poses = posesOf(plan.poses, secondsOf(plan), robot);
+  Json poses = poseListJson(plan.poses, secondsOf(plan), robot);
   for (std::size_t i = 0; i < plan.standing.size(); ++i) {
     poses[i]["standing"] = plan.standing[i];
     for (const Eigen::VectorXd& angles : plan.ways[i].value_or(Transition{}).via) {
@@ -117,7 +117,7 @@ Json planJson(const PosePlan& plan, const Robot& robot) {
                  {"predictedSigma", plan.sigma},
                  {"predictedSigmaKnown", plan.sigmaKnown},
                  {"predictedSigmaOfRobots", plan.sigmaOfRobots},
-                 {"criterion", name(plan.options.criterion)},
+                 {"criterion", toString(plan.options.criterion)},
                  {"interaction", {{"cost", plan.interaction.cost}, {"count", plan.interaction.count}}},
                  {"assumptions", assumptions(plan.options)}};
   if (plan.misfit) {
@@ -132,7 +132,7 @@ Json planJson(const PosePlan& plan, const Robot& robot) {
 
 void writePoseFiles(const PosePlan& plan, const Robot& robot, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  const Json poses = posesOf(plan.poses, secondsOf(plan), robot);
+  const Json poses = poseListJson(plan.poses, secondsOf(plan), robot);
   for (std::size_t i = 0; i < plan.poses.size(); ++i) {
     std::string text;
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
@@ -145,7 +145,7 @@ void writePoseFiles(const PosePlan& plan, const Robot& robot, const std::filesys
 }
 
 Eigen::VectorXd readAnglesFile(const std::filesystem::path& file, const Robot& robot) {
-  std::istringstream text{fileContent(file)};
+  std::istringstream text{readFile(file)};
   std::vector<double> numbers;
   for (double number = 0; text >> number;) {
     numbers.push_back(number);
@@ -182,9 +182,9 @@ Json boardsOf(const NextPoses& next) {
 /// Straight on from one to the next, as slowly as a robot on one foot moves.
 std::vector<std::optional<double>> secondsBetweenThem(const NextPoses& next, const Robot& robot) {
   std::vector<std::optional<double>> result;
-  Eigen::VectorXd before = bentKnees(robot);
+  Eigen::VectorXd before = bentKneesStance(robot);
   for (const ProposedPose& pose : next.poses) {
-    result.push_back(secondsBetween(robot, before, pose.pose.angles, TransitionOptions{}.speed));
+    result.push_back(motionTime(robot, before, pose.pose.angles, TransitionOptions{}.speed));
     before = pose.pose.angles;
   }
   return result;
@@ -204,8 +204,8 @@ Json assumptions(const NextPoses& next) {
 
 } // namespace
 
-Json nextJson(const NextPoses& next, const Robot& robot) {
-  return {{"poses", posesOf(next.poses, secondsBetweenThem(next, robot), robot)},
+Json nextPosesJson(const NextPoses& next, const Robot& robot) {
+  return {{"poses", poseListJson(next.poses, secondsBetweenThem(next, robot), robot)},
           {"why", next.why},
           {"growth", next.growth},
           {"assumptions", {{"jointError", next.jointError}}}};
@@ -214,7 +214,7 @@ Json nextJson(const NextPoses& next, const Robot& robot) {
 Json posesJson(const NextPoses& next, const Robot& robot) {
   const bool oneFoot = next.around.size() == 1;
   const auto foot = [](SupportFoot each) { return std::string{supportFootWords[static_cast<std::size_t>(each)]}; };
-  Json result = nextJson(next, robot);
+  Json result = nextPosesJson(next, robot);
   result["format"] = "naocal-poses";
   result["version"] = 1;
   result["robot"] = robot.model;
@@ -261,8 +261,8 @@ nlohmann::json noiseJson(const Noise& noise) {
   return {{"pixel", noise.pixel}, {"encoder", noise.encoder}, {"pose", noise.pose}};
 }
 
-nlohmann::json posesOf(const std::vector<ProposedPose>& poses, const std::vector<std::optional<double>>& seconds,
-                       const Robot& robot) {
+nlohmann::json poseListJson(const std::vector<ProposedPose>& poses, const std::vector<std::optional<double>>& seconds,
+                            const Robot& robot) {
   nlohmann::json result = nlohmann::json::array();
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const PlannedPose& pose = poses[i].pose;
@@ -311,7 +311,7 @@ Eigen::VectorXd anglesFrom(const JsonCursor& joints, const Robot& robot) {
     if (std::isnan(angle)) {
       joints.refuse(fmt::format("an angle for each joint of the {}", robot.model), fmt::format("no {}", drawn.name));
     }
-    const AngleRange limits = limitsAt(robot, joint, angles);
+    const AngleRange limits = jointLimitsAt(robot, joint, angles);
     if (angle < limits.lower - rounding || angle > limits.upper + rounding) {
       joints.at(drawn.name)
           .refuse(fmt::format("an angle from {:.4f} to {:.4f} radians, as the joint can take it", limits.lower,
@@ -328,7 +328,7 @@ Eigen::VectorXd anglesFrom(const JsonCursor& joints, const Robot& robot) {
 PlayablePose poseFrom(const JsonCursor& place, const Robot& robot) {
   PlayablePose pose;
   pose.id = place.at("id").text();
-  pose.supportFoot = static_cast<SupportFoot>(place.at("supportFoot").oneOf({"left", "right", "both"}));
+  pose.supportFoot = static_cast<SupportFoot>(place.at("supportFoot").wordIndex({"left", "right", "both"}));
   pose.angles = anglesFrom(place.at("joints"), robot);
   pose.approach = Eigen::VectorXd::Zero(pose.angles.size());
   if (const auto approach = place.find("approach")) {
@@ -345,9 +345,9 @@ PlayablePose poseFrom(const JsonCursor& place, const Robot& robot) {
 } // namespace
 
 PoseFile readPoseFile(const std::filesystem::path& file, const Robot& robot) {
-  const nlohmann::json document = parseJson(fileContent(file), file.string());
+  const nlohmann::json document = parseJson(readFile(file), file.string());
   const JsonCursor all{document, file.string()};
-  all.at("format").oneOf({"naocal-poses"});
+  all.at("format").wordIndex({"naocal-poses"});
   all.at("version").integer(1, 1);
   if (all.at("robot").text() != robot.model) {
     all.at("robot").refuse(fmt::format("poses for the {}", robot.model));

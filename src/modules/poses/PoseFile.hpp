@@ -50,6 +50,6 @@ PoseFile readPoseFile(const std::filesystem::path& file, const Robot& robot);
 nlohmann::json posesJson(const NextPoses& next, const Robot& robot);
 
 /// The same as `next` of a diagnosis file: the poses and why.
-nlohmann::json nextJson(const NextPoses& next, const Robot& robot);
+nlohmann::json nextPosesJson(const NextPoses& next, const Robot& robot);
 
 } // namespace naocal

@@ -18,7 +18,7 @@ namespace naocal {
 /// Adds the mirror image of every pose, taken on the other foot among the same boards, which lie symmetrically
 /// (PlanOptions::mirrored): the feet side by side when the support changes. Sigmas are those of each foot's poses by
 /// themselves, the better one for the head. Throws InputError where a mirror image is no valid pose.
-void addMirrored(PosePlan& plan, const Robot& robot, const std::map<std::string, CameraIntrinsics>& cameras);
+void addMirroredPoses(PosePlan& plan, const Robot& robot, const std::map<std::string, CameraIntrinsics>& cameras);
 
 namespace {
 
@@ -34,21 +34,21 @@ template <typename Well> double largest(double most, const Well& well) {
 
 } // namespace
 
-std::vector<BoardTolerance> boardTolerances(const Robot& robot, const std::vector<Board>& boards,
-                                            const std::map<std::string, CameraIntrinsics>& cameras,
-                                            const PlanOptions& options, const std::vector<ValidPose>& poses) {
+std::vector<BoardTolerance> computeBoardTolerances(const Robot& robot, const std::vector<Board>& boards,
+                                                   const std::map<std::string, CameraIntrinsics>& cameras,
+                                                   const PlanOptions& options, const std::vector<ValidPose>& poses) {
   constexpr double growth = 1.1, farthest = 0.3, mostTurned = std::numbers::pi / 4; // [1], [m], [rad]
   PlanOptions drawn = options;
-  drawn.wornRobots = 0;
+  drawn.perturbedRobots = 0;
   const auto worst = [&](const std::vector<Board>& laid) { // absent: a pose sees none
     const PlanEvaluator score{robot, laid, cameras, drawn};
-    const std::vector<Eigen::MatrixXd> parts = score.parts(poses);
+    const std::vector<Eigen::MatrixXd> parts = score.informationParts(poses);
     const bool blind = std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.isZero(); });
-    return blind ? std::nullopt : std::optional{score.worstSigma(score.sum(poses))};
+    return blind ? std::nullopt : std::optional{score.worstSigma(score.totalInformation(poses))};
   };
   const double allowed = growth * worst(boards).value_or(0);
   std::vector<BoardTolerance> result(boards.size());
-  inParallel(boards.size(), [&](std::size_t i) {
+  parallelFor(boards.size(), [&](std::size_t i) {
     const auto well = [&](double x, double y, double yaw) {
       std::vector<Board> laid = boards;
       laid[i].placement->x += x;
@@ -97,11 +97,11 @@ std::vector<CriterionResult> compareCriteria(const Robot& robot, const std::vect
       continue;
     }
     PlanOptions own = options;
-    own.wornRobots = 0;
+    own.perturbedRobots = 0;
     own.criterion = static_cast<Criterion>(criterion);
     const PlanEvaluator score{robot, boards, cameras, own};
     for (const std::size_t count : {3, 5, 8}) {
-      const std::vector<ValidPose> poses = score.best(candidates, count);
+      const std::vector<ValidPose> poses = score.selectPoses(candidates, count);
       const std::map<std::string, double> unknown = score.sigmas(poses, false);
       result.push_back({own.criterion, poses.size(), largest(unknown), rootMeanSquare(unknown),
                         largest(score.sigmas(poses, true)), score.interaction(poses), score.misfit(poses)});
@@ -122,40 +122,41 @@ void take(std::map<std::string, double>& sigmas, const std::map<std::string, dou
 
 } // namespace
 
-void addMirrored(PosePlan& plan, const Robot& robot, const std::map<std::string, CameraIntrinsics>& cameras) {
+void addMirroredPoses(PosePlan& plan, const Robot& robot, const std::map<std::string, CameraIntrinsics>& cameras) {
   PlanOptions options = plan.options;
   const bool left = options.poses.supportFoot == SupportFoot::left;
   options.poses.supportFoot = left ? SupportFoot::right : SupportFoot::left;
   std::vector<Board> boards = plan.boards; // seen from the other sole
   for (Board& board : boards) {
-    board.placement->y += left ? betweenFeet : -betweenFeet;
+    board.placement->y += left ? footDistance : -footDistance;
   }
   const PlanEvaluator score{robot, boards, cameras, options};
   const PoseValidity checks{robot, options.poses};
   std::vector<ValidPose> images;
   const std::size_t count = plan.poses.size();
   for (std::size_t i = 0; i < count; ++i) {
-    ValidPose image{score.scene().drawn(), {}, plan.standing[i]};
-    image.belief.values.head(at(robot.joints.size())) = mirrored(robot, plan.poses[i].pose.angles);
-    const LinkPoses torsoFromLink = posture(robot, image.belief);
-    if (checks.touchesItself(torsoFromLink) || !stands(robot, torsoFromLink, options.poses.supportFoot, {0.01, 0.01})) {
+    ValidPose image{score.scene().nominalState(), {}, plan.standing[i]};
+    image.belief.values.head(eigenIndex(robot.joints.size())) = mirrorAngles(robot, plan.poses[i].pose.angles);
+    const LinkPoses torsoFromLink = forwardKinematics(robot, image.belief);
+    if (checks.selfCollides(torsoFromLink) ||
+        !isBalanced(robot, torsoFromLink, options.poses.supportFoot, {0.01, 0.01})) {
       throw InputError{fmt::format("pose {}: its mirror image is not valid; plan the other foot by itself", i)};
     }
-    plan.poses.push_back({{options.poses.supportFoot, image.belief.values.head(at(robot.joints.size())),
-                           score.scene().sights(image.belief, torsoFromLink)},
-                          Eigen::VectorXd::Zero(at(robot.joints.size()))});
+    plan.poses.push_back({{options.poses.supportFoot, image.belief.values.head(eigenIndex(robot.joints.size())),
+                           score.scene().visibleBoards(image.belief, torsoFromLink)},
+                          Eigen::VectorXd::Zero(eigenIndex(robot.joints.size()))});
     plan.standing.push_back(plan.standing[i]);
     plan.ways.push_back(plan.ways[i]);
     if (plan.ways.back()) {
       for (Eigen::VectorXd& angles : plan.ways.back()->via) {
-        angles = mirrored(robot, angles);
+        angles = mirrorAngles(robot, angles);
       }
     }
     images.push_back(std::move(image));
   }
   take(plan.sigma, score.sigmas(images, false));
   take(plan.sigmaKnown, score.sigmas(images, true));
-  take(plan.sigmaOfRobots, score.sigmasOfRobots(images));
+  take(plan.sigmaOfRobots, score.perturbedSigmas(images));
 }
 
 namespace {
@@ -167,28 +168,28 @@ public:
           const PlanOptions& options, const std::function<void(const std::string&)>& tell)
       : robot_{robot}, cameras_{cameras}, options_{options}, tell_{tell}, draft_{{}, std::move(boards)} {
     if (options_.mirrored) {
-      const MirroredBoards mirror{draft_.boards, middleBetweenFeet(options_.poses.supportFoot)};
+      const MirroredBoards mirror{draft_.boards, midlineBetweenFeet(options_.poses.supportFoot)};
       for (std::size_t board = 0; board < draft_.boards.size(); ++board) {
-        mirror.follow(draft_.boards, board);
+        mirror.mirrorMoved(draft_.boards, board);
       }
     }
   }
 
   PosePlan plan() {
     PosePlan result;
-    tell_(fmt::format("sieving {} attitudes", options_.poses.tries));
-    PoseCandidates candidates = poseCandidates(robot_, score().scene(), options_.poses);
+    tell_(fmt::format("sieving {} attitudes", options_.poses.maxAttempts));
+    PoseCandidates candidates = samplePoses(robot_, score().scene(), options_.poses);
     if (candidates.attitudes.size() < options_.poses.count) {
       throw InputError{fmt::format("expected {} stable poses that see a board, found {} among {} attitudes; put the "
                                    "boards nearer, try more candidates or ask for fewer poses",
-                                   options_.poses.count, candidates.attitudes.size(), options_.poses.tries)};
+                                   options_.poses.count, candidates.attitudes.size(), options_.poses.maxAttempts)};
     }
     thin(candidates.attitudes);
     if (options_.compare) {
       tell_("comparing what the criteria select");
       result.comparison = compareCriteria(robot_, draft_.boards, cameras_, options_, candidates.attitudes);
     }
-    draft_ = PlanOptimizer{robot_, cameras_, options_, tell_}.found(draft_.boards, candidates.attitudes);
+    draft_ = PlanOptimizer{robot_, cameras_, options_, tell_}.optimize(draft_.boards, candidates.attitudes);
     options_.poses.count = draft_.poses.size();
     describe(result);
     result.sieve = candidates.sieve;
@@ -200,43 +201,43 @@ private:
 
   /// On both feet a million attitudes leave a hundred thousand candidates; more of them serve no plan.
   void thin(std::vector<ValidPose>& attitudes) const {
-    if (attitudes.size() > options_.weighed) {
-      for (std::size_t i = 0; i < options_.weighed; ++i) {
-        std::swap(attitudes[i], attitudes[i * attitudes.size() / options_.weighed]);
+    if (attitudes.size() > options_.maxCandidates) {
+      for (std::size_t i = 0; i < options_.maxCandidates; ++i) {
+        std::swap(attitudes[i], attitudes[i * attitudes.size() / options_.maxCandidates]);
       }
-      attitudes.resize(options_.weighed, attitudes.front());
+      attitudes.resize(options_.maxCandidates, attitudes.front());
     }
   }
 
   void describe(PosePlan& result) {
     const PlanEvaluator here = score();
-    OrderedPoses ordered = inOrder(robot_, here.scene(), options_.poses, std::move(draft_.poses));
+    OrderedPoses ordered = orderPoses(robot_, here.scene(), options_.poses, std::move(draft_.poses));
     draft_.poses = std::move(ordered.poses);
     result.ways = std::move(ordered.ways);
     result.supportFoot = options_.poses.supportFoot;
     result.boards = draft_.boards;
     result.sigma = here.sigmas(draft_.poses, false);
     result.sigmaKnown = here.sigmas(draft_.poses, true);
-    result.sigmaOfRobots = here.sigmasOfRobots(draft_.poses);
+    result.sigmaOfRobots = here.perturbedSigmas(draft_.poses);
     result.interaction = here.interaction(draft_.poses);
     result.misfit = here.misfit(draft_.poses);
-    result.tolerances = boardTolerances(robot_, draft_.boards, cameras_, options_, draft_.poses);
+    result.tolerances = computeBoardTolerances(robot_, draft_.boards, cameras_, options_, draft_.poses);
     result.kept = options_.kept.size();
-    std::vector<ValidPose> all = here.kept();
+    std::vector<ValidPose> all = here.keptPoses();
     all.insert(all.end(), draft_.poses.begin(), draft_.poses.end());
     result.ways.insert(result.ways.begin(), result.kept, std::nullopt);
     const auto joints = static_cast<Eigen::Index>(robot_.joints.size());
     for (const ValidPose& attitude : all) {
-      ModelState belief = here.scene().drawn();
+      ModelState belief = here.scene().nominalState();
       belief.values.head(joints) = attitude.belief.values.head(joints);
       result.poses.push_back({{options_.poses.supportFoot, belief.values.head(joints),
-                               here.scene().sights(belief, posture(robot_, belief))},
+                               here.scene().visibleBoards(belief, forwardKinematics(robot_, belief))},
                               attitude.approach.size() > 0 ? attitude.approach : Eigen::VectorXd::Zero(joints)});
       result.standing.push_back(attitude.standing);
     }
     result.options = options_;
     if (options_.mirrored) {
-      addMirrored(result, robot_, cameras_);
+      addMirroredPoses(result, robot_, cameras_);
     }
   }
 
@@ -249,8 +250,9 @@ private:
 
 } // namespace
 
-PosePlan posePlan(const Robot& robot, std::vector<Board> boards, const std::map<std::string, CameraIntrinsics>& cameras,
-                  const PlanOptions& options, const std::function<void(const std::string&)>& tell) {
+PosePlan planPoses(const Robot& robot, std::vector<Board> boards,
+                   const std::map<std::string, CameraIntrinsics>& cameras, const PlanOptions& options,
+                   const std::function<void(const std::string&)>& tell) {
   const std::function<void(const std::string&)> quietly = [](const std::string&) {};
   return Planner{robot, std::move(boards), cameras, options, tell ? tell : quietly}.plan();
 }

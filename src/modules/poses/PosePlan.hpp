@@ -20,9 +20,9 @@ struct BoardTolerance {
 };
 
 /// Per board.
-std::vector<BoardTolerance> boardTolerances(const Robot& robot, const std::vector<Board>& boards,
-                                            const std::map<std::string, CameraIntrinsics>& cameras,
-                                            const PlanOptions& options, const std::vector<ValidPose>& poses);
+std::vector<BoardTolerance> computeBoardTolerances(const Robot& robot, const std::vector<Board>& boards,
+                                                   const std::map<std::string, CameraIntrinsics>& cameras,
+                                                   const PlanOptions& options, const std::vector<ValidPose>& poses);
 
 /// What a criterion's selection of poses is worth.
 struct CriterionResult {
@@ -66,7 +66,8 @@ struct PosePlan {
 ///
 /// `boards`: with placements in the support sole's frame to begin with. Throws InputError when there are too few
 /// candidates. `tell`: what is being done, for people.
-PosePlan posePlan(const Robot& robot, std::vector<Board> boards, const std::map<std::string, CameraIntrinsics>& cameras,
-                  const PlanOptions& options, const std::function<void(const std::string&)>& tell = {});
+PosePlan planPoses(const Robot& robot, std::vector<Board> boards,
+                   const std::map<std::string, CameraIntrinsics>& cameras, const PlanOptions& options,
+                   const std::function<void(const std::string&)>& tell = {});
 
 } // namespace naocal

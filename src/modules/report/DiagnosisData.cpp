@@ -38,23 +38,23 @@ const std::vector<std::string_view>& candidateStates();
 std::string verdictHeadline(const JsonCursor& diagnosis);
 
 /// What makes the floor under the errors: noise, and the scatter of joints where the last model needs some.
-std::string floorName(const JsonCursor& diagnosis);
+std::string noiseFloorName(const JsonCursor& diagnosis);
 
 /// What the verdict rests on: the error on poses not seen, the alarm, the lack of fit, scatter.
 std::vector<Fact> diagnosisFacts(const JsonCursor& diagnosis);
 
 /// Adds what the figures of a diagnosis show beside its candidates, in units that people read: which captures belong to
 /// each pose, the cameras, how much alike the first candidates are. What the file does not have stays empty or null.
-void addFigures(const JsonCursor& diagnosis, nlohmann::json& data);
+void addFiguresData(const JsonCursor& diagnosis, nlohmann::json& data);
 
 /// Adds to a candidate its added-variable plot, a point (pose or null, signature, residual) for each pose, and what it
-/// would look like. What the file does not have is null. `figures`: as `addFigures` made it.
-void addFigures(const JsonCursor& entry, const nlohmann::json& figures, nlohmann::json& candidate);
+/// would look like. What the file does not have is null. `figures`: as `addFiguresData` made it.
+void addFiguresData(const JsonCursor& entry, const nlohmann::json& figures, nlohmann::json& candidate);
 
 /// Adds what a diagnosis's models leave over ("given", and "last" where something was added), in units that people
 /// read: per joint the deflections that would explain it, and what stays within the pictures; and the drivers that were
 /// recorded. What the file does not have stays empty or null. `data` has the pictures.
-void addLeft(const JsonCursor& diagnosis, nlohmann::json& data);
+void addResidualViewsData(const JsonCursor& diagnosis, nlohmann::json& data);
 
 using nlohmann::json;
 
@@ -171,7 +171,7 @@ std::string driverUnit(const std::string& driver) {
 /// The curve's proposed expression as a model file, beside what else was suggested.
 json modelFile(const JsonCursor& effect, std::vector<std::string> with) {
   with.push_back(fmt::format("{}@{}", effect.at("name").text(), effect.at("at").text()));
-  return modelJson(with, {}, json::array({effect.value()}));
+  return modelFileJson(with, {}, json::array({effect.value()}));
 }
 
 } // namespace
@@ -180,9 +180,9 @@ json curveJson(const JsonCursor& curve, const json& suggested) {
   const std::string joint = curve.at("at").text(), driver = curve.at("driver").text();
   const auto about = curve.find("about");
   const auto valueUnit = curve.find("unit");
-  const auto [shown, size] = shownUnit(valueUnit ? valueUnit->text() : "rad"); // of what varies
+  const auto [shown, size] = displayUnit(valueUnit ? valueUnit->text() : "rad"); // of what varies
   const bool within = shown != "°"; // pictures: a board's shape or a lens, over places there
-  const auto [unit, scale] = shownUnit(within ? (shown == "px" ? "px" : "m") : driverUnit(driver));
+  const auto [unit, scale] = displayUnit(within ? (shown == "px" ? "px" : "m") : driverUnit(driver));
   const auto effect = curve.find("effect"); // only joints' curves are written as one
   json points = json::array();
   for (const JsonCursor& point : curve.at("curve").elements()) {
@@ -243,7 +243,7 @@ json texts(const JsonCursor& list) {
 json sizesJson(const JsonCursor& unknowns) {
   json sizes = json::array();
   for (const auto& [name, unknown] : unknowns.members()) {
-    const auto [unit, scale] = shownUnit(unknown.at("unit").text());
+    const auto [unit, scale] = displayUnit(unknown.at("unit").text());
     const auto told = unknown.find("told"); // files of earlier versions have none
     sizes.push_back({{"name", name},
                      {"unit", unit},
@@ -257,7 +257,7 @@ json sizesJson(const JsonCursor& unknowns) {
 
 json candidateJson(const JsonCursor& entry, const json& figures) {
   const auto& states = candidateStates();
-  const std::size_t state = entry.at("state").oneOf(states);
+  const std::size_t state = entry.at("state").wordIndex(states);
   const auto why = entry.find("why");
   json result{{"label", entry.at("effect").text() + "@" + entry.at("at").text()},
               {"state", std::string{states[state]}},
@@ -271,10 +271,10 @@ json candidateJson(const JsonCursor& entry, const json& figures) {
               {"realDrop", numberOrNull(entry.at("chi2Drop"))},
               {"before", numberOrNull(entry.at("heldOutPxBefore"))},
               {"after", numberOrNull(entry.at("heldOutPxAfter"))},
-              {"step", entry.at("step").integer(0, largestNumber)},
+              {"step", entry.at("step").integer(0, maxInteger)},
               {"plausible", entry.at("plausible").boolean()},
               {"equivalent", texts(entry.at("equivalent"))}};
-  addFigures(entry, figures, result);
+  addFiguresData(entry, figures, result);
   return result;
 }
 
@@ -293,7 +293,7 @@ json stepJson(const JsonCursor& step) {
 json suspicionJson(const JsonCursor& entry) {
   const std::string why = entry.at("why").text();
   const auto capture = entry.find("capture");
-  const std::string name = capture ? fmt::format("capture {}", capture->integer(0, largestNumber)) : "";
+  const std::string name = capture ? fmt::format("capture {}", capture->integer(0, maxInteger)) : "";
   return why.find(name) != why.npos ? why : fmt::format("{} ({})", why, name);
 }
 
@@ -306,14 +306,14 @@ json diagnosisData(const JsonCursor& diagnosis) {
   if (own && !named.empty()) {
     named.erase(named.size() - 1);
   }
-  json data{{"verdict", std::string{verdicts()[diagnosis.at("verdict").oneOf(verdicts())]}},
+  json data{{"verdict", std::string{verdicts()[diagnosis.at("verdict").wordIndex(verdicts())]}},
             {"headline", verdictHeadline(diagnosis)},
             {"sentence", diagnosis.at("sentence").text()},
-            {"floorName", floorName(diagnosis)},
+            {"floorName", noiseFloorName(diagnosis)},
             {"suggested", texts(diagnosis.at("suggested"))},
             {"own", own},
             {"map", mapJson(diagnosis)}};
-  addFigures(diagnosis, data);
+  addFiguresData(diagnosis, data);
   const auto list = [&](const char* key, const char* from, const auto& entryJson) {
     data[key] = json::array();
     for (const JsonCursor& entry : diagnosis.at(from).elements()) {
@@ -401,10 +401,10 @@ std::string verdictHeadline(const JsonCursor& diagnosis) {
                                                   "Joints scatter at random.",
                                                   "Undecided: the model does not fit, but no single cause stands out.",
                                                   "Something is wrong with the captures or the set-up."};
-  return headlines[diagnosis.at("verdict").oneOf(verdicts())];
+  return headlines[diagnosis.at("verdict").wordIndex(verdicts())];
 }
 
-std::string floorName(const JsonCursor& diagnosis) {
+std::string noiseFloorName(const JsonCursor& diagnosis) {
   return scatterOf(diagnosis) > 0 ? "noise floor with joint scatter" : "noise floor";
 }
 
@@ -415,7 +415,7 @@ std::vector<Fact> diagnosisFacts(const JsonCursor& diagnosis) {
   }
   const double scatter = scatterOf(diagnosis);
   std::vector<Fact> facts{
-      heldOutFact(steps, floorName(diagnosis)),
+      heldOutFact(steps, noiseFloorName(diagnosis)),
       alarmFact(diagnosis.at("alarm").number(probability),
                 diagnosis.at("verdict").text() == "unknown-effect" || diagnosis.at("verdict").text() == "bad-captures"),
       lackOfFitFact(diagnosis.at("lackOfFit"))};
@@ -446,7 +446,7 @@ void addTaken(const JsonCursor& diagnosis, json& data) {
   data["cameras"] = json::object();
   for (const JsonCursor& picture : elementsOf(diagnosis, "pictures")) {
     data["pictures"].push_back(
-        {{"capture", picture.at("capture").integer(0, largestNumber)}, {"camera", picture.at("camera").text()}});
+        {{"capture", picture.at("capture").integer(0, maxInteger)}, {"camera", picture.at("camera").text()}});
   }
   for (const JsonCursor& pose : elementsOf(diagnosis, "poses")) {
     json pictures = json::array();
@@ -472,7 +472,7 @@ json addedVariableData(const JsonCursor& candidate, const json& figures) {
   if (!view) {
     return nullptr;
   }
-  const auto [unit, scale] = shownUnit(view->at("unit").text());
+  const auto [unit, scale] = displayUnit(view->at("unit").text());
   json points = json::array();
   for (const JsonCursor& point : view->at("points").elements()) {
     const JsonCursor pose = point.at("pose");
@@ -494,7 +494,7 @@ json imprintData(const JsonCursor& candidate, const json& figures) {
   }
   json sizes = json::array(), pictures = json::array();
   for (const auto& [name, size] : view->at("size").members()) {
-    const auto [unit, scale] = shownUnit(size.at("unit").text());
+    const auto [unit, scale] = displayUnit(size.at("unit").text());
     sizes.push_back({{"name", name}, {"value", scale * size.at("value").number(anyNumber)}, {"unit", unit}});
   }
   for (const JsonCursor& picture : view->at("pictures").elements()) {
@@ -517,13 +517,13 @@ json imprintData(const JsonCursor& candidate, const json& figures) {
 
 } // namespace
 
-void addFigures(const JsonCursor& diagnosis, json& data) {
+void addFiguresData(const JsonCursor& diagnosis, json& data) {
   addTaken(diagnosis, data);
   data["aliases"] = aliasesData(diagnosis);
-  addLeft(diagnosis, data);
+  addResidualViewsData(diagnosis, data);
 }
 
-void addFigures(const JsonCursor& entry, const json& figures, json& candidate) {
+void addFiguresData(const JsonCursor& entry, const json& figures, json& candidate) {
   candidate["added"] = addedVariableData(entry, figures);
   candidate["imprint"] = imprintData(entry, figures);
 }
@@ -540,7 +540,7 @@ std::size_t pictureAt(const JsonCursor& place, const json& data) {
 
 /// A driver, its value at each picture; `joint` where it can only drive that one.
 json driverData(const JsonCursor& driver, std::size_t pictures) {
-  const auto [unit, scale] = shownUnit(driver.at("unit").text());
+  const auto [unit, scale] = displayUnit(driver.at("unit").text());
   json values = json::array();
   for (const double value : driver.at("values").numbers(pictures, anyNumber, "one per picture")) {
     values.push_back(scale * value);
@@ -578,7 +578,7 @@ json withinData(const JsonCursor& within, const json& data) {
   json cells = json::array(), boards = json::array();
   for (const JsonCursor& cell : within.at("cells").elements()) {
     cells.push_back({{"camera", cell.at("camera").text()},
-                     {"corners", cell.at("corners").integer(1, largestNumber)},
+                     {"corners", cell.at("corners").integer(1, maxInteger)},
                      {"worst", pictureAt(cell.at("worstPicture"), data)}});
     for (const char* number : {"u", "v", "du", "dv", "sigma"}) {
       cells.back()[number] = cell.at(number).number(shiftPx);
@@ -601,7 +601,7 @@ json shapeData(const JsonCursor& list) {
   for (const JsonCursor& shape : list.elements()) {
     json corners = json::array();
     for (const JsonCursor& corner : shape.at("corners").elements()) {
-      json shown{{"id", corner.at("id").integer(0, largestNumber)},
+      json shown{{"id", corner.at("id").integer(0, maxInteger)},
                  {"place", corner.at("place").numbers(3, metres, "x, y and z")}};
       for (const char* name : {"off", "sigma"}) {
         for (const double value : corner.at(name).numbers(3, metres, "x, y and z")) {
@@ -619,7 +619,7 @@ json shapeData(const JsonCursor& list) {
 
 } // namespace
 
-void addLeft(const JsonCursor& diagnosis, json& data) {
+void addResidualViewsData(const JsonCursor& diagnosis, json& data) {
   data["drivers"] = json::array();
   data["left"] = json::object();
   if (const auto recorded = diagnosis.find("recorded")) {

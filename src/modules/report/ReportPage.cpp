@@ -46,8 +46,8 @@ std::string filled(std::string_view frame, const std::map<std::string_view, std:
 
 } // namespace
 
-std::string reportPage(const std::filesystem::path& file) {
-  const json document = parseJson(fileContent(file), file.string());
+std::string renderReport(const std::filesystem::path& file) {
+  const json document = parseJson(readFile(file), file.string());
   const JsonCursor top{document, file.string()};
   const JsonCursor format = top.at("format");
   const bool isDiagnosis = format.value() == "naocal-diagnosis", isEvaluation = format.value() == "naocal-evaluation";
@@ -59,7 +59,7 @@ std::string reportPage(const std::filesystem::path& file) {
   top.at("version").integer(1, 1);
   const std::string data = harmless(isDiagnosis    ? diagnosisData(top)
                                     : isEvaluation ? evaluationData(top)
-                                                   : pageData(top, SourceCaptures{top, file}));
+                                                   : resultData(top, SourceCaptures{top, file}));
   const pageFiles::Page& page = isDiagnosis    ? pageFiles::diagnosis
                                 : isEvaluation ? pageFiles::evaluation
                                                : pageFiles::result;

@@ -10,6 +10,6 @@ namespace naocal {
 /// figures; photographs and joint angles are taken from the captures where those are still there. Of a diagnosis it
 /// holds the verdict, the ladder of errors, every candidate, and the curves that joints follow. Throws InputError for
 /// what is neither.
-std::string reportPage(const std::filesystem::path& file);
+std::string renderReport(const std::filesystem::path& file);
 
 } // namespace naocal

@@ -51,7 +51,7 @@ json estimatesData(const JsonCursor& effects) {
     const std::string title = spaced(effect.at("effect").text()), at = effect.at("at").text();
     const auto unknowns = effect.at("unknowns").members();
     for (const auto& [name, unknown] : unknowns) {
-      const auto [unit, scale] = shownUnit(unknown.at("unit").text());
+      const auto [unit, scale] = displayUnit(unknown.at("unit").text());
       auto group = std::find_if(groups.begin(), groups.end(),
                                 [&, &u = unit](const json& g) { return g["title"] == title && g["unit"] == u; });
       if (group == groups.end()) {
@@ -77,10 +77,10 @@ json picturesJson(const std::vector<PictureRecord>& seen, const SourceCaptures& 
     json picture = pictureJson(one);
     picture["angles"] = json::object();
     for (const auto& [joint, angle] : sources.angles(one)) {
-      picture["angles"][joint] = withDecimals(degrees(angle), 2);
+      picture["angles"][joint] = roundToDecimals(degrees(angle), 2);
     }
     if (const auto file = photographs < mostPhotographs ? sources.image(one) : std::nullopt) {
-      if (auto photograph = thumbnail(*file)) {
+      if (auto photograph = makeThumbnail(*file)) {
         photographs += photograph->size();
         picture["photograph"] = std::move(*photograph);
       }
@@ -100,7 +100,7 @@ json textsAt(const JsonCursor& list) {
 
 } // namespace
 
-json pageData(const JsonCursor& result, const SourceCaptures& sources) {
+json resultData(const JsonCursor& result, const SourceCaptures& sources) {
   const VerdictWords words = verdictWords(result);
   json data{{"robot", result.at("model").at("robot").text()},
             {"verdict", result.at("verdict").text()},
@@ -111,10 +111,10 @@ json pageData(const JsonCursor& result, const SourceCaptures& sources) {
             {"weak", json::array()},
             {"groups", estimatesData(result.at("effects"))},
             {"pixelNoise", result.at("noise").at("pixel").number({0, 1e6, "px"})},
-            {"pictures", picturesJson(seenPictures(result), sources)},
+            {"pictures", picturesJson(readPictures(result), sources)},
             {"sets", textsAt(result.at("inputs").at("sets"))},
-            {"missing", sources.missing()}};
-  for (const auto& [figure, sentence] : facts(result, data["pictures"].size(), sources.drawingRms())) {
+            {"missing", sources.unavailable()}};
+  for (const auto& [figure, sentence] : facts(result, data["pictures"].size(), sources.nominalRms())) {
     data["facts"].push_back({{"figure", figure}, {"sentence", sentence}});
   }
   for (const JsonCursor& direction : result.at("weak").elements()) {
@@ -127,7 +127,7 @@ json pageData(const JsonCursor& result, const SourceCaptures& sources) {
 
 using nlohmann::json;
 
-double withDecimals(double value, int decimals) {
+double roundToDecimals(double value, int decimals) {
   const double scale = std::pow(10.0, decimals);
   return std::round(value * scale) / scale;
 }
@@ -138,7 +138,7 @@ namespace {
 json flat(const Eigen::Matrix2Xd& points, int decimals) {
   json list = json::array();
   for (const double value : points.reshaped()) {
-    list.push_back(withDecimals(value, decimals));
+    list.push_back(roundToDecimals(value, decimals));
   }
   return list;
 }
@@ -152,7 +152,7 @@ json boardJson(const BoardInPicture& seen) {
   if (std::any_of(seen.weight.begin(), seen.weight.end(), [](double weight) { return weight < 1; })) {
     board["weight"] = json::array();
     for (const double weight : seen.weight) {
-      board["weight"].push_back(withDecimals(weight, 2));
+      board["weight"].push_back(roundToDecimals(weight, 2));
     }
   }
   return board;

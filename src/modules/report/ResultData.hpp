@@ -16,10 +16,10 @@ namespace naocal {
 nlohmann::json estimatesData(const JsonCursor& effects);
 
 /// What the page's figures show, in the units that they show it in (degrees, millimetres, pixels).
-nlohmann::json pageData(const JsonCursor& result, const SourceCaptures& sources);
+nlohmann::json resultData(const JsonCursor& result, const SourceCaptures& sources);
 
 /// A number with as many decimals as a figure can show.
-double withDecimals(double value, int decimals);
+double roundToDecimals(double value, int decimals);
 
 /// A picture's corners as figures show them [px]: per board `measured` (u, v of one corner after the other), how far
 /// off they are predicted with the joints' readings as they are (`reported`) and with these moved as far as their

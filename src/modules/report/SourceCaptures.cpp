@@ -38,7 +38,7 @@ BoardInPicture seenBoard(const JsonCursor& place) {
   BoardInPicture board;
   board.board = place.at("board").text();
   for (const JsonCursor& id : place.at("ids").elements()) {
-    board.ids.push_back(id.integer(0, largestNumber));
+    board.ids.push_back(id.integer(0, maxInteger));
   }
   const std::size_t count = board.ids.size();
   if (count == 0) {
@@ -59,9 +59,9 @@ std::string label(const JsonCursor& place) {
 PictureRecord seenPicture(const JsonCursor& place, const JsonCursor& cameras) {
   PictureRecord picture;
   picture.set = place.at("set").text();
-  picture.capture = place.at("capture").integer(0, largestNumber);
+  picture.capture = place.at("capture").integer(0, maxInteger);
   picture.pose = label(place.at("pose"));
-  picture.repeat = place.at("repeat").integer(0, largestNumber);
+  picture.repeat = place.at("repeat").integer(0, maxInteger);
   picture.time = place.at("time").number({-1e12, 1e12, "s"});
   picture.camera = place.at("camera").text();
   picture.image = label(place.at("image"));
@@ -82,7 +82,7 @@ double PictureRecord::rms() const {
   return std::sqrt(squares / corners);
 }
 
-std::vector<PictureRecord> seenPictures(const JsonCursor& result) {
+std::vector<PictureRecord> readPictures(const JsonCursor& result) {
   const JsonCursor cameras = result.at("cameras");
   const JsonCursor sightings = result.at("sightings");
   std::map<std::pair<std::string, int>, PictureRecord> pictures;
@@ -134,7 +134,7 @@ SourceCaptures::SourceCaptures(const JsonCursor& result, const fs::path& resultF
     }
     try {
       const fs::path file = *folder / "captures.json";
-      if (sha256(fileContent(file)) != sums[i].text()) {
+      if (sha256(readFile(file)) != sums[i].text()) {
         missing_.push_back(fmt::format("{} has changed since the result was made", file.string()));
         continue;
       }
@@ -175,7 +175,7 @@ std::optional<fs::path> SourceCaptures::image(const PictureRecord& picture) cons
   return fs::is_regular_file(file, ignored) ? std::optional{file} : std::nullopt;
 }
 
-std::optional<double> SourceCaptures::drawingRms() const {
+std::optional<double> SourceCaptures::nominalRms() const {
   std::vector<CaptureSet> sets;
   for (const auto& [name, source] : unchanged_) {
     sets.push_back(source.set);
@@ -203,16 +203,16 @@ std::string base64(std::string_view bytes) {
 
 } // namespace
 
-std::optional<std::string> thumbnail(const std::filesystem::path& file) {
+std::optional<std::string> makeThumbnail(const std::filesystem::path& file) {
   constexpr int widest = 640; // [px]
   try {
-    GreyPicture picture = readPicture(file);
+    GreyPicture picture = readImage(file);
     cv::Mat grey{picture.height, picture.width, CV_8UC1, picture.pixels.data()};
     if (grey.cols > widest) {
       const double scale = static_cast<double>(widest) / grey.cols;
       cv::resize(grey, grey, {widest, std::max(1, cvRound(scale * grey.rows))}, 0, 0, cv::INTER_AREA);
     }
-    return "data:image/jpeg;base64," + base64(jpeg({grey.data, grey.total()}, grey.cols, grey.rows, 70));
+    return "data:image/jpeg;base64," + base64(encodeJpeg({grey.data, grey.total()}, grey.cols, grey.rows, 70));
   } catch (const InputError&) { // lost or broken: the report does without
     return std::nullopt;
   }

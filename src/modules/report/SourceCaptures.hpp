@@ -39,7 +39,7 @@ struct PictureRecord {
 };
 
 /// The pictures of a result file, worst first. Throws InputError with place, what was expected and found.
-std::vector<PictureRecord> seenPictures(const JsonCursor& result);
+std::vector<PictureRecord> readPictures(const JsonCursor& result);
 
 /// The capture sets that a result was made of, as far as they are still there.
 class SourceCaptures {
@@ -55,10 +55,10 @@ public:
 
   /// Rms distance of the corners from what the drawing alone predicts, floor boards where they fit best [px].
   /// Absent when a set is gone or has changed.
-  std::optional<double> drawingRms() const;
+  std::optional<double> nominalRms() const;
 
   /// One sentence per set that could not be read again.
-  const std::vector<std::string>& missing() const { return missing_; }
+  const std::vector<std::string>& unavailable() const { return missing_; }
 
 private:
   struct Source {
@@ -70,6 +70,6 @@ private:
 };
 
 /// A picture as a data URI: grey, JPEG, at most 640 px wide. Absent when the file is not a picture.
-std::optional<std::string> thumbnail(const std::filesystem::path& file);
+std::optional<std::string> makeThumbnail(const std::filesystem::path& file);
 
 } // namespace naocal

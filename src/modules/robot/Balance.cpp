@@ -14,19 +14,19 @@ namespace naocal {
 
 namespace {
 
-const Sole& soleNamed(const Robot& robot, std::string_view side) {
-  const Sole* sole = robot.sole(side);
+const Sole& findSole(const Robot& robot, std::string_view side) {
+  const Sole* sole = robot.findSole(side);
   if (sole == nullptr) {
     throw InputError{fmt::format("the drawing of {}: expected a {} sole, found none", robot.model, side)};
   }
   return *sole;
 }
 
-bool standsOnOne(const Robot& robot, const LinkPoses& torsoFromLink, const Sole& support, const Sole& other,
-                 const SupportMargin& least) {
+bool isBalancedOnOne(const Robot& robot, const LinkPoses& torsoFromLink, const Sole& support, const Sole& other,
+                     const SupportMargin& least) {
   const RigidTransform soleFromTorso = torsoFromLink[support.link].inverse();
   const Eigen::Vector3d centre = soleFromTorso * centreOfMass(robot, torsoFromLink).inTorso;
-  if (depthInside(support.outline, centre.head<2>()) < least.depth) {
+  if (insideDepth(support.outline, centre.head<2>()) < least.depth) {
     return false;
   }
   const RigidTransform soleFromOther = soleFromTorso * torsoFromLink[other.link];
@@ -35,8 +35,8 @@ bool standsOnOne(const Robot& robot, const LinkPoses& torsoFromLink, const Sole&
   });
 }
 
-bool standsOnBoth(const Robot& robot, const LinkPoses& torsoFromLink, const Sole& left, const Sole& right,
-                  double least) {
+bool isBalancedOnBoth(const Robot& robot, const LinkPoses& torsoFromLink, const Sole& left, const Sole& right,
+                      double least) {
   std::vector<Eigen::Vector3d> corners; // in the torso's frame, as all here
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const Sole* sole : {&left, &right}) {
@@ -58,28 +58,28 @@ bool standsOnBoth(const Robot& robot, const LinkPoses& torsoFromLink, const Sole
   ConvexPolygon points;
   std::transform(corners.begin(), corners.end(), std::back_inserter(points), onPlane);
   const Eigen::Vector2d centre = onPlane(centreOfMass(robot, torsoFromLink).inTorso);
-  return least > 0 ? depthInside(hull(points), centre) >= least : withinHull(points, centre);
+  return least > 0 ? insideDepth(convexHull(points), centre) >= least : hullContains(points, centre);
 }
 
 } // namespace
 
 const Sole& supportSole(const Robot& robot, SupportFoot foot) {
   assert(foot != SupportFoot::none);
-  return soleNamed(robot, foot == SupportFoot::right ? "right" : "left");
+  return findSole(robot, foot == SupportFoot::right ? "right" : "left");
 }
 
 const Sole& otherSole(const Robot& robot, SupportFoot foot) {
   return supportSole(robot, foot == SupportFoot::right ? SupportFoot::left : SupportFoot::right);
 }
 
-bool stands(const Robot& robot, const LinkPoses& torsoFromLink, SupportFoot foot, const SupportMargin& least) {
+bool isBalanced(const Robot& robot, const LinkPoses& torsoFromLink, SupportFoot foot, const SupportMargin& least) {
   const Sole &support = supportSole(robot, foot), &other = otherSole(robot, foot);
-  return foot == SupportFoot::both ? standsOnBoth(robot, torsoFromLink, support, other, least.depth)
-                                   : standsOnOne(robot, torsoFromLink, support, other, least);
+  return foot == SupportFoot::both ? isBalancedOnBoth(robot, torsoFromLink, support, other, least.depth)
+                                   : isBalancedOnOne(robot, torsoFromLink, support, other, least);
 }
 
-std::optional<double> shareStanding(const Robot& robot, const ModelState& belief, SupportFoot foot,
-                                    const BalanceRequirement& wanted, std::mt19937_64& random) {
+std::optional<double> balancedFraction(const Robot& robot, const ModelState& belief, SupportFoot foot,
+                                       const BalanceRequirement& wanted, std::mt19937_64& random) {
   std::uniform_real_distribution<double> error{-wanted.jointError, wanted.jointError};
   const int mayFall = static_cast<int>(std::floor((1 - wanted.share) * wanted.draws + 1e-9));
   if (wanted.draws == 0) {
@@ -93,7 +93,7 @@ std::optional<double> shareStanding(const Robot& robot, const ModelState& belief
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
       erroneous.angle(joint) = belief.angle(joint) + errors[robot.joints[joint].motor];
     }
-    fallen += stands(robot, posture(robot, erroneous), foot, {}) ? 0 : 1;
+    fallen += isBalanced(robot, forwardKinematics(robot, erroneous), foot, {}) ? 0 : 1;
     if (fallen > mayFall) {
       return std::nullopt;
     }

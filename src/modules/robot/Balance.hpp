@@ -9,7 +9,7 @@
 namespace naocal {
 
 /// The distance of two soles that stand side by side [m].
-constexpr double betweenFeet = 0.1;
+constexpr double footDistance = 0.1;
 
 /// The sole that carries a robot on one foot, and the one in the air; on both feet the left and the right one. Throws
 /// InputError when the robot has none.
@@ -32,11 +32,11 @@ struct BalanceRequirement {
 /// The robot stands still: its centre of mass is over the outline (a still robot's zero moment point) of the flat
 /// support sole, and the whole other sole is above the floor. On both feet: over the hull of both soles, on the plane
 /// nearest to their corners (least squares), to which legs with wrong joint zeros give way.
-bool stands(const Robot& robot, const LinkPoses& torsoFromLink, SupportFoot foot, const SupportMargin& least);
+bool isBalanced(const Robot& robot, const LinkPoses& torsoFromLink, SupportFoot foot, const SupportMargin& least);
 
 /// The share of robots drawn that stand by the least Footing there is; absent, as soon as that is decided, where it is
 /// smaller than wanted. 1 where none are drawn.
-std::optional<double> shareStanding(const Robot& robot, const ModelState& belief, SupportFoot foot,
-                                    const BalanceRequirement& wanted, std::mt19937_64& random);
+std::optional<double> balancedFraction(const Robot& robot, const ModelState& belief, SupportFoot foot,
+                                       const BalanceRequirement& wanted, std::mt19937_64& random);
 
 } // namespace naocal

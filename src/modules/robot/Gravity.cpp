@@ -29,8 +29,8 @@ std::vector<char> carriers(const Robot& robot, std::size_t link) {
 }
 
 /// Lists the joints from one of them to the held link, itself first: up to where both branches part, then down.
-void listWay(const Robot& robot, std::size_t joint, std::size_t heldLink, const std::vector<char>& carriesHeld,
-             std::vector<std::size_t>& way) {
+void listPath(const Robot& robot, std::size_t joint, std::size_t heldLink, const std::vector<char>& carriesHeld,
+              std::vector<std::size_t>& way) {
   way.assign(1, joint);
   std::size_t link = robot.joints[joint].link;
   while (carriesHeld[link] == 0) {
@@ -54,7 +54,7 @@ void addGrowth(const Robot& robot, std::array<std::size_t, 3> joints, double ben
   do {
     const std::size_t motor = robot.joints[joints[0]].motor;
     if (motor == robot.joints[joints[1]].motor) {
-      load.growthByAngle(at(motor), at(joints[2])) += bend;
+      load.growthByAngle(eigenIndex(motor), eigenIndex(joints[2])) += bend;
     }
   } while (std::next_permutation(joints.begin(), joints.end()));
 }
@@ -77,13 +77,13 @@ GravityLoad gravityLoad(const Robot& robot, const ModelState& belief, const Link
   const std::vector<char> carriesHeld = carriers(robot, heldLink);
   const Eigen::Matrix3d heldFromTorso = torsoFromLink[heldLink].rotation.transpose();
 
-  const Eigen::Index bent = withGrowthByAngle ? at(joints) : 0;
-  GravityLoad load{Eigen::VectorXd::Zero(at(joints)),
-                   Eigen::MatrixXd::Zero(at(joints), at(joints)),
-                   Eigen::VectorXd::Zero(at(joints)),
+  const Eigen::Index bent = withGrowthByAngle ? eigenIndex(joints) : 0;
+  GravityLoad load{Eigen::VectorXd::Zero(eigenIndex(joints)),
+                   Eigen::MatrixXd::Zero(eigenIndex(joints), eigenIndex(joints)),
+                   Eigen::VectorXd::Zero(eigenIndex(joints)),
                    Eigen::MatrixXd::Zero(bent, bent),
                    torsoFromLink[heldLink].inverse() * (first.front() / mass.front()),
-                   Eigen::Matrix3Xd(3, at(joints))};
+                   Eigen::Matrix3Xd(3, eigenIndex(joints))};
   std::vector<Turning> turning(joints);
   for (std::size_t joint = 0; joint < joints; ++joint) {
     const std::size_t link = robot.joints[joint].link;
@@ -93,16 +93,17 @@ GravityLoad gravityLoad(const Robot& robot, const ModelState& belief, const Link
     const Eigen::Vector3d lever =
         first[link] - (backwards ? first.front() : Eigen::Vector3d::Zero()) - turned * torsoFromLink[link].translation;
     turning[joint] = {backwards ? Eigen::Vector3d{-axis} : axis, axis.cross(lever)};
-    load.comByAngle.col(at(joint)) = heldFromTorso * turning[joint].moment / mass.front();
+    load.comByAngle.col(eigenIndex(joint)) = heldFromTorso * turning[joint].moment / mass.front();
   }
   const auto couple = [&](std::size_t nearer, std::size_t beyond) {
     const double slope = -gravity * upInTorso.dot(turning[nearer].axis.cross(turning[beyond].moment));
-    load.torqueByAngle(at(nearer), at(beyond)) = load.torqueByAngle(at(beyond), at(nearer)) = slope;
+    load.torqueByAngle(eigenIndex(nearer), eigenIndex(beyond)) =
+        load.torqueByAngle(eigenIndex(beyond), eigenIndex(nearer)) = slope;
   };
   std::vector<std::size_t> way;
   for (std::size_t joint = 0; joint < joints; ++joint) {
-    load.torque[at(joint)] = -gravity * upInTorso.dot(turning[joint].moment);
-    listWay(robot, joint, heldLink, carriesHeld, way);
+    load.torque[eigenIndex(joint)] = -gravity * upInTorso.dot(turning[joint].moment);
+    listPath(robot, joint, heldLink, carriesHeld, way);
     for (std::size_t i = 0; i < way.size(); ++i) {
       couple(way[i], joint);
       for (std::size_t j = i; withGrowthByAngle && j < way.size(); ++j) {
@@ -114,20 +115,21 @@ GravityLoad gravityLoad(const Robot& robot, const ModelState& belief, const Link
   for (std::size_t joint = 0; joint < joints; ++joint) { // one motor turns all its joints
     for (std::size_t other = 0; other < joints; ++other) {
       if (robot.joints[other].motor == robot.joints[joint].motor) {
-        load.torqueGrowth[at(robot.joints[joint].motor)] += load.torqueByAngle(at(joint), at(other));
+        load.torqueGrowth[eigenIndex(robot.joints[joint].motor)] +=
+            load.torqueByAngle(eigenIndex(joint), eigenIndex(other));
       }
     }
   }
   for (std::size_t joint = 0; joint < joints; ++joint) { // and feels them
     const std::size_t motor = robot.joints[joint].motor;
     if (motor != joint) {
-      load.torque[at(motor)] += load.torque[at(joint)];
-      load.torqueByAngle.row(at(motor)) += load.torqueByAngle.row(at(joint));
-      load.torque[at(joint)] = load.torque[at(motor)];
-      load.torqueByAngle.row(at(joint)) = load.torqueByAngle.row(at(motor));
-      load.torqueGrowth[at(joint)] = load.torqueGrowth[at(motor)];
+      load.torque[eigenIndex(motor)] += load.torque[eigenIndex(joint)];
+      load.torqueByAngle.row(eigenIndex(motor)) += load.torqueByAngle.row(eigenIndex(joint));
+      load.torque[eigenIndex(joint)] = load.torque[eigenIndex(motor)];
+      load.torqueByAngle.row(eigenIndex(joint)) = load.torqueByAngle.row(eigenIndex(motor));
+      load.torqueGrowth[eigenIndex(joint)] = load.torqueGrowth[eigenIndex(motor)];
       if (withGrowthByAngle) {
-        load.growthByAngle.row(at(joint)) = load.growthByAngle.row(at(motor));
+        load.growthByAngle.row(eigenIndex(joint)) = load.growthByAngle.row(eigenIndex(motor));
       }
     }
   }

@@ -19,7 +19,7 @@ Eigen::Vector3d origin(const Link& link, const ModelState& belief) {
 
 } // namespace
 
-ModelState drawnBelief(const Robot& robot, const StateLayout& quantities) {
+ModelState nominalState(const Robot& robot, const StateLayout& quantities) {
   ModelState belief{quantities};
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     belief.axis(joint) = robot.joints[joint].axis;
@@ -30,14 +30,14 @@ ModelState drawnBelief(const Robot& robot, const StateLayout& quantities) {
   return belief;
 }
 
-void takeToRest(const Robot& robot, ModelState& belief) {
+void moveToRest(const Robot& robot, ModelState& belief) {
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     const AngleRange limits = robot.joints[joint].limits;
-    belief.angle(joint) = std::clamp(robot.joints[joint].resting, limits.lower, limits.upper);
+    belief.angle(joint) = std::clamp(robot.joints[joint].restAngle, limits.lower, limits.upper);
   }
 }
 
-std::vector<std::size_t> linksTowards(const Robot& robot, const std::vector<std::size_t>& links) {
+std::vector<std::size_t> ancestorLinks(const Robot& robot, const std::vector<std::size_t>& links) {
   std::vector<bool> needed(robot.links.size(), false);
   for (std::size_t link : links) {
     for (std::optional<std::size_t> at = link; at; at = robot.links[*at].parent) {
@@ -53,9 +53,9 @@ std::vector<std::size_t> linksTowards(const Robot& robot, const std::vector<std:
   return result;
 }
 
-std::vector<std::size_t> jointsTowards(const Robot& robot, std::size_t link) {
+std::vector<std::size_t> ancestorJoints(const Robot& robot, std::size_t link) {
   std::vector<std::size_t> joints;
-  for (const std::size_t at : linksTowards(robot, {link})) {
+  for (const std::size_t at : ancestorLinks(robot, {link})) {
     if (robot.links[at].joint) {
       joints.push_back(*robot.links[at].joint);
     }
@@ -64,8 +64,8 @@ std::vector<std::size_t> jointsTowards(const Robot& robot, std::size_t link) {
   return joints;
 }
 
-void posture(const Robot& robot, const ModelState& belief, const std::vector<std::size_t>& links,
-             LinkPoses& torsoFromLink) {
+void forwardKinematics(const Robot& robot, const ModelState& belief, const std::vector<std::size_t>& links,
+                       LinkPoses& torsoFromLink) {
   const RigidTransform torso;
   torsoFromLink.resize(robot.links.size());
   for (std::size_t index : links) {
@@ -82,21 +82,21 @@ void posture(const Robot& robot, const ModelState& belief, const std::vector<std
   }
 }
 
-LinkPoses posture(const Robot& robot, const ModelState& belief) {
+LinkPoses forwardKinematics(const Robot& robot, const ModelState& belief) {
   std::vector<std::size_t> all(robot.links.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   LinkPoses torsoFromLink;
-  posture(robot, belief, all, torsoFromLink);
+  forwardKinematics(robot, belief, all, torsoFromLink);
   return torsoFromLink;
 }
 
-LinkPoses posture(const Robot& robot, const Eigen::VectorXd& angles) {
-  ModelState belief = drawnBelief(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
+LinkPoses forwardKinematics(const Robot& robot, const Eigen::VectorXd& angles) {
+  ModelState belief = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
   belief.values.head(angles.size()) = angles;
-  return posture(robot, belief);
+  return forwardKinematics(robot, belief);
 }
 
-RigidTransform placed(const Eigen::Ref<const Eigen::Matrix<double, 6, 1>>& placement) {
+RigidTransform transformFromPlacement(const Eigen::Ref<const Eigen::Matrix<double, 6, 1>>& placement) {
   const auto [sr, cr] = SineCosine{placement[3]};
   const auto [sp, cp] = SineCosine{placement[4]};
   const auto [sy, cy] = SineCosine{placement[5]};

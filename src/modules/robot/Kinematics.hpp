@@ -12,24 +12,24 @@ namespace naocal {
 /// torsoFromLink for every link of the robot that was asked for (others are untouched).
 using LinkPoses = std::vector<RigidTransform>;
 
-/// The links between the root and the given ones, each once, parents first: what `posture` has to walk.
-std::vector<std::size_t> linksTowards(const Robot& robot, const std::vector<std::size_t>& links);
+/// The links between the root and the given ones, each once, parents first: what `forwardKinematics` has to walk.
+std::vector<std::size_t> ancestorLinks(const Robot& robot, const std::vector<std::size_t>& links);
 
 /// Walks `links` (parents first): torsoFromLink = torsoFromParent * T(origin) * exp([axis * angle]x).
-void posture(const Robot& robot, const ModelState& belief, const std::vector<std::size_t>& links,
-             LinkPoses& torsoFromLink);
+void forwardKinematics(const Robot& robot, const ModelState& belief, const std::vector<std::size_t>& links,
+                       LinkPoses& torsoFromLink);
 
 /// The joints between the root and a link, ascending.
-std::vector<std::size_t> jointsTowards(const Robot& robot, std::size_t link);
+std::vector<std::size_t> ancestorJoints(const Robot& robot, std::size_t link);
 
 /// All links.
-LinkPoses posture(const Robot& robot, const ModelState& belief);
+LinkPoses forwardKinematics(const Robot& robot, const ModelState& belief);
 
 /// Posture of the drawn robot at the given angles (one per joint) [rad].
-LinkPoses posture(const Robot& robot, const Eigen::VectorXd& angles);
+LinkPoses forwardKinematics(const Robot& robot, const Eigen::VectorXd& angles);
 
 /// parentFromFrame = T(x, y, z) Rz(yaw) Ry(pitch) Rx(roll) of the six numbers x, y, z [m], roll, pitch, yaw [rad].
-RigidTransform placed(const Eigen::Ref<const Eigen::Matrix<double, 6, 1>>& placement);
+RigidTransform transformFromPlacement(const Eigen::Ref<const Eigen::Matrix<double, 6, 1>>& placement);
 
 /// linkFromCamera = T(mount + dt) Ry(pitch) Rx(rx) Ry(ry) Rz(rz); camera axes x forward, y left, z up.
 RigidTransform linkFromCamera(const CameraMount& mount, const ModelState& belief);

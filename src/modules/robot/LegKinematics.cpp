@@ -21,7 +21,7 @@ double rollIntoPlane(const Eigen::Vector3d& v) {
   return v.z() < 0 ? std::atan2(-v.y(), -v.z()) : std::atan2(v.y(), v.z());
 }
 
-Eigen::Vector3d drawnOrigin(const Robot& robot, const Link& link) {
+Eigen::Vector3d nominalOrigin(const Robot& robot, const Link& link) {
   Eigen::Vector3d origin = link.constant;
   for (const Link::Stretch& stretch : link.stretches) {
     origin += robot.lengths[stretch.length].value * stretch.direction;
@@ -39,7 +39,7 @@ LegKinematics::LegKinematics(const Robot& robot, std::string_view side) {
                                    robot.model, side, expected)};
     }
   };
-  const Sole* sole = robot.sole(side);
+  const Sole* sole = robot.findSole(side);
   require(sole != nullptr, "a sole of that name");
   // Links from the root to the sole: hip yaw-pitch, hip roll, hip pitch, knee, ankle pitch, ankle roll, sole.
   std::array<const Link*, 7> links{};
@@ -58,18 +58,18 @@ LegKinematics::LegKinematics(const Robot& robot, std::string_view side) {
   }
   yawPitchAxis_ = robot.joints[joints_[0]].axis;
   require(yawPitchAxis_.x() == 0, "a hip yaw-pitch axis at a right angle to x");
-  hip_ = drawnOrigin(robot, *links[0]);
-  thigh_ = -drawnOrigin(robot, *links[3]).z();
-  tibia_ = -drawnOrigin(robot, *links[4]).z();
-  footHeight_ = -drawnOrigin(robot, *links[6]).z();
+  hip_ = nominalOrigin(robot, *links[0]);
+  thigh_ = -nominalOrigin(robot, *links[3]).z();
+  tibia_ = -nominalOrigin(robot, *links[4]).z();
+  footHeight_ = -nominalOrigin(robot, *links[6]).z();
   const std::array<double, 6> drops{0, 0, thigh_, tibia_, 0, footHeight_};
   for (std::size_t i = 0; i < drops.size(); ++i) {
-    require(drawnOrigin(robot, *links[i + 1]) == Eigen::Vector3d{0, 0, -drops[i]},
+    require(nominalOrigin(robot, *links[i + 1]) == Eigen::Vector3d{0, 0, -drops[i]},
             "hip, knee, ankle and sole in a line");
   }
 }
 
-std::optional<double> LegKinematics::knee(double distance) const {
+std::optional<double> LegKinematics::solveKnee(double distance) const {
   constexpr double roundOff = 1e-12; // a straight leg is reached although its cosine may come out a little above 1
   const double cosine = (distance * distance - thigh_ * thigh_ - tibia_ * tibia_) / (2 * thigh_ * tibia_);
   if (std::abs(cosine) > 1 + roundOff) {
@@ -78,17 +78,17 @@ std::optional<double> LegKinematics::knee(double distance) const {
   return std::acos(std::clamp(cosine, -1.0, 1.0));
 }
 
-std::optional<LegAngles> LegKinematics::angles(const RigidTransform& torsoFromSole) const {
+std::optional<LegAngles> LegKinematics::solveAngles(const RigidTransform& torsoFromSole) const {
   // The hip seen from the foot: the ankle's roll brings it into the plane of the leg, its pitch onto the leg.
   const Eigen::Vector3d hipInSole = torsoFromSole.inverse() * hip_;
   const Eigen::Vector3d hipInFoot = hipInSole - Eigen::Vector3d{0, 0, footHeight_};
-  const auto kneePitch = knee(hipInFoot.norm());
+  const auto kneePitch = solveKnee(hipInFoot.norm());
   if (!kneePitch) {
     return std::nullopt;
   }
   const double ankleRoll = rollIntoPlane(hipInFoot);
   const Eigen::Vector3d hipFromAnkle{-thigh_ * std::sin(*kneePitch), 0, tibia_ + thigh_ * std::cos(*kneePitch)};
-  const double anklePitch = wrapped(angleAboutY(hipFromAnkle) - angleAboutY(rotationX(ankleRoll) * hipInFoot));
+  const double anklePitch = wrapAngle(angleAboutY(hipFromAnkle) - angleAboutY(rotationX(ankleRoll) * hipInFoot));
 
   // What remains is R(axis, yawPitch) Rx(hipRoll) Ry(hipPitch); with axis = Rx(tilt) y it is
   // Rx(tilt) Ry(yawPitch) Rx(hipRoll - tilt) Ry(hipPitch), and hip roll stays on that side of the tilt where 0 lies.
@@ -100,22 +100,22 @@ std::optional<LegAngles> LegKinematics::angles(const RigidTransform& torsoFromSo
   const double yawPitch = std::atan2(side * turn(0, 1), side * turn(2, 1));
   const Eigen::Matrix3d rest = rotationX(-roll) * rotationY(-yawPitch) * turn;
   const double hipPitch = std::atan2(rest(0, 2), rest(0, 0));
-  return LegAngles{yawPitch, wrapped(roll + tilt), hipPitch, *kneePitch, anklePitch, ankleRoll};
+  return LegAngles{yawPitch, wrapAngle(roll + tilt), hipPitch, *kneePitch, anklePitch, ankleRoll};
 }
 
-std::optional<LegAngles> LegKinematics::angles(const RigidTransform& torsoFromSole, double hipYawPitch) const {
+std::optional<LegAngles> LegKinematics::solveAngles(const RigidTransform& torsoFromSole, double hipYawPitch) const {
   // The sole's origin and z axis fix the ankle; hip roll, hip pitch and knee reach it; the ankle turns z.
   const Eigen::Vector3d up = torsoFromSole.rotation.col(2);
   const Eigen::Matrix3d torsoFromPelvis = rotationAbout(hipYawPitch * yawPitchAxis_);
   const Eigen::Vector3d ankleFromHip = torsoFromSole.translation + footHeight_ * up - hip_;
   const Eigen::Vector3d ankleInPelvis = torsoFromPelvis.transpose() * ankleFromHip;
-  const auto kneePitch = knee(ankleInPelvis.norm());
+  const auto kneePitch = solveKnee(ankleInPelvis.norm());
   if (!kneePitch) {
     return std::nullopt;
   }
   const double hipRoll = -rollIntoPlane(ankleInPelvis);
   const Eigen::Vector3d ankleInThigh{-tibia_ * std::sin(*kneePitch), 0, -thigh_ - tibia_ * std::cos(*kneePitch)};
-  const double hipPitch = wrapped(angleAboutY(rotationX(-hipRoll) * ankleInPelvis) - angleAboutY(ankleInThigh));
+  const double hipPitch = wrapAngle(angleAboutY(rotationX(-hipRoll) * ankleInPelvis) - angleAboutY(ankleInThigh));
   const Eigen::Vector3d upInTibia =
       rotationY(-hipPitch - *kneePitch) * rotationX(-hipRoll) * torsoFromPelvis.transpose() * up;
   const double ankleRoll = std::asin(std::clamp(-upInTibia.y(), -1.0, 1.0));

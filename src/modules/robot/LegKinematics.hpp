@@ -28,15 +28,15 @@ public:
   const std::array<std::size_t, 6>& joints() const { return joints_; }
 
   /// All six angles for a wanted pose of the sole; absent where the leg does not reach.
-  std::optional<LegAngles> angles(const RigidTransform& torsoFromSole) const;
+  std::optional<LegAngles> solveAngles(const RigidTransform& torsoFromSole) const;
 
   /// Five angles for a given hip yaw-pitch (the motor may be bound by the other leg): the sole's origin and its z axis
   /// are reached exactly, its yaw is what the hip yaw-pitch leaves. Absent where the leg does not reach.
-  std::optional<LegAngles> angles(const RigidTransform& torsoFromSole, double hipYawPitch) const;
+  std::optional<LegAngles> solveAngles(const RigidTransform& torsoFromSole, double hipYawPitch) const;
 
 private:
   /// The knee's angle for a distance from hip to ankle [m].
-  std::optional<double> knee(double distance) const;
+  std::optional<double> solveKnee(double distance) const;
 
   std::array<std::size_t, 6> joints_{};
   Eigen::Vector3d hip_ = Eigen::Vector3d::Zero(); // in the torso's frame [m]

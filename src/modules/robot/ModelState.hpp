@@ -12,16 +12,16 @@ public:
   StateLayout(std::size_t jointCount, std::size_t lengthCount, std::size_t boardCount)
       : joints_{jointCount}, lengths_{lengthCount}, boards_{boardCount} {}
 
-  std::size_t angle(std::size_t joint) const { return joint; }                    // [rad]
-  std::size_t axis(std::size_t joint) const { return joints_ + 3 * joint; }       // 3 numbers
-  std::size_t length(std::size_t index) const { return 4 * joints_ + index; }     // [m]
-  std::size_t mountTranslation() const { return 4 * joints_ + lengths_; }         // x, y, z [m] in the mount's link
-  std::size_t mountRotation() const { return mountTranslation() + 3; }            // rx, ry, rz [rad] beyond nominal
-  std::size_t lens() const { return mountRotation() + 3; }                        // fx, fy, cx, cy, k1, k2, p1, p2, k3
-  std::size_t rowTime() const { return lens() + 9; }                              // between rows of the picture [s]
-  std::size_t imuTilt() const { return rowTime() + 1; }                           // roll, pitch of the IMU [rad]
-  std::size_t ground() const { return imuTilt() + 2; }                            // worldFromSole: as a Placement
-  std::size_t board(std::size_t index) const { return ground() + 6 + 8 * index; } // Placement, scale, bow [m]
+  std::size_t angle(std::size_t joint) const { return joint; }                // [rad]
+  std::size_t axis(std::size_t joint) const { return joints_ + 3 * joint; }   // 3 numbers
+  std::size_t length(std::size_t index) const { return 4 * joints_ + index; } // [m]
+  std::size_t mountTranslation() const { return 4 * joints_ + lengths_; }     // x, y, z [m] in the mount's link
+  std::size_t mountRotation() const { return mountTranslation() + 3; }        // rx, ry, rz [rad] beyond nominal
+  std::size_t lens() const { return mountRotation() + 3; }                    // fx, fy, cx, cy, k1, k2, p1, p2, k3
+  std::size_t rowTime() const { return lens() + 9; }                          // between rows of the picture [s]
+  std::size_t imuTilt() const { return rowTime() + 1; }                       // roll, pitch of the IMU [rad]
+  std::size_t worldFromSupport() const { return imuTilt() + 2; }              // worldFromSole: as a Placement
+  std::size_t board(std::size_t index) const { return worldFromSupport() + 6 + 8 * index; } // Placement, scale, bow [m]
   std::size_t size() const { return board(boards_); }
 
   std::size_t jointCount() const { return joints_; }
@@ -42,14 +42,14 @@ public:
 
   double& angle(std::size_t joint) { return at(quantities_.angle(joint)); }
   double angle(std::size_t joint) const { return at(quantities_.angle(joint)); }
-  auto axis(std::size_t joint) { return three(quantities_.axis(joint)); }
-  auto axis(std::size_t joint) const { return three(quantities_.axis(joint)); }
+  auto axis(std::size_t joint) { return segment3(quantities_.axis(joint)); }
+  auto axis(std::size_t joint) const { return segment3(quantities_.axis(joint)); }
   double& length(std::size_t index) { return at(quantities_.length(index)); }
   double length(std::size_t index) const { return at(quantities_.length(index)); }
-  auto mountTranslation() { return three(quantities_.mountTranslation()); }
-  auto mountTranslation() const { return three(quantities_.mountTranslation()); }
-  auto mountRotation() { return three(quantities_.mountRotation()); }
-  auto mountRotation() const { return three(quantities_.mountRotation()); }
+  auto mountTranslation() { return segment3(quantities_.mountTranslation()); }
+  auto mountTranslation() const { return segment3(quantities_.mountTranslation()); }
+  auto mountRotation() { return segment3(quantities_.mountRotation()); }
+  auto mountRotation() const { return segment3(quantities_.mountRotation()); }
   auto lens() { return values.segment<9>(static_cast<Eigen::Index>(quantities_.lens())); }
   auto lens() const { return values.segment<9>(static_cast<Eigen::Index>(quantities_.lens())); }
   double& rowTime() { return at(quantities_.rowTime()); }
@@ -57,33 +57,33 @@ public:
   auto imuTilt() { return values.segment<2>(static_cast<Eigen::Index>(quantities_.imuTilt())); }
   auto imuTilt() const { return values.segment<2>(static_cast<Eigen::Index>(quantities_.imuTilt())); }
   /// worldFromSole of the support foot: x, y, z [m], roll, pitch, yaw [rad].
-  auto ground() { return six(quantities_.ground()); }
-  auto ground() const { return six(quantities_.ground()); }
+  auto worldFromSupport() { return segment6(quantities_.worldFromSupport()); }
+  auto worldFromSupport() const { return segment6(quantities_.worldFromSupport()); }
   /// linkFromBoard (worldFromBoard for a floor board): x, y, z [m], roll, pitch, yaw [rad].
-  auto boardPlacement(std::size_t board) { return six(quantities_.board(board)); }
-  auto boardPlacement(std::size_t board) const { return six(quantities_.board(board)); }
+  auto boardPlacement(std::size_t board) { return segment6(quantities_.board(board)); }
+  auto boardPlacement(std::size_t board) const { return segment6(quantities_.board(board)); }
   double& boardScale(std::size_t board) { return at(quantities_.board(board) + 6); }
   double boardScale(std::size_t board) const { return at(quantities_.board(board) + 6); }
   double& boardBow(std::size_t board) { return at(quantities_.board(board) + 7); }
   double boardBow(std::size_t board) const { return at(quantities_.board(board) + 7); }
 
-  const StateLayout& quantities() const { return quantities_; }
+  const StateLayout& layout() const { return quantities_; }
 
   Eigen::VectorXd values;
 
 private:
   double& at(std::size_t i) { return values[static_cast<Eigen::Index>(i)]; }
   double at(std::size_t i) const { return values[static_cast<Eigen::Index>(i)]; }
-  Eigen::VectorXd::FixedSegmentReturnType<3>::Type three(std::size_t i) {
+  Eigen::VectorXd::FixedSegmentReturnType<3>::Type segment3(std::size_t i) {
     return values.segment<3>(static_cast<Eigen::Index>(i));
   }
-  Eigen::VectorXd::ConstFixedSegmentReturnType<3>::Type three(std::size_t i) const {
+  Eigen::VectorXd::ConstFixedSegmentReturnType<3>::Type segment3(std::size_t i) const {
     return values.segment<3>(static_cast<Eigen::Index>(i));
   }
-  Eigen::VectorXd::FixedSegmentReturnType<6>::Type six(std::size_t i) {
+  Eigen::VectorXd::FixedSegmentReturnType<6>::Type segment6(std::size_t i) {
     return values.segment<6>(static_cast<Eigen::Index>(i));
   }
-  Eigen::VectorXd::ConstFixedSegmentReturnType<6>::Type six(std::size_t i) const {
+  Eigen::VectorXd::ConstFixedSegmentReturnType<6>::Type segment6(std::size_t i) const {
     return values.segment<6>(static_cast<Eigen::Index>(i));
   }
 
@@ -91,9 +91,9 @@ private:
 };
 
 /// The robot as drawn, all angles zero, the camera's mount nominal, boards at their frames' origins.
-ModelState drawnBelief(const Robot& robot, const StateLayout& quantities);
+ModelState nominalState(const Robot& robot, const StateLayout& quantities);
 
 /// Brings all joints to rest, as far as their limits let them.
-void takeToRest(const Robot& robot, ModelState& belief);
+void moveToRest(const Robot& robot, ModelState& belief);
 
 } // namespace naocal

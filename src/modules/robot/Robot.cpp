@@ -16,7 +16,7 @@ template <typename Named> std::optional<std::size_t> indexOf(const std::vector<N
   return static_cast<std::size_t>(found - all.begin());
 }
 
-AngleRange interpolated(const CoupledLimits& coupled, double angle) {
+AngleRange interpolateLimits(const CoupledLimits& coupled, double angle) {
   const auto& angles = coupled.angles;
   const auto above = static_cast<std::size_t>(std::upper_bound(angles.begin(), angles.end(), angle) - angles.begin());
   if (above == 0) {
@@ -48,15 +48,15 @@ std::optional<std::size_t> Robot::cameraIndex(std::string_view name) const {
   return indexOf(cameras, name);
 }
 
-const Sole* Robot::sole(std::string_view name) const {
+const Sole* Robot::findSole(std::string_view name) const {
   const auto index = indexOf(soles, name);
   return index ? &soles[*index] : nullptr;
 }
 
-AngleRange limitsAt(const Robot& robot, std::size_t joint, const Eigen::VectorXd& angles) {
+AngleRange jointLimitsAt(const Robot& robot, std::size_t joint, const Eigen::VectorXd& angles) {
   AngleRange limits = robot.joints[joint].limits;
   if (const auto& coupled = robot.joints[joint].coupled) {
-    const AngleRange there = interpolated(*coupled, angles[static_cast<Eigen::Index>(coupled->onJoint)]);
+    const AngleRange there = interpolateLimits(*coupled, angles[static_cast<Eigen::Index>(coupled->onJoint)]);
     limits = {std::max(limits.lower, there.lower), std::min(limits.upper, there.upper)};
   }
   return limits;

@@ -36,7 +36,7 @@ struct Joint {
   AngleRange limits;                               // [rad]
   std::optional<CoupledLimits> coupled;            // holds beside `limits`
   double maxSpeed = 0;                             // [rad/s]
-  double resting = 0;                              // its angle where nobody recorded it (for masses only) [rad]
+  double restAngle = 0;                            // its angle where nobody recorded it (for masses only) [rad]
   std::size_t motor = 0; // the joint whose motor drives this one: itself, but for the right hip yaw-pitch
 };
 
@@ -87,13 +87,13 @@ struct Robot {
   std::vector<Joint> joints;
   std::vector<CameraMount> cameras;
   std::vector<Sole> soles;
-  std::vector<Capsule> hull; // none: nobody knows when it touches itself
+  std::vector<Capsule> collisionCapsules; // none: nobody knows when it touches itself
 
   std::optional<std::size_t> jointIndex(std::string_view name) const;
   std::optional<std::size_t> linkIndex(std::string_view name) const;
   std::optional<std::size_t> lengthIndex(std::string_view name) const;
   std::optional<std::size_t> cameraIndex(std::string_view name) const;
-  const Sole* sole(std::string_view name) const; // nullptr: the robot has none of that name
+  const Sole* findSole(std::string_view name) const; // nullptr: the robot has none of that name
 };
 
 /// Reads a drawing file. Throws InputError that names the file, the place, what was expected and found.
@@ -110,6 +110,6 @@ std::filesystem::path configurationDirectory();
 
 /// The limits of joint `joint` at the given angles (one per joint of the robot) [rad]: its own, narrowed by the coupled
 /// ones.
-AngleRange limitsAt(const Robot& robot, std::size_t joint, const Eigen::VectorXd& angles);
+AngleRange jointLimitsAt(const Robot& robot, std::size_t joint, const Eigen::VectorXd& angles);
 
 } // namespace naocal

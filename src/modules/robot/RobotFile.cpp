@@ -29,15 +29,15 @@ std::vector<std::pair<std::string, JsonCursor>> entries(const JsonCursor& place)
 std::vector<std::pair<std::string, JsonCursor>> section(const JsonCursor& drawing, const std::string& key);
 
 /// A misspelt optional key would silently change the robot: every key must be one of these.
-void allowOnly(const JsonCursor& place, const std::vector<std::string_view>& keys);
+void requireKnownKeys(const JsonCursor& place, const std::vector<std::string_view>& keys);
 
-Eigen::Vector3d vector3(const JsonCursor& place, const Range& range);
-Eigen::Vector3d metres3(const JsonCursor& millimetres);
-Eigen::Vector2d metres2(const JsonCursor& millimetres);
+Eigen::Vector3d readVector3(const JsonCursor& place, const Range& range);
+Eigen::Vector3d readMetres3(const JsonCursor& millimetres);
+Eigen::Vector2d readMetres2(const JsonCursor& millimetres);
 
 /// The link or joint of which this place holds the name.
-std::size_t linkAt(const JsonCursor& place, const Robot& robot);
-std::size_t jointAt(const JsonCursor& place, const Robot& robot);
+std::size_t readLink(const JsonCursor& place, const Robot& robot);
+std::size_t readJoint(const JsonCursor& place, const Robot& robot);
 
 /// The drawing's sections "joints" and "soles", for a robot whose tree is known.
 void readJoints(const JsonCursor& drawing, Robot& robot);
@@ -45,7 +45,7 @@ void readSoles(const JsonCursor& drawing, Robot& robot);
 
 /// The robot of a complete drawing document (a base, if any, already merged in). Throws InputError at the first place
 /// that is not as home/configuration/drawings/NaoV5.json shows it.
-Robot readDrawing(const JsonCursor& drawing);
+Robot parseRobot(const JsonCursor& drawing);
 
 namespace {
 
@@ -57,9 +57,9 @@ AngleRange angleRange(const JsonCursor& place, double lowerDegrees, double upper
 }
 
 CoupledLimits coupledLimits(const JsonCursor& place, const Robot& robot, std::size_t joint) {
-  allowOnly(place, {"on", "rowsDegrees"});
+  requireKnownKeys(place, {"on", "rowsDegrees"});
   CoupledLimits coupled;
-  coupled.onJoint = jointAt(place.at("on"), robot);
+  coupled.onJoint = readJoint(place.at("on"), robot);
   if (coupled.onJoint == joint) {
     place.at("on").refuse("another joint");
   }
@@ -77,11 +77,11 @@ CoupledLimits coupledLimits(const JsonCursor& place, const Robot& robot, std::si
   return coupled;
 }
 
-void readJoint(const JsonCursor& place, Robot& robot, std::size_t index) {
-  allowOnly(place,
-            {"axis", "limitsDegrees", "maxSpeedDegreesPerSecond", "restingDegrees", "drivenBy", "coupledLimits"});
+void readJointEntry(const JsonCursor& place, Robot& robot, std::size_t index) {
+  requireKnownKeys(
+      place, {"axis", "limitsDegrees", "maxSpeedDegreesPerSecond", "restingDegrees", "drivenBy", "coupledLimits"});
   Joint& joint = robot.joints[index];
-  joint.axis = vector3(place.at("axis"), directionRange);
+  joint.axis = readVector3(place.at("axis"), directionRange);
   if (joint.axis.norm() == 0) {
     place.at("axis").refuse("a direction", "[0, 0, 0]");
   }
@@ -91,10 +91,10 @@ void readJoint(const JsonCursor& place, Robot& robot, std::size_t index) {
   joint.limits = angleRange(limits, bounds[0], bounds[1]);
   joint.maxSpeed = radians(place.at("maxSpeedDegreesPerSecond").number({0.1, 10000, "degrees per second"}));
   if (const auto resting = place.find("restingDegrees")) {
-    joint.resting = radians(resting->number(degreeRange));
+    joint.restAngle = radians(resting->number(degreeRange));
   }
   const auto motor = place.find("drivenBy");
-  joint.motor = motor ? jointAt(*motor, robot) : index;
+  joint.motor = motor ? readJoint(*motor, robot) : index;
   if (const auto coupled = place.find("coupledLimits")) {
     joint.coupled = coupledLimits(*coupled, robot, index);
   }
@@ -109,7 +109,7 @@ void readJoints(const JsonCursor& drawing, Robot& robot) {
     }
   }
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-    readJoint(drawing.at("joints").at(robot.joints[joint].name), robot, joint);
+    readJointEntry(drawing.at("joints").at(robot.joints[joint].name), robot, joint);
   }
   for (const Joint& joint : robot.joints) {
     if (robot.joints[joint.motor].motor != joint.motor) {
@@ -129,7 +129,7 @@ std::vector<std::pair<std::string, JsonCursor>> section(const JsonCursor& drawin
   return place ? entries(*place) : std::vector<std::pair<std::string, JsonCursor>>{};
 }
 
-void allowOnly(const JsonCursor& place, const std::vector<std::string_view>& keys) {
+void requireKnownKeys(const JsonCursor& place, const std::vector<std::string_view>& keys) {
   for (const auto& [key, value] : entries(place)) {
     if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
       place.refuse(fmt::format("no keys but {}, source, note", fmt::join(keys, ", ")), '"' + key + '"');
@@ -137,21 +137,21 @@ void allowOnly(const JsonCursor& place, const std::vector<std::string_view>& key
   }
 }
 
-Eigen::Vector3d vector3(const JsonCursor& place, const Range& range) {
+Eigen::Vector3d readVector3(const JsonCursor& place, const Range& range) {
   const auto xyz = place.numbers(3, range, "x, y, z");
   return {xyz[0], xyz[1], xyz[2]};
 }
 
-Eigen::Vector3d metres3(const JsonCursor& millimetres) {
-  return vector3(millimetres, millimetreRange) / 1000;
+Eigen::Vector3d readMetres3(const JsonCursor& millimetres) {
+  return readVector3(millimetres, millimetreRange) / 1000;
 }
 
-Eigen::Vector2d metres2(const JsonCursor& millimetres) {
+Eigen::Vector2d readMetres2(const JsonCursor& millimetres) {
   const auto xy = millimetres.numbers(2, millimetreRange, "x, y");
   return {xy[0] / 1000, xy[1] / 1000};
 }
 
-std::size_t linkAt(const JsonCursor& place, const Robot& robot) {
+std::size_t readLink(const JsonCursor& place, const Robot& robot) {
   const auto link = robot.linkIndex(place.text());
   if (!link) {
     place.refuse("the name of a link of the tree");
@@ -159,7 +159,7 @@ std::size_t linkAt(const JsonCursor& place, const Robot& robot) {
   return *link;
 }
 
-std::size_t jointAt(const JsonCursor& place, const Robot& robot) {
+std::size_t readJoint(const JsonCursor& place, const Robot& robot) {
   const auto joint = robot.jointIndex(place.text());
   if (!joint) {
     place.refuse("the name of a joint of the tree");
@@ -178,7 +178,7 @@ void readLengths(const JsonCursor& drawing, Robot& robot) {
 /// How far the link lies from its parent: a constant part, and lengths along directions.
 void readOrigin(const JsonCursor& place, const Robot& robot, Link& link) {
   if (const auto origin = place.find("originMillimetres")) {
-    link.constant = metres3(*origin);
+    link.constant = readMetres3(*origin);
   }
   if (const auto along = place.find("alongLengths")) {
     for (const auto& [name, direction] : entries(*along)) {
@@ -186,21 +186,21 @@ void readOrigin(const JsonCursor& place, const Robot& robot, Link& link) {
       if (!length) {
         along->refuse("only names of lengthsMillimetres", '"' + name + '"');
       }
-      link.stretches.push_back({*length, vector3(direction, directionRange)});
+      link.stretches.push_back({*length, readVector3(direction, directionRange)});
     }
   }
 }
 
-void readLink(const JsonCursor& place, Robot& robot) {
+void readLinkEntry(const JsonCursor& place, Robot& robot) {
   Link link;
   link.name = place.at("name").text();
   if (robot.linkIndex(link.name)) {
     place.at("name").refuse("a name that no link before has");
   }
   if (robot.links.empty()) {
-    allowOnly(place, {"name"}); // the root has no parent to lie in
+    requireKnownKeys(place, {"name"}); // the root has no parent to lie in
   } else {
-    allowOnly(place, {"name", "parent", "joint", "originMillimetres", "alongLengths"});
+    requireKnownKeys(place, {"name", "parent", "joint", "originMillimetres", "alongLengths"});
     link.parent = robot.linkIndex(place.at("parent").text());
     if (!link.parent) {
       place.at("parent").refuse("the name of a link before this one");
@@ -221,9 +221,9 @@ void readLink(const JsonCursor& place, Robot& robot) {
 
 void readTree(const JsonCursor& drawing, Robot& robot) {
   const JsonCursor tree = drawing.at("tree");
-  allowOnly(tree, {"links"});
+  requireKnownKeys(tree, {"links"});
   for (const JsonCursor& link : tree.at("links").elements()) {
-    readLink(link, robot);
+    readLinkEntry(link, robot);
   }
   if (robot.links.empty()) {
     tree.at("links").refuse("at least one link");
@@ -232,23 +232,23 @@ void readTree(const JsonCursor& drawing, Robot& robot) {
 
 void readMasses(const JsonCursor& drawing, Robot& robot) {
   for (const auto& [name, place] : section(drawing, "masses")) {
-    allowOnly(place, {"kilograms", "centreMillimetres"});
+    requireKnownKeys(place, {"kilograms", "centreMillimetres"});
     const auto index = robot.linkIndex(name);
     if (!index) {
       place.refuse("only links of the tree", '"' + name + '"');
     }
     Link& link = robot.links[*index];
     link.mass = place.at("kilograms").number({0, 1000, "kilograms"});
-    link.centreOfMass = metres3(place.at("centreMillimetres"));
+    link.centreOfMass = readMetres3(place.at("centreMillimetres"));
   }
 }
 
 void readCameras(const JsonCursor& drawing, Robot& robot) {
   for (const auto& [name, place] : section(drawing, "cameras")) {
-    allowOnly(place, {"link", "originMillimetres", "pitchDegrees"});
+    requireKnownKeys(place, {"link", "originMillimetres", "pitchDegrees"});
     robot.cameras.push_back({.name = name,
-                             .link = linkAt(place.at("link"), robot),
-                             .translation = metres3(place.at("originMillimetres")),
+                             .link = readLink(place.at("link"), robot),
+                             .translation = readMetres3(place.at("originMillimetres")),
                              .pitch = radians(place.at("pitchDegrees").number(degreeRange))});
   }
 }
@@ -258,21 +258,22 @@ void readHull(const JsonCursor& drawing, Robot& robot) {
   if (!hull) {
     return;
   }
-  allowOnly(*hull, {"capsules"});
+  requireKnownKeys(*hull, {"capsules"});
   for (const JsonCursor& place : hull->at("capsules").elements()) {
-    allowOnly(place, {"link", "fromMillimetres", "toMillimetres", "radiusMillimetres"});
-    robot.hull.push_back({.link = linkAt(place.at("link"), robot),
-                          .from = metres3(place.at("fromMillimetres")),
-                          .to = metres3(place.at("toMillimetres")),
-                          .radius = place.at("radiusMillimetres").number({0, 1000, "millimetres"}) / 1000});
+    requireKnownKeys(place, {"link", "fromMillimetres", "toMillimetres", "radiusMillimetres"});
+    robot.collisionCapsules.push_back(
+        {.link = readLink(place.at("link"), robot),
+         .from = readMetres3(place.at("fromMillimetres")),
+         .to = readMetres3(place.at("toMillimetres")),
+         .radius = place.at("radiusMillimetres").number({0, 1000, "millimetres"}) / 1000});
   }
 }
 
 } // namespace
 
-Robot readDrawing(const JsonCursor& drawing) {
-  allowOnly(drawing, {"format", "version", "base", "model", "lengthsMillimetres", "tree", "joints", "masses", "cameras",
-                      "soles", "hull"});
+Robot parseRobot(const JsonCursor& drawing) {
+  requireKnownKeys(drawing, {"format", "version", "base", "model", "lengthsMillimetres", "tree", "joints", "masses",
+                             "cameras", "soles", "hull"});
   Robot robot;
   robot.model = drawing.at("model").text();
   readLengths(drawing, robot); // each section may name things of the sections before it
@@ -307,7 +308,7 @@ bool isConvex(const Outline& outline) {
 Outline ownOutline(const JsonCursor& place) {
   Outline outline;
   for (const JsonCursor& point : place.elements()) {
-    outline.push_back(metres2(point));
+    outline.push_back(readMetres2(point));
   }
   if (!isConvex(outline)) {
     place.refuse("a strictly convex outline, counter-clockwise");
@@ -340,15 +341,15 @@ Outline outline(const JsonCursor& place, const JsonCursor& soles) {
 
 void readSoles(const JsonCursor& drawing, Robot& robot) {
   for (const auto& [name, place] : section(drawing, "soles")) {
-    allowOnly(place, {"link", "outlineMillimetres", "outlineMirroredFrom", "forceSensorsMillimetres"});
+    requireKnownKeys(place, {"link", "outlineMillimetres", "outlineMirroredFrom", "forceSensorsMillimetres"});
     Sole sole;
     sole.name = name;
-    sole.link = linkAt(place.at("link"), robot);
+    sole.link = readLink(place.at("link"), robot);
     sole.outline = outline(place, drawing.at("soles"));
     if (const auto sensors = place.find("forceSensorsMillimetres")) {
-      allowOnly(*sensors, {"FL", "FR", "RL", "RR"});
+      requireKnownKeys(*sensors, {"FL", "FR", "RL", "RR"});
       for (const char* sensor : {"FL", "FR", "RL", "RR"}) {
-        sole.forceSensors.push_back(metres2(sensors->at(sensor)));
+        sole.forceSensors.push_back(readMetres2(sensors->at(sensor)));
       }
     }
     robot.soles.push_back(std::move(sole));
@@ -359,9 +360,9 @@ namespace {
 
 /// The file's own content, known to be a drawing.
 nlohmann::json document(const std::filesystem::path& file) {
-  nlohmann::json document = parseJson(fileContent(file), file.string());
+  nlohmann::json document = parseJson(readFile(file), file.string());
   const JsonCursor top{document, file.string()};
-  top.at("format").oneOf({"naocal-drawing"});
+  top.at("format").wordIndex({"naocal-drawing"});
   top.at("version").integer(1, 1);
   return document;
 }
@@ -387,14 +388,14 @@ Robot loadRobot(const std::filesystem::path& drawing) {
   const JsonCursor top{own, drawing.string()};
   const auto base = top.find("base");
   if (!base) {
-    return readDrawing(top);
+    return parseRobot(top);
   }
   nlohmann::json merged = document(drawing.parent_path() / base->text());
   if (merged.contains("base")) {
     base->refuse("a drawing that has no base of its own");
   }
   merged.merge_patch(own);
-  return readDrawing(JsonCursor{merged, fmt::format("{} (with its base {})", drawing.string(), base->text())});
+  return parseRobot(JsonCursor{merged, fmt::format("{} (with its base {})", drawing.string(), base->text())});
 }
 
 Robot loadRobot(const std::filesystem::path& configuration, std::string_view model) {

@@ -21,10 +21,10 @@ public:
   /// `clearance`: what is nearer than that touches [m].
   explicit SelfCollision(const Robot& robot, double clearance = 0.005);
 
-  bool touches(const LinkPoses& torsoFromLink) const;
+  bool collides(const LinkPoses& torsoFromLink) const;
 
 private:
-  bool near(std::size_t one, std::size_t other, const LinkPoses& torsoFromLink, double gap) const;
+  bool areNear(std::size_t one, std::size_t other, const LinkPoses& torsoFromLink, double gap) const;
 
   const Robot& robot_;
   double clearance_;

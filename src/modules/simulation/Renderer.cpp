@@ -39,7 +39,7 @@ private:
   /// What it shows all over a pixel, for all the time; absent where that varies.
   static std::optional<float> uniform(const Candidate& candidate, int x);
   void prepare(Candidate& candidate, int y, float begin, float end) const;
-  float sampled(int x, int y, float floor) const;
+  float sampleTexture(int x, int y, float floor) const;
   const Eigen::Vector2f& ray(int x, int y) const {
     return rays_[std::size_t(y) * std::size_t(width_ + 1) + std::size_t(x)];
   }
@@ -53,54 +53,55 @@ private:
 
 /// A value per pixel, row after row: blotches of several sizes with mean 0 and standard deviation about 1, fixed to the
 /// picture.
-std::vector<float> blotches(int width, int height, std::mt19937_64& random);
+std::vector<float> floorTexture(int width, int height, std::mt19937_64& random);
 
 /// What the lens and the sensor make of the light (0 ink, 1 paper) that falls on the pixels.
-GreyPicture developed(std::vector<float> light, int width, int height, const Appearance& appearance,
-                      std::mt19937_64& random);
+GreyPicture developImage(std::vector<float> light, int width, int height, const Appearance& appearance,
+                         std::mt19937_64& random);
 
 Renderer::Renderer(const CameraIntrinsics& intrinsics, std::optional<std::uint64_t> floorSeed)
     : intrinsics_{intrinsics} {
   rays_.reserve(std::size_t(intrinsics.width + 1) * std::size_t(intrinsics.height + 1));
   for (int y = 0; y <= intrinsics.height; ++y) {
     for (int x = 0; x <= intrinsics.width; ++x) {
-      rays_.push_back(renderedRay({x - 0.5, y - 0.5}, intrinsics).cast<float>());
+      rays_.push_back(rayThroughPixel({x - 0.5, y - 0.5}, intrinsics).cast<float>());
     }
   }
   if (floorSeed) {
     std::mt19937_64 random{*floorSeed};
-    blotches_ = blotches(intrinsics.width, intrinsics.height, random);
+    blotches_ = floorTexture(intrinsics.width, intrinsics.height, random);
   }
 }
 
-GreyPicture Renderer::picture(const RenderedScene& scene, const Appearance& appearance, std::uint64_t seed) const {
-  return picture(std::vector{scene}, 0, appearance, seed);
+GreyPicture Renderer::render(const RenderedScene& scene, const Appearance& appearance, std::uint64_t seed) const {
+  return render(std::vector{scene}, 0, appearance, seed);
 }
 
-GreyPicture Renderer::picture(const std::vector<RenderedScene>& scenes, double exposureShare,
-                              const Appearance& appearance, std::uint64_t seed) const {
+GreyPicture Renderer::render(const std::vector<RenderedScene>& scenes, double exposureShare,
+                             const Appearance& appearance, std::uint64_t seed) const {
   const int width = intrinsics_.width, height = intrinsics_.height;
   std::mt19937_64 random{seed};
-  std::vector<float> light = blotches_.empty() ? blotches(width, height, random) : blotches_;
+  std::vector<float> light = blotches_.empty() ? floorTexture(width, height, random) : blotches_;
   for (float& floor : light) {
     floor = float(appearance.floorBrightness) + float(appearance.floorTexture) * floor;
   }
-  const std::vector<FlatObject> all = flats(scenes, intrinsics_);
+  const std::vector<FlatObject> all = prepareFlats(scenes, intrinsics_);
   RowRenderer row{all, rays_, width};
   for (int y = 0; y < height; ++y) {
     const float begin = float(y) / float(height - 1) * float(1 - exposureShare);
     row.paint(y, begin, begin + float(exposureShare), &light[std::size_t(y) * std::size_t(width)]);
   }
-  return developed(std::move(light), width, height, appearance, random);
+  return developImage(std::move(light), width, height, appearance, random);
 }
 
-std::optional<Eigen::Vector2d> seenAt(const Eigen::Vector3d& pointInCameraOptical, const CameraIntrinsics& intrinsics) {
+std::optional<Eigen::Vector2d> projectOptical(const Eigen::Vector3d& pointInCameraOptical,
+                                              const CameraIntrinsics& intrinsics) {
   if (pointInCameraOptical.z() <= 0) {
     return std::nullopt;
   }
-  const Eigen::Vector2d uv = renderedPixel(pointInCameraOptical, intrinsics);
+  const Eigen::Vector2d uv = pixelOfPoint(pointInCameraOptical, intrinsics);
   // Far outside of what the lens was described for, its polynomial folds back into the picture.
-  const bool folded = (renderedRay(uv, intrinsics) - pointInCameraOptical.hnormalized()).norm() > 1e-6;
+  const bool folded = (rayThroughPixel(uv, intrinsics) - pointInCameraOptical.hnormalized()).norm() > 1e-6;
   const bool inside =
       uv.x() >= -0.5 && uv.y() >= -0.5 && uv.x() < intrinsics.width - 0.5 && uv.y() < intrinsics.height - 0.5;
   return inside && !folded ? std::optional{uv} : std::nullopt;
@@ -112,7 +113,7 @@ BoardCorners trueCorners(const RenderedBoard& board, const CameraIntrinsics& int
   for (int id = 0; id < perRow * (board.pattern.squaresY - 1); ++id) {
     const Eigen::Vector3d pointInBoard =
         board.pattern.squareLength * Eigen::Vector3d{id % perRow + 1.0, -(id / perRow + 1.0), 0};
-    if (const auto uv = seenAt(board.cameraOpticalFromBoard * pointInBoard, intrinsics)) {
+    if (const auto uv = projectOptical(board.cameraOpticalFromBoard * pointInBoard, intrinsics)) {
       corners.ids.push_back(id);
       corners.uv.push_back(*uv);
     }
@@ -145,7 +146,7 @@ void addInstant(FlatObject& flat, const RigidTransform& opticalFromFlat, const O
       flat.bottom = camera.height - 1;
       break;
     }
-    const Eigen::Vector2d uv = renderedPixel(seen, camera);
+    const Eigen::Vector2d uv = pixelOfPoint(seen, camera);
     flat.left = std::max(0, std::min(flat.left, int(uv.x()) - 3));
     flat.right = std::min(camera.width - 1, std::max(flat.right, int(uv.x()) + 3));
     flat.top = std::max(0, std::min(flat.top, int(uv.y()) - 3));
@@ -165,7 +166,7 @@ Eigen::Matrix3f FlatObject::at(float share) const {
   return planeFromRay[before] + (place - float(before)) * (planeFromRay[before + 1] - planeFromRay[before]);
 }
 
-std::vector<FlatObject> flats(const std::vector<RenderedScene>& scenes, const CameraIntrinsics& camera) {
+std::vector<FlatObject> prepareFlats(const std::vector<RenderedScene>& scenes, const CameraIntrinsics& camera) {
   const FlatObject nowhere{nullptr, false, camera.width, -1, camera.height, -1, {}};
   std::vector<FlatObject> result;
   for (std::size_t i = 0; i < scenes.front().boards.size(); ++i) {
@@ -175,7 +176,7 @@ std::vector<FlatObject> flats(const std::vector<RenderedScene>& scenes, const Ca
                                board.pattern.squaresY * board.pattern.squareLength};
     const Outline outline{Eigen::Vector2d{0, -size.y()} - outside, Eigen::Vector2d{size.x(), 0} + outside};
     FlatObject& flat = result.emplace_back(nowhere);
-    flat.painting = paintedSheet(board.pattern, board.margin);
+    flat.painting = makeBoardTexture(board.pattern, board.margin);
     flat.fromBehind = seenFromBehind(board.cameraOpticalFromBoard);
     for (const RenderedScene& scene : scenes) {
       addInstant(flat, scene.boards[i].cameraOpticalFromBoard, outline, camera);
@@ -185,7 +186,7 @@ std::vector<FlatObject> flats(const std::vector<RenderedScene>& scenes, const Ca
     const Patch& patch = scenes.front().patches[i];
     const Eigen::Vector2d half = patch.size / 2;
     FlatObject& flat = result.emplace_back(nowhere);
-    flat.painting = paintedPatch(half.x(), half.y(), patch.brightness);
+    flat.painting = makePatchTexture(half.x(), half.y(), patch.brightness);
     flat.fromBehind = seenFromBehind(patch.cameraOpticalFromPatch);
     for (const RenderedScene& scene : scenes) {
       addInstant(flat, scene.patches[i].cameraOpticalFromPatch, {-half, half}, camera);
@@ -198,7 +199,7 @@ std::vector<FlatObject> flats(const std::vector<RenderedScene>& scenes, const Ca
 namespace {
 
 /// OpenCV's five-term distortion of a point at z = 1.
-Eigen::Vector2d distorted(const Eigen::Vector2d& p, const std::array<double, 5>& distortion) {
+Eigen::Vector2d distort(const Eigen::Vector2d& p, const std::array<double, 5>& distortion) {
   const auto& [k1, k2, p1, p2, k3] = distortion;
   const double r2 = p.squaredNorm();
   const double radial = 1 + r2 * (k1 + r2 * (k2 + r2 * k3));
@@ -208,11 +209,11 @@ Eigen::Vector2d distorted(const Eigen::Vector2d& p, const std::array<double, 5>&
 
 } // namespace
 
-Eigen::Vector2d renderedRay(const Eigen::Vector2d& pixel, const CameraIntrinsics& camera) {
+Eigen::Vector2d rayThroughPixel(const Eigen::Vector2d& pixel, const CameraIntrinsics& camera) {
   const Eigen::Vector2d given{(pixel.x() - camera.cx) / camera.fx, (pixel.y() - camera.cy) / camera.fy};
   Eigen::Vector2d p = given; // p <- p + (given - distorted(p))
   for (int i = 0; i < 50; ++i) {
-    const Eigen::Vector2d step = given - distorted(p, camera.distortion);
+    const Eigen::Vector2d step = given - distort(p, camera.distortion);
     p += step;
     if (step.squaredNorm() < 1e-18) {
       break;
@@ -221,8 +222,8 @@ Eigen::Vector2d renderedRay(const Eigen::Vector2d& pixel, const CameraIntrinsics
   return p;
 }
 
-Eigen::Vector2d renderedPixel(const Eigen::Vector3d& pointInCameraOptical, const CameraIntrinsics& camera) {
-  const Eigen::Vector2d p = distorted(pointInCameraOptical.hnormalized(), camera.distortion);
+Eigen::Vector2d pixelOfPoint(const Eigen::Vector3d& pointInCameraOptical, const CameraIntrinsics& camera) {
+  const Eigen::Vector2d p = distort(pointInCameraOptical.hnormalized(), camera.distortion);
   return {camera.fx * p.x() + camera.cx, camera.fy * p.y() + camera.cy};
 }
 
@@ -232,10 +233,10 @@ constexpr std::size_t behindCamera = std::numeric_limits<std::size_t>::max();
 
 std::size_t cellSeen(const FlatTexture& painting, const Eigen::Matrix3f& planeFromRay, const Eigen::Vector2f& ray) {
   const Eigen::Vector3f p = planeFromRay.leftCols<2>() * ray + planeFromRay.col(2);
-  return p.z() > 0 ? painting.cell(p.x() / p.z(), p.y() / p.z()) : behindCamera;
+  return p.z() > 0 ? painting.cellAt(p.x() / p.z(), p.y() / p.z()) : behindCamera;
 }
 
-float shown(const FlatObject& flat, std::size_t cell) {
+float cellBrightness(const FlatObject& flat, std::size_t cell) {
   return cell == behindCamera ? -1 : flat.painting->brightness(cell, flat.fromBehind);
 }
 
@@ -298,11 +299,11 @@ std::optional<float> RowRenderer::uniform(const Candidate& candidate, int x) {
       return std::nullopt;
     }
   }
-  return shown(flat, cell);
+  return cellBrightness(flat, cell);
 }
 
 /// The mean over samples of the pixel's area and time; those that hit nothing see the floor.
-float RowRenderer::sampled(int x, int y, float floor) const {
+float RowRenderer::sampleTexture(int x, int y, float floor) const {
   constexpr std::array<int, samples> rows{0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15};
   const Eigen::Vector2f& corner = ray(x, y);
   const Eigen::Vector2f right = ray(x + 1, y) - corner, down = ray(x, y + 1) - corner;
@@ -315,7 +316,7 @@ float RowRenderer::sampled(int x, int y, float floor) const {
     for (std::size_t k = 0; k < mixed_.size() && seen < 0; ++k) {
       const Candidate& candidate = *mixed_[k];
       const Eigen::Matrix3f& planeFromRay = candidate.planeFromRay[moves_ ? i : 0];
-      seen = shown(*candidate.flat, cellSeen(*candidate.flat->painting, planeFromRay, through));
+      seen = cellBrightness(*candidate.flat, cellSeen(*candidate.flat->painting, planeFromRay, through));
     }
     sum += seen < 0 ? floor : seen;
   }
@@ -345,12 +346,12 @@ void RowRenderer::paint(int y, float begin, float end, float* brightness) {
     if (mixed_.size() == 1 && whole && *whole >= 0) {
       brightness[x] = *whole;
     } else if (!mixed_.empty()) {
-      brightness[x] = sampled(x, y, brightness[x]);
+      brightness[x] = sampleTexture(x, y, brightness[x]);
     }
   }
 }
 
-std::vector<float> blotches(int width, int height, std::mt19937_64& random) {
+std::vector<float> floorTexture(int width, int height, std::mt19937_64& random) {
   const cv::Size size{width, height};
   std::normal_distribution<float> normal;
   cv::Mat1f sum(size, 0.f);
@@ -365,8 +366,8 @@ std::vector<float> blotches(int width, int height, std::mt19937_64& random) {
   return {sum.begin(), sum.end()};
 }
 
-GreyPicture developed(std::vector<float> light, int width, int height, const Appearance& appearance,
-                      std::mt19937_64& random) {
+GreyPicture developImage(std::vector<float> light, int width, int height, const Appearance& appearance,
+                         std::mt19937_64& random) {
   cv::Mat1f image(height, width, light.data());
   image = image * float(appearance.white - appearance.black) + float(appearance.black);
   if (appearance.vignetting > 0) {
@@ -387,7 +388,7 @@ GreyPicture developed(std::vector<float> light, int width, int height, const App
   cv::Mat1b grey;
   image.convertTo(grey, CV_8U);
   if (appearance.jpegQuality) {
-    return decodedPicture(jpeg({grey.data, grey.total()}, width, height, *appearance.jpegQuality), "a picture");
+    return decodeImage(encodeJpeg({grey.data, grey.total()}, width, height, *appearance.jpegQuality), "a picture");
   }
   return {grey.cols, grey.rows, {grey.begin(), grey.end()}};
 }

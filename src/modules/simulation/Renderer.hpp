@@ -56,13 +56,13 @@ public:
   /// `floorSeed`: of the floor's texture, where all pictures show the same.
   explicit Renderer(const CameraIntrinsics& intrinsics, std::optional<std::uint64_t> floorSeed = {});
 
-  GreyPicture picture(const RenderedScene& scene, const Appearance& appearance, std::uint64_t seed) const;
+  GreyPicture render(const RenderedScene& scene, const Appearance& appearance, std::uint64_t seed) const;
 
   /// The same while camera or scene move and rows are exposed one after the other. `scenes`: at least two instants,
   /// evenly spread from the beginning of the first row's exposure to the end of the last row's, all of the same things.
   /// `exposureShare`: how much of that span one row is exposed.
-  GreyPicture picture(const std::vector<RenderedScene>& scenes, double exposureShare, const Appearance& appearance,
-                      std::uint64_t seed) const;
+  GreyPicture render(const std::vector<RenderedScene>& scenes, double exposureShare, const Appearance& appearance,
+                     std::uint64_t seed) const;
 
   const CameraIntrinsics& intrinsics() const { return intrinsics_; }
 
@@ -73,7 +73,8 @@ private:
 };
 
 /// Where a point is seen [px]; absent behind the camera or outside of the picture.
-std::optional<Eigen::Vector2d> seenAt(const Eigen::Vector3d& pointInCameraOptical, const CameraIntrinsics& intrinsics);
+std::optional<Eigen::Vector2d> projectOptical(const Eigen::Vector3d& pointInCameraOptical,
+                                              const CameraIntrinsics& intrinsics);
 
 /// The true places of a board's inner corners that lie in the picture, hidden or not.
 BoardCorners trueCorners(const RenderedBoard& board, const CameraIntrinsics& intrinsics);
@@ -90,11 +91,11 @@ struct FlatObject {
 };
 
 /// All flat things of a scene at several instants, those in front first.
-std::vector<FlatObject> flats(const std::vector<RenderedScene>& scenes, const CameraIntrinsics& camera);
+std::vector<FlatObject> prepareFlats(const std::vector<RenderedScene>& scenes, const CameraIntrinsics& camera);
 
 /// The point at z = 1 that is seen at a pixel, and the pixel where a point before the camera is seen.
 /// Written for rendering alone, apart from the calibration's projection that the pictures shall check.
-Eigen::Vector2d renderedRay(const Eigen::Vector2d& pixel, const CameraIntrinsics& camera);
-Eigen::Vector2d renderedPixel(const Eigen::Vector3d& pointInCameraOptical, const CameraIntrinsics& camera);
+Eigen::Vector2d rayThroughPixel(const Eigen::Vector2d& pixel, const CameraIntrinsics& camera);
+Eigen::Vector2d pixelOfPoint(const Eigen::Vector3d& pointInCameraOptical, const CameraIntrinsics& camera);
 
 } // namespace naocal

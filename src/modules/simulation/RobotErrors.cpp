@@ -17,7 +17,7 @@ constexpr double gapFriction = 0.3; // of a gear whose play load can take up [Nm
 
 } // namespace
 
-InjectedEffect InjectedEffect::scaled(double factor) const {
+InjectedEffect InjectedEffect::scaledBy(double factor) const {
   InjectedEffect result = *this;
   result.compliance *= factor;
   result.play *= factor;
@@ -35,7 +35,7 @@ Eigen::VectorXd InjectedEffect::lag(const Eigen::VectorXd& lastMotion, const Eig
   return result;
 }
 
-Robot InjectedEffect::built(Robot drawing) const {
+Robot InjectedEffect::applyTo(Robot drawing) const {
   if (longBone) {
     drawing.lengths[*longBone].value += excess;
   }
@@ -55,30 +55,30 @@ TrueEffect InjectedEffect::truth(const Robot& drawing) const {
   return {"linkLength", drawing.lengths[longBone.value()].name, {{"dL", excess, "m"}}};
 }
 
-InjectedEffect drawnFlaw(const Robot& drawing, SupportFoot supportFoot, RandomStream& chance) {
+InjectedEffect drawInjectedEffect(const Robot& drawing, SupportFoot supportFoot, RandomStream& chance) {
   const std::string side = supportFoot == SupportFoot::right ? "R" : "L";
   InjectedEffect flaw;
-  switch (chance.below(3)) {
+  switch (chance.uniformBelow(3)) {
   case 0: {
     const std::array<const char*, 2> soft{"KneePitch", "AnklePitch"};
-    flaw.softJoint = drawing.jointIndex(side + soft[chance.below(soft.size())]);
-    flaw.compliance = 0.008 + chance.within(0.002);
+    flaw.softJoint = drawing.jointIndex(side + soft[chance.uniformBelow(soft.size())]);
+    flaw.compliance = 0.008 + chance.uniformWithin(0.002);
     break;
   }
   case 1: {
     const std::array<const char*, 4> loose{"KneePitch", "AnklePitch", "HipRoll", "HipPitch"};
-    flaw.looseJoint = drawing.jointIndex(side + loose[chance.below(loose.size())]);
-    flaw.play = radians(0.7) + chance.within(radians(0.2));
+    flaw.looseJoint = drawing.jointIndex(side + loose[chance.uniformBelow(loose.size())]);
+    flaw.play = radians(0.7) + chance.uniformWithin(radians(0.2));
     break;
   }
   default: {
-    const std::string bone = chance.chance(0.5) ? "thigh" : "tibia";
+    const std::string bone = chance.bernoulli(0.5) ? "thigh" : "tibia";
     for (std::size_t length = 0; length < drawing.lengths.size(); ++length) {
       if (drawing.lengths[length].name == bone) {
         flaw.longBone = length;
       }
     }
-    flaw.excess = (chance.chance(0.5) ? 1 : -1) * (0.004 + chance.within(0.001));
+    flaw.excess = (chance.bernoulli(0.5) ? 1 : -1) * (0.004 + chance.uniformWithin(0.001));
   }
   }
   return flaw;
@@ -113,12 +113,12 @@ InjectedEffect namedFlaw(const Robot& drawing, const std::string& label) {
   return flaw;
 }
 
-RobotErrors drawnErrors(const Robot& drawing, double offsetRange, double mountRange, double mountShiftRange,
-                        RandomStream& chance) {
+RobotErrors drawErrors(const Robot& drawing, double offsetRange, double mountRange, double mountShiftRange,
+                       RandomStream& chance) {
   RobotErrors errors;
   errors.jointOffsets.resize(static_cast<Eigen::Index>(drawing.joints.size()));
   for (double& offset : errors.jointOffsets) {
-    offset = chance.within(offsetRange);
+    offset = chance.uniformWithin(offsetRange);
   }
   for (std::size_t joint = 0; joint < drawing.joints.size(); ++joint) {
     errors.jointOffsets[static_cast<Eigen::Index>(joint)] =
@@ -127,14 +127,14 @@ RobotErrors drawnErrors(const Robot& drawing, double offsetRange, double mountRa
   for (std::size_t camera = 0; camera < drawing.cameras.size(); ++camera) {
     RobotErrors::Mount& mount = errors.mounts.emplace_back();
     for (int axis = 0; axis < 3; ++axis) {
-      mount.rotation[axis] = chance.within(mountRange);
-      mount.translation[axis] = chance.within(mountShiftRange);
+      mount.rotation[axis] = chance.uniformWithin(mountRange);
+      mount.translation[axis] = chance.uniformWithin(mountShiftRange);
     }
   }
   return errors;
 }
 
-std::vector<TrueEffect> trueEffects(const Robot& drawing, const RobotErrors& errors) {
+std::vector<TrueEffect> listTrueEffects(const Robot& drawing, const RobotErrors& errors) {
   std::vector<TrueEffect> effects;
   for (std::size_t joint = 0; joint < drawing.joints.size(); ++joint) {
     if (drawing.joints[joint].motor == joint) {

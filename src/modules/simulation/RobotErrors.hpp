@@ -22,18 +22,18 @@ struct InjectedEffect {
   double excess = 0;                                          // of the bone [m]
 
   /// The same part, as many times as bad.
-  InjectedEffect scaled(double factor) const;
+  InjectedEffect scaledBy(double factor) const;
   /// How far the gears give way: the play's end that load, or else the last motion, left the joint at.
   Eigen::VectorXd lag(const Eigen::VectorXd& lastMotion, const Eigen::VectorXd& torques) const;
   /// The robot as it is: the drawing with its longer bone.
-  Robot built(Robot drawing) const;
+  Robot applyTo(Robot drawing) const;
   /// By the effects' names.
   TrueEffect truth(const Robot& drawing) const;
 };
 
 /// One of these in the leg that the robot stands on, of a size that a worn NAO has: a spring, play that only motion
 /// takes up, or a bone.
-InjectedEffect drawnFlaw(const Robot& drawing, SupportFoot supportFoot, RandomStream& chance);
+InjectedEffect drawInjectedEffect(const Robot& drawing, SupportFoot supportFoot, RandomStream& chance);
 
 /// The one that is asked for, of a size that a worn NAO has: "elasticity@LKneePitch" (or spring), "hysteresis@...",
 /// "gearPlay@...", "linkLength@thigh". Throws InputError for any other.
@@ -51,10 +51,10 @@ struct RobotErrors {
 };
 
 /// Errors drawn uniformly from [-range, range]: offsets per motor [rad], mounts per camera and axis [rad], [m].
-RobotErrors drawnErrors(const Robot& drawing, double offsetRange, double mountRange, double mountShiftRange,
-                        RandomStream& chance);
+RobotErrors drawErrors(const Robot& drawing, double offsetRange, double mountRange, double mountShiftRange,
+                       RandomStream& chance);
 
 /// The same by the effects' names. A camera's shift is listed where there is one.
-std::vector<TrueEffect> trueEffects(const Robot& drawing, const RobotErrors& errors);
+std::vector<TrueEffect> listTrueEffects(const Robot& drawing, const RobotErrors& errors);
 
 } // namespace naocal

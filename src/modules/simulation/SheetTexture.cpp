@@ -41,7 +41,7 @@ public:
     }
   }
 
-  std::size_t cell(float x, float y) const override {
+  std::size_t cellAt(float x, float y) const override {
     const float down = -y;
     const std::size_t stripX = strip(x, margin_, float(squaresX_) * squareLength_),
                       stripY = strip(down, margin_, float(squaresY_) * squareLength_);
@@ -88,7 +88,7 @@ public:
     brightness_.assign(9, -1);
     brightness_[4] = float(brightness);
   }
-  std::size_t cell(float x, float y) const override {
+  std::size_t cellAt(float x, float y) const override {
     const auto third = [](float place, float half) -> std::size_t { return place < -half ? 0 : place <= half ? 1 : 2; };
     return third(x, halfX_) + 3 * third(y, halfY_);
   }
@@ -99,11 +99,11 @@ private:
 
 } // namespace
 
-std::shared_ptr<const FlatTexture> paintedSheet(const CharucoPattern& pattern, double margin) {
+std::shared_ptr<const FlatTexture> makeBoardTexture(const CharucoPattern& pattern, double margin) {
   return std::make_shared<Sheet>(pattern, margin);
 }
 
-std::shared_ptr<const FlatTexture> paintedPatch(double halfX, double halfY, double brightness) {
+std::shared_ptr<const FlatTexture> makePatchTexture(double halfX, double halfY, double brightness) {
   return std::make_shared<PatchPainting>(halfX, halfY, brightness);
 }
 

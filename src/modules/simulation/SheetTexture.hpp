@@ -14,7 +14,7 @@ public:
   virtual ~FlatTexture() = default;
 
   /// Which cell a place [m] is in.
-  virtual std::size_t cell(float x, float y) const = 0;
+  virtual std::size_t cellAt(float x, float y) const = 0;
 
   /// 0 ink, 1 paper, negative: beyond the edge. From behind all is paper.
   float brightness(std::size_t cell, bool fromBehind) const {
@@ -30,9 +30,9 @@ protected:
 ///
 /// The first square of the first row is black; in the legacy pattern with an even number of rows it is white.
 /// White squares hold the markers, numbered along rows from the top left, upright and centred.
-std::shared_ptr<const FlatTexture> paintedSheet(const CharucoPattern& pattern, double margin);
+std::shared_ptr<const FlatTexture> makeBoardTexture(const CharucoPattern& pattern, double margin);
 
 /// One grey, spanning x and y by +-half [m].
-std::shared_ptr<const FlatTexture> paintedPatch(double halfX, double halfY, double brightness);
+std::shared_ptr<const FlatTexture> makePatchTexture(double halfX, double halfY, double brightness);
 
 } // namespace naocal

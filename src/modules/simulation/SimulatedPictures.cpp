@@ -21,7 +21,7 @@ void makeFolder(const std::filesystem::path& folder) {
 
 } // namespace
 
-RenderedScene sceneBefore(const Simulation& simulation, std::size_t capture) {
+RenderedScene sceneAt(const Simulation& simulation, std::size_t capture) {
   Eigen::Matrix3d opticalFromCamera; // x right, y down, z forward from x forward, y left, z up
   opticalFromCamera << 0, -1, 0, 0, 0, -1, 1, 0, 0;
   const Exposure& exposure = simulation.exposures[capture];
@@ -36,18 +36,18 @@ RenderedScene sceneBefore(const Simulation& simulation, std::size_t capture) {
   return scene;
 }
 
-std::size_t takePictures(const Simulation& simulation, const Appearance& appearance, std::uint64_t seed,
-                         const std::filesystem::path& setFolder, std::size_t threads,
-                         const std::function<bool(std::size_t)>& proceed) {
+std::size_t renderPictures(const Simulation& simulation, const Appearance& appearance, std::uint64_t seed,
+                           const std::filesystem::path& setFolder, std::size_t threads,
+                           const std::function<bool(std::size_t)>& proceed) {
   std::map<std::string, Renderer> renderers;
   for (const auto& [name, intrinsics] : simulation.set.cameras) {
     renderers.emplace(name, intrinsics);
   }
   const std::vector<Capture>& captures = simulation.set.captures;
   const auto take = [&](std::size_t i) {
-    const GreyPicture picture = renderers.at(captures[i].camera)
-                                    .picture(sceneBefore(simulation, i), appearance, seed ^ (std::uint64_t{i} << 32U));
-    writePicture(picture, setFolder / captures[i].image);
+    const GreyPicture picture =
+        renderers.at(captures[i].camera).render(sceneAt(simulation, i), appearance, seed ^ (std::uint64_t{i} << 32U));
+    writeImage(picture, setFolder / captures[i].image);
   };
   makeFolder(setFolder / "images");
   std::size_t done = 0;

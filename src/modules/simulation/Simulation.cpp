@@ -12,7 +12,7 @@
 namespace naocal {
 
 /// The corners that the pictures of a walk show, without noise: one list of boards per capture.
-std::vector<std::vector<BoardCorners>> cornersInView(const CaptureSequence& walk, const SimulationPlan& plan);
+std::vector<std::vector<BoardCorners>> observeCorners(const CaptureSequence& walk, const SimulationPlan& plan);
 
 /// Moves one board, in the exposure of one picture, by `distance` [m] in a direction drawn at random. Before and after,
 /// the picture shows at least eight of its corners, and at least two other pictures do: else nothing could tell that
@@ -21,11 +21,11 @@ std::optional<DisplacedBoard> displaceOneBoard(CaptureSequence& walk, const Simu
                                                RandomStream& chance);
 
 /// Adds a detector's noise, and gross errors, which are returned by name.
-std::vector<GrossCorner> spoil(std::vector<Capture>& captures, const CornerNoise& noise, RandomStream& chance);
+std::vector<GrossCorner> addCornerNoise(std::vector<Capture>& captures, const CornerNoise& noise, RandomStream& chance);
 
 namespace {
 
-std::vector<BoardCorners> cornersInView(const Capture& capture, const Exposure& exposure, const SimulationPlan& plan) {
+std::vector<BoardCorners> observeCorners(const Capture& capture, const Exposure& exposure, const SimulationPlan& plan) {
   std::vector<BoardCorners> seen;
   for (std::size_t board = 0; board < plan.boards.size(); ++board) {
     BoardCorners corners = visibleCorners(plan.cameras.at(capture.camera), plan.boards[board],
@@ -46,7 +46,7 @@ std::vector<Appearance> goodSights(const CaptureSequence& walk, const Simulation
   constexpr std::size_t enough = 8; // corners
   std::vector<Appearance> sights;
   for (std::size_t capture = 0; capture < walk.captures.size(); ++capture) {
-    for (const BoardCorners& corners : cornersInView(walk.captures[capture], walk.exposures[capture], plan)) {
+    for (const BoardCorners& corners : observeCorners(walk.captures[capture], walk.exposures[capture], plan)) {
       const auto board = std::find_if(plan.boards.begin(), plan.boards.end(),
                                       [&](const Board& candidate) { return candidate.id == corners.board; });
       if (corners.ids.size() >= enough) {
@@ -59,10 +59,10 @@ std::vector<Appearance> goodSights(const CaptureSequence& walk, const Simulation
 
 } // namespace
 
-std::vector<std::vector<BoardCorners>> cornersInView(const CaptureSequence& walk, const SimulationPlan& plan) {
+std::vector<std::vector<BoardCorners>> observeCorners(const CaptureSequence& walk, const SimulationPlan& plan) {
   std::vector<std::vector<BoardCorners>> corners;
   for (std::size_t capture = 0; capture < walk.captures.size(); ++capture) {
-    corners.push_back(cornersInView(walk.captures[capture], walk.exposures[capture], plan));
+    corners.push_back(observeCorners(walk.captures[capture], walk.exposures[capture], plan));
   }
   return corners;
 }
@@ -71,10 +71,10 @@ std::optional<DisplacedBoard> displaceOneBoard(CaptureSequence& walk, const Simu
                                                RandomStream& chance) {
   std::vector<Appearance> candidates = goodSights(walk, plan);
   while (!candidates.empty()) {
-    const auto chosen = candidates.begin() + static_cast<std::ptrdiff_t>(chance.below(candidates.size()));
+    const auto chosen = candidates.begin() + static_cast<std::ptrdiff_t>(chance.uniformBelow(candidates.size()));
     const Appearance sight = *chosen;
     candidates.erase(chosen);
-    const Eigen::Vector2d shift = chance.direction(distance);
+    const Eigen::Vector2d shift = chance.randomDirection(distance);
     Eigen::Isometry3d& worldFromBoard = walk.exposures[sight.capture].worldFromBoard[sight.board];
     const Eigen::Isometry3d before = worldFromBoard;
     worldFromBoard.translate(Eigen::Vector3d{shift.x(), shift.y(), 0});
@@ -93,16 +93,17 @@ std::optional<DisplacedBoard> displaceOneBoard(CaptureSequence& walk, const Simu
   return std::nullopt;
 }
 
-std::vector<GrossCorner> spoil(std::vector<Capture>& captures, const CornerNoise& noise, RandomStream& chance) {
+std::vector<GrossCorner> addCornerNoise(std::vector<Capture>& captures, const CornerNoise& noise,
+                                        RandomStream& chance) {
   std::vector<GrossCorner> gross;
-  const auto error = [&] { return noise.heavyTails ? chance.heavyTailed(noise.pixel) : chance.normal(noise.pixel); };
+  const auto error = [&] { return noise.heavyTails ? chance.studentT4(noise.pixel) : chance.normal(noise.pixel); };
   for (Capture& capture : captures) {
     for (BoardCorners& board : *capture.corners) {
       for (std::size_t i = 0; i < board.ids.size(); ++i) {
         const double errorU = error(), errorV = error();
         board.uv[i] += Eigen::Vector2d{errorU, errorV};
-        if (chance.chance(noise.grossShare)) {
-          board.uv[i] += chance.direction(noise.grossSize);
+        if (chance.bernoulli(noise.grossShare)) {
+          board.uv[i] += chance.randomDirection(noise.grossSize);
           gross.push_back({capture.id, board.board, board.ids[i]});
         }
       }
@@ -114,14 +115,14 @@ std::vector<GrossCorner> spoil(std::vector<Capture>& captures, const CornerNoise
 namespace {
 
 /// Where the boards really lie: drawn about their planned places.
-std::vector<Placement> drawnBoards(const SimulationPlan& plan, RandomStream chance) {
+std::vector<Placement> placeBoards(const SimulationPlan& plan, RandomStream chance) {
   std::vector<Placement> placements;
   for (const Board& board : plan.boards) {
     assert(board.placement);
     Placement placement = *board.placement;
-    placement.x += chance.within(plan.boardShiftRange);
-    placement.y += chance.within(plan.boardShiftRange);
-    placement.yaw += chance.within(plan.boardTurnRange);
+    placement.x += chance.uniformWithin(plan.boardShiftRange);
+    placement.y += chance.uniformWithin(plan.boardShiftRange);
+    placement.yaw += chance.uniformWithin(plan.boardTurnRange);
     placements.push_back(placement);
   }
   return placements;
@@ -129,7 +130,8 @@ std::vector<Placement> drawnBoards(const SimulationPlan& plan, RandomStream chan
 
 /// The same place on the floor in another world: x, y, yaw.
 Placement seenFrom(const Placement& otherWorld, const Placement& placement) {
-  const Eigen::Isometry3d otherFromFrame = isometry(otherWorld).inverse() * isometry(placement);
+  const Eigen::Isometry3d otherFromFrame =
+      isometryFromPlacement(otherWorld).inverse() * isometryFromPlacement(placement);
   Placement result;
   result.x = otherFromFrame.translation().x();
   result.y = otherFromFrame.translation().y();
@@ -162,7 +164,7 @@ Placement resultWorld(const SimulationPlan& plan, const std::vector<Placement>& 
   return {};
 }
 
-std::map<std::string, TrueUnknown> noiseLevels(const SimulationPlan& plan) {
+std::map<std::string, TrueUnknown> trueNoiseLevels(const SimulationPlan& plan) {
   std::map<std::string, TrueUnknown> levels;
   const auto add = [&](const std::string& name, double value, const std::string& unit) {
     levels[name] = {name, value, unit};
@@ -182,7 +184,7 @@ CaptureSet emptySet(const Robot& drawing, const SimulationPlan& plan, std::uint6
   CaptureSet set;
   set.name = "simulated";
   set.model = drawing.model;
-  set.bodyId = set.headId = fmt::format("{}{}", syntheticId, robotSeed);
+  set.bodyId = set.headId = fmt::format("{}{}", syntheticIdPrefix, robotSeed);
   for (const Joint& joint : drawing.joints) {
     set.jointNames.push_back(joint.name);
   }
@@ -196,15 +198,15 @@ CaptureSet emptySet(const Robot& drawing, const SimulationPlan& plan, std::uint6
 Simulation simulate(const Robot& drawing, const SimulationPlan& plan, std::uint64_t seed) {
   const std::uint64_t robotSeed = plan.robotSeed.value_or(seed);
   RandomStream errorChance{robotSeed, "errors"}, displacementChance{seed, "displacement"}, noiseChance{seed, "corners"};
-  RobotErrors errors = drawnErrors(drawing, plan.offsetRange, plan.mountRange, plan.mountShiftRange, errorChance);
+  RobotErrors errors = drawErrors(drawing, plan.offsetRange, plan.mountRange, plan.mountShiftRange, errorChance);
   if (!plan.flaw.empty()) {
-    errors.flaw = namedFlaw(drawing, plan.flaw).scaled(plan.flawScale);
+    errors.flaw = namedFlaw(drawing, plan.flaw).scaledBy(plan.flawScale);
   } else if (plan.hiddenFlaw && !plan.poses.empty()) {
     RandomStream flawChance{robotSeed, "flaw"};
-    errors.flaw = drawnFlaw(drawing, plan.poses.front().supportFoot, flawChance).scaled(plan.flawScale);
+    errors.flaw = drawInjectedEffect(drawing, plan.poses.front().supportFoot, flawChance).scaledBy(plan.flawScale);
   }
-  const std::vector<Placement> boards = drawnBoards(plan, RandomStream{plan.boardSeed.value_or(seed), "boards"});
-  CaptureSequence taken = walk(SyntheticRobot{drawing, errors, plan.mechanics}, plan, boards, seed);
+  const std::vector<Placement> boards = placeBoards(plan, RandomStream{plan.boardSeed.value_or(seed), "boards"});
+  CaptureSequence taken = recordCaptures(SyntheticRobot{drawing, errors, plan.mechanics}, plan, boards, seed);
 
   Simulation result{emptySet(drawing, plan, robotSeed), {}, {}};
   Truth& truth = result.truth;
@@ -213,7 +215,7 @@ Simulation simulate(const Robot& drawing, const SimulationPlan& plan, std::uint6
       truth.displacedBoards.push_back(*displaced);
     }
   }
-  const std::vector<std::vector<BoardCorners>> seen = cornersInView(taken, plan);
+  const std::vector<std::vector<BoardCorners>> seen = observeCorners(taken, plan);
   for (std::size_t capture = 0; capture < seen.size(); ++capture) {
     if (plan.images) {
       taken.captures[capture].image = fmt::format("images/{:04}.png", capture);
@@ -222,12 +224,12 @@ Simulation simulate(const Robot& drawing, const SimulationPlan& plan, std::uint6
     }
   }
   if (!plan.images) {
-    truth.grossCorners = spoil(taken.captures, plan.corners, noiseChance);
+    truth.grossCorners = addCornerNoise(taken.captures, plan.corners, noiseChance);
   }
 
   truth.seed = seed;
-  truth.effects = trueEffects(drawing, errors);
-  truth.noise = noiseLevels(plan);
+  truth.effects = listTrueEffects(drawing, errors);
+  truth.noise = trueNoiseLevels(plan);
   for (std::size_t board = 0; board < boards.size(); ++board) {
     truth.ownWorld.boards[plan.boards[board].id] = boards[board];
     result.set.boards[board].placement = plan.surveyed ? std::optional{boards[board]} : std::nullopt;
@@ -261,10 +263,10 @@ public:
     commanded_ = approach_ = Eigen::VectorXd::Zero(joints);
     temperatures_ = Eigen::VectorXd::Constant(joints, plan.mechanics.ambientTemperature);
     for (const Placement& board : boards) {
-      worldFromBoard_.push_back(isometry(board));
+      worldFromBoard_.push_back(isometryFromPlacement(board));
     }
     for (std::size_t pose = 0; pose < plan.poses.size(); ++pose) {
-      poseDeflections_.push_back(robot.scatter(plan.mechanics.poseScatter, motion_));
+      poseDeflections_.push_back(robot.drawScatter(plan.mechanics.poseScatter, motion_));
     }
   }
 
@@ -302,12 +304,12 @@ private:
     if (stance_ && stance_->supportFoot == foot) {
       return;
     }
-    const double y = foot == SupportFoot::right ? -halfStance : halfStance;
+    const double y = foot == SupportFoot::right ? -halfFootDistance : halfFootDistance;
     stance_ = Stance{plan_.firstStance + static_cast<int>(walk_.stances.size()), foot, Placement{}};
     Placement& placement = *stance_->placement;
-    placement.x = stanceChance_.within(plan_.stanceShiftRange);
-    placement.y = y + stanceChance_.within(plan_.stanceShiftRange);
-    placement.yaw = stanceChance_.within(plan_.stanceTurnRange);
+    placement.x = stanceChance_.uniformWithin(plan_.stanceShiftRange);
+    placement.y = y + stanceChance_.uniformWithin(plan_.stanceShiftRange);
+    placement.yaw = stanceChance_.uniformWithin(plan_.stanceTurnRange);
     walk_.stances.push_back(*stance_);
     wait(20s);
   }
@@ -325,14 +327,14 @@ private:
       approach_[joint] = asked != 0 ? asked : way == 0 ? approach_[joint] : std::copysign(1, way);
     }
     commanded_ = commanded;
-    taken_ = robot_.approach(commanded, approach_, target.supportFoot, poseDeflections_[pose], motion_);
+    taken_ = robot_.moveTo(commanded, approach_, target.supportFoot, poseDeflections_[pose], motion_);
     wait(duration);
   }
 
   void wait(Seconds duration) {
     time_ += duration;
     if (taken_) {
-      robot_.warm(temperatures_, taken_->torques, duration);
+      robot_.heatMotors(temperatures_, taken_->torques, duration);
     }
   }
 
@@ -355,18 +357,18 @@ private:
   }
 
   void expose(Capture& capture, std::size_t camera, Seconds since) {
-    Exposure exposure{robot_.jointAngles(*taken_, since), {}, worldFromBoard_};
+    Exposure exposure{robot_.trueJointAngles(*taken_, since), {}, worldFromBoard_};
     const Eigen::Isometry3d worldFromTorso =
-        isometry(*stance_->placement) * robot_.soleFromTorso(exposure.joints, capture.supportFoot);
+        isometryFromPlacement(*stance_->placement) * robot_.soleFromTorso(exposure.joints, capture.supportFoot);
     exposure.worldFromCamera = worldFromTorso * robot_.torsoFromCamera(camera, exposure.joints);
-    capture.joints = {list(robot_.encoderReadings(*taken_, since, sensors_)),
+    capture.joints = {list(robot_.readEncoders(*taken_, since, sensors_)),
                       list(commanded_),
                       list(taken_->velocity),
                       list(approach_),
                       list(temperatures_),
-                      list(robot_.currentReadings(*taken_, sensors_))};
-    capture.imu = robot_.imuReading(worldFromTorso.linear(), sensors_);
-    capture.fsr = robot_.forceReadings(*taken_, sensors_);
+                      list(robot_.readCurrents(*taken_, sensors_))};
+    capture.imu = robot_.readImu(worldFromTorso.linear(), sensors_);
+    capture.fsr = robot_.readForces(*taken_, sensors_);
     walk_.captures.push_back(std::move(capture));
     walk_.exposures.push_back(std::move(exposure));
   }
@@ -385,8 +387,8 @@ private:
 
 } // namespace
 
-CaptureSequence walk(const SyntheticRobot& robot, const SimulationPlan& plan, const std::vector<Placement>& boards,
-                     std::uint64_t seed) {
+CaptureSequence recordCaptures(const SyntheticRobot& robot, const SimulationPlan& plan,
+                               const std::vector<Placement>& boards, std::uint64_t seed) {
   return Walker{robot, plan, boards, seed}.run();
 }
 

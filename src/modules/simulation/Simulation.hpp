@@ -24,8 +24,8 @@ struct CaptureSequence {
 
 /// Takes every pose of the plan and records all cameras, 30 ms apart, `samples` times: in place (rest), after leaving
 /// the pose and coming back (reapproach), or pose after pose in as many stances (restand).
-CaptureSequence walk(const SyntheticRobot& robot, const SimulationPlan& plan, const std::vector<Placement>& boards,
-                     std::uint64_t seed);
+CaptureSequence recordCaptures(const SyntheticRobot& robot, const SimulationPlan& plan,
+                               const std::vector<Placement>& boards, std::uint64_t seed);
 
 /// A capture set and what is true about it.
 struct Simulation {
@@ -35,7 +35,7 @@ struct Simulation {
 };
 
 /// What the body and head ids of simulated robots begin with; their seed follows.
-constexpr const char* syntheticId = "synthetic-";
+constexpr const char* syntheticIdPrefix = "synthetic-";
 
 /// A robot of this drawing, with errors drawn at random, walks through the plan. The same seed gives the same.
 Simulation simulate(const Robot& drawing, const SimulationPlan& plan, std::uint64_t seed);

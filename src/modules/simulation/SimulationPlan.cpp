@@ -2,13 +2,13 @@
 
 namespace naocal {
 
-std::map<std::string, CameraIntrinsics> drawnCameras(int width, int height) {
+std::map<std::string, CameraIntrinsics> nominalCameras(int width, int height) {
   const double focalLength = 598.0 / 640 * width; // [px]
   const CameraIntrinsics camera{width, height, focalLength, focalLength, width / 2.0, height / 2.0, {}};
   return {{"top", camera}, {"bottom", camera}};
 }
 
-std::vector<Board> boardsAround() {
+std::vector<Board> defaultBoards() {
   struct Spot {
     const char* id;
     Eigen::Vector2d centre; // [m]

@@ -29,14 +29,14 @@ struct CornerNoise {
 };
 
 /// Cameras that see as wide as the manufacturer says (focal length 598 px at a width of 640), without distortion.
-std::map<std::string, CameraIntrinsics> drawnCameras(int width, int height);
+std::map<std::string, CameraIntrinsics> nominalCameras(int width, int height);
 
 /// Four A2 boards of 7x5 squares of 80 mm on the floor: near in front, to the left, to the right and farther in front
 /// of a robot that stands at the origin and looks along x.
-std::vector<Board> boardsAround();
+std::vector<Board> defaultBoards();
 
 /// Half the distance between two feet that stand side by side [m].
-constexpr double halfStance = 0.05;
+constexpr double halfFootDistance = 0.05;
 
 /// How the parts of a robot behave; the same for every robot of the make.
 struct RobotMechanics {
@@ -78,8 +78,8 @@ struct SimulationPlan {
   std::string flaw = "";                  // that part, where it is not to be drawn: "gearPlay@LKneePitch"
   RobotMechanics mechanics;
   CornerNoise corners;
-  std::map<std::string, CameraIntrinsics> cameras = drawnCameras(640, 480);
-  std::vector<Board> boards = boardsAround(); // with placements: about where they lie
+  std::map<std::string, CameraIntrinsics> cameras = nominalCameras(640, 480);
+  std::vector<Board> boards = defaultBoards(); // with placements: about where they lie
 };
 
 } // namespace naocal

@@ -21,10 +21,10 @@ std::vector<Eigen::VectorXd> oneFootPoses(const Robot& robot, const SimulationPl
   options.seed = seed;
   std::vector<Board> boards = plan.boards;
   for (Board& board : boards) { // seen from the sole
-    board.placement->y -= supportFoot == SupportFoot::left ? halfStance : -halfStance;
+    board.placement->y -= supportFoot == SupportFoot::left ? halfFootDistance : -halfFootDistance;
   }
   std::vector<Eigen::VectorXd> poses;
-  for (PlannedPose& pose : stablePoses(robot, boards, plan.cameras, options)) {
+  for (PlannedPose& pose : planInformativePoses(robot, boards, plan.cameras, options)) {
     poses.push_back(std::move(pose.angles));
   }
   return poses;
@@ -47,13 +47,13 @@ public:
     Eigen::VectorXd angles{static_cast<Eigen::Index>(robot.joints.size())};
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
       const Joint& drawn = robot.joints[joint];
-      angles[static_cast<Eigen::Index>(joint)] = std::clamp(drawn.resting, drawn.limits.lower, drawn.limits.upper);
+      angles[static_cast<Eigen::Index>(joint)] = std::clamp(drawn.restAngle, drawn.limits.lower, drawn.limits.upper);
     }
-    set(angles, "HeadYaw", chance_.within(1.2));
-    set(angles, "HeadPitch", chance_.within(0.4));
+    set(angles, "HeadYaw", chance_.uniformWithin(1.2));
+    set(angles, "HeadPitch", chance_.uniformWithin(0.4));
     const bool reached = bendLegs(angles);
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-      const AngleRange limits = limitsAt(robot, joint, angles);
+      const AngleRange limits = jointLimitsAt(robot, joint, angles);
       const double angle = angles[static_cast<Eigen::Index>(joint)];
       if (angle < limits.lower || angle > limits.upper) {
         return std::nullopt;
@@ -70,12 +70,13 @@ private:
   bool bendLegs(Eigen::VectorXd& angles) {
     constexpr double forwards = 0.02; // the torso's origin before the soles' frames [m]
     const RigidTransform floorFromTorso{
-        rotationZ(chance_.within(0.1)) * rotationY(0.1 + chance_.within(0.3)) * rotationX(chance_.within(0.1)),
-        {forwards + chance_.within(0.02), chance_.within(0.02), 0.29 + chance_.within(0.03)}};
-    const double hipYawPitch = -0.15 + chance_.within(0.15);
-    for (const auto& [leg, y] : {std::pair{&left_, halfStance}, {&right_, -halfStance}}) {
+        rotationZ(chance_.uniformWithin(0.1)) * rotationY(0.1 + chance_.uniformWithin(0.3)) *
+            rotationX(chance_.uniformWithin(0.1)),
+        {forwards + chance_.uniformWithin(0.02), chance_.uniformWithin(0.02), 0.29 + chance_.uniformWithin(0.03)}};
+    const double hipYawPitch = -0.15 + chance_.uniformWithin(0.15);
+    for (const auto& [leg, y] : {std::pair{&left_, halfFootDistance}, {&right_, -halfFootDistance}}) {
       const RigidTransform floorFromSole{Eigen::Matrix3d::Identity(), {0, y, 0}};
-      const auto bent = leg->angles(floorFromTorso.inverse() * floorFromSole, hipYawPitch);
+      const auto bent = leg->solveAngles(floorFromTorso.inverse() * floorFromSole, hipYawPitch);
       if (!bent) {
         return false;
       }
@@ -89,13 +90,13 @@ private:
   bool seesABoard(const Eigen::VectorXd& angles) const {
     constexpr std::size_t enough = 8;
     const Eigen::Isometry3d floorFromTorso =
-        Eigen::Translation3d{0, halfStance, 0} * drawn_.soleFromTorso(angles, SupportFoot::both);
+        Eigen::Translation3d{0, halfFootDistance, 0} * drawn_.soleFromTorso(angles, SupportFoot::both);
     const std::vector<CameraMount>& cameras = drawn_.drawing().cameras;
     for (std::size_t camera = 0; camera < cameras.size(); ++camera) {
       const Eigen::Isometry3d cameraFromFloor = (floorFromTorso * drawn_.torsoFromCamera(camera, angles)).inverse();
       for (const Board& board : plan_.boards) {
-        const BoardCorners seen =
-            visibleCorners(plan_.cameras.at(cameras[camera].name), board, cameraFromFloor * isometry(*board.placement));
+        const BoardCorners seen = visibleCorners(plan_.cameras.at(cameras[camera].name), board,
+                                                 cameraFromFloor * isometryFromPlacement(*board.placement));
         if (seen.ids.size() >= enough) {
           return true;
         }
@@ -128,8 +129,8 @@ std::vector<Eigen::VectorXd> bothFeetPoses(const Robot& robot, const SimulationP
 
 } // namespace
 
-std::vector<CommandedPose> standingPoses(const Robot& robot, const SimulationPlan& plan, SupportFoot supportFoot,
-                                         std::size_t count, std::uint64_t seed) {
+std::vector<CommandedPose> planStandingPoses(const Robot& robot, const SimulationPlan& plan, SupportFoot supportFoot,
+                                             std::size_t count, std::uint64_t seed) {
   const std::vector<Eigen::VectorXd> angles = supportFoot == SupportFoot::both
                                                   ? bothFeetPoses(robot, plan, count, seed)
                                                   : oneFootPoses(robot, plan, supportFoot, count, seed);

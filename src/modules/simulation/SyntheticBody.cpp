@@ -21,7 +21,7 @@ SyntheticBody::SyntheticBody(const Robot& drawing) {
   }
 }
 
-std::vector<Eigen::Isometry3d> SyntheticBody::posture(const Eigen::VectorXd& angles) const {
+std::vector<Eigen::Isometry3d> SyntheticBody::forwardKinematics(const Eigen::VectorXd& angles) const {
   std::vector<Eigen::Isometry3d> moved(parts_.size(), Eigen::Isometry3d::Identity());
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const Part& part = parts_[i];
@@ -58,7 +58,7 @@ Eigen::Vector3d SyntheticBody::centreOfMass(const std::vector<Eigen::Isometry3d>
 
 double SyntheticBody::potentialEnergy(const Eigen::VectorXd& angles, std::size_t heldLink) const {
   constexpr double gravity = 9.81; // [m/s^2]
-  const std::vector<Eigen::Isometry3d> torsoFromLink = posture(angles);
+  const std::vector<Eigen::Isometry3d> torsoFromLink = forwardKinematics(angles);
   return mass() * gravity * (torsoFromLink[heldLink].inverse() * centreOfMass(torsoFromLink)).z();
 }
 

@@ -18,7 +18,7 @@ public:
   explicit SyntheticBody(const Robot& drawing);
 
   /// torsoFromLink of every link, for one angle per joint of the drawing [rad].
-  std::vector<Eigen::Isometry3d> posture(const Eigen::VectorXd& angles) const;
+  std::vector<Eigen::Isometry3d> forwardKinematics(const Eigen::VectorXd& angles) const;
 
   double mass() const; // [kg]
   /// In the torso's frame [m].

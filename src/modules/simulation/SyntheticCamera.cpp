@@ -4,14 +4,14 @@
 
 namespace naocal {
 
-Eigen::Isometry3d isometry(const Placement& placement) {
+Eigen::Isometry3d isometryFromPlacement(const Placement& placement) {
   return Eigen::Translation3d{placement.x, placement.y, placement.z} *
          Eigen::AngleAxisd{placement.yaw, Eigen::Vector3d::UnitZ()} *
          Eigen::AngleAxisd{placement.pitch, Eigen::Vector3d::UnitY()} *
          Eigen::AngleAxisd{placement.roll, Eigen::Vector3d::UnitX()} * Eigen::Isometry3d::Identity();
 }
 
-std::optional<Eigen::Vector2d> pixel(const CameraIntrinsics& camera, const Eigen::Vector3d& pointInCamera) {
+std::optional<Eigen::Vector2d> projectPoint(const CameraIntrinsics& camera, const Eigen::Vector3d& pointInCamera) {
   constexpr double nearest = 0.01; // [m]
   if (pointInCamera.x() < nearest) {
     return std::nullopt;
@@ -33,9 +33,9 @@ namespace {
 /// The lesser extent of a board's square at `point` in the picture [px]; 0 where it is not in view.
 double squareHeight(const CameraIntrinsics& camera, const Eigen::Isometry3d& cameraFromBoard,
                     const Eigen::Vector3d& point, double squareLength) {
-  const auto middle = pixel(camera, cameraFromBoard * point);
-  const auto right = pixel(camera, cameraFromBoard * (point + squareLength * Eigen::Vector3d::UnitX()));
-  const auto up = pixel(camera, cameraFromBoard * (point + squareLength * Eigen::Vector3d::UnitY()));
+  const auto middle = projectPoint(camera, cameraFromBoard * point);
+  const auto right = projectPoint(camera, cameraFromBoard * (point + squareLength * Eigen::Vector3d::UnitX()));
+  const auto up = projectPoint(camera, cameraFromBoard * (point + squareLength * Eigen::Vector3d::UnitY()));
   if (!middle || !right || !up) {
     return 0;
   }
@@ -56,7 +56,7 @@ BoardCorners visibleCorners(const CameraIntrinsics& camera, const Board& board,
   }
   const double squareLength = board.pattern ? board.pattern->squareLength : 0;
   for (std::size_t id = 0; id < board.points.size(); ++id) {
-    const auto at = pixel(camera, cameraFromBoard * board.points[id]);
+    const auto at = projectPoint(camera, cameraFromBoard * board.points[id]);
     const bool inside = at && at->x() >= margin && at->y() >= margin && at->x() <= camera.width - 1 - margin &&
                         at->y() <= camera.height - 1 - margin;
     if (inside && squareHeight(camera, cameraFromBoard, board.points[id], squareLength) >= smallestSquare) {

@@ -9,13 +9,13 @@
 namespace naocal {
 
 /// parentFromFrame = T(x, y, z) Rz(yaw) Ry(pitch) Rx(roll).
-Eigen::Isometry3d isometry(const Placement& placement);
+Eigen::Isometry3d isometryFromPlacement(const Placement& placement);
 
 /// Where a point is seen: OpenCV's pinhole and distortion (k1, k2, p1, p2, k3), with camera axes x forward, y left, z
 /// up: x = -Y/X, y = -Z/X, r^2 = x^2 + y^2, g = 1 + k1 r^2 + k2 r^4 + k3 r^6,
 ///   u = fx (x g + 2 p1 x y + p2 (r^2 + 2 x^2)) + cx,   v = fy (y g + p1 (r^2 + 2 y^2) + 2 p2 x y) + cy   [px].
 /// Absent behind the camera and where the lens folds its picture over (d(r g)/dr <= 0).
-std::optional<Eigen::Vector2d> pixel(const CameraIntrinsics& camera, const Eigen::Vector3d& pointInCamera);
+std::optional<Eigen::Vector2d> projectPoint(const CameraIntrinsics& camera, const Eigen::Vector3d& pointInCamera);
 
 /// Below this the detector loses most corners of a board [px].
 constexpr double smallestSquare = 12;

@@ -22,11 +22,11 @@ constexpr std::array<const char*, 2> sides{"left", "right"};
 /// The weight on the sensors of the loaded soles: of all distributions whose sum is the weight and whose middle lies
 /// below the centre of mass the one with the least sum of squares; sensors cannot pull.
 std::array<double, 8> SyntheticRobot::forces(const Eigen::VectorXd& joints, SupportFoot supportFoot) const {
-  const std::vector<Eigen::Isometry3d> torsoFromLink = body_.posture(joints);
+  const std::vector<Eigen::Isometry3d> torsoFromLink = body_.forwardKinematics(joints);
   const Eigen::Isometry3d soleFromTorso = torsoFromLink[soleLink(supportFoot)].inverse();
   Eigen::Matrix<double, 3, 8> balance = Eigen::Matrix<double, 3, 8>::Zero(); // sum, moments in x and y
   for (std::size_t side = 0; side < sides.size(); ++side) {
-    const Sole* sole = drawing_.sole(sides[side]);
+    const Sole* sole = drawing_.findSole(sides[side]);
     for (std::size_t sensor = 0; carries(supportFoot, side) && sensor < sole->forceSensors.size(); ++sensor) {
       const Eigen::Vector2d& place = sole->forceSensors[sensor];
       const Eigen::Vector3d inSupport =
@@ -54,21 +54,21 @@ Eigen::VectorXd SyntheticRobot::gravityTorques(const Eigen::VectorXd& joints, Su
          (left + right);
 }
 
-std::array<double, 8> SyntheticRobot::forceReadings(const SettledPose& taken, RandomStream& chance) const {
-  std::array<double, 8> readings = forces(jointAngles(taken, Seconds{0}), taken.supportFoot);
+std::array<double, 8> SyntheticRobot::readForces(const SettledPose& taken, RandomStream& chance) const {
+  std::array<double, 8> readings = forces(trueJointAngles(taken, Seconds{0}), taken.supportFoot);
   for (double& reading : readings) {
     reading = std::max(reading + chance.normal(mechanics_.forceNoise), 0.0);
   }
   return readings;
 }
 
-Eigen::Vector2d SyntheticRobot::imuReading(const Eigen::Matrix3d& worldFromTorso, RandomStream& chance) const {
+Eigen::Vector2d SyntheticRobot::readImu(const Eigen::Matrix3d& worldFromTorso, RandomStream& chance) const {
   const double roll = std::atan2(worldFromTorso(2, 1), worldFromTorso(2, 2));
   const double pitch = std::asin(-worldFromTorso(2, 0));
   return {roll + chance.normal(mechanics_.imuNoise), pitch + chance.normal(mechanics_.imuNoise)};
 }
 
-Eigen::VectorXd SyntheticRobot::currentReadings(const SettledPose& taken, RandomStream& chance) const {
+Eigen::VectorXd SyntheticRobot::readCurrents(const SettledPose& taken, RandomStream& chance) const {
   Eigen::VectorXd currents = mechanics_.currentPerTorque * taken.torques;
   for (double& current : currents) {
     current = std::abs(current + chance.normal(mechanics_.currentNoise));
@@ -76,7 +76,7 @@ Eigen::VectorXd SyntheticRobot::currentReadings(const SettledPose& taken, Random
   return currents;
 }
 
-void SyntheticRobot::warm(Eigen::VectorXd& temperatures, const Eigen::VectorXd& torques, Seconds duration) const {
+void SyntheticRobot::heatMotors(Eigen::VectorXd& temperatures, const Eigen::VectorXd& torques, Seconds duration) const {
   const Eigen::ArrayXd target =
       mechanics_.ambientTemperature + mechanics_.heatPerTorqueSquared * torques.array().square();
   const double towards = 1 - std::exp(-duration.count() / mechanics_.thermalTimeConstant);
@@ -84,13 +84,13 @@ void SyntheticRobot::warm(Eigen::VectorXd& temperatures, const Eigen::VectorXd& 
 }
 
 SyntheticRobot::SyntheticRobot(const Robot& drawing, const RobotErrors& errors, const RobotMechanics& mechanics)
-    : drawing_{drawing}, errors_{errors}, mechanics_{mechanics}, body_{errors.flaw ? errors.flaw->built(drawing)
+    : drawing_{drawing}, errors_{errors}, mechanics_{mechanics}, body_{errors.flaw ? errors.flaw->applyTo(drawing)
                                                                                    : drawing} {
   assert(static_cast<std::size_t>(errors.jointOffsets.size()) == drawing.joints.size());
   assert(errors.mounts.size() == drawing.cameras.size());
 }
 
-Eigen::VectorXd SyntheticRobot::scatter(double sigma, RandomStream& chance) const {
+Eigen::VectorXd SyntheticRobot::drawScatter(double sigma, RandomStream& chance) const {
   Eigen::VectorXd result{errors_.jointOffsets.size()};
   for (double& deflection : result) {
     deflection = chance.normal(sigma);
@@ -122,51 +122,51 @@ void SyntheticRobot::yield(SettledPose& taken, const Eigen::VectorXd& lastMotion
   }
 }
 
-SettledPose SyntheticRobot::approach(const Eigen::VectorXd& commanded, const Eigen::VectorXd& lastMotion,
-                                     SupportFoot supportFoot, const Eigen::VectorXd& poseDeflection,
-                                     RandomStream& chance) const {
+SettledPose SyntheticRobot::moveTo(const Eigen::VectorXd& commanded, const Eigen::VectorXd& lastMotion,
+                                   SupportFoot supportFoot, const Eigen::VectorXd& poseDeflection,
+                                   RandomStream& chance) const {
   assert(supportFoot != SupportFoot::none);
   SettledPose taken;
   taken.supportFoot = supportFoot;
   const Eigen::VectorXd target = commanded - errors_.jointOffsets;
   taken.torques = gravityTorques(target, supportFoot);
-  taken.motors = target + mechanics_.servoDroop * taken.torques + scatter(mechanics_.servoDeadZone, chance);
-  taken.deflection = poseDeflection + scatter(mechanics_.approachScatter, chance);
+  taken.motors = target + mechanics_.servoDroop * taken.torques + drawScatter(mechanics_.servoDeadZone, chance);
+  taken.deflection = poseDeflection + drawScatter(mechanics_.approachScatter, chance);
   if (errors_.flaw) {
     yield(taken, lastMotion);
   }
-  taken.velocity = scatter(mechanics_.residualSpeed, chance);
+  taken.velocity = drawScatter(mechanics_.residualSpeed, chance);
   if (supportFoot == SupportFoot::both) {
     settleOnBothSoles(taken);
   }
   return taken;
 }
 
-Eigen::VectorXd SyntheticRobot::jointAngles(const SettledPose& taken, Seconds since) const {
+Eigen::VectorXd SyntheticRobot::trueJointAngles(const SettledPose& taken, Seconds since) const {
   return taken.motors + taken.deflection + since.count() * taken.velocity;
 }
 
-Eigen::VectorXd SyntheticRobot::encoderReadings(const SettledPose& taken, Seconds since, RandomStream& chance) const {
+Eigen::VectorXd SyntheticRobot::readEncoders(const SettledPose& taken, Seconds since, RandomStream& chance) const {
   const double step = 2 * std::numbers::pi / mechanics_.encoderSteps; // [rad]
-  const Eigen::VectorXd shown =
-      taken.motors + since.count() * taken.velocity + errors_.jointOffsets + scatter(mechanics_.encoderDither, chance);
+  const Eigen::VectorXd shown = taken.motors + since.count() * taken.velocity + errors_.jointOffsets +
+                                drawScatter(mechanics_.encoderDither, chance);
   return step * (shown / step).array().round();
 }
 
 std::size_t SyntheticRobot::soleLink(SupportFoot supportFoot) const {
-  const Sole* sole = drawing_.sole(supportFoot == SupportFoot::right ? "right" : "left");
+  const Sole* sole = drawing_.findSole(supportFoot == SupportFoot::right ? "right" : "left");
   assert(sole != nullptr);
   return sole->link;
 }
 
 Eigen::Isometry3d SyntheticRobot::soleFromTorso(const Eigen::VectorXd& joints, SupportFoot supportFoot) const {
-  return body_.posture(joints)[soleLink(supportFoot)].inverse();
+  return body_.forwardKinematics(joints)[soleLink(supportFoot)].inverse();
 }
 
 Eigen::Isometry3d SyntheticRobot::torsoFromCamera(std::size_t camera, const Eigen::VectorXd& joints) const {
   const CameraMount& nominal = drawing_.cameras[camera];
   const RobotErrors::Mount& error = errors_.mounts[camera];
-  return body_.posture(joints)[nominal.link] * Eigen::Translation3d{nominal.translation + error.translation} *
+  return body_.forwardKinematics(joints)[nominal.link] * Eigen::Translation3d{nominal.translation + error.translation} *
          Eigen::AngleAxisd{nominal.pitch, Eigen::Vector3d::UnitY()} *
          Eigen::AngleAxisd{error.rotation.x(), Eigen::Vector3d::UnitX()} *
          Eigen::AngleAxisd{error.rotation.y(), Eigen::Vector3d::UnitY()} *
@@ -175,7 +175,7 @@ Eigen::Isometry3d SyntheticRobot::torsoFromCamera(std::size_t camera, const Eige
 
 /// Height [m] and tilt (x and y of its normal) of the right sole against the left one.
 Eigen::Vector3d SyntheticRobot::rightSoleOffFloor(const Eigen::VectorXd& joints) const {
-  const std::vector<Eigen::Isometry3d> torsoFromLink = body_.posture(joints);
+  const std::vector<Eigen::Isometry3d> torsoFromLink = body_.forwardKinematics(joints);
   const Eigen::Isometry3d leftFromRight =
       torsoFromLink[soleLink(SupportFoot::left)].inverse() * torsoFromLink[soleLink(SupportFoot::right)];
   return {leftFromRight.translation().z(), leftFromRight(0, 2), leftFromRight(1, 2)};
@@ -186,7 +186,7 @@ Eigen::Vector3d SyntheticRobot::rightSoleOffFloor(const Eigen::VectorXd& joints)
 void SyntheticRobot::settleOnBothSoles(SettledPose& taken) const {
   constexpr double step = 1e-6, flat = 1e-13; // [rad], [m or 1]
   for (int iteration = 0; iteration < 20; ++iteration) {
-    const Eigen::VectorXd joints = jointAngles(taken, Seconds{0});
+    const Eigen::VectorXd joints = trueJointAngles(taken, Seconds{0});
     const Eigen::Vector3d gap = rightSoleOffFloor(joints);
     if (gap.norm() < flat) {
       break;

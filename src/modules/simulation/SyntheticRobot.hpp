@@ -27,27 +27,27 @@ public:
 
   /// Moves to a commanded pose (raw space: offsets are not known to whoever commands) and comes to rest.
   /// `lastMotion`: which way each joint turned last, -1, 0, +1.
-  SettledPose approach(const Eigen::VectorXd& commanded, const Eigen::VectorXd& lastMotion, SupportFoot supportFoot,
-                       const Eigen::VectorXd& poseDeflection, RandomStream& chance) const;
+  SettledPose moveTo(const Eigen::VectorXd& commanded, const Eigen::VectorXd& lastMotion, SupportFoot supportFoot,
+                     const Eigen::VectorXd& poseDeflection, RandomStream& chance) const;
   /// How far the gears stand behind their encoders in a pose, one draw per motor [rad].
-  Eigen::VectorXd scatter(double sigma, RandomStream& chance) const;
+  Eigen::VectorXd drawScatter(double sigma, RandomStream& chance) const;
 
   /// What the joints really are `since` the robot came to rest: the one place where joint and encoder differ [rad].
-  Eigen::VectorXd jointAngles(const SettledPose& taken, Seconds since) const;
+  Eigen::VectorXd trueJointAngles(const SettledPose& taken, Seconds since) const;
   /// What the encoders say: the motor's angle + offset, dithered, in whole steps [rad].
-  Eigen::VectorXd encoderReadings(const SettledPose& taken, Seconds since, RandomStream& chance) const;
+  Eigen::VectorXd readEncoders(const SettledPose& taken, Seconds since, RandomStream& chance) const;
 
   /// soleFromTorso of the (left, on both) support foot.
   Eigen::Isometry3d soleFromTorso(const Eigen::VectorXd& joints, SupportFoot supportFoot) const;
   Eigen::Isometry3d torsoFromCamera(std::size_t camera, const Eigen::VectorXd& joints) const;
 
   /// Torso roll and pitch as the inertial unit reports them [rad].
-  Eigen::Vector2d imuReading(const Eigen::Matrix3d& worldFromTorso, RandomStream& chance) const;
+  Eigen::Vector2d readImu(const Eigen::Matrix3d& worldFromTorso, RandomStream& chance) const;
   /// Left FL, FR, RL, RR, then right [kg].
-  std::array<double, 8> forceReadings(const SettledPose& taken, RandomStream& chance) const;
-  Eigen::VectorXd currentReadings(const SettledPose& taken, RandomStream& chance) const;
+  std::array<double, 8> readForces(const SettledPose& taken, RandomStream& chance) const;
+  Eigen::VectorXd readCurrents(const SettledPose& taken, RandomStream& chance) const;
   /// Warms the motors for a while under gravity's torques [degC].
-  void warm(Eigen::VectorXd& temperatures, const Eigen::VectorXd& torques, Seconds duration) const;
+  void heatMotors(Eigen::VectorXd& temperatures, const Eigen::VectorXd& torques, Seconds duration) const;
 
   const Robot& drawing() const { return drawing_; }
 

@@ -48,7 +48,7 @@ std::optional<double> Truth::value(std::string_view effect, std::string_view at,
   return std::nullopt;
 }
 
-std::string truthText(const Truth& truth) {
+std::string formatTruth(const Truth& truth) {
   Json effects = Json::array(), noise = Json::object(), displaced = Json::array(), gross = Json::array();
   for (const TrueEffect& effect : truth.effects) {
     effects.push_back(effectJson(effect));
@@ -74,7 +74,7 @@ std::string truthText(const Truth& truth) {
   return json.dump(1) + "\n";
 }
 
-std::filesystem::path truthFile(const std::filesystem::path& setFolder) {
+std::filesystem::path truthPath(const std::filesystem::path& setFolder) {
   const std::filesystem::path folder = std::filesystem::absolute(setFolder / "").lexically_normal().parent_path();
   return folder.parent_path() / (folder.filename().string() + ".truth.json");
 }

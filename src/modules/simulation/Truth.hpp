@@ -60,9 +60,9 @@ struct Truth {
 };
 
 /// The truth as JSON: a result's `effects` and `placements` with value and unit only, and how the data were spoilt.
-std::string truthText(const Truth& truth);
+std::string formatTruth(const Truth& truth);
 
 /// Beside the set's folder, never inside: OUT/../<name>.truth.json.
-std::filesystem::path truthFile(const std::filesystem::path& setFolder);
+std::filesystem::path truthPath(const std::filesystem::path& setFolder);
 
 } // namespace naocal

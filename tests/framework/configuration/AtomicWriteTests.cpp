@@ -140,7 +140,7 @@ TEST_CASE("an unfinished save that leads out of its configuration is refused who
   CHECK_FALSE(std::filesystem::exists(outside.path() / "new.json"));
   CHECK_FALSE(std::filesystem::exists(root.parent_path() / "new.json"));
   CHECK_FALSE(std::filesystem::exists(neighbour));
-  CHECK(fileContent(outside.path() / "linked.json") == "kept");
+  CHECK(readFile(outside.path() / "linked.json") == "kept");
 }
 
 TEST_CASE("an unfinished save is finished where its configuration lies now") {
@@ -177,7 +177,7 @@ TEST_CASE("what an earlier version had noted by its whole path is still finished
   ConfiguredRobot robot;
   const auto file = robot.folder.path() / offsetsFile;
   CHECK(startOn(robot, journalOf({file.string()})).empty());
-  CHECK(fileContent(file) == "{}");
+  CHECK(readFile(file) == "{}");
   CHECK_FALSE(std::filesystem::exists(robot.path("unfinished-save.json")));
 }
 

@@ -125,7 +125,7 @@ TEST_CASE("a save is undone once, comments included") {
   robot.configuration.set("Motion.Offsets", "headYaw", 2.0);
   robot.configuration.save();
   robot.configuration.undo("Motion.Offsets");
-  CHECK(fileContent(robot.path("default/body/Bob/Offsets.json")) == before);
+  CHECK(readFile(robot.path("default/body/Bob/Offsets.json")) == before);
   CHECK(robot.readKeys("Motion.Offsets")["headYaw"] == 1.0);
   CHECK(refusal([&] { robot.configuration.undo("Motion.Offsets"); }) ==
         "Motion.Offsets: nothing was saved that could be undone");
@@ -238,7 +238,7 @@ TEST_CASE("what is shipped stays as it is when what a robot learns is saved besi
   const auto bytes = [](const std::filesystem::path& root) {
     std::map<std::string, std::string> all;
     for (const auto& entry : std::filesystem::recursive_directory_iterator{root}) {
-      all[entry.path().string()] = entry.is_directory() ? "" : fileContent(entry.path());
+      all[entry.path().string()] = entry.is_directory() ? "" : readFile(entry.path());
     }
     return all;
   };
@@ -265,7 +265,7 @@ TEST_CASE("what is shipped stays as it is when what a robot learns is saved besi
   configuration->save();
   CHECK(configuration->saveTarget("Offsets") == learned / "location/default/body/Bob/Offsets.json");
   CHECK(configuration->saveTarget("Mounts") == learned / "location/Home/body/Bob/Mounts.json");
-  CHECK(json::parse(fileContent(learned / "location/default/body/Bob/Offsets.json")) == json{{"knee", 2}});
+  CHECK(json::parse(readFile(learned / "location/default/body/Bob/Offsets.json")) == json{{"knee", 2}});
   CHECK(readSocketSettings({shipped, learned}, "Ada").debugPort == 3001);
   CHECK(values(*open(writeAtomically)) == json{2, 1, 3});
   configuration->set("Offsets", "knee", 4);
@@ -273,7 +273,7 @@ TEST_CASE("what is shipped stays as it is when what a robot learns is saved besi
   const TemporaryFolder copy;
   configuration->set("Offsets", "knee", 5);
   configuration->writeTo(copy.path());
-  CHECK(json::parse(fileContent(copy.path() / "location/default/sdk.json")) ==
+  CHECK(json::parse(readFile(copy.path() / "location/default/sdk.json")) ==
         json{{"network.basePort", 3000}, {"other", 0}});
   Configuration one{copy.path(), robot.names, writeAtomically};
   one.mount("Offsets", "Offsets.json", RobotPart::body);

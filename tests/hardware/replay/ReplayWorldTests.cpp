@@ -23,15 +23,15 @@ CaptureSet recorded(const std::filesystem::path& folder) {
   SimulationPlan plan;
   plan.images = true;
   plan.samples = 2;
-  plan.cameras = drawnCameras(64, 48);
-  plan.poses = standingPoses(v6(), SimulationPlan{}, SupportFoot::left, 3, 1);
+  plan.cameras = nominalCameras(64, 48);
+  plan.poses = planStandingPoses(v6(), SimulationPlan{}, SupportFoot::left, 3, 1);
   CaptureSet set = simulate(v6(), plan, 1).set;
   for (Capture& capture : set.captures) {
     capture.time = Seconds{std::round(1e9 * capture.time.count()) / 1e9}; // as from a clock
   }
   std::filesystem::create_directories(folder / "images");
   for (const Capture& capture : set.captures) {
-    writePicture({64, 48, std::vector<std::uint8_t>(64 * 48, std::uint8_t(10 + capture.id))}, folder / capture.image);
+    writeImage({64, 48, std::vector<std::uint8_t>(64 * 48, std::uint8_t(10 + capture.id))}, folder / capture.image);
   }
   writeCaptureSet(set, folder);
   return readCaptureSet(folder).set;
@@ -88,7 +88,7 @@ TEST_CASE("a replayed picture meets exactly the readings that were recorded with
     }
     CHECK(state->second.torsoAngles == *capture->imu);
     CHECK(state->second.forces == *capture->fsr);
-    CHECK(toGreyImage(frame)->at(5, 7) == 10 + capture->id);
+    CHECK(toGreyImage(frame)->grey(5, 7) == 10 + capture->id);
     CHECK(toString(frame.camera) == capture->camera);
     CHECK(toSeconds(middle.time_since_epoch()) == capture->time.count());
     CHECK(std::next(state) != result.states.end()); // the moment lies within what was measured
@@ -131,7 +131,7 @@ TEST_CASE("a replayed picture that was exchanged for one of another size is abse
   const TemporaryFolder folder;
   const CaptureSet set = recorded(folder.path() / "session");
   ReplayWorld world{folder.path() / "session"};
-  writePicture({32, 24, std::vector<std::uint8_t>(32 * 24)}, folder.path() / "session" / set.captures[0].image);
+  writeImage({32, 24, std::vector<std::uint8_t>(32 * 24)}, folder.path() / "session" / set.captures[0].image);
   std::size_t absent = 0;
   for (const CameraFrame& frame : played(world).frames) {
     absent += !toGreyImage(frame);

@@ -52,7 +52,7 @@ TEST_CASE("a body whose centre of mass is beside its feet, or that would have to
 // Proves on random weights that a sole carries exactly what lies over its outline: poses/ asks the same of planned
 // poses.
 TEST_CASE("on one sole a robot stands where its centre of mass is over the outline") {
-  const std::vector<Eigen::Vector2d>& outline = v6().sole("left")->outline;
+  const std::vector<Eigen::Vector2d>& outline = v6().findSole("left")->outline;
   std::vector<Eigen::Vector3d> points;
   for (const Eigen::Vector2d& corner : outline) {
     points.emplace_back(corner.x(), corner.y(), -0.3);
@@ -62,7 +62,7 @@ TEST_CASE("on one sole a robot stands where its centre of mass is over the outli
   int standing = 0;
   for (int draw = 0; draw < 1000; ++draw) {
     const Eigen::Vector3d centre{place(random), place(random), 0};
-    const double depth = depthInside(outline, centre.head<2>());
+    const double depth = insideDepth(outline, centre.head<2>());
     if (std::abs(depth) > 1e-6) {
       CHECK(findRestingPlane(points, centre, upright, 0.4).has_value() == (depth > 0));
       standing += depth > 0;

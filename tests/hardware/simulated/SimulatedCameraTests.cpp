@@ -117,13 +117,13 @@ TEST_CASE("a detector finds the boards in a simulated picture where they are") {
     const std::size_t camera = *v6().cameraIndex(toString(frame.camera));
     const CameraIntrinsics intrinsics = plan.cameras.intrinsics.at(std::string{toString(frame.camera)});
     const Eigen::Isometry3d eye = worldFromCamera(world, robot, camera);
-    const Detection detection = detect(*toGreyImage(frame), plan.boards, intrinsics);
+    const Detection detection = detectBoards(*toGreyImage(frame), plan.boards, intrinsics);
     for (const BoardCorners& found : detection.boards) {
       const auto board =
           std::find_if(plan.boards.begin(), plan.boards.end(), [&](auto& one) { return one.id == found.board; });
       for (std::size_t i = 0; i < found.ids.size(); ++i, ++corners) {
-        const auto expected =
-            pixel(intrinsics, eye.inverse() * isometry(*board->placement) * board->points[std::size_t(found.ids[i])]);
+        const auto expected = projectPoint(intrinsics, eye.inverse() * isometryFromPlacement(*board->placement) *
+                                                           board->points[std::size_t(found.ids[i])]);
         REQUIRE(expected);
         CHECK((*expected - found.uv[i]).norm() < 1);
       }
@@ -192,7 +192,7 @@ TEST_CASE("rows of a simulated picture are exposed one after the other") {
     if (frame.camera != CameraName::bottom || frame.sequence < 30 || frame.sequence > 36) {
       return;
     }
-    const Detection detection = detect(*toGreyImage(frame), plan.boards, intrinsics);
+    const Detection detection = detectBoards(*toGreyImage(frame), plan.boards, intrinsics);
     const Eigen::Isometry3d worldFromTorso = world.truth().worldFromTorso; // still: only the head turns
     for (const BoardCorners& found : detection.boards) {
       const auto board =
@@ -203,8 +203,9 @@ TEST_CASE("rows of a simulated picture are exposed one after the other") {
           const auto joints =
               world.jointsAt(frame.time + std::chrono::duration_cast<std::chrono::nanoseconds>(since)).value();
           const Eigen::Isometry3d eye = worldFromTorso * robot.torsoFromCamera(camera, joints);
-          const Eigen::Vector3d point = isometry(*board->placement) * board->points[std::size_t(found.ids[i])];
-          return Eigen::Vector2d{found.uv[i] - pixel(intrinsics, eye.inverse() * point).value()};
+          const Eigen::Vector3d point =
+              isometryFromPlacement(*board->placement) * board->points[std::size_t(found.ids[i])];
+          return Eigen::Vector2d{found.uv[i] - projectPoint(intrinsics, eye.inverse() * point).value()};
         };
         atRow += off(found.uv[i].y());
         atFirst += off(0);

@@ -12,7 +12,7 @@ using namespace std::chrono_literals;
 TEST_CASE("how a simulated robot fares and what it costs", "[.measure]") {
   const Robot& drawing = v6();
   SimulationPlan poses;
-  const auto commanded = standingPoses(drawing, poses, SupportFoot::left, 8, 1);
+  const auto commanded = planStandingPoses(drawing, poses, SupportFoot::left, 8, 1);
   int fallen = 0, cycles = 0, onBoth = 0;
   double seconds = 0;
   for (std::uint64_t seed = 1; seed <= 25; ++seed) {

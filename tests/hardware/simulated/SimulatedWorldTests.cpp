@@ -76,7 +76,7 @@ TEST_CASE("a simulated robot goes where it is told but for its offsets, and its 
 // Proves that the simulated floor and poses/ agree on which poses a robot with unknown offsets can take, and that the
 // measured forces are the robot's weight.
 TEST_CASE("robots with unknown offsets stand in poses that were planned for them") {
-  const auto poses = standingPoses(v6(), SimulationPlan{}, SupportFoot::right, 4, 1);
+  const auto poses = planStandingPoses(v6(), SimulationPlan{}, SupportFoot::right, 4, 1);
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     for (const CommandedPose& pose : poses) {
       SimulatedPlan plan = quick(seed);
@@ -130,7 +130,8 @@ TEST_CASE("a simulated robot is held as long as its eyes are yellow") {
     after(*robot, 200, command);
     CHECK(!world.truth().fallen);
     const auto truth = world.truth();
-    const Eigen::Isometry3d sole = truth.worldFromTorso * body.posture(truth.joints)[v6().sole("left")->link];
+    const Eigen::Isometry3d sole =
+        truth.worldFromTorso * body.forwardKinematics(truth.joints)[v6().findSole("left")->link];
     CHECK(sole.linear().col(2).z() > 1 - 1e-6);
     CHECK(std::abs(sole.translation().z()) < 0.01);
     if (comesBack) {
@@ -146,13 +147,13 @@ TEST_CASE("a simulated robot is held as long as its eyes are yellow") {
 // Proves that a sole that carries the robot does not slide.
 TEST_CASE("the support foot stays where it is while the rest of the robot moves") {
   SimulatedPlan plan = quick(3);
-  plan.start = raw(standingPoses(v6(), SimulationPlan{}, SupportFoot::left, 1, 2).front().angles);
+  plan.start = raw(planStandingPoses(v6(), SimulationPlan{}, SupportFoot::left, 1, 2).front().angles);
   SimulatedWorld world{v6(), plan};
   const auto robot = world.robot();
   const SyntheticBody body{v6()};
   const auto sole = [&] {
     const auto truth = world.truth();
-    return truth.worldFromTorso * body.posture(truth.joints)[v6().sole("left")->link];
+    return truth.worldFromTorso * body.forwardKinematics(truth.joints)[v6().findSole("left")->link];
   };
   after(*robot, 20, holding(plan.start));
   const Eigen::Isometry3d before = sole();
@@ -164,7 +165,7 @@ TEST_CASE("the support foot stays where it is while the rest of the robot moves"
     after(*robot, 1, holding(turned));
     CHECK(sole().isApprox(before, 1e-6));
   }
-  CHECK(before.translation().y() == Approx(halfStance));
+  CHECK(before.translation().y() == Approx(halfFootDistance));
 }
 
 // Proves that motors warm up under load.

@@ -39,7 +39,7 @@ ModelRevision initialRevision(const Dataset& opened, const Measurements& measure
   if (opened.terms.empty()) {
     return {.with = opened.with, .without = opened.without, .definitions = opened.definitions};
   }
-  const std::vector<std::string> base = termLabels(makeModel(measurements));
+  const std::vector<std::string> base = termLabels(buildModel(measurements));
   std::vector<std::string> with = without(opened.terms, base);
   // the base has every offset that can be asked for; others are along because torques depend on them
   std::erase_if(with, [](const std::string& label) { return label.starts_with("jointOffset@"); });
@@ -55,14 +55,14 @@ std::filesystem::path written(const TemporaryDirectory& folder, const Json& cont
 } // namespace
 
 AnalysisSession::AnalysisSession(Dataset opened, MessageSink tell)
-    : opened_{std::move(opened)}, measurements_{measurementsOf(opened_.sets, opened_.robot)}, tell_{std::move(tell)},
+    : opened_{std::move(opened)}, measurements_{buildMeasurements(opened_.sets, opened_.robot)}, tell_{std::move(tell)},
       session_{opened_.ladder.empty() ? std::vector{initialRevision(opened_, measurements_)} : opened_.ladder,
                opened_.at, opened_.inputs} {
   tellSet(session_.current());
 }
 
 std::vector<Effect> AnalysisSession::effects(const ModelRevision& rung) const {
-  return effectsWith(Json::parse(rung.definitions), definitionsName, opened_.robot);
+  return parseEffects(Json::parse(rung.definitions), definitionsName, opened_.robot);
 }
 
 void AnalysisSession::tellSet(const ModelRevision& rung) {
@@ -108,7 +108,7 @@ void AnalysisSession::fit() {
 /// everything as it was.
 void AnalysisSession::enter(Session session) {
   ModelRevision& rung = session.current();
-  const Model model = makeModel(measurements_, rung.with, rung.without, effects(rung));
+  const Model model = buildModel(measurements_, rung.with, rung.without, effects(rung));
   const CalibrationResult result = calibrate(measurements_, model);
   rung.rmsPx = result.rmsPx;
   const Json document = resultJson(opened_.sets, measurements_, model, result, opened_.inputs);
@@ -129,7 +129,7 @@ void AnalysisSession::enter(Session session) {
 
 std::vector<std::string> AnalysisSession::terms() const {
   const ModelRevision& rung = session_.current();
-  return termLabels(makeModel(measurements_, rung.with, rung.without, effects(rung)));
+  return termLabels(buildModel(measurements_, rung.with, rung.without, effects(rung)));
 }
 
 void AnalysisSession::add(const std::string& label) {
@@ -161,7 +161,7 @@ DiagnosisOptions AnalysisSession::options(const ModelRevision& rung) const {
 const Diagnosis& AnalysisSession::diagnosis() {
   if (!diagnosis_) {
     DiagnosisOptions asked = options(session_.current());
-    asked.grow = false;
+    asked.extend = false;
     diagnosis_ = diagnose(opened_.sets, measurements_, asked);
   }
   return *diagnosis_;
@@ -179,7 +179,7 @@ void AnalysisSession::testCandidates() {
 
 void AnalysisSession::searchMissing(const std::function<bool()>& goesOn) {
   DiagnosisOptions asked = options(session_.current());
-  asked.goesOn = goesOn;
+  asked.shouldContinue = goesOn;
   Json found = diagnosisPanelJson(diagnose(opened_.sets, measurements_, asked));
   found["stopped"] = !goesOn();
   found["with"] = session_.current().with; // of the model that it began with
@@ -187,7 +187,7 @@ void AnalysisSession::searchMissing(const std::function<bool()>& goesOn) {
 }
 
 void AnalysisSession::defineEffect(const Json& effect) {
-  const Effect made = userEffect(JsonCursor{effect, definitionsName}, opened_.robot);
+  const Effect made = parseUserEffect(JsonCursor{effect, definitionsName}, opened_.robot);
   ModelRevision rung = session_.current();
   Json kept = Json::array();
   for (Json& other : Json::parse(rung.definitions)) {
@@ -214,10 +214,10 @@ void AnalysisSession::defineEffect(const Json& effect) {
 
 Json AnalysisSession::checkEffect(const Json& effect) const {
   try {
-    const Effect made = userEffect(JsonCursor{effect, definitionsName}, opened_.robot);
-    const std::vector<Effect> all = effectsWith(Json::array({effect}), definitionsName, opened_.robot);
+    const Effect made = parseUserEffect(JsonCursor{effect, definitionsName}, opened_.robot);
+    const std::vector<Effect> all = parseEffects(Json::array({effect}), definitionsName, opened_.robot);
     if (effect["at"] != "*") {
-      makeModel(measurements_, {fmt::format("{}@{}", made.name, effect["at"].get<std::string>())}, {}, all);
+      buildModel(measurements_, {fmt::format("{}@{}", made.name, effect["at"].get<std::string>())}, {}, all);
     }
     return {{"ok", true}};
   } catch (const CorrectionError& error) {
@@ -230,8 +230,8 @@ Json AnalysisSession::checkEffect(const Json& effect) const {
 void AnalysisSession::proposePoses(std::size_t count) {
   NextPosesOptions wanted;
   wanted.count = count;
-  next_ = nextPoses(opened_.sets, measurements_, diagnosis(), options(session_.current()), wanted);
-  Json told = nextJson(*next_, opened_.robot);
+  next_ = proposeNextPoses(opened_.sets, measurements_, diagnosis(), options(session_.current()), wanted);
+  Json told = nextPosesJson(*next_, opened_.robot);
   told["whyNone"] = next_->whyNone;
   tell_("next", told);
 }
@@ -253,11 +253,11 @@ std::string AnalysisSession::generateFile(const std::string& name) {
     return sessionJson(session_).dump(2) + "\n";
   }
   if (name == "report.html") {
-    return reportPage(written(passing, result_));
+    return renderReport(written(passing, result_));
   }
   if (name == "model.json") {
     const ModelRevision& rung = session_.current();
-    return modelJson(rung.with, rung.without, Json::parse(rung.definitions)).dump(2) + "\n";
+    return modelFileJson(rung.with, rung.without, Json::parse(rung.definitions)).dump(2) + "\n";
   }
   if (name == "poses.json") {
     if (!next_ || next_->poses.empty()) {
@@ -270,10 +270,10 @@ std::string AnalysisSession::generateFile(const std::string& name) {
   }
   Json document = diagnosisJson(diagnosis());
   if (next_) {
-    document["next"] = nextJson(*next_, opened_.robot);
+    document["next"] = nextPosesJson(*next_, opened_.robot);
   }
   document["inputs"] = {{"sets", opened_.inputs.sets}, {"sha256", opened_.inputs.sha256}};
-  return name == "diagnosis.json" ? document.dump(2) + "\n" : reportPage(written(passing, document));
+  return name == "diagnosis.json" ? document.dump(2) + "\n" : renderReport(written(passing, document));
 }
 
 } // namespace naocal

@@ -142,7 +142,7 @@ Json AnalysisWorker::checkEffect(const Json& effect) const {
 std::optional<std::string> AnalysisWorker::picture(std::string_view path) const {
   const auto found = images_.find(std::string{path});
   try {
-    return found == images_.end() ? std::nullopt : std::optional{fileContent(found->second)};
+    return found == images_.end() ? std::nullopt : std::optional{readFile(found->second)};
   } catch (const InputError&) { // it was taken away
     return std::nullopt;
   }

@@ -35,7 +35,7 @@ void addSet(const std::string& folder, Dataset& opened) {
     throw InputError{fmt::format("two sets are called \"{}\"; rename the folder of one", set.name)};
   }
   opened.inputs.sets.push_back(std::filesystem::weakly_canonical(folder).string());
-  opened.inputs.sha256.push_back(sha256(fileContent(std::filesystem::path{folder} / "captures.json")));
+  opened.inputs.sha256.push_back(sha256(readFile(std::filesystem::path{folder} / "captures.json")));
   opened.sets.push_back(std::move(set));
 }
 
@@ -171,7 +171,7 @@ void addSession(const JsonCursor& document, const std::string& file, bool alone,
 
 /// A result, a diagnosis, a session or a model, which may stand with its sets.
 void addDocument(const std::string& file, bool alone, Dataset& opened) {
-  const nlohmann::json document = parseJson(fileContent(file), file);
+  const nlohmann::json document = parseJson(readFile(file), file);
   const JsonCursor place{document, file};
   const std::string format = place.at("format").text();
   if (format == "naocal-diagnosis") {

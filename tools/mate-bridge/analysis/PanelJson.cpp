@@ -23,13 +23,15 @@ using Json = nlohmann::json;
 Json driversJson(const std::vector<DriverSeries>& drivers, const Robot& robot) {
   Json list = Json::array();
   for (const DriverSeries& driver : drivers) {
-    const auto [unit, scale] = shownUnit(driver.unit);
+    const auto [unit, scale] = displayUnit(driver.unit);
     Json values = Json::array();
     for (const double value : driver.atPicture) {
-      values.push_back(withDecimals(scale * value, 4));
+      values.push_back(roundToDecimals(scale * value, 4));
     }
-    list.push_back(
-        {{"name", driver.name}, {"what", drivenBy(driver, robot)}, {"unit", unit}, {"values", std::move(values)}});
+    list.push_back({{"name", driver.name},
+                    {"what", describeDriver(driver, robot)},
+                    {"unit", unit},
+                    {"values", std::move(values)}});
   }
   return list;
 }
@@ -53,9 +55,9 @@ Json tellingJson(const TellingPairs& telling, const std::vector<DriverSeries>& d
     if (pairs.size() < mostPairs) {
       pairs.push_back({{"error", errorOf(pair)},
                        {"over", overOf(pair)},
-                       {"label", tellingLabel(pair, drivers, robot)},
-                       {"sentence", tellingSentence(pair, drivers, robot)},
-                       {"share", withDecimals(pair.share, 4)},
+                       {"label", formatTellingLabel(pair, drivers, robot)},
+                       {"sentence", formatTellingSentence(pair, drivers, robot)},
+                       {"share", roundToDecimals(pair.share, 4)},
                        {"chance", pair.chance}});
     }
   }
@@ -63,11 +65,11 @@ Json tellingJson(const TellingPairs& telling, const std::vector<DriverSeries>& d
     Json points = Json::array();
     for (const JointCorrection& point : joint.points) {
       points.push_back(
-          {point.pictures, withDecimals(degrees(point.deflection), 4), withDecimals(degrees(point.sigma), 4)});
+          {point.pictures, roundToDecimals(degrees(point.deflection), 4), roundToDecimals(degrees(point.sigma), 4)});
     }
     joints.push_back({{"joint", robot.joints[joint.motor].name}, {"points", std::move(points)}});
   }
-  return {{"sentence", tellingSentence(telling, drivers, robot)},
+  return {{"sentence", formatTellingSentence(telling, drivers, robot)},
           {"pairs", std::move(pairs)},
           {"joints", std::move(joints)}};
 }
@@ -80,7 +82,7 @@ Json picturesJson(const Dataset& opened, const Measurements& measurements, const
     indices[{set.name, set.captures[measurements.pictures[i].capture].id}] = i;
   }
   Json list = Json::array();
-  for (const PictureRecord& seen : seenPictures(result)) {
+  for (const PictureRecord& seen : readPictures(result)) {
     list.push_back(pictureJson(seen));
     list.back()["index"] = indices.at({seen.set, seen.capture});
     list.back()["kept"] = !seen.image.empty();
@@ -92,13 +94,13 @@ Json picturesJson(const Dataset& opened, const Measurements& measurements, const
 /// captures tell, and cameras' mounts.
 Json compensationJson(const Measurements& measurements, const Model& model, const CalibrationResult& result) {
   Json offsets = Json::array(), untold = Json::array(), mounts = Json::array();
-  for (const EffectiveOffset& offset : shownOffsets(measurements, model, result)) {
+  for (const EffectiveOffset& offset : effectiveOffsets(measurements, model, result)) {
     isLearned(offset) ? offsets.push_back({{"joint", offset.joint}, {"value", degrees(offset.value)}})
                       : untold.push_back(offset.joint);
   }
   for (const Term& term : model.terms()) {
     if (term.effect.name == "cameraRotation") {
-      const Eigen::Vector3d rotation = result.unknowns.segment<3>(at(term.first));
+      const Eigen::Vector3d rotation = result.unknowns.segment<3>(eigenIndex(term.first));
       mounts.push_back({{"camera", term.place}, {"rotation", {rotation.x(), rotation.y(), rotation.z()}}});
     }
   }
@@ -111,13 +113,13 @@ Json fitJson(const Json& document, const Dataset& opened, const Measurements& me
              const CalibrationResult& result) {
   const JsonCursor place{document, "the fit"};
   const VerdictWords words = verdictWords(place);
-  const std::vector<DriverSeries> drivers = driversOf(measurements, model, result.unknowns);
-  const TellingPairs telling = tellingPairs(measurements, model, result, drivers);
+  const std::vector<DriverSeries> drivers = collectDrivers(measurements, model, result.unknowns);
+  const TellingPairs telling = findTellingPairs(measurements, model, result, drivers);
   Json fit{{"usable", result.usable},
-           {"verdict", nameOf(result.verdict)},
+           {"verdict", toString(result.verdict)},
            {"headline", words.headline},
            {"sentence", words.sentence},
-           {"warnings", sentences(result.warnings)},
+           {"warnings", toSentences(result.warnings)},
            {"rms", result.rmsPx},
            {"median", result.medianPx},
            {"pValue", result.pValue},
@@ -142,7 +144,7 @@ Json effectsJson(const std::vector<Effect>& effects) {
   for (const Effect& effect : effects) {
     Json unknowns = Json::array();
     for (const Unknown& unknown : effect.unknowns) {
-      const auto [unit, scale] = shownUnit(unknown.unit);
+      const auto [unit, scale] = displayUnit(unknown.unit);
       unknowns.push_back({{"name", unknown.name}, {"unit", unit}, {"sigma", scale * unknown.sigma}});
     }
     list.push_back({{"name", effect.name},

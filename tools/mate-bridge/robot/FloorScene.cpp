@@ -32,7 +32,7 @@ Json rounded(const Eigen::Vector2d& point) {
 
 Eigen::Vector3d ray(const RigidTransform& floorFromOptical, const CameraIntrinsics& lens,
                     const Eigen::Vector2d& pixel) {
-  const Eigen::Vector2d ideal = LensDistortion{lens}.withoutDistortion(pixel);
+  const Eigen::Vector2d ideal = LensDistortion{lens}.undistort(pixel);
   return floorFromOptical.rotation *
          Eigen::Vector3d{(ideal.x() - lens.cx) / lens.fx, (ideal.y() - lens.cy) / lens.fy, 1};
 }
@@ -66,15 +66,15 @@ double turn(double from, double to) {
 /// Where the picture shows a point of the floor.
 Eigen::Vector2d pixelOf(const Eigen::Vector3d& onFloor, const CameraView& eye) {
   const Eigen::Vector3d seen = eye.floorFromOptical.inverse() * onFloor;
-  return LensDistortion{eye.lens}.withDistortion(
+  return LensDistortion{eye.lens}.distort(
       {eye.lens.fx * seen.x() / seen.z() + eye.lens.cx, eye.lens.fy * seen.y() / seen.z() + eye.lens.cy});
 }
 
 } // namespace
 
 RobotOutline::RobotOutline(const Robot& drawing, const Eigen::VectorXd& angles)
-    : drawing_{drawing}, angles_{angles}, floorFromLink_{posture(drawing, angles)} {
-  const Sole *const left = drawing.sole("left"), *const right = drawing.sole("right");
+    : drawing_{drawing}, angles_{angles}, floorFromLink_{forwardKinematics(drawing, angles)} {
+  const Sole *const left = drawing.findSole("left"), *const right = drawing.findSole("right");
   const Sole* carrying = left;
   if (left != nullptr && right != nullptr) {
     const double height = (floorFromLink_[left->link].inverse() * floorFromLink_[right->link].translation).z();
@@ -93,7 +93,7 @@ std::optional<RigidTransform> RobotOutline::floorFromOptical(const std::string& 
   if (!index) {
     return std::nullopt;
   }
-  ModelState believed = drawnBelief(drawing_, {drawing_.joints.size(), drawing_.lengths.size(), 0});
+  ModelState believed = nominalState(drawing_, {drawing_.joints.size(), drawing_.lengths.size(), 0});
   believed.mountRotation() = belief.rotation;
   const CameraMount& mount = drawing_.cameras[*index];
   return floorFromLink_[mount.link] * linkFromOptical(mount, believed);
@@ -101,7 +101,7 @@ std::optional<RigidTransform> RobotOutline::floorFromOptical(const std::string& 
 
 Json RobotOutline::toJson(const LiveCameras& cameras) const {
   Json hull = Json::array(), feet = Json::object(), views = Json::object(), gaze;
-  for (const Capsule& part : drawing_.hull) {
+  for (const Capsule& part : drawing_.collisionCapsules) {
     const RigidTransform& link = floorFromLink_[part.link];
     hull.push_back({rounded(link * part.from), rounded(link * part.to), part.radius});
   }
@@ -126,7 +126,7 @@ Json RobotOutline::toJson(const LiveCameras& cameras) const {
     const Eigen::Vector3d from = eyeHere->translation, ahead = eyeHere->rotation * Eigen::Vector3d{0, 0, 0.12};
     gaze = {rounded(from), rounded(Eigen::Vector3d{from + ahead})};
   }
-  const LinkPoses torsoFromLink = posture(drawing_, angles_);
+  const LinkPoses torsoFromLink = forwardKinematics(drawing_, angles_);
   return {{"hull", std::move(hull)},
           {"feet", std::move(feet)},
           {"views", std::move(views)},

@@ -27,8 +27,8 @@ double sigmaOf(const std::string& effect) {
 /// soleFromOptical of the drawing at angles, the mount turned.
 RigidTransform seenFrom(const Sole& sole, const Robot& drawing, const Eigen::VectorXd& angles, std::size_t camera,
                         const Eigen::Vector3d& turned) {
-  const LinkPoses torsoFromLink = posture(drawing, angles);
-  ModelState believed = drawnBelief(drawing, {drawing.joints.size(), drawing.lengths.size(), 0});
+  const LinkPoses torsoFromLink = forwardKinematics(drawing, angles);
+  ModelState believed = nominalState(drawing, {drawing.joints.size(), drawing.lengths.size(), 0});
   believed.mountRotation() = turned;
   const CameraMount& mount = drawing.cameras[camera];
   return torsoFromLink[sole.link].inverse() * torsoFromLink[mount.link] * linkFromOptical(mount, believed);
@@ -57,7 +57,7 @@ double meanSquare(const RigidTransform& floorFromOptical, const RigidTransform& 
     if (seen.z() <= 0) {
       continue;
     }
-    const Eigen::Vector2d there = LensDistortion{lens}.withDistortion(
+    const Eigen::Vector2d there = LensDistortion{lens}.distort(
         {lens.fx * seen.x() / seen.z() + lens.cx, lens.fy * seen.y() / seen.z() + lens.cy});
     sum += (there - pixel).squaredNorm();
     ++count;
@@ -70,7 +70,7 @@ std::vector<const Sole*> carrying(const Robot& drawing, const Eigen::VectorXd& a
   const std::string carries = RobotOutline{drawing, angles}.carries();
   std::vector<const Sole*> soles;
   for (const char* const name : {"left", "right"}) {
-    if (const Sole* const sole = drawing.sole(name); sole && (carries == "both" || carries == name)) {
+    if (const Sole* const sole = drawing.findSole(name); sole && (carries == "both" || carries == name)) {
       soles.push_back(sole);
     }
   }
@@ -81,7 +81,7 @@ std::vector<const Sole*> carrying(const Robot& drawing, const Eigen::VectorXd& a
 void takeLimb(const Robot& drawing, const std::string& side, std::vector<std::string>& joints,
               std::vector<std::string>& limbs) {
   std::vector<std::string> all;
-  for (const std::size_t joint : jointsTowards(drawing, drawing.sole(side)->link)) {
+  for (const std::size_t joint : ancestorJoints(drawing, drawing.findSole(side)->link)) {
     all.push_back(drawing.joints[joint].name);
   }
   const auto has = [&](const std::string& name) {
@@ -130,8 +130,8 @@ LiveExpectation predictLiveError(const Robot& drawing, const Eigen::VectorXd& an
   for (const Sole* const sole : soles) {
     const RigidTransform here = seenFrom(*sole, drawing, angles, *index, belief.rotation);
     const double share = 1.0 / double(soles.size() * soles.size()); // of a mean of independent legs' variances
-    std::vector<std::size_t> chain = jointsTowards(drawing, sole->link);
-    const std::vector<std::size_t> neck = jointsTowards(drawing, drawing.cameras[*index].link);
+    std::vector<std::size_t> chain = ancestorJoints(drawing, sole->link);
+    const std::vector<std::size_t> neck = ancestorJoints(drawing, drawing.cameras[*index].link);
     chain.insert(chain.end(), neck.begin(), neck.end());
     for (const std::size_t joint : chain) {
       if (!uncalibrated.joints.contains(drawing.joints[joint].name)) {
@@ -176,7 +176,7 @@ std::string LiveExpectation::sentence(const Robot& drawing, const std::string& n
   if (what.empty()) {
     return "All joints between the floor and this camera are calibrated.";
   }
-  std::string list = enumerated(what);
+  std::string list = joinWords(what);
   list[0] = static_cast<char>(std::toupper(list[0]));
   return fmt::format("{} {} never calibrated: errors up to {:.0f} px are plausible.", list,
                      what.size() > 1 ? "were" : "was", px);

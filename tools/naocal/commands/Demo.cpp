@@ -42,12 +42,12 @@ std::optional<Simulation> robotWithPictures(const DemoCommand& command, const Ro
   plan.images = true;
   plan.hiddenFlaw = true;
   plan.repeatKind = RepeatKind::reapproach;
-  plan.poses = standingPoses(robot, plan, SupportFoot::left, command.poses, command.seed);
+  plan.poses = planStandingPoses(robot, plan, SupportFoot::left, command.poses, command.seed);
   Simulation simulation = simulate(robot, plan, command.seed);
   const Progress progress{"pictures taken"};
   const std::size_t all = simulation.set.captures.size();
-  const std::size_t taken = takePictures(simulation, Appearance{}, command.seed, folder, threads(),
-                                         [&](std::size_t done) { return progress(done, all); });
+  const std::size_t taken = renderPictures(simulation, Appearance{}, command.seed, folder, threads(),
+                                           [&](std::size_t done) { return progress(done, all); });
   return taken == all ? std::optional{std::move(simulation)} : std::nullopt;
 }
 
@@ -57,7 +57,7 @@ std::pair<std::size_t, std::size_t> printTruth(const Truth& truth, const Model& 
   fmt::print("\n  {:<34} {:>12} {:>12} {:>11}\n", "unknown", "truth", "estimate", "± 1 sigma");
   std::size_t inside = 0, all = 0;
   for (const Term& term : model.terms()) {
-    for (std::size_t i = 0; i < term.effect.unknowns.size() && term.asked; ++i) {
+    for (std::size_t i = 0; i < term.effect.unknowns.size() && term.requested; ++i) {
       const Unknown& unknown = term.effect.unknowns[i];
       const auto value = truth.value(term.effect.name, term.place, unknown.name);
       if (!value) {
@@ -68,10 +68,10 @@ std::pair<std::size_t, std::size_t> printTruth(const Truth& truth, const Model& 
       const bool isInside = low <= *value && *value <= high;
       ++all;
       inside += isInside;
-      const auto [unit, scale] = shownUnit(unknown.unit);
+      const auto [unit, scale] = displayUnit(unknown.unit);
       fmt::print("  {:<34} {:>9.3f}{:<6} {:>9.3f}    {:>8.3f}{}\n",
                  term.effect.name == "jointOffset" ? term.place : term.label() + " " + unknown.name, scale * *value,
-                 withUnit("", unit), scale * estimate.best(), scale * estimate.bestSigma(),
+                 appendUnit("", unit), scale * estimate.best(), scale * estimate.bestSigma(),
                  isInside ? "" : "  outside 95 %");
     }
   }
@@ -93,7 +93,7 @@ bool takeCaptures(const DemoCommand& command, const Robot& robot, const std::str
     return false;
   }
   writeCaptureSet(captures, set);
-  writeAtomically(truthFile(set), truthText(simulation->truth));
+  writeAtomically(truthPath(set), formatTruth(simulation->truth));
   truth = simulation->truth;
   return true;
 }
@@ -112,15 +112,15 @@ int demo(const DemoCommand& command) {
     return 0;
   }
   const LoadedSets given = loadSets({set}, false);
-  const Measurements measurements = measurementsOf(given.sets, given.robot);
+  const Measurements measurements = buildMeasurements(given.sets, given.robot);
   const Diagnosis diagnosis = diagnose(given.sets, measurements);
   const std::string diagnosisFile = (folder / "diagnosis.json").string(),
                     whyFile = (folder / "diagnosis.html").string();
   writeJson(diagnosisJson(diagnosis), diagnosisFile);
-  writePage(whyFile, reportPage(diagnosisFile));
+  writePage(whyFile, renderReport(diagnosisFile));
   printDiagnosis(diagnosis, {.sets = {set}});
 
-  const Model model = makeModel(measurements, diagnosis.with);
+  const Model model = buildModel(measurements, diagnosis.with);
   const CalibrationResult result = calibrate(measurements, model);
   const std::string resultFile = (folder / "result.json").string(), reportFile = (folder / "report.html").string();
   writeJson(resultJson(given.sets, measurements, model, result, given.inputs), resultFile);
@@ -130,7 +130,7 @@ int demo(const DemoCommand& command) {
   fmt::print("\nNow the truth is opened. Hidden was {}@{}.\n", hidden.effect, hidden.at);
   const auto [inside, all] = printTruth(truth, model, result);
   fmt::print("\n{} of {} true values lie within their 95 % intervals.\n", inside, all);
-  writePage(reportFile, reportPage(resultFile));
+  writePage(reportFile, renderReport(resultFile));
   fmt::print("captures: {}\nresult:   {}\nreports (open them in any browser):\n  what was missing: {}\n  the "
              "calibration:  {}\n",
              set, resultFile, whyFile, reportFile);

@@ -63,7 +63,7 @@ nlohmann::json detectionJson(const CaptureSet& set, const SetDetection& detectio
     document["boards"][board] = {{"pictures", count.pictures}, {"corners", count.corners}};
   }
   for (const auto& [capture, finding] : detection.findings) {
-    nlohmann::json entry{{"capture", capture}, {"kind", name(finding.kind)}, {"sentence", finding.sentence}};
+    nlohmann::json entry{{"capture", capture}, {"kind", toString(finding.kind)}, {"sentence", finding.sentence}};
     if (!finding.board.empty()) {
       entry["board"] = finding.board;
     }
@@ -109,7 +109,7 @@ void printFindings(const SetDetection& detection) {
                  sentence);
     }
     if (ofKind.size() > shown) {
-      fmt::print("  {} more of kind {} (--json lists all)\n", ofKind.size() - shown, name(kind));
+      fmt::print("  {} more of kind {} (--json lists all)\n", ofKind.size() - shown, toString(kind));
     }
   }
 }

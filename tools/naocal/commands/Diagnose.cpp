@@ -48,7 +48,7 @@ NextPoses asked(const DiagnoseCommand& command, const LoadedSets& given, const M
   options.count = command.json.empty() && command.poses.empty() ? 0 : options.count;
   options.seed = command.options.inquiry.seed;
   try {
-    return nextPoses(given.sets, measurements, diagnosis, command.options, options);
+    return proposeNextPoses(given.sets, measurements, diagnosis, command.options, options);
   } catch (const InputError& error) { // the diagnosis stands all the same
     NextPoses none;
     none.whyNone = error.what();
@@ -58,9 +58,9 @@ NextPoses asked(const DiagnoseCommand& command, const LoadedSets& given, const M
 
 /// The curve that no effect of the catalogue explains; nullptr: there is none that an expression follows.
 const DriverCurve* beyondTheCatalogue(const Diagnosis& diagnosis) {
-  return diagnosis.verdict == Verdict::unknownEffect && !diagnosis.drivers.empty() &&
-                 !diagnosis.drivers.front().coefficients.empty()
-             ? &diagnosis.drivers.front()
+  return diagnosis.verdict == Verdict::unknownEffect && !diagnosis.driverCurves.empty() &&
+                 !diagnosis.driverCurves.front().coefficients.empty()
+             ? &diagnosis.driverCurves.front()
              : nullptr;
 }
 
@@ -68,12 +68,12 @@ const DriverCurve* beyondTheCatalogue(const Diagnosis& diagnosis) {
 nlohmann::json modelWith(const DriverCurve& curve, const DiagnoseCommand& command, const Diagnosis& diagnosis) {
   std::vector<std::string> with = command.options.with;
   with.insert(with.end(), diagnosis.suggested.begin(), diagnosis.suggested.end());
-  nlohmann::json effect = curveEffect(curve), define = nlohmann::json::parse(command.definitions);
+  nlohmann::json effect = curveAsUserEffect(curve), define = nlohmann::json::parse(command.definitions);
   if (!diagnosis.own) {
     with.push_back(fmt::format("{}@{}", effect["name"].get<std::string>(), curve.place));
   }
   define.push_back(std::move(effect));
-  return modelJson(with, command.options.without, std::move(define));
+  return modelFileJson(with, command.options.without, std::move(define));
 }
 
 /// Ctrl-C ends it with what it has found so far.
@@ -81,7 +81,7 @@ Diagnosis withProgress(const LoadedSets& given, const Measurements& measurements
   const Progress progress{"models tested (at most)"};
   const std::size_t most = 2 + measurements.poses.size() / 4;
   std::size_t done = 0;
-  options.goesOn = [&] { return progress(std::min(++done, most - 1), most); };
+  options.shouldContinue = [&] { return progress(std::min(++done, most - 1), most); };
   Diagnosis diagnosis = diagnose(given.sets, measurements, options);
   progress(most, most);
   return diagnosis;
@@ -89,7 +89,7 @@ Diagnosis withProgress(const LoadedSets& given, const Measurements& measurements
 
 int diagnose(DiagnoseCommand& command) {
   const LoadedSets given = loadSets(command.sets, command.skipBad);
-  const Measurements measurements = measurementsOf(given.sets, given.robot, command.next.samePlace);
+  const Measurements measurements = buildMeasurements(given.sets, given.robot, command.next.samePlace);
   const GivenOptions asIs{command.sets,  command.options.with,   command.options.without,
                           command.model, command.next.samePlace, command.skipBad};
   readModel(command, measurements.robot);
@@ -97,7 +97,7 @@ int diagnose(DiagnoseCommand& command) {
   const NextPoses next = asked(command, given, measurements, diagnosis);
   if (!command.json.empty()) {
     nlohmann::json json = diagnosisJson(diagnosis, command.full ? allOfThem : drawable);
-    json["next"] = nextJson(next, given.robot);
+    json["next"] = nextPosesJson(next, given.robot);
     json["inputs"] = {{"sets", given.inputs.sets}, {"sha256", given.inputs.sha256}};
     writeJson(json, command.json);
   }

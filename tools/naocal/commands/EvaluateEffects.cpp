@@ -63,7 +63,7 @@ private:
 namespace files = std::filesystem;
 
 nlohmann::json jsonOf(const files::path& file) {
-  return nlohmann::json::parse(fileContent(file));
+  return nlohmann::json::parse(readFile(file));
 }
 
 std::string setName(std::size_t number) {
@@ -145,7 +145,7 @@ private:
     if (define.empty()) {
       return {"--with", fmt::format("{}", fmt::join(suggested, ","))};
     }
-    writeAtomically(between_ / "model.json", modelJson(suggested, {}, define).dump());
+    writeAtomically(between_ / "model.json", modelFileJson(suggested, {}, define).dump());
     return {"--model", between_ / "model.json"};
   }
 

@@ -39,7 +39,7 @@ std::vector<NextPosesTrial> trials(const NextCommand& command) {
   const auto work = [&] {
     for (std::size_t i = next++; i < command.robots && !stopped; i = next++) {
       try {
-        NextPosesTrial trial = nextTrial(robot, command.seed + i, command.options);
+        NextPosesTrial trial = runNextPosesTrial(robot, command.seed + i, command.options);
         const std::lock_guard lock{adding};
         result.push_back(std::move(trial));
       } catch (const std::exception& error) {

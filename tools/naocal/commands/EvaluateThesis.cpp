@@ -75,13 +75,13 @@ private:
   void addSet(ThesisTrial& trial, std::size_t set, Tallies& own) const {
     constexpr std::size_t draws = 10;
     trial.draw(evaluation_.seed, set);
-    const std::vector<double> limit = trial.limit(draws);
+    const std::vector<double> limit = trial.drawLimitErrors(draws);
     for (const ThesisSolver solver : solvers_) {
       if (set >= evaluation_.setsOf(solver)) {
         continue;
       }
       const auto start = std::chrono::steady_clock::now();
-      const ThesisSolution answer = trial.answer(solver);
+      const ThesisSolution answer = trial.solve(solver);
       own[solver].seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       own[solver].add(trial.offsets(), answer, limit);
     }
@@ -104,7 +104,7 @@ void runThesis(ThesisEvaluation& evaluation, unsigned jobs, const std::function<
   auto settings = thesisSettings();
   for (auto& [setting, solvers] : settings) {
     for (const ThesisSolver solver : {ThesisSolver::numeric, ThesisSolver::dlib, ThesisSolver::swarm}) {
-      if (ofTable55(setting) && evaluation.setsOf(solver) > 0) {
+      if (isInTable55(setting) && evaluation.setsOf(solver) > 0) {
         solvers.push_back(solver);
       }
     }
@@ -125,9 +125,9 @@ void runThesis(ThesisEvaluation& evaluation, unsigned jobs, const std::function<
     }
     std::vector<Eigen::VectorXd>& nested = chosen[{setting.feature, setting.choice}];
     if (nested.empty()) {
-      nested = thesisPoses(robot, setting.feature, setting.choice, 8);
+      nested = selectThesisPoses(robot, setting.feature, setting.choice, 8);
     }
-    const ThesisExperiment stage{robot, setting, posesOf(setting, robot, nested)};
+    const ThesisExperiment stage{robot, setting, posesForSetting(setting, robot, nested)};
     if (const auto names = stage.jointNames(); names.size() > evaluation.joints.size()) {
       evaluation.joints = names; // those of one leg come first
     }
@@ -197,7 +197,7 @@ void evaluateThesis(ThesisCommand command) {
 void mergeThesis(const std::vector<std::string>& files, const std::string& json) {
   std::vector<ThesisEvaluation> parts;
   std::transform(files.begin(), files.end(), std::back_inserter(parts), readEvaluation);
-  const ThesisEvaluation all = merged(parts);
+  const ThesisEvaluation all = mergeEvaluations(parts);
   if (!json.empty()) {
     writeJson(evaluationJson(all), json);
   }

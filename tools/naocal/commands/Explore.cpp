@@ -75,12 +75,12 @@ std::string modelWords(const ModelRevision& rung) {
 }
 
 ExploreLoop::ExploreLoop(const LoadedSets& given, ModelRevision first, std::string file)
-    : given_{given}, measurements_{measurementsOf(given.sets, given.robot)}, file_{std::move(file)} {
+    : given_{given}, measurements_{buildMeasurements(given.sets, given.robot)}, file_{std::move(file)} {
   if (!file_.empty() && std::filesystem::exists(file_)) {
     session_ = readSession(file_);
     requireSameCaptures(session_, given_.inputs, file_);
     for (ModelRevision& rung : session_.ladder) {
-      effectsWith(Json::parse(rung.definitions), file_, given_.robot); // refuses what is none
+      parseEffects(Json::parse(rung.definitions), file_, given_.robot); // refuses what is none
       rung.definitions = joined(rung.definitions, first.definitions);
     }
     session_.current() = questioned(session_.current());
@@ -92,13 +92,13 @@ ExploreLoop::ExploreLoop(const LoadedSets& given, ModelRevision first, std::stri
 }
 
 std::vector<Effect> ExploreLoop::effects(const ModelRevision& rung) const {
-  return effectsWith(Json::parse(rung.definitions), "the person's own effects", given_.robot);
+  return parseEffects(Json::parse(rung.definitions), "the person's own effects", given_.robot);
 }
 
 ModelRevision ExploreLoop::questioned(ModelRevision rung) {
   DiagnosisOptions options{.with = rung.with, .without = rung.without};
   options.effects = effects(rung);
-  options.grow = false;
+  options.extend = false;
   Diagnosis diagnosis = diagnose(given_.sets, measurements_, options);
   if (diagnosis.steps.empty()) {
     throw InputError{diagnosis.sentence};
@@ -112,7 +112,7 @@ ModelRevision ExploreLoop::questioned(ModelRevision rung) {
 /// The labels of the current model's terms.
 std::vector<std::string> ExploreLoop::terms() const {
   const ModelRevision& rung = session_.current();
-  return termLabels(makeModel(measurements_, rung.with, rung.without, effects(rung)));
+  return termLabels(buildModel(measurements_, rung.with, rung.without, effects(rung)));
 }
 
 /// Goes on with this session once its current model was fitted; whatever is thrown before leaves everything as it was.

@@ -130,8 +130,8 @@ struct PosesCommand {
     if (!extend.empty()) {
       extendPlan(extend, drawn, scene.boards, plan);
     }
-    const PosePlan result = posePlan(drawn, scene.boards, scene.cameras, plan,
-                                     [](const std::string& what) { fmt::print(stderr, "{}\n", what); });
+    const PosePlan result = planPoses(drawn, scene.boards, scene.cameras, plan,
+                                      [](const std::string& what) { fmt::print(stderr, "{}\n", what); });
     printPlan(result);
     writeJson(planJson(result, drawn), output);
     fmt::print("{} holds the poses and where the boards are\n", output);
@@ -148,7 +148,7 @@ void addPoses(CLI::App& app) {
   const auto command = std::make_shared<PosesCommand>();
   PlanOptions& plan = command->plan;
   plan.poses.count = 8;
-  plan.poses.tries = 1'000'000;
+  plan.poses.maxAttempts = 1'000'000;
   plan.poses.sampling = SamplingMethod::even;
   CLI::App* const poses = app.add_subcommand("poses", "plans poses worth taking, and where to lay the boards");
   poses->add_option("-o,--output", command->output, "POSES.json, to be written")
@@ -158,7 +158,7 @@ void addPoses(CLI::App& app) {
   poses->add_option("--robot", command->robot, "its model")->capture_default_str();
   poses->add_option("--support", plan.poses.supportFoot, "the foot to stand on: left, right or both")
       ->transform(CLI::CheckedTransformer(supportFeet, CLI::ignore_case));
-  poses->add_option("--candidates", plan.poses.tries, "candidate poses to sample and filter")
+  poses->add_option("--candidates", plan.poses.maxAttempts, "candidate poses to sample and filter")
       ->capture_default_str()
       ->check(CLI::Range(1, 100'000'000));
   poses->add_option("--sampling", plan.poses.sampling, "how the ranges of poses are sampled")
@@ -197,7 +197,7 @@ void addPoses(CLI::App& app) {
   poses->add_flag("--whole-boards", plan.poses.sight.wholeBoards,
                   "a board counts only where it is wholly in the picture");
   poses
-      ->add_option("--worn", plan.wornRobots,
+      ->add_option("--worn", plan.perturbedRobots,
                    "number of robots with random joint errors for which the plan must also hold")
       ->capture_default_str()
       ->check(CLI::Range(0, 100));

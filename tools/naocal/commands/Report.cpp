@@ -32,7 +32,7 @@ void addReport(CLI::App& app) {
       ->required()
       ->check(replaceableFile(std::string{pageFormat}));
   reporter->callback([command] {
-    const std::string page = reportPage(command->file);
+    const std::string page = renderReport(command->file);
     writePage(command->output, page);
     fmt::print("written to {} ({:.1f} MB): open it in any browser\n", command->output, 1e-6 * double(page.size()));
   });

@@ -48,7 +48,7 @@ std::map<std::string, CameraIntrinsics> cameras(const std::string& size) {
       height > 8192) {
     throw InputError{fmt::format("--size: expected WIDTHxHEIGHT in pixels such as 640x480, found {}", size)};
   }
-  return drawnCameras(width, height);
+  return nominalCameras(width, height);
 }
 
 /// As many as asked for, or those of a file.
@@ -60,7 +60,7 @@ void addPoses(const SimulateOptions& options, const Robot& robot, SimulationPlan
     if (error != std::errc{} || count < 1 || count > most) {
       throw InputError{fmt::format("--poses: expected 1 to {} or a pose file, found {}", most, options.poses)};
     }
-    plan.poses = standingPoses(robot, plan, feet.at(options.support), count, options.seed);
+    plan.poses = planStandingPoses(robot, plan, feet.at(options.support), count, options.seed);
     return;
   }
   PoseFile file = readPoseFile(options.poses, robot);
@@ -180,7 +180,7 @@ void refuseWhatIsThere(const std::filesystem::path& folder, bool force) {
   if (folder.empty()) {
     throw InputError{"OUT: expected the name of a folder, found nothing"};
   }
-  requireSameKind(truthFile(folder), "naocal-truth");
+  requireSameKind(truthPath(folder), "naocal-truth");
   if (!std::filesystem::exists(folder)) {
     return;
   }
@@ -235,7 +235,7 @@ void takePictures(const SimulateOptions& options, Simulation& simulation) {
   const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
   const auto proceed = [&](std::size_t done) { return progress(done, all); };
   simulation.set.captures.resize(
-      takePictures(simulation, options.appearance, options.seed, options.output, threads, proceed));
+      renderPictures(simulation, options.appearance, options.seed, options.output, threads, proceed));
 }
 
 std::size_t cornerCount(const CaptureSet& set) {
@@ -257,9 +257,9 @@ void simulateSet(const SimulateOptions& options) {
   if (plan.images) {
     takePictures(options, simulation);
   }
-  const std::filesystem::path truth = truthFile(options.output);
+  const std::filesystem::path truth = truthPath(options.output);
   writeCaptureSet(simulation.set, options.output);
-  writeAtomically(truth, truthText(simulation.truth));
+  writeAtomically(truth, formatTruth(simulation.truth));
   removePictures(before, options.output);
   if (!options.json.empty()) {
     writeJson({{"format", "naocal-simulation"},

@@ -27,19 +27,19 @@ struct SolveCommand {
 /// The model that options and model file ask for together.
 Model askedModel(const SolveCommand& command, const Measurements& measurements) {
   if (command.model.empty()) {
-    return makeModel(measurements, command.with, command.without);
+    return buildModel(measurements, command.with, command.without);
   }
   ModelFile file = readModelFile(command.model, measurements.robot);
   file.with.insert(file.with.end(), command.with.begin(), command.with.end());
   file.without.insert(file.without.end(), command.without.begin(), command.without.end());
-  return makeModel(measurements, file.with, file.without, file.effects);
+  return buildModel(measurements, file.with, file.without, file.effects);
 }
 
 int solve(SolveCommand& command) {
   command.options.estimateNoise = !command.fixedNoise;
   command.options.robust = !command.plain;
   const LoadedSets given = loadSets(command.sets, command.skipBad);
-  const Measurements measurements = measurementsOf(given.sets, given.robot, command.samePlace);
+  const Measurements measurements = buildMeasurements(given.sets, given.robot, command.samePlace);
   const Model model = askedModel(command, measurements);
   const CalibrationResult result = calibrate(measurements, model, command.options);
   const auto json = resultJson(given.sets, measurements, model, result, given.inputs);

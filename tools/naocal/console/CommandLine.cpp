@@ -39,7 +39,7 @@ LoadedSets loadSets(const std::vector<std::string>& folders, bool skipBad) {
       fmt::print(stderr, "left out: {}\n", sentence);
     }
     given.inputs.sets.push_back(std::filesystem::weakly_canonical(folder).string()); // found from anywhere
-    given.inputs.sha256.push_back(sha256(fileContent(std::filesystem::path{folder} / "captures.json")));
+    given.inputs.sha256.push_back(sha256(readFile(std::filesystem::path{folder} / "captures.json")));
     given.sets.push_back(std::move(read.set));
   }
   given.robot = loadRobot(configurationDirectory(), given.sets.front().model);

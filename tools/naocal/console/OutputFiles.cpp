@@ -35,7 +35,7 @@ void requireSameKind(const std::filesystem::path& file, std::string_view format)
   if (!std::filesystem::is_regular_file(file, ignored)) {
     return;
   }
-  const std::string content = fileContent(file);
+  const std::string content = readFile(file);
   if (const std::string kind = content.empty() ? std::string{format} : kindOf(content); kind != format) {
     throw InputError{fmt::format("{}: expected a new file or one with {} to replace, found {}; it is left alone, name "
                                  "another file or remove it first",
@@ -55,7 +55,7 @@ CLI::Validator replaceableFile(std::string format) {
 
 void requireReplaceableSet(const std::filesystem::path& folder) {
   if (std::filesystem::exists(folder / "captures.json") &&
-      !readCaptureSet(folder, BadCapturePolicy::skip).set.bodyId.starts_with(syntheticId)) {
+      !readCaptureSet(folder, BadCapturePolicy::skip).set.bodyId.starts_with(syntheticIdPrefix)) {
     throw InputError{
         fmt::format("{}: expected a simulated set or none, found another robot's captures; they are left alone, "
                     "name another folder",

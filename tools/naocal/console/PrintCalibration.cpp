@@ -23,10 +23,10 @@ std::string bar(double share) {
 void printEstimates(const Model& model, const CalibrationResult& result) {
   fmt::print("\n  {:<38} {:>12}     {:>10}     learned\n", "unknown", "estimate", "±  1 sigma");
   for (const Term& term : model.terms()) {
-    for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement && term.asked; ++i) {
+    for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement && term.requested; ++i) {
       const Unknown& unknown = term.effect.unknowns[i];
       const Estimate& estimate = result.estimates[term.first + i];
-      const auto [unit, scale] = shownUnit(unknown.unit);
+      const auto [unit, scale] = displayUnit(unknown.unit);
       const std::string name =
           term.effect.name == "jointOffset" ? term.place : fmt::format("{} {}", term.label(), unknown.name);
       fmt::print("  {:<38} {:>10.4f} {:<4}  {:>8.4f} {:<4}  {:>3.0f} % {}\n", name, scale * estimate.best(), unit,
@@ -66,7 +66,7 @@ void printCalibration(const std::vector<CaptureSet>& sets, const Measurements& m
                            : fmt::format("{} corner{}", doubt.corners.size(), doubt.corners.size() == 1 ? "" : "s"),
                doubt.distance, doubt.whole ? ": was the board moved or the robot touched?" : "");
   }
-  for (const std::string& warning : sentences(result.warnings)) {
+  for (const std::string& warning : toSentences(result.warnings)) {
     fmt::print("\nwarning: {}", warning);
   }
   if (result.restartsTried > 0) {

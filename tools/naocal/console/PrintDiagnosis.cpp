@@ -49,7 +49,7 @@ void printCurves(const Diagnosis& diagnosis) {
     return;
   }
   fmt::print("\nwhat is left over, by joint and what it varies with\n");
-  for (const DriverCurve& curve : diagnosis.drivers) {
+  for (const DriverCurve& curve : diagnosis.driverCurves) {
     std::string coefficients;
     for (const auto& [name, value, unit] : curve.coefficients) {
       coefficients +=
@@ -59,7 +59,7 @@ void printCurves(const Diagnosis& diagnosis) {
                              : curve.unit == "rad"
                                  ? fmt::format("the camera's mount turns about its {} axis", curve.about)
                                  : fmt::format("corners are off along {}", curve.about);
-    fmt::print("  {:16} over {:18} {:>9}  evidence {:7.1f}   {}\n", curve.place, curve.driver, howFar(curve),
+    fmt::print("  {:16} over {:18} {:>9}  evidence {:7.1f}   {}\n", curve.place, curve.driver, formatAmplitude(curve),
                curve.bayes, like);
   }
 }
@@ -83,8 +83,8 @@ void printCandidates(const Diagnosis& diagnosis) {
                                                             *finding.chi2Drop, finding.evidence.likelihoodRatio)
                                               : "";
     fmt::print("  {:32} {} {:8.1f}  {:12} {}{}\n", finding.term.label(),
-               bar(std::max(0.0, finding.evidence.bayes), most, 14), finding.evidence.bayes, nameOf(finding.state),
-               sizes(finding), fall);
+               bar(std::max(0.0, finding.evidence.bayes), most, 14), finding.evidence.bayes, toString(finding.state),
+               formatSizes(finding), fall);
   }
   std::size_t absorbed = 0, noData = 0, inconclusive = 0;
   for (const CandidateFinding& finding : diagnosis.ranking) {
@@ -99,13 +99,13 @@ void printCandidates(const Diagnosis& diagnosis) {
 }
 
 void printDiagnosis(const Diagnosis& diagnosis, const GivenOptions& asked) {
-  fmt::print("{}: {}\n", nameOf(diagnosis.verdict), diagnosis.sentence);
+  fmt::print("{}: {}\n", toString(diagnosis.verdict), diagnosis.sentence);
   if (!diagnosis.steps.empty()) { // else no fit was possible
     printLadder(diagnosis);
     printCandidates(diagnosis);
     printCurves(diagnosis);
   }
-  for (const DataAnomaly& suspicion : diagnosis.suspicious) {
+  for (const DataAnomaly& suspicion : diagnosis.anomalies) {
     fmt::print("  suspicious: {}\n", suspicion.why);
   }
   if (!diagnosis.suggested.empty() && !diagnosis.own) {

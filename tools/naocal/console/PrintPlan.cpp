@@ -50,7 +50,7 @@ void printFloor(const PosePlan& plan) {
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
       for (const Board& board : plan.boards) {
-        if (depthInside(sheet(board), {0.12 * (ahead - row), 0.06 * (columns / 2 - column)}) >= 0) {
+        if (insideDepth(boardOutline(board), {0.12 * (ahead - row), 0.06 * (columns / 2 - column)}) >= 0) {
           floor[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = board.id.front();
         }
       }
@@ -108,7 +108,7 @@ void printComparison(const PosePlan& plan) {
              plan.sieve.seeing, "criterion", "poses", "worst offset", "mean", "worst, places known",
              "pairs of joints that look alike (cost)", plan.misfit ? "  effects told apart (chi2)" : "");
   for (const CriterionResult& each : plan.comparison) {
-    fmt::print("  {:<12} {:>5}  {:>10.3f} °  {:>7.3f} °  {:>22.3f} °  {:>30} ({:.3f}){}\n", name(each.criterion),
+    fmt::print("  {:<12} {:>5}  {:>10.3f} °  {:>7.3f} °  {:>22.3f} °  {:>30} ({:.3f}){}\n", toString(each.criterion),
                each.poses, degrees(each.worst), degrees(each.mean), degrees(each.worstKnown), each.interaction.count,
                each.interaction.cost, each.misfit ? fmt::format("  {:>25.1f}", *each.misfit) : "");
   }

@@ -28,7 +28,7 @@ std::string figures(const ThesisEvaluation& evaluation, const ThesisCell& cell, 
 std::string rowName(const ThesisCell& cell) {
   const ThesisSetting& setting = cell.setting;
   if (cell.table == "5.5") {
-    return fmt::format("{}, {}", setting.largeErrors ? "1..6.5 deg" : "6.5 deg", word(cell.solver));
+    return fmt::format("{}, {}", setting.largeErrors ? "1..6.5 deg" : "6.5 deg", toString(cell.solver));
   }
   if (cell.table == "beyond") {
     return setting.bothLegs                             ? "both legs at once, 13 offsets"
@@ -37,8 +37,8 @@ std::string rowName(const ThesisCell& cell) {
            : setting.jointNoise == AngleNoise::stiction ? "gears stick, 0.05 deg"
                                                         : "our poses";
   }
-  return fmt::format("{}{}{}", word(setting.noise),
-                     setting.angleNoise() ? fmt::format(" {}", word(setting.jointNoise)) : "",
+  return fmt::format("{}{}{}", toString(setting.noise),
+                     setting.angleNoise() ? fmt::format(" {}", toString(setting.jointNoise)) : "",
                      setting.samples > 1 ? fmt::format(", {} samples", setting.samples) : "");
 }
 
@@ -88,13 +88,13 @@ void printTable(const ThesisEvaluation& evaluation, const std::string& table, st
 void printOthers(const ThesisEvaluation& evaluation, std::size_t tolerance) {
   const auto perSolve = [](const ThesisTally& tally) { return 1e3 * tally.seconds / static_cast<double>(tally.sets); };
   for (const auto& [setting, solvers] : thesisSettings()) {
-    if (!ofTable55(setting) || !evaluation.tally(setting, ThesisSolver::numeric)) {
+    if (!isInTable55(setting) || !evaluation.tally(setting, ThesisSolver::numeric)) {
       continue;
     }
     fmt::print("\nother solvers, {}:\n", setting.name());
     for (const ThesisSolver solver : allSolvers) {
       if (const ThesisTally* tally = evaluation.tally(setting, solver)) {
-        fmt::print("  {:<17} {:>6} sets {:>7.1f} % {:>10.3f} ms each\n", word(solver), tally->sets,
+        fmt::print("  {:<17} {:>6} sets {:>7.1f} % {:>10.3f} ms each\n", toString(solver), tally->sets,
                    100 * tally->successAt(tolerance), perSolve(*tally));
       }
     }
@@ -148,11 +148,11 @@ void printSummary(const ThesisEvaluation& evaluation, std::size_t tolerance) {
       all.settings, all.atLeastPlain,
       all.behindPlain > 0 ? fmt::format(" (elsewhere at most {:.2f} points less)", 100 * all.behindPlain) : "",
       all.nearLimit, 100 * withinPoints, 100 * all.aboveLimit, all.worst, uncertainty, all.perfect, all.noiseless);
-  if (const auto best = bestReading(evaluation); best && all.settings == thesisSettings().size()) {
+  if (const auto best = bestInterpretation(evaluation); best && all.settings == thesisSettings().size()) {
     fmt::print("The thesis's own solvers, run here, come nearest to its figures with joint noise {} and a tolerance of "
                "{:.1f} deg: {:.0f} points apart (root mean square over the {} cells with joint noise in which the "
                "thesis had any success).\n",
-               word(best->jointNoise), toleranceDegrees(best->tolerance), 100 * best->difference, best->cells);
+               toString(best->jointNoise), toleranceDegrees(best->tolerance), 100 * best->difference, best->cells);
   }
 }
 

@@ -9,12 +9,13 @@
 
 namespace naocal {
 
-AliasMatrix aliasMatrix(const CandidateTests& inquiry, const std::vector<std::string>& labels, std::size_t most) {
+AliasMatrix computeAliasMatrix(const CandidateTests& inquiry, const std::vector<std::string>& labels,
+                               std::size_t most) {
   AliasMatrix result;
   std::vector<ColumnGroup> groups;
   for (const std::string& label : labels) {
-    const auto candidate = inquiry.find(label);
-    if (candidate && inquiry.ofCandidate(*candidate).freedom > 0 && groups.size() < most) {
+    const auto candidate = inquiry.findCandidate(label);
+    if (candidate && inquiry.candidateEvidence(*candidate).freedom > 0 && groups.size() < most) {
       result.labels.push_back(label);
       groups.push_back(inquiry.problem().groups[*candidate]);
     }
@@ -23,7 +24,7 @@ AliasMatrix aliasMatrix(const CandidateTests& inquiry, const std::vector<std::st
   result.correlations.setIdentity(count, count);
   for (Eigen::Index i = 0; i < count; ++i) {
     for (Eigen::Index j = 0; j < i; ++j) {
-      result.correlations(i, j) = result.correlations(j, i) = correlation(
+      result.correlations(i, j) = result.correlations(j, i) = canonicalCorrelation(
           inquiry.evidence().information, groups[static_cast<std::size_t>(i)], groups[static_cast<std::size_t>(j)]);
     }
   }
@@ -43,7 +44,7 @@ Eigen::MatrixXd orthonormaliser(const Eigen::MatrixXd& block) {
 
 } // namespace
 
-double correlation(const Eigen::MatrixXd& information, const ColumnGroup& one, const ColumnGroup& other) {
+double canonicalCorrelation(const Eigen::MatrixXd& information, const ColumnGroup& one, const ColumnGroup& other) {
   const Eigen::MatrixXd between =
       orthonormaliser(information.block(one.first, one.first, one.count, one.count)).transpose() *
       information.block(one.first, other.first, one.count, other.count) *
@@ -51,17 +52,17 @@ double correlation(const Eigen::MatrixXd& information, const ColumnGroup& one, c
   return std::min(1.0, Eigen::JacobiSVD<Eigen::MatrixXd>{between}.singularValues()[0]);
 }
 
-double evidenceToTell(double correlation) {
+double evidenceToSeparate(double correlation) {
   return 5.4 / std::max(1e-9, 1 - correlation);
 }
 
-std::vector<std::size_t> equivalents(const CandidateTests& inquiry, std::size_t chosen) {
+std::vector<std::size_t> findEquivalents(const CandidateTests& inquiry, std::size_t chosen) {
   std::vector<std::size_t> result;
-  const GroupEvidence& best = inquiry.ofCandidate(chosen);
+  const GroupEvidence& best = inquiry.candidateEvidence(chosen);
   const std::vector<ColumnGroup>& groups = inquiry.problem().groups;
   const bool onlyData = !isPlausible(best, inquiry.candidates()[chosen].sigmas()); // no size was expected then
   for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
-    const GroupEvidence& other = inquiry.ofCandidate(i);
+    const GroupEvidence& other = inquiry.candidateEvidence(i);
     if (i == chosen || other.freedom < 1 || other.bayes <= 0) {
       continue;
     }
@@ -70,8 +71,8 @@ std::vector<std::size_t> equivalents(const CandidateTests& inquiry, std::size_t 
     if (behind >= threshold::maxEvidenceGap) {
       continue;
     }
-    const double like = correlation(inquiry.evidence().information, groups[chosen], groups[i]);
-    const bool tells = best.likelihoodRatio >= evidenceToTell(like);
+    const double like = canonicalCorrelation(inquiry.evidence().information, groups[chosen], groups[i]);
+    const bool tells = best.likelihoodRatio >= evidenceToSeparate(like);
     const bool besideIt =
         like < threshold::related && other.bayes >= threshold::veryStrong; // there as well, whichever else is
     if ((behind < threshold::equallyLikely || !tells) && !besideIt) {

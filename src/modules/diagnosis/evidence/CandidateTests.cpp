@@ -11,7 +11,7 @@ namespace naocal {
 
 namespace {
 
-std::vector<std::size_t> byBayes(std::span<const GroupEvidence> groups) {
+std::vector<std::size_t> sortByBayes(std::span<const GroupEvidence> groups) {
   std::vector<std::size_t> order(groups.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(),
@@ -24,30 +24,30 @@ std::vector<std::size_t> byBayes(std::span<const GroupEvidence> groups) {
 CandidateTests::CandidateTests(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
                                const std::vector<Term>& candidates, const CandidateTestOptions& options)
     : noise_{fit.noise}, wide_{measurements, model, candidates, {fit.state, fit.noise, fit.loss}, options.map},
-      evidence_{evidenceOf(wide_.problem(), noise_, options.draws, options.seed)} {}
+      evidence_{computeEvidence(wide_.problem(), noise_, options.draws, options.seed)} {}
 
 std::vector<std::size_t> CandidateTests::candidatesByEvidence() const {
-  return byBayes({evidence_.groups.data(), candidates().size()});
+  return sortByBayes({evidence_.groups.data(), candidates().size()});
 }
 
-double CandidateTests::standing(const GroupEvidence& evidence) const {
+double CandidateTests::rankingScore(const GroupEvidence& evidence) const {
   const double numbers = 6 * static_cast<double>(poses().size());
   return std::max(evidence.bayes, evidence.likelihoodRatio - static_cast<double>(evidence.freedom) * std::log(numbers));
 }
 
-std::vector<std::size_t> CandidateTests::candidatesByStanding() const {
+std::vector<std::size_t> CandidateTests::candidatesByRank() const {
   std::vector<std::size_t> order = candidatesByEvidence();
   std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
-    return standing(ofCandidate(a)) > standing(ofCandidate(b));
+    return rankingScore(candidateEvidence(a)) > rankingScore(candidateEvidence(b));
   });
   return order;
 }
 
 std::vector<std::size_t> CandidateTests::curvesByEvidence() const {
-  return byBayes({evidence_.groups.data() + candidates().size(), curveCount()});
+  return sortByBayes({evidence_.groups.data() + candidates().size(), curveCount()});
 }
 
-std::optional<std::size_t> CandidateTests::find(const std::string& label) const {
+std::optional<std::size_t> CandidateTests::findCandidate(const std::string& label) const {
   const auto found = std::find_if(candidates().begin(), candidates().end(),
                                   [&](const Term& candidate) { return candidate.label() == label; });
   return found == candidates().end() ? std::nullopt

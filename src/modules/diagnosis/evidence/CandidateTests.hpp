@@ -39,20 +39,20 @@ public:
   /// candidate, the sizes that are plausible or the information of one number of the captures, six to a pose (BIC). The
   /// plausible sizes alone put an effect that is small but beyond doubt behind others that are nothing (Lindley,
   /// Biometrika 44 (1957) 187): where 0.3 +- 0.1 px are measured of a lens that may be off by 10, that costs 20.
-  double standing(const GroupEvidence& evidence) const;
-  std::vector<std::size_t> candidatesByStanding() const;
+  double rankingScore(const GroupEvidence& evidence) const;
+  std::vector<std::size_t> candidatesByRank() const;
   /// Places among the curves (the mounts', then the map's cells), the one that explains most first.
   std::vector<std::size_t> curvesByEvidence() const;
 
   /// The place of a candidate among them, by its label.
-  std::optional<std::size_t> find(const std::string& label) const;
-  const GroupEvidence& ofCandidate(std::size_t candidate) const { return evidence_.groups[candidate]; }
+  std::optional<std::size_t> findCandidate(const std::string& label) const;
+  const GroupEvidence& candidateEvidence(std::size_t candidate) const { return evidence_.groups[candidate]; }
   /// The shape of a curve, and over which driver.
-  const DriverBasis& cellOf(std::size_t curve) const {
+  const DriverBasis& curveBasis(std::size_t curve) const {
     return curve < mounts().size() ? mounts()[curve].cell : map().cells[curve - mounts().size()];
   }
   std::size_t curveCount() const { return mounts().size() + map().cells.size(); }
-  const GroupEvidence& ofCurve(std::size_t curve) const { return evidence_.groups[candidates().size() + curve]; }
+  const GroupEvidence& curveEvidence(std::size_t curve) const { return evidence_.groups[candidates().size() + curve]; }
 
 private:
   Noise noise_;

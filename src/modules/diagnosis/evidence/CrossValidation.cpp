@@ -27,7 +27,7 @@ struct Folds {
   FoldSums all;
   std::vector<FoldSums> parts;
 };
-Folds heldOutSums(const CandidateTests& inquiry, const Eigen::VectorXd& step);
+Folds splitIntoFolds(const CandidateTests& inquiry, const Eigen::VectorXd& step);
 
 namespace {
 
@@ -66,7 +66,7 @@ public:
 
   /// Squares of the fold's errors [px^2] when `columns` are learned from the others; what those do not tell is learned
   /// from the fold itself.
-  double squaresLeft(const Columns& columns) const {
+  double remainingSquares(const Columns& columns) const {
     Eigen::MatrixXd hessian = hessian_(columns, columns);
     hessian.diagonal() += prior_(columns);
     hessian.topLeftCorner(holding_.rows(), holding_.rows()) += holding_ * holding_.transpose();
@@ -127,7 +127,7 @@ Columns range(Eigen::Index first, Eigen::Index count) {
   return result;
 }
 
-Columns joined(Columns columns, const Columns& more) {
+Columns joinColumns(Columns columns, const Columns& more) {
   columns.insert(columns.end(), more.begin(), more.end());
   return columns;
 }
@@ -138,64 +138,64 @@ struct Choices {
   Columns given;                           // all others of the model
 
   Choices(const CandidateTests& inquiry, const Model& model, const std::vector<std::string>& labels) {
-    const Eigen::Index own = inquiry.problem().own();
+    const Eigen::Index own = inquiry.problem().ownCount();
     for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
       const ColumnGroup& group = inquiry.problem().groups[i];
       candidates.push_back(range(own + group.first, group.count));
     }
     for (const Term& term : model.terms()) {
-      const Columns columns = range(at(term.first), at(term.effect.unknowns.size()));
+      const Columns columns = range(eigenIndex(term.first), eigenIndex(term.effect.unknowns.size()));
       const bool isChosen = std::find(labels.begin(), labels.end(), term.label()) != labels.end();
-      isChosen ? chosen.push_back(columns) : void(given = joined(given, columns));
+      isChosen ? chosen.push_back(columns) : void(given = joinColumns(given, columns));
     }
   }
 };
 
 } // namespace
 
-std::optional<CrossValidation> heldOut(const CandidateTests& inquiry, const Model& model,
-                                       const std::vector<std::string>& chosen,
-                                       const std::vector<std::vector<std::size_t>>& added) {
+std::optional<CrossValidation> crossValidate(const CandidateTests& inquiry, const Model& model,
+                                             const std::vector<std::string>& chosen,
+                                             const std::vector<std::vector<std::size_t>>& added) {
   const ScoreProblem& problem = inquiry.problem();
   if (inquiry.poses().size() < 2) {
     return std::nullopt;
   }
   const Choices choices{inquiry, model, chosen};
-  Eigen::VectorXd prior{problem.own() + problem.candidates}, start{Eigen::VectorXd::Zero(prior.size())};
+  Eigen::VectorXd prior{problem.ownCount() + problem.candidates}, start{Eigen::VectorXd::Zero(prior.size())};
   prior << problem.sigmas.cwiseAbs2().cwiseInverse(),
       problem.plausible.head(problem.candidates).cwiseAbs2().cwiseInverse();
-  start.head(problem.own()) = problem.unknowns;
+  start.head(problem.ownCount()) = problem.unknowns;
   Eigen::VectorXd toNone = Eigen::VectorXd::Zero(prior.size()); // of the effects that were chosen
   for (const Columns& effect : choices.chosen) {
     toNone(effect) = -start(effect);
     start(effect).setZero();
   }
-  const Folds sums = heldOutSums(inquiry, toNone);
+  const Folds sums = splitIntoFolds(inquiry, toNone);
   std::vector<Columns> groups = choices.candidates;
   groups.insert(groups.end(), choices.chosen.begin(), choices.chosen.end());
   Columns asItIs = choices.given;
   for (const Columns& effect : choices.chosen) {
-    asItIs = joined(asItIs, effect);
+    asItIs = joinColumns(asItIs, effect);
   }
   CrossValidation result;
   result.afterPx.resize(added.size());
   for (const FoldSums& held : sums.parts) {
     const Fold fold{sums.all, held, prior, start, choices.given};
-    result.beforePx += fold.squaresLeft(asItIs);
+    result.beforePx += fold.remainingSquares(asItIs);
     for (std::size_t i = 0; i < added.size(); ++i) {
       Columns larger = asItIs;
       for (const std::size_t candidate : added[i]) {
-        larger = joined(larger, choices.candidates[candidate]);
+        larger = joinColumns(larger, choices.candidates[candidate]);
       }
-      result.afterPx[i] += fold.squaresLeft(larger);
+      result.afterPx[i] += fold.remainingSquares(larger);
     }
     Columns columns = choices.given;
     for (std::size_t i = 0; i < choices.chosen.size(); ++i) {
       fold.addBest(groups, columns);
     }
-    result.chosenPx += fold.squaresLeft(columns);
+    result.chosenPx += fold.remainingSquares(columns);
     fold.addBest(groups, columns);
-    result.nextPx += fold.squaresLeft(columns);
+    result.nextPx += fold.remainingSquares(columns);
   }
   const auto toRms = [&](double& squares) { squares = std::sqrt(2 * std::max(0.0, squares) / sums.all.numbers); };
   toRms(result.beforePx);
@@ -210,7 +210,7 @@ namespace {
 constexpr std::size_t folds = 5;
 
 /// Of every `folds`th pose from `first` on.
-FoldSums sumsFrom(std::size_t first, std::size_t each, const NullModel& alone) {
+FoldSums computeSums(std::size_t first, std::size_t each, const NullModel& alone) {
   const std::vector<PoseRows>& poses = *alone.problem().poses;
   const double pixel = alone.noise().pixel;
   const Eigen::Index size = alone.problem().gram.cols();
@@ -229,8 +229,8 @@ FoldSums sumsFrom(std::size_t first, std::size_t each, const NullModel& alone) {
     result.squares += rows.squares;
     result.numbers += rows.numbers;
   }
-  result.gram = plain.taken();
-  result.hessian = result.gram / (pixel * pixel) - taken.taken();
+  result.gram = plain.sum();
+  result.hessian = result.gram / (pixel * pixel) - taken.sum();
   return result;
 }
 
@@ -243,7 +243,7 @@ void add(const FoldSums& part, FoldSums& sums) {
   sums.numbers += part.numbers;
 }
 
-void move(const Eigen::VectorXd& step, FoldSums& sums) {
+void applyStep(const Eigen::VectorXd& step, FoldSums& sums) {
   const Eigen::VectorXd moved = sums.gram * step;
   sums.squares += 2 * sums.plainGradient.dot(step) + step.dot(moved);
   sums.plainGradient += moved;
@@ -252,13 +252,13 @@ void move(const Eigen::VectorXd& step, FoldSums& sums) {
 
 } // namespace
 
-Folds heldOutSums(const CandidateTests& inquiry, const Eigen::VectorXd& step) {
+Folds splitIntoFolds(const CandidateTests& inquiry, const Eigen::VectorXd& step) {
   const NullModel alone{inquiry.problem(), inquiry.noise()};
   const std::size_t parts = std::min(folds, inquiry.poses().size());
   Folds result;
   for (std::size_t part = 0; part < parts; ++part) {
-    FoldSums& sums = result.parts.emplace_back(sumsFrom(part, parts, alone));
-    move(step, sums);
+    FoldSums& sums = result.parts.emplace_back(computeSums(part, parts, alone));
+    applyStep(step, sums);
     part == 0 ? void(result.all = sums) : add(sums, result.all);
   }
   return result;

@@ -22,8 +22,8 @@ struct CrossValidation {
 };
 /// `chosen`: labels of the model's effects that were chosen on these poses. `added`: candidates that are asked for,
 /// each time one or several together. Absent: there is one pose, and none to hold.
-std::optional<CrossValidation> heldOut(const CandidateTests& inquiry, const Model& model,
-                                       const std::vector<std::string>& chosen,
-                                       const std::vector<std::vector<std::size_t>>& added);
+std::optional<CrossValidation> crossValidate(const CandidateTests& inquiry, const Model& model,
+                                             const std::vector<std::string>& chosen,
+                                             const std::vector<std::vector<std::size_t>>& added);
 
 } // namespace naocal

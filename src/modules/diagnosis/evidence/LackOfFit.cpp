@@ -7,8 +7,8 @@
 
 namespace naocal {
 
-LackOfFit lackOfFit(const CandidateTests& inquiry) {
-  const PoseMisfit misfit = poseMisfit(inquiry.problem(), inquiry.noise());
+LackOfFit testLackOfFit(const CandidateTests& inquiry) {
+  const PoseMisfit misfit = testPoseMisfit(inquiry.problem(), inquiry.noise());
   double freedom = 0;
   for (const PoseRows& pose : inquiry.poses()) {
     freedom += pose.freedom;

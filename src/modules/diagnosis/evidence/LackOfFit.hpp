@@ -14,6 +14,6 @@ struct LackOfFit {
   double pValue = 1;
   double noiseFloorPx = 0; // rms distance of corners that noise alone makes
 };
-LackOfFit lackOfFit(const CandidateTests& inquiry);
+LackOfFit testLackOfFit(const CandidateTests& inquiry);
 
 } // namespace naocal

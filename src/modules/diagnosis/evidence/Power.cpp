@@ -23,7 +23,7 @@ bool isPlausible(const GroupEvidence& group, const Eigen::VectorXd& sigmas) {
   return (group.estimate.cwiseAbs().array() <= threshold::implausible * sigmas.array()).all();
 }
 
-double powerAt(double noncentrality, Eigen::Index freedom, double criticalP) {
+double detectionPower(double noncentrality, Eigen::Index freedom, double criticalP) {
   if (freedom < 1) {
     return 0;
   }
@@ -31,25 +31,25 @@ double powerAt(double noncentrality, Eigen::Index freedom, double criticalP) {
   return cdf(complement(shifted, criticalChi2(freedom, criticalP)));
 }
 
-double noncentralityFor(double power, Eigen::Index freedom, double criticalP) {
+double requiredNoncentrality(double power, Eigen::Index freedom, double criticalP) {
   return boost::math::non_central_chi_squared::find_non_centrality(static_cast<double>(freedom),
                                                                    criticalChi2(freedom, criticalP), 1 - power);
 }
 
-Sensitivity sensitivity(const GroupEvidence& group, const Eigen::VectorXd& plausible, double criticalP) {
+Sensitivity computeSensitivity(const GroupEvidence& group, const Eigen::VectorXd& plausible, double criticalP) {
   const Eigen::Index count = plausible.size();
   Sensitivity result{0, std::vector<double>(static_cast<std::size_t>(count), std::numeric_limits<double>::infinity())};
   if (group.freedom < 1) {
     return result;
   }
   const Eigen::VectorXd information = group.covariance.inverse().diagonal();
-  const double needed = noncentralityFor(0.9, group.freedom, criticalP);
+  const double needed = requiredNoncentrality(0.9, group.freedom, criticalP);
   double least = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < count; ++i) {
     least = std::min(least, plausible[i] * plausible[i] * information[i]);
     result.detectable[static_cast<std::size_t>(i)] = std::sqrt(needed / information[i]);
   }
-  result.power = powerAt(least, group.freedom, criticalP);
+  result.power = detectionPower(least, group.freedom, criticalP);
   return result;
 }
 

@@ -8,21 +8,22 @@
 
 namespace naocal {
 
-std::optional<AddedVariable> addedVariable(const CandidateTests& inquiry, const Model& model, std::size_t candidate) {
+std::optional<AddedVariable> computeAddedVariable(const CandidateTests& inquiry, const Model& model,
+                                                  std::size_t candidate) {
   const ScoreProblem& problem = inquiry.problem();
-  const GroupEvidence& evidence = inquiry.ofCandidate(candidate);
+  const GroupEvidence& evidence = inquiry.candidateEvidence(candidate);
   if (evidence.freedom < 1) {
     return std::nullopt;
   }
   const Eigen::VectorXd direction = evidence.estimate.size() == 1 ? Eigen::VectorXd::Ones(1) : evidence.estimate;
   const CandidateColumn column{inquiry, candidate, direction, inquiry.noise()};
-  const Eigen::Index own = problem.own();
+  const Eigen::Index own = problem.ownCount();
   Eigen::VectorXd left(own + 1), fitted(own + 1); // e = J left, M r = r + J fitted
   left << -column.imitation, 1;
   fitted << column.fitted, 0;
 
   AddedVariable result;
-  result.like = labelOf(model, column.like);
+  result.like = termLabel(model, column.like);
   double squares = 0, products = 0;
   const auto add = [&](std::optional<std::size_t> pose, double square, double product, double sense) {
     const double signature = std::copysign(std::sqrt(std::max(0.0, square)), sense);
@@ -50,27 +51,27 @@ std::optional<AddedVariable> addedVariable(const CandidateTests& inquiry, const 
 namespace {
 
 /// The candidate's unknowns stand `first` and move together along `direction`.
-CandidateColumn::Pose summed(const PoseRows& pose, const Noise& noise, Eigen::Index own, Eigen::Index first,
-                             const Eigen::VectorXd& direction) {
+CandidateColumn::Pose sumColumn(const PoseRows& pose, const Noise& noise, Eigen::Index own, Eigen::Index first,
+                                const Eigen::VectorXd& direction) {
   CandidateColumn::Pose result;
   std::vector<Eigen::Index> rows, moving; // of the sums; of `direction`
   for (std::size_t i = 0; i < pose.unknowns.size(); ++i) {
-    const Eigen::Index unknown = at(pose.unknowns[i]);
+    const Eigen::Index unknown = eigenIndex(pose.unknowns[i]);
     if (unknown < own) {
       result.columns.push_back(unknown);
-      rows.push_back(at(i));
+      rows.push_back(eigenIndex(i));
     } else if (unknown >= first && unknown < first + direction.size()) {
       moving.push_back(unknown - first);
-      rows.push_back(at(i));
+      rows.push_back(eigenIndex(i));
     }
   }
-  const Eigen::Index kept = at(result.columns.size());
+  const Eigen::Index kept = eigenIndex(result.columns.size());
   result.columns.push_back(own);
-  Eigen::MatrixXd together = Eigen::MatrixXd::Zero(at(rows.size()), kept + 1);
+  Eigen::MatrixXd together = Eigen::MatrixXd::Zero(eigenIndex(rows.size()), kept + 1);
   together.topLeftCorner(kept, kept).setIdentity();
-  together.col(kept).tail(at(moving.size())) = direction(moving);
+  together.col(kept).tail(eigenIndex(moving.size())) = direction(moving);
   const PoseRows part{pose, pose.byUnknowns(Eigen::all, rows) * together, pose.byDeflections, pose.residual};
-  MarginalSystem whitened = eliminated(systemOf(part), noise, deflectionRoot(pose, noise));
+  MarginalSystem whitened = marginalize(systemOf(part), noise, jointErrorRoot(pose, noise));
   result.information = std::move(whitened.hessian);
   result.gradient = std::move(whitened.unknownGradient);
   return result;
@@ -78,24 +79,26 @@ CandidateColumn::Pose summed(const PoseRows& pose, const Noise& noise, Eigen::In
 
 } // namespace
 
-std::string labelOf(const Model& model, Eigen::Index unknown) {
+std::string termLabel(const Model& model, Eigen::Index unknown) {
   const auto& terms = model.terms();
-  const auto term = std::find_if(terms.begin(), terms.end(),
-                                 [&](const Term& one) { return unknown < at(one.first + one.effect.unknowns.size()); });
+  const auto term = std::find_if(terms.begin(), terms.end(), [&](const Term& one) {
+    return unknown < eigenIndex(one.first + one.effect.unknowns.size());
+  });
   return term->label();
 }
 
 CandidateColumn::CandidateColumn(const CandidateTests& inquiry, std::size_t candidate, const Eigen::VectorXd& direction,
                                  const Noise& noise) {
   const ScoreProblem& problem = inquiry.problem();
-  const Eigen::Index own = problem.own();
+  const Eigen::Index own = problem.ownCount();
   prior = problem.sigmas.cwiseAbs2().cwiseInverse();
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(own + 1, own + 1);
   information.topLeftCorner(own, own) = prior.asDiagonal();
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(own + 1);
   gradient.head(own) = prior.cwiseProduct(problem.unknowns);
   for (const PoseRows& pose : inquiry.poses()) {
-    const Pose& sums = poses.emplace_back(summed(pose, noise, own, own + problem.groups[candidate].first, direction));
+    const Pose& sums =
+        poses.emplace_back(sumColumn(pose, noise, own, own + problem.groups[candidate].first, direction));
     information(sums.columns, sums.columns) += sums.information;
     gradient(sums.columns) += sums.gradient;
   }

@@ -31,7 +31,8 @@ struct AddedVariable {
 };
 
 /// Of a candidate effect; absent where the model absorbs it.
-std::optional<AddedVariable> addedVariable(const CandidateTests& inquiry, const Model& model, std::size_t candidate);
+std::optional<AddedVariable> computeAddedVariable(const CandidateTests& inquiry, const Model& model,
+                                                  std::size_t candidate);
 
 /// A candidate as one column beside the model's own unknowns, in sums whitened at one level of noise, and what the own
 /// unknowns can do about it.
@@ -53,6 +54,6 @@ struct CandidateColumn {
 };
 
 /// The label of the term that an unknown of the model belongs to.
-std::string labelOf(const Model& model, Eigen::Index unknown);
+std::string termLabel(const Model& model, Eigen::Index unknown);
 
 } // namespace naocal

@@ -7,7 +7,7 @@
 
 namespace naocal {
 
-BoardShape boardShape(const ImageField& field, const Measurements& measurements) {
+BoardShape boardShapeFromField(const ImageField& field, const Measurements& measurements) {
   assert(field.of != ImageField::Of::camera);
   const std::vector<Eigen::Vector3d>& points = measurements.targets[field.at].board.points;
   const SheetBasis sheet{points};
@@ -15,7 +15,7 @@ BoardShape boardShape(const ImageField& field, const Measurements& measurements)
   for (std::size_t i = 0; i < points.size(); ++i) {
     Eigen::MatrixXd byCoefficients = Eigen::MatrixXd::Zero(3, field.fit.estimate.size());
     if (field.of == ImageField::Of::corners) {
-      byCoefficients.middleCols<3>(at(3 * i)).setIdentity();
+      byCoefficients.middleCols<3>(eigenIndex(3 * i)).setIdentity();
     } else {
       const Eigen::RowVectorXd basis = sheet.basis(i);
       for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -31,13 +31,13 @@ BoardShape boardShape(const ImageField& field, const Measurements& measurements)
   return shape;
 }
 
-std::vector<BoardShape> boardShapes(const Measurements& measurements, const Model& model,
-                                    const CalibrationResult& fit) {
+std::vector<BoardShape> estimateBoardShapes(const Measurements& measurements, const Model& model,
+                                            const CalibrationResult& fit) {
   const MotionFreeResiduals errors{measurements, model, fit};
   std::vector<BoardShape> result;
   for (std::size_t board = 0; board < measurements.targets.size(); ++board) {
-    if (const ImageField field = sheetField(errors, measurements, board); field.fit.freedom > 0) {
-      result.push_back(boardShape(field, measurements));
+    if (const ImageField field = fitSheetField(errors, measurements, board); field.fit.freedom > 0) {
+      result.push_back(boardShapeFromField(field, measurements));
     }
   }
   return result;

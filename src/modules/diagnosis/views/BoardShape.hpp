@@ -23,9 +23,10 @@ struct BoardShape {
 };
 
 /// What a field of a board's corners, or of its sheet, says about each of them.
-BoardShape boardShape(const ImageField& field, const Measurements& measurements);
+BoardShape boardShapeFromField(const ImageField& field, const Measurements& measurements);
 
 /// Of each board whose pictures tell its shape; smooth, as its sheet.
-std::vector<BoardShape> boardShapes(const Measurements& measurements, const Model& model, const CalibrationResult& fit);
+std::vector<BoardShape> estimateBoardShapes(const Measurements& measurements, const Model& model,
+                                            const CalibrationResult& fit);
 
 } // namespace naocal

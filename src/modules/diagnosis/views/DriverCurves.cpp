@@ -18,8 +18,8 @@ namespace naocal {
 
 /// Adds to a finding the small expression that follows the misfit of its joint over its driver best: linear, square,
 /// |x|, sign, root, sines and cosines of x to 8x, a step in time, the driver times the joint's torque.
-void express(const CandidateTests& inquiry, const Measurements& measurements, const DriverBasis& cell,
-             DriverCurve& finding);
+void fitExpression(const CandidateTests& inquiry, const Measurements& measurements, const DriverBasis& cell,
+                   DriverCurve& finding);
 
 namespace {
 
@@ -31,7 +31,7 @@ void draw(const DriverBasis& cell, const Eigen::VectorXd& estimate, const Eigen:
   double least = 0, most = 0;
   for (int i = 0; i < points; ++i) {
     const double x = std::lerp(cell.least, cell.most, static_cast<double>(i) / (points - 1));
-    const Eigen::RowVectorXd basis = cell.basis(x);
+    const Eigen::RowVectorXd basis = cell.basisAt(x);
     const double value = basis.dot(estimate);
     finding.curve.push_back({x, value, std::sqrt((basis * covariance * basis.transpose())(0, 0))});
     least = i == 0 ? value : std::min(least, value);
@@ -46,7 +46,7 @@ double shareOf(const DriverBasis& cell, const std::vector<double>& driver, const
                double left) {
   double sum = 0, squares = 0;
   for (const double x : driver) {
-    const double value = cell.basis(x).dot(estimate);
+    const double value = cell.basisAt(x).dot(estimate);
     sum += value;
     squares += value * value;
   }
@@ -84,13 +84,13 @@ CurveName curveName(const CandidateTests& inquiry, const Measurements& measureme
     return {measurements.robot.cameras[mount.camera()].name, drivers[mount.cell.driver].name};
   }
   const DriverBasis& cell = inquiry.map().cells[curve - inquiry.mounts().size()];
-  return {measurements.robot.joints[cell.motor].name, nameAt(drivers[cell.driver], cell.motor)};
+  return {measurements.robot.joints[cell.motor].name, expressionName(drivers[cell.driver], cell.motor)};
 }
 
 /// A curve as a finding; of a mount, about the axis that turns furthest.
-DriverCurve driverFinding(const CandidateTests& inquiry, const Measurements& measurements, std::size_t curve) {
+DriverCurve makeDriverCurve(const CandidateTests& inquiry, const Measurements& measurements, std::size_t curve) {
   const CurveName name = curveName(inquiry, measurements, curve);
-  const GroupEvidence& group = inquiry.ofCurve(curve);
+  const GroupEvidence& group = inquiry.curveEvidence(curve);
   DriverCurve result{.place = name.place, .driver = name.driver};
   result.likelihoodRatio = group.likelihoodRatio;
   result.bayes = group.bayes;
@@ -104,7 +104,7 @@ DriverCurve driverFinding(const CandidateTests& inquiry, const Measurements& mea
   } else {
     result.share = shareOf(cell, driver.atPicture, group.estimate, inquiry.noise().pose);
     draw(cell, group.estimate, group.covariance, result);
-    express(inquiry, measurements, cell, result);
+    fitExpression(inquiry, measurements, cell, result);
   }
   return result;
 }
@@ -124,16 +124,17 @@ std::vector<std::size_t> bestCurves(const CandidateTests& inquiry, const Measure
 
 } // namespace
 
-DriverMap driverMap(const CandidateTests& inquiry, const Measurements& measurements) {
+DriverMap mapDrivers(const CandidateTests& inquiry, const Measurements& measurements) {
   DriverMap map;
   std::vector<std::size_t> best = bestCurves(inquiry, measurements);
   for (std::size_t i = 0; i < std::min<std::size_t>(3, best.size()); ++i) {
-    map.best.push_back(driverFinding(inquiry, measurements, best[i]));
+    map.best.push_back(makeDriverCurve(inquiry, measurements, best[i]));
   }
   std::sort(best.begin(), best.end());
   for (std::size_t curve : best) {
     const CurveName name = curveName(inquiry, measurements, curve);
-    map.cells.push_back({name.place, name.driver, inquiry.ofCurve(curve).bayes, inquiry.ofCurve(curve).pValue});
+    map.cells.push_back(
+        {name.place, name.driver, inquiry.curveEvidence(curve).bayes, inquiry.curveEvidence(curve).pValue});
   }
   return map;
 }
@@ -146,16 +147,16 @@ struct FieldPoint {
   Eigen::VectorXd value, sigma;
 };
 
-std::vector<FieldPoint> onBoard(const ImageField& field, const Measurements& measurements) {
+std::vector<FieldPoint> sampleOnBoard(const ImageField& field, const Measurements& measurements) {
   std::vector<FieldPoint> result;
-  for (const BoardShape::Corner& corner : boardShape(field, measurements).corners) {
+  for (const BoardShape::Corner& corner : boardShapeFromField(field, measurements).corners) {
     result.push_back({{corner.place.x(), corner.place.y()}, corner.off, corner.sigma});
   }
   return result;
 }
 
 /// On a grid over a picture that is as wide as 2 cx.
-std::vector<FieldPoint> inPicture(const FieldFit& fit, const Eigen::Vector2d& middle) {
+std::vector<FieldPoint> sampleInPicture(const FieldFit& fit, const Eigen::Vector2d& middle) {
   constexpr int across = 9, down = 7;
   std::vector<FieldPoint> result;
   for (int column = 0; column < across; ++column) {
@@ -178,16 +179,16 @@ std::vector<FieldPoint> inPicture(const FieldFit& fit, const Eigen::Vector2d& mi
 
 std::vector<FieldPoint> pointsOf(const ImageField& field, const Measurements& measurements) {
   if (field.of != ImageField::Of::camera) {
-    return onBoard(field, measurements);
+    return sampleOnBoard(field, measurements);
   }
   const auto seen = std::find_if(measurements.pictures.begin(), measurements.pictures.end(),
                                  [&](const ImageObservation& picture) { return picture.camera == field.at; });
-  return inPicture(field.fit, seen->drawn.lens().segment<2>(2));
+  return sampleInPicture(field.fit, seen->nominal.lens().segment<2>(2));
 }
 
 /// The mean of one component over each value of one driver.
-std::vector<std::array<double, 3>> curveOf(const std::vector<FieldPoint>& points, std::size_t driver,
-                                           Eigen::Index component) {
+std::vector<std::array<double, 3>> meanCurve(const std::vector<FieldPoint>& points, std::size_t driver,
+                                             Eigen::Index component) {
   struct Mean {
     double sum = 0, squares = 0, count = 0;
   };
@@ -214,7 +215,7 @@ double halfRange(const std::vector<std::array<double, 3>>& curve) {
 
 } // namespace
 
-DriverCurve fieldFinding(const ImageField& field, const Measurements& measurements) {
+DriverCurve curveFromField(const ImageField& field, const Measurements& measurements) {
   const bool board = field.of != ImageField::Of::camera;
   const std::array<const char*, 2> drivers = board ? std::array{"x", "y"} : std::array{"u", "v"};
   const std::array<const char*, 3> components = board ? std::array{"x", "y", "z"} : std::array{"u", "v", ""};
@@ -226,7 +227,7 @@ DriverCurve fieldFinding(const ImageField& field, const Measurements& measuremen
   const std::vector<FieldPoint> points = pointsOf(field, measurements);
   for (std::size_t driver = 0; driver < drivers.size(); ++driver) {
     for (Eigen::Index component = 0; component < (board ? 3 : 2); ++component) {
-      std::vector<std::array<double, 3>> curve = curveOf(points, driver, component);
+      std::vector<std::array<double, 3>> curve = meanCurve(points, driver, component);
       if (const double amplitude = halfRange(curve); amplitude > result.amplitude) {
         result.amplitude = amplitude;
         result.driver = drivers[driver];
@@ -242,10 +243,10 @@ DriverCurve fieldFinding(const ImageField& field, const Measurements& measuremen
 namespace {
 
 /// Values of the driver transformed, as a driver of its own named by its expression.
-DriverSeries shaped(const DriverSeries& driver, std::size_t motor, const std::string& expression,
-                    const UnitPowers& unit, const std::function<double(std::size_t)>& value) {
+DriverSeries transformDriver(const DriverSeries& driver, std::size_t motor, const std::string& expression,
+                             const UnitPowers& unit, const std::function<double(std::size_t)>& value) {
   DriverSeries result{
-      .kind = driver.kind, .joint = driver.joint, .name = expression, .unit = textOf(unit), .motor = motor};
+      .kind = driver.kind, .joint = driver.joint, .name = expression, .unit = formatUnit(unit), .motor = motor};
   for (std::size_t i = 0; i < driver.atPicture.size(); ++i) {
     result.atPicture.push_back(value(i));
   }
@@ -256,16 +257,16 @@ DriverSeries shaped(const DriverSeries& driver, std::size_t motor, const std::st
 std::vector<DriverSeries> shapes(const DriverSeries& driver, std::size_t motor,
                                  const std::vector<DriverSeries>& drivers) {
   const std::vector<double>& x = driver.atPicture;
-  const std::string name = nameAt(driver, motor);
-  const UnitPowers number, own = unitOf(driver.unit).value_or(UnitPowers{{"K", 1}}),
-                           root = product({}, own, 0.5); // °C counts K
+  const std::string name = expressionName(driver, motor);
+  const UnitPowers number, own = parseUnit(driver.unit).value_or(UnitPowers{{"K", 1}}),
+                           root = multiplyUnits({}, own, 0.5); // °C counts K
   std::vector<DriverSeries> result;
   const auto add = [&](const std::string& expression, const UnitPowers& unit,
                        const std::function<double(std::size_t)>& value) {
-    result.push_back(shaped(driver, motor, expression, unit, value));
+    result.push_back(transformDriver(driver, motor, expression, unit, value));
   };
   add(name, own, [&](std::size_t i) { return x[i]; });
-  add(fmt::format("{}^2", name), product(own, own), [&](std::size_t i) { return x[i] * x[i]; });
+  add(fmt::format("{}^2", name), multiplyUnits(own, own), [&](std::size_t i) { return x[i] * x[i]; });
   add(fmt::format("abs({})", name), own, [&](std::size_t i) { return std::abs(x[i]); });
   add(fmt::format("sign({})", name), number, [&](std::size_t i) { return x[i] > 0 ? 1 : x[i] < 0 ? -1 : 0; });
   add(fmt::format("sign({0})*sqrt(abs({0}))", name), root,
@@ -289,7 +290,7 @@ std::vector<DriverSeries> shapes(const DriverSeries& driver, std::size_t motor,
   }
   for (const DriverSeries& other : drivers) {
     if (other.kind == Driver::torque && other.joint == motor && driver.kind != Driver::torque) {
-      add(fmt::format("{}*tau", name), product(own, {{"Nm", 1}}),
+      add(fmt::format("{}*tau", name), multiplyUnits(own, {{"Nm", 1}}),
           [&](std::size_t i) { return x[i] * other.atPicture[i]; });
     }
   }
@@ -302,11 +303,11 @@ bool isSineOf(const std::string& sine, const std::string& cosine) {
 
 } // namespace
 
-void express(const CandidateTests& inquiry, const Measurements& measurements, const DriverBasis& cell,
-             DriverCurve& finding) {
+void fitExpression(const CandidateTests& inquiry, const Measurements& measurements, const DriverBasis& cell,
+                   DriverCurve& finding) {
   const std::vector<DriverSeries>& drivers = inquiry.map().drivers;
   DriverColumns columns =
-      proportionalColumns(measurements, shapes(drivers[cell.driver], cell.motor, drivers), inquiry.poses());
+      buildProportionalColumns(measurements, shapes(drivers[cell.driver], cell.motor, drivers), inquiry.poses());
   const std::vector<DriverBasis> single = columns.cells;
   const auto nameOf = [&](std::size_t i) { return columns.drivers[single[i].driver].name; };
   for (std::size_t i = 0; i + 1 < single.size(); ++i) {
@@ -317,13 +318,13 @@ void express(const CandidateTests& inquiry, const Measurements& measurements, co
   }
   ScoreProblem problem = inquiry.problem();
   problem.map = &columns;
-  problem.plausible = Eigen::VectorXd::Constant(problem.candidates + columns.count, plausibleCurve);
+  problem.plausible = Eigen::VectorXd::Constant(problem.candidates + columns.count, curvePriorSigma);
   problem.groups.clear();
   problem.named = 0;
   for (const DriverBasis& shape : columns.cells) {
     problem.groups.push_back({problem.candidates + shape.first, shape.count});
   }
-  const Evidence evidence = evidenceOf(problem, inquiry.noise());
+  const Evidence evidence = computeEvidence(problem, inquiry.noise());
   const auto best = std::max_element(evidence.groups.begin(), evidence.groups.end(),
                                      [](const auto& a, const auto& b) { return a.bayes < b.bayes; });
   const DriverBasis& shape = columns.cells[static_cast<std::size_t>(best - evidence.groups.begin())];
@@ -332,8 +333,8 @@ void express(const CandidateTests& inquiry, const Measurements& measurements, co
     if (column >= 0 && column < shape.count) {
       const std::string coefficient = finding.coefficients.empty() ? "a" : "b";
       finding.expression += (finding.expression.empty() ? "" : " + ") + coefficient + "*" + nameOf(i);
-      const UnitPowers unit = product({{"rad", 1}}, *unitOf(columns.drivers[single[i].driver].unit), -1);
-      finding.coefficients.push_back({coefficient, best->estimate[column] / single[i].half, textOf(unit)});
+      const UnitPowers unit = multiplyUnits({{"rad", 1}}, *parseUnit(columns.drivers[single[i].driver].unit), -1);
+      finding.coefficients.push_back({coefficient, best->estimate[column] / single[i].half, formatUnit(unit)});
     }
   }
 }

@@ -41,11 +41,11 @@ struct DriverMap {
   std::vector<DriverScore> cells;
   std::vector<DriverCurve> best; // the curves that explain most, best first
 };
-DriverMap driverMap(const CandidateTests& inquiry, const Measurements& measurements);
+DriverMap mapDrivers(const CandidateTests& inquiry, const Measurements& measurements);
 
 /// A field within pictures as a curve, like those of joints.
 /// It varies with, for a board its rows ("y") or columns ("x"), for a camera the picture's ("v", "u"). Of all
 /// pairs of a component and a driver the one that varies most.
-DriverCurve fieldFinding(const ImageField& field, const Measurements& measurements);
+DriverCurve curveFromField(const ImageField& field, const Measurements& measurements);
 
 } // namespace naocal

@@ -18,7 +18,7 @@ namespace {
 constexpr Eigen::Index cornersPerPicture = 30, cornersPerCamera = 180; // that are shown
 
 /// The size that was found where that explains something; else that direction, as far as is plausible.
-Eigen::VectorXd shownSize(const GroupEvidence& evidence, const Effect& effect) {
+Eigen::VectorXd displaySize(const GroupEvidence& evidence, const Effect& effect) {
   Eigen::VectorXd sigmas(evidence.estimate.size());
   for (Eigen::Index i = 0; i < sigmas.size(); ++i) {
     sigmas[i] = effect.unknowns[static_cast<std::size_t>(i)].sigma;
@@ -31,7 +31,7 @@ Eigen::VectorXd shownSize(const GroupEvidence& evidence, const Effect& effect) {
 }
 
 /// One picture of each pose and camera.
-std::vector<std::size_t> onePerPose(const Measurements& measurements) {
+std::vector<std::size_t> selectOnePerPose(const Measurements& measurements) {
   std::vector<std::size_t> result;
   for (const PoseGroup& pose : measurements.poses) {
     std::set<std::size_t> cameras;
@@ -46,7 +46,7 @@ std::vector<std::size_t> onePerPose(const Measurements& measurements) {
   return result;
 }
 
-Eigen::Matrix2Xd together(const std::vector<PredictedBoard>& boards) {
+Eigen::Matrix2Xd joinCorners(const std::vector<PredictedBoard>& boards) {
   Eigen::Index count = 0;
   for (const PredictedBoard& board : boards) {
     count += board.corners.cols();
@@ -64,8 +64,8 @@ double rms(const Eigen::Matrix2Xd& shifts) {
 }
 
 /// Shifts by an effect from what the model shows, before and after refitting; absent where a corner leaves the world.
-std::optional<EffectSignature::Seen> shifted(std::size_t picture, const Eigen::Matrix2Xd& flawed,
-                                             const Eigen::Matrix2Xd& model, const Eigen::Matrix2Xd& refitted) {
+std::optional<EffectSignature::Seen> computeShifts(std::size_t picture, const Eigen::Matrix2Xd& flawed,
+                                                   const Eigen::Matrix2Xd& model, const Eigen::Matrix2Xd& refitted) {
   const Eigen::Matrix2Xd before = flawed - model, after = flawed - refitted;
   if (!before.allFinite() || !after.allFinite()) {
     return std::nullopt;
@@ -76,13 +76,13 @@ std::optional<EffectSignature::Seen> shifted(std::size_t picture, const Eigen::M
   for (Eigen::Index i = 0; i < model.cols(); i += step) {
     some.push_back(i);
   }
-  seen.corners.resize(6, at(some.size()));
+  seen.corners.resize(6, eigenIndex(some.size()));
   seen.corners << model(Eigen::all, some), before(Eigen::all, some), after(Eigen::all, some);
   return seen;
 }
 
 /// Of all pictures the rms; of each camera those that shift most.
-void summarise(const Measurements& measurements, EffectSignature& imprint) {
+void summarizeSignature(const Measurements& measurements, EffectSignature& imprint) {
   double before = 0, after = 0, count = 0;
   for (const EffectSignature::Seen& seen : imprint.pictures) {
     double corners = 0;
@@ -107,40 +107,40 @@ void summarise(const Measurements& measurements, EffectSignature& imprint) {
 
 } // namespace
 
-std::vector<EffectSignature> imprints(const Measurements& measurements, const Model& model,
-                                      const CalibrationResult& fit, const CandidateTests& inquiry,
-                                      const std::vector<std::size_t>& candidates) {
+std::vector<EffectSignature> computeSignatures(const Measurements& measurements, const Model& model,
+                                               const CalibrationResult& fit, const CandidateTests& inquiry,
+                                               const std::vector<std::size_t>& candidates) {
   std::vector<EffectSignature> result;
   std::vector<Eigen::VectorXd> refitted;
   for (std::size_t candidate : candidates) {
-    const GroupEvidence& evidence = inquiry.ofCandidate(candidate);
+    const GroupEvidence& evidence = inquiry.candidateEvidence(candidate);
     EffectSignature& imprint = result.emplace_back();
     imprint.found = evidence.bayes > 0;
-    imprint.size = shownSize(evidence, inquiry.candidates()[candidate].effect);
+    imprint.size = displaySize(evidence, inquiry.candidates()[candidate].effect);
     const CandidateColumn column{inquiry, candidate, imprint.size, inquiry.noise()};
-    imprint.imitator = labelOf(model, column.like);
+    imprint.imitator = termLabel(model, column.like);
     refitted.push_back(fit.unknowns + column.imitation);
   }
-  for (std::size_t index : onePerPose(measurements)) {
+  for (std::size_t index : selectOnePerPose(measurements)) {
     const ImageObservation& picture = measurements.pictures[index];
-    const RobotSample instant = instantOf(measurements, model, picture, fit.unknowns);
-    const ModelState plain = believed(measurements, model, picture, fit.unknowns);
-    const Eigen::Matrix2Xd shown = together(scene(measurements, picture, plain));
+    const RobotSample instant = sampleAt(measurements, model, picture, fit.unknowns);
+    const ModelState plain = predictState(measurements, model, picture, fit.unknowns);
+    const Eigen::Matrix2Xd shown = joinCorners(predictBoards(measurements, picture, plain));
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       const Term& term = inquiry.candidates()[candidates[i]];
       ModelState flawed = plain;
-      for (std::size_t at : placesOn(term, measurements, picture)) {
+      for (std::size_t at : sitesOn(term, measurements, picture)) {
         term.effect.correct(flawed, instant, at, {result[i].size.data(), term.effect.unknowns.size()});
       }
-      const ModelState followed = believed(measurements, model, picture, refitted[i]);
-      if (auto seen = shifted(index, together(scene(measurements, picture, flawed)), shown,
-                              together(scene(measurements, picture, followed)))) {
+      const ModelState followed = predictState(measurements, model, picture, refitted[i]);
+      if (auto seen = computeShifts(index, joinCorners(predictBoards(measurements, picture, flawed)), shown,
+                                    joinCorners(predictBoards(measurements, picture, followed)))) {
         result[i].pictures.push_back(std::move(*seen));
       }
     }
   }
   for (EffectSignature& imprint : result) {
-    summarise(measurements, imprint);
+    summarizeSignature(measurements, imprint);
   }
   return result;
 }

@@ -4,7 +4,7 @@
 
 namespace naocal {
 
-CaptureIndex takenIn(const std::vector<CaptureSet>& sets, const Measurements& measurements) {
+CaptureIndex indexCaptures(const std::vector<CaptureSet>& sets, const Measurements& measurements) {
   CaptureIndex result;
   for (const auto& joint : measurements.robot.joints) {
     result.joints.push_back(joint.name);

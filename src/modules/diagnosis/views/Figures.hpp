@@ -32,7 +32,7 @@ struct CaptureIndex {
   std::map<std::string, std::array<int, 2>> cameras; // width and height of their pictures [px]
 };
 
-CaptureIndex takenIn(const std::vector<CaptureSet>& sets, const Measurements& measurements);
+CaptureIndex indexCaptures(const std::vector<CaptureSet>& sets, const Measurements& measurements);
 
 /// What a diagnosis's figures show beside its candidates' own.
 struct Figures {
@@ -53,7 +53,7 @@ constexpr std::size_t drawable = 500;
 constexpr std::size_t allOfThem = std::numeric_limits<std::size_t>::max();
 
 /// At most so many of them, spread evenly over all.
-template <typename T> std::vector<T> thinned(const std::vector<T>& all, std::size_t most) {
+template <typename T> std::vector<T> thinOut(const std::vector<T>& all, std::size_t most) {
   if (all.size() <= most) {
     return all;
   }

@@ -52,9 +52,9 @@ struct RepeatSums {
 
   void add(const MotionFreeResidual& sighting, const Eigen::MatrixXd& freed) {
     for (std::size_t i = 0; i < sighting.ids->size(); ++i) {
-      const double weight = sighting.errors->weight[at(i)];
+      const double weight = sighting.errors->weight[eigenIndex(i)];
       Corner& corner = corners[(*sighting.ids)[i]];
-      corner.error += weight * freed.middleRows<2>(at(2 * i));
+      corner.error += weight * freed.middleRows<2>(eigenIndex(2 * i));
       corner.weight += weight;
       corner.share += weight * sighting.share;
     }
@@ -79,7 +79,7 @@ struct MeanSquares {
 };
 
 /// `boards`: of the sighting's picture.
-MotionFreeResidual freedSighting(const BoardResidual& errors, const ImageObservation& picture,
+MotionFreeResidual removeMotions(const BoardResidual& errors, const ImageObservation& picture,
                                  const std::vector<PredictedBoard>& boards) {
   const BoardObservation& sighting = picture.sightings[errors.sighting];
   MotionFreeResidual result{
@@ -93,7 +93,7 @@ MotionFreeResidual freedSighting(const BoardResidual& errors, const ImageObserva
 
 } // namespace
 
-Eigen::MatrixXd MotionFreeResidual::freed(const Eigen::MatrixXd& columns) const {
+Eigen::MatrixXd MotionFreeResidual::removeMotion(const Eigen::MatrixXd& columns) const {
   return columns - errors->motionRows * motion.solve(weighted.transpose() * columns);
 }
 
@@ -108,9 +108,9 @@ MotionFreeResiduals::MotionFreeResiduals(const Measurements& measurements, const
       const ImageObservation& picture = measurements.pictures[errors.picture];
       const auto [boards, fresh] = scenes.try_emplace(errors.picture);
       if (fresh) {
-        boards->second = scene(measurements, picture, believed(measurements, model, picture, fit.unknowns));
+        boards->second = predictBoards(measurements, picture, predictState(measurements, model, picture, fit.unknowns));
       }
-      const MotionFreeResidual& added = sightings_.emplace_back(freedSighting(errors, picture, boards->second));
+      const MotionFreeResidual& added = sightings_.emplace_back(removeMotions(errors, picture, boards->second));
       repeats[{poseOf[errors.picture], added.camera, added.board}].push_back(sightings_.size() - 1);
     }
   }
@@ -124,17 +124,17 @@ MotionFreeResiduals::MotionFreeResiduals(const Measurements& measurements, const
   }
 }
 
-FieldFit MotionFreeResiduals::fitted(Eigen::Index count, double plausible,
-                                     const std::function<bool(const MotionFreeResidual&)>& chosen,
-                                     const std::function<Eigen::MatrixXd(const MotionFreeResidual&)>& columns) const {
+FieldFit MotionFreeResiduals::fitField(Eigen::Index count, double plausible,
+                                       const std::function<bool(const MotionFreeResidual&)>& chosen,
+                                       const std::function<Eigen::MatrixXd(const MotionFreeResidual&)>& columns) const {
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(count, count);
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(count);
   std::map<std::size_t, RepeatSums> repeats;
   for (const MotionFreeResidual& sighting : sightings_) {
     if (chosen(sighting)) {
       const Eigen::MatrixXd own = columns(sighting), weighted = sighting.weights.asDiagonal() * own;
-      const Eigen::MatrixXd left = sighting.freed(sighting.errors->residual.reshaped());
-      gram += sighting.share * weighted.transpose() * sighting.freed(own);
+      const Eigen::MatrixXd left = sighting.removeMotion(sighting.errors->residual.reshaped());
+      gram += sighting.share * weighted.transpose() * sighting.removeMotion(own);
       gradient += sighting.share * weighted.transpose() * left;
       repeats[sighting.repeats].add(sighting, left);
     }
@@ -175,7 +175,7 @@ FieldFit MotionFreeResiduals::fitted(Eigen::Index count, double plausible,
   }
   result.rmsPx = std::sqrt(std::max(0.0, explained - freedom * noise) / (2 * all.corners));
   result.share = all.sum > 0 ? std::max(0.0, explained - freedom * noise) / all.sum : 0;
-  result.pValue = fisherTail(explained / freedom / noise, freedom, remaining);
+  result.pValue = fTail(explained / freedom / noise, freedom, remaining);
   return result;
 }
 
@@ -186,81 +186,81 @@ constexpr double plausibleLens = 1;      // of a polynomial's coefficient, at th
 
 /// Where in the picture a corner is, about -1 to 1 across: (u, v) - (cx, cy), in units of cx. As predicted: measured
 /// places share the noise of the errors that they would explain.
-Eigen::Vector2d place(const Measurements& measurements, const MotionFreeResidual& sighting, Eigen::Index corner) {
-  const auto lens = measurements.pictures[sighting.errors->picture].drawn.lens();
+Eigen::Vector2d cornerPlace(const Measurements& measurements, const MotionFreeResidual& sighting, Eigen::Index corner) {
+  const auto lens = measurements.pictures[sighting.errors->picture].nominal.lens();
   return (sighting.errors->predicted.col(corner) - lens.segment<2>(2)) / lens[2];
 }
 
 } // namespace
 
-ImageField cornerField(const MotionFreeResiduals& errors, const Measurements& measurements, std::size_t board) {
-  const Eigen::Index count = 3 * at(measurements.targets[board].board.points.size());
+ImageField fitCornerField(const MotionFreeResiduals& errors, const Measurements& measurements, std::size_t board) {
+  const Eigen::Index count = 3 * eigenIndex(measurements.targets[board].board.points.size());
   return {ImageField::Of::corners, board,
-          errors.fitted(
+          errors.fitField(
               count, plausibleShape, [&](const MotionFreeResidual& sighting) { return sighting.board == board; },
               [&](const MotionFreeResidual& sighting) {
                 Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(sighting.errors->motionRows.rows(), count);
                 for (std::size_t i = 0; i < sighting.ids->size(); ++i) {
-                  columns.block<2, 3>(at(2 * i), 3 * (*sighting.ids)[i]) = sighting.byCorner(i);
+                  columns.block<2, 3>(eigenIndex(2 * i), 3 * (*sighting.ids)[i]) = sighting.cornerJacobian(i);
                 }
                 return columns;
               })};
 }
 
-ImageField sheetField(const MotionFreeResiduals& errors, const Measurements& measurements, std::size_t board) {
+ImageField fitSheetField(const MotionFreeResiduals& errors, const Measurements& measurements, std::size_t board) {
   const SheetBasis sheet{measurements.targets[board].board.points};
   const Eigen::Index terms = sheet.basis(0).size();
   return {ImageField::Of::sheet, board,
-          errors.fitted(
+          errors.fitField(
               3 * terms, plausibleShape, [&](const MotionFreeResidual& sighting) { return sighting.board == board; },
               [&](const MotionFreeResidual& sighting) {
                 Eigen::MatrixXd columns(sighting.errors->motionRows.rows(), 3 * terms);
                 for (std::size_t i = 0; i < sighting.ids->size(); ++i) {
                   const Eigen::RowVectorXd basis = sheet.basis(static_cast<std::size_t>((*sighting.ids)[i]));
-                  const Eigen::Matrix<double, 2, 3> byCorner = sighting.byCorner(i);
+                  const Eigen::Matrix<double, 2, 3> byCorner = sighting.cornerJacobian(i);
                   for (Eigen::Index axis = 0; axis < 3; ++axis) {
-                    columns.block(at(2 * i), axis * terms, 2, terms) = byCorner.col(axis) * basis;
+                    columns.block(eigenIndex(2 * i), axis * terms, 2, terms) = byCorner.col(axis) * basis;
                   }
                 }
                 return columns;
               })};
 }
 
-ImageField cameraField(const MotionFreeResiduals& errors, const Measurements& measurements, std::size_t camera) {
+ImageField fitCameraField(const MotionFreeResiduals& errors, const Measurements& measurements, std::size_t camera) {
   const Eigen::Index terms = monomials({0, 0}, lensDegree).size();
   return {ImageField::Of::camera, camera,
-          errors.fitted(
+          errors.fitField(
               2 * terms, plausibleLens, [&](const MotionFreeResidual& sighting) { return sighting.camera == camera; },
               [&](const MotionFreeResidual& sighting) {
                 const Eigen::Index corners = sighting.errors->residual.cols();
                 Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(2 * corners, 2 * terms);
                 for (Eigen::Index i = 0; i < corners; ++i) {
-                  columns.block(2 * i, 0, 1, terms) = monomials(place(measurements, sighting, i), lensDegree);
+                  columns.block(2 * i, 0, 1, terms) = monomials(cornerPlace(measurements, sighting, i), lensDegree);
                   columns.block(2 * i + 1, terms, 1, terms) = columns.block(2 * i, 0, 1, terms);
                 }
                 return columns;
               })};
 }
 
-ImageField again(const ImageField& field, const MotionFreeResiduals& errors, const Measurements& measurements) {
-  return field.of == ImageField::Of::corners ? cornerField(errors, measurements, field.at)
-         : field.of == ImageField::Of::sheet ? sheetField(errors, measurements, field.at)
-                                             : cameraField(errors, measurements, field.at);
+ImageField refitField(const ImageField& field, const MotionFreeResiduals& errors, const Measurements& measurements) {
+  return field.of == ImageField::Of::corners ? fitCornerField(errors, measurements, field.at)
+         : field.of == ImageField::Of::sheet ? fitSheetField(errors, measurements, field.at)
+                                             : fitCameraField(errors, measurements, field.at);
 }
 
-std::optional<ImageField> strikingField(const Measurements& measurements, const Model& model,
-                                        const CalibrationResult& fit) {
+std::optional<ImageField> findStrikingField(const Measurements& measurements, const Model& model,
+                                            const CalibrationResult& fit) {
   constexpr std::size_t fewCorners = 60; // of a board, to be looked at one by one: that takes their cube of time
   const MotionFreeResiduals errors{measurements, model, fit};
   std::vector<ImageField> fields;
   for (std::size_t board = 0; board < measurements.targets.size(); ++board) {
-    fields.push_back(sheetField(errors, measurements, board));
+    fields.push_back(fitSheetField(errors, measurements, board));
     if (measurements.targets[board].board.points.size() <= fewCorners) {
-      fields.push_back(cornerField(errors, measurements, board));
+      fields.push_back(fitCornerField(errors, measurements, board));
     }
   }
   for (std::size_t camera = 0; camera < measurements.robot.cameras.size(); ++camera) {
-    fields.push_back(cameraField(errors, measurements, camera));
+    fields.push_back(fitCameraField(errors, measurements, camera));
   }
   const double p = threshold::fieldAlarm / static_cast<double>(fields.size());
   std::erase_if(fields, [&](const ImageField& field) {

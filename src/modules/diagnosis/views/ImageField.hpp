@@ -42,12 +42,12 @@ struct MotionFreeResidual {
   Eigen::LDLT<Eigen::MatrixXd> motion; // L^T W L
 
   /// d(predicted) of its i-th corner by that corner's place on the board [px/m].
-  Eigen::Matrix<double, 2, 3> byCorner(std::size_t i) const {
+  Eigen::Matrix<double, 2, 3> cornerJacobian(std::size_t i) const {
     return errors->motionRows.block<2, 3>(2 * static_cast<Eigen::Index>(i), 3) * opticalFromBoard;
   }
 
   /// What is left of columns (or of r) once the board may move: C - L (L^T W L)^-1 L^T W C.
-  Eigen::MatrixXd freed(const Eigen::MatrixXd& columns) const;
+  Eigen::MatrixXd removeMotion(const Eigen::MatrixXd& columns) const;
 };
 
 /// What coefficients of columns say about freed errors.
@@ -72,8 +72,8 @@ public:
 
   /// Fits `count` coefficients to the sightings that are `chosen`; `columns`: d(predicted) by the coefficients, two
   /// rows a corner. Too few measurements: nothing is said (bayes 0, pValue 1).
-  FieldFit fitted(Eigen::Index count, double plausible, const std::function<bool(const MotionFreeResidual&)>& chosen,
-                  const std::function<Eigen::MatrixXd(const MotionFreeResidual&)>& columns) const;
+  FieldFit fitField(Eigen::Index count, double plausible, const std::function<bool(const MotionFreeResidual&)>& chosen,
+                    const std::function<Eigen::MatrixXd(const MotionFreeResidual&)>& columns) const;
 
   const std::vector<MotionFreeResidual>& sightings() const { return sightings_; }
 
@@ -90,19 +90,19 @@ struct ImageField {
 };
 
 /// Columns of a board's shape: every corner off in three directions [m], in the board's axes.
-ImageField cornerField(const MotionFreeResiduals& errors, const Measurements& measurements, std::size_t board);
+ImageField fitCornerField(const MotionFreeResiduals& errors, const Measurements& measurements, std::size_t board);
 
 /// The same as polynomials of degree 3 over the board: few numbers, that tell smooth shapes from noise sooner [m].
-ImageField sheetField(const MotionFreeResiduals& errors, const Measurements& measurements, std::size_t board);
+ImageField fitSheetField(const MotionFreeResiduals& errors, const Measurements& measurements, std::size_t board);
 
 /// Columns of a lens: errors to the right and down as polynomials of degree 4 over the picture [px].
-ImageField cameraField(const MotionFreeResiduals& errors, const Measurements& measurements, std::size_t camera);
+ImageField fitCameraField(const MotionFreeResiduals& errors, const Measurements& measurements, std::size_t camera);
 
 /// The same field in other errors.
-ImageField again(const ImageField& field, const MotionFreeResiduals& errors, const Measurements& measurements);
+ImageField refitField(const ImageField& field, const MotionFreeResiduals& errors, const Measurements& measurements);
 
 /// The field that explains most, if any does beyond chance and beyond what a lens or a detector is known to [px].
-std::optional<ImageField> strikingField(const Measurements& measurements, const Model& model,
-                                        const CalibrationResult& fit);
+std::optional<ImageField> findStrikingField(const Measurements& measurements, const Model& model,
+                                            const CalibrationResult& fit);
 
 } // namespace naocal

@@ -77,7 +77,7 @@ Eigen::Matrix<double, 6, 1> motionOf(const Sightings& picture) {
 }
 
 /// Predicted - measured of each corner, the picture's motion taken out.
-Eigen::Matrix2Xd freed(const BoardResidual& sighting, const Eigen::Matrix<double, 6, 1>& motion) {
+Eigen::Matrix2Xd removeMotion(const BoardResidual& sighting, const Eigen::Matrix<double, 6, 1>& motion) {
   const Eigen::VectorXd moved = sighting.motionRows * motion;
   return moved.reshaped(2, sighting.residual.cols()) - sighting.residual;
 }
@@ -104,8 +104,8 @@ std::pair<double, double> addCorners(const BoardResidual& sighting, const Eigen:
 
 } // namespace
 
-ResidualField leftover(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& model,
-                       const CalibrationResult& fit) {
+ResidualField computeResidualField(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                   const Model& model, const CalibrationResult& fit) {
   std::map<std::size_t, Sightings> byPicture;
   for (const BoardResidual& sighting : fit.sightings) {
     if (sighting.residual.allFinite()) {
@@ -125,9 +125,9 @@ ResidualField leftover(const std::vector<CaptureSet>& sets, const Measurements& 
     const CameraIntrinsics& lens = set.cameras.at(set.captures[picture.capture].camera);
     const Eigen::Matrix<double, 6, 1> motion = motionOf(sightings);
     const std::vector<PredictedBoard> boards =
-        scene(measurements, picture, believed(measurements, model, picture, fit.unknowns));
+        predictBoards(measurements, picture, predictState(measurements, model, picture, fit.unknowns));
     for (const BoardResidual* sighting : sightings) {
-      const auto [count, squares] = addCorners(*sighting, freed(*sighting, motion), picture.camera, lens, cells);
+      const auto [count, squares] = addCorners(*sighting, removeMotion(*sighting, motion), picture.camera, lens, cells);
       if (count > 0) { // six of the picture's numbers went into its motion
         result.boards.push_back({index, picture.sightings[sighting->sighting].view.board(),
                                  boards[sighting->sighting].distance(),
@@ -143,21 +143,21 @@ ResidualField leftover(const std::vector<CaptureSet>& sets, const Measurements& 
   return result;
 }
 
-std::vector<PredictedBoard> scene(const Measurements& measurements, const ImageObservation& picture,
-                                  const ModelState& belief) {
+std::vector<PredictedBoard> predictBoards(const Measurements& measurements, const ImageObservation& picture,
+                                          const ModelState& belief) {
   const Robot& robot = measurements.robot;
   std::vector<PredictedBoard> result;
   LinkPoses torsoFromLink(robot.links.size());
   ProjectedBlocks projected;
   for (const BoardObservation& sighting : picture.sightings) {
-    posture(robot, belief, sighting.view.links(), torsoFromLink);
-    CameraFrames attitude = sighting.view.attitude(robot, belief, torsoFromLink);
+    forwardKinematics(robot, belief, sighting.view.links(), torsoFromLink);
+    CameraFrames attitude = sighting.view.cameraFrames(robot, belief, torsoFromLink);
     if (belief.rowTime() != 0) {
       sighting.view.setDrift(robot, belief, torsoFromLink, picture.instant.velocity, attitude);
     }
     PredictedBoard& board = result.emplace_back();
     board.opticalFromBoard = attitude.opticalFromBoard;
-    board.corners.setConstant(2, at(sighting.ids.size()), std::numeric_limits<double>::quiet_NaN());
+    board.corners.setConstant(2, eigenIndex(sighting.ids.size()), std::numeric_limits<double>::quiet_NaN());
     if (sighting.view.project(attitude, belief, sighting.corners, projected)) {
       for (Eigen::Index i = 0; i < board.corners.cols(); ++i) {
         const ProjectedBlock& block = projected[static_cast<std::size_t>(i / 4)];

@@ -34,8 +34,8 @@ struct ResidualField {
 /// Takes the rigid motion (omega, v) of the scene before each camera out of a fit's residuals:
 ///
 ///   r - L (L^T W L)^-1 L^T W r,  L = `BoardResidual::motionRows`, W the corners' weights
-ResidualField leftover(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& model,
-                       const CalibrationResult& fit);
+ResidualField computeResidualField(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                   const Model& model, const CalibrationResult& fit);
 
 /// What one picture should show of one board if everything were as believed.
 struct PredictedBoard {
@@ -47,7 +47,7 @@ struct PredictedBoard {
 };
 
 /// Of all sightings of a picture, in their order.
-std::vector<PredictedBoard> scene(const Measurements& measurements, const ImageObservation& picture,
-                                  const ModelState& belief);
+std::vector<PredictedBoard> predictBoards(const Measurements& measurements, const ImageObservation& picture,
+                                          const ModelState& belief);
 
 } // namespace naocal

@@ -9,7 +9,7 @@ namespace naocal {
 namespace {
 
 /// The pictures of a pose that one of its deflections bends.
-std::vector<std::size_t> bentBy(const PoseGroup& pose, std::size_t motor, std::size_t error) {
+std::vector<std::size_t> findBentPictures(const PoseGroup& pose, std::size_t motor, std::size_t error) {
   std::vector<std::size_t> result;
   for (const EncoderSample& reading : pose.readings) {
     if (reading.encoderError[motor] == error) {
@@ -21,12 +21,13 @@ std::vector<std::size_t> bentBy(const PoseGroup& pose, std::size_t motor, std::s
 
 } // namespace
 
-std::vector<SingleJointCorrection> whatIfs(const Measurements& measurements, const CandidateTests& inquiry) {
-  return whatIfs(measurements, inquiry.poses(), inquiry.noise());
+std::vector<SingleJointCorrection> computeJointCorrections(const Measurements& measurements,
+                                                           const CandidateTests& inquiry) {
+  return computeJointCorrections(measurements, inquiry.poses(), inquiry.noise());
 }
 
-std::vector<SingleJointCorrection> whatIfs(const Measurements& measurements, const std::vector<PoseRows>& poses,
-                                           Noise noise) {
+std::vector<SingleJointCorrection> computeJointCorrections(const Measurements& measurements,
+                                                           const std::vector<PoseRows>& poses, Noise noise) {
   noise.pose = 0; // what poses scatter by is to be seen, not to be explained away
   std::vector<SingleJointCorrection> result;
   for (std::size_t motor : measurements.joints) {
@@ -36,17 +37,18 @@ std::vector<SingleJointCorrection> whatIfs(const Measurements& measurements, con
     PoseRows rows = poses[index];
     rows.byUnknowns = rows.byDeflections; // the deflections, seen as unknowns
     const PoseSystem pose = systemOf(rows);
-    const MarginalSystem whitened = eliminated(pose, noise, deflectionRoot(pose, noise));
+    const MarginalSystem whitened = marginalize(pose, noise, jointErrorRoot(pose, noise));
     for (std::size_t i = 0; i < pose.joints.size(); ++i) {
-      const double information = whitened.hessian(at(i), at(i));
+      const double information = whitened.hessian(eigenIndex(i), eigenIndex(i));
       if (!(information > 0)) {
         continue; // the pictures do not see this joint
       }
       for (SingleJointCorrection& joint : result) {
         if (joint.motor == pose.joints[i]) {
-          joint.points.push_back({bentBy(measurements.poses[index], pose.joints[i], pose.errors[i]),
-                                  -whitened.unknownGradient[at(i)] / information, 1 / std::sqrt(information),
-                                  pose.deflectionGradient[at(i)], pose.deflectionGram(at(i), at(i))});
+          joint.points.push_back({findBentPictures(measurements.poses[index], pose.joints[i], pose.errors[i]),
+                                  -whitened.unknownGradient[eigenIndex(i)] / information, 1 / std::sqrt(information),
+                                  pose.jointErrorGradient[eigenIndex(i)],
+                                  pose.jointErrorGram(eigenIndex(i), eigenIndex(i))});
         }
       }
     }

@@ -24,10 +24,11 @@ struct SingleJointCorrection {
 };
 
 /// Of each joint in use, where the residuals were linearised.
-std::vector<SingleJointCorrection> whatIfs(const Measurements& measurements, const std::vector<PoseRows>& poses,
-                                           Noise noise);
+std::vector<SingleJointCorrection> computeJointCorrections(const Measurements& measurements,
+                                                           const std::vector<PoseRows>& poses, Noise noise);
 
 /// At an inquiry's fit.
-std::vector<SingleJointCorrection> whatIfs(const Measurements& measurements, const CandidateTests& inquiry);
+std::vector<SingleJointCorrection> computeJointCorrections(const Measurements& measurements,
+                                                           const CandidateTests& inquiry);
 
 } // namespace naocal

@@ -40,8 +40,8 @@ std::vector<std::size_t> blocksOfPictures(const Measurements& measurements) {
 std::vector<Value> cornerErrors(const CalibrationResult& fit, const std::vector<std::size_t>& blocks, Error error) {
   const Eigen::Index axis = error == Error::right ? 0 : 1;
   std::vector<Value> result;
-  for (std::size_t i = 0; i < fit.asReported.size(); ++i) {
-    const BoardResidual& seen = fit.asReported[i];
+  for (std::size_t i = 0; i < fit.withReportedAngles.size(); ++i) {
+    const BoardResidual& seen = fit.withReportedAngles[i];
     for (Eigen::Index corner = 0; corner < seen.residual.cols(); ++corner) {
       const double weight = fit.sightings[i].weight[corner]; // with the joints moved: only false corners lose theirs
       const double y = -seen.residual(axis, corner);
@@ -55,7 +55,7 @@ std::vector<Value> cornerErrors(const CalibrationResult& fit, const std::vector<
 }
 
 /// The corners of one picture as one value: what drives them from outside is the same for all.
-std::vector<Value> byPicture(const std::vector<Value>& corners, std::size_t pictures) {
+std::vector<Value> averageByPicture(const std::vector<Value>& corners, std::size_t pictures) {
   std::vector<Value> sums(pictures);
   for (const Value& corner : corners) {
     Value& sum = sums[corner.pictures.front()];
@@ -88,7 +88,7 @@ struct Tried {
   std::vector<double> x; // per value
 };
 
-Tried tried(TellingPair pair, const std::vector<Value>& values, const std::vector<DriverSeries>& drivers) {
+Tried tryPair(TellingPair pair, const std::vector<Value>& values, const std::vector<DriverSeries>& drivers) {
   Tried result{pair, &values, {}};
   for (const Value& value : values) {
     result.x.push_back(pair.over == Over::column ? value.column
@@ -108,7 +108,7 @@ Trend trendOf(const Tried& tried) {
 }
 
 /// What the curve looks like, and the share of `squares` [px^2] that goes with it.
-void describe(const Tried& tried, const Trend& trend, double squares, TellingPair& pair) {
+void describePair(const Tried& tried, const Trend& trend, double squares, TellingPair& pair) {
   const std::vector<double> curve = trend.curve();
   double explained = 0, lowest = 0, highest = 0;
   for (std::size_t i = 0; i < curve.size(); ++i) {
@@ -129,7 +129,7 @@ void describe(const Tried& tried, const Trend& trend, double squares, TellingPai
 }
 
 /// The next best pair tells something new: another driver, another joint; or the same by corners instead of a joint.
-std::vector<TellingPair> differing(std::vector<TellingPair> pairs) {
+std::vector<TellingPair> selectDiffering(std::vector<TellingPair> pairs) {
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const TellingPair& a, const TellingPair& b) { return a.share > b.share; });
   std::vector<TellingPair> result;
@@ -149,18 +149,19 @@ std::vector<TellingPair> differing(std::vector<TellingPair> pairs) {
 
 } // namespace
 
-TellingPairs tellingPairs(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
-                          const std::vector<DriverSeries>& drivers, const TellingOptions& options) {
+TellingPairs findTellingPairs(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
+                              const std::vector<DriverSeries>& drivers, const TellingOptions& options) {
   const auto rows = Residuals{measurements, model, fit.noise, fit.loss}.rows(fit.state);
   if (!rows) {
     return {};
   }
   TellingPairs result;
-  result.joints = whatIfs(measurements, *rows, fit.noise);
+  result.joints = computeJointCorrections(measurements, *rows, fit.noise);
   const std::vector<std::size_t> blocks = blocksOfPictures(measurements);
   const std::vector<Value> right = cornerErrors(fit, blocks, Error::right),
                            down = cornerErrors(fit, blocks, Error::down);
-  const std::vector<Value> rightOf = byPicture(right, blocks.size()), downOf = byPicture(down, blocks.size());
+  const std::vector<Value> rightOf = averageByPicture(right, blocks.size()),
+                           downOf = averageByPicture(down, blocks.size());
   std::vector<std::vector<Value>> joints;
   double squares = 0;
   for (const std::vector<Value>* corners : {&right, &down}) {
@@ -176,17 +177,17 @@ TellingPairs tellingPairs(const Measurements& measurements, const Model& model, 
   for (const auto& [error, corners, pictures] :
        {std::tuple{Error::right, &right, &rightOf}, std::tuple{Error::down, &down, &downOf}}) {
     for (const Over over : {Over::column, Over::row}) {
-      all.push_back(tried({.error = error, .over = over}, *corners, drivers));
+      all.push_back(tryPair({.error = error, .over = over}, *corners, drivers));
     }
     for (std::size_t driver = 0; driver < drivers.size(); ++driver) {
-      all.push_back(tried({.error = error, .driver = driver}, *pictures, drivers));
+      all.push_back(tryPair({.error = error, .driver = driver}, *pictures, drivers));
     }
   }
   for (std::size_t i = 0; i < joints.size(); ++i) {
     for (std::size_t driver = 0; driver < drivers.size(); ++driver) {
       const std::size_t motor = result.joints[i].motor;
       if (drivers[driver].motor.value_or(motor) == motor) {
-        all.push_back(tried({.error = Error::joint, .motor = motor, .driver = driver}, joints[i], drivers));
+        all.push_back(tryPair({.error = Error::joint, .motor = motor, .driver = driver}, joints[i], drivers));
       }
     }
   }
@@ -195,15 +196,15 @@ TellingPairs tellingPairs(const Measurements& measurements, const Model& model, 
     trends.push_back(trendOf(one));
     result.tried += trends.back().isTestable();
   }
-  const std::vector<double> chances = chancesAmongAll(trends, options.draws, options.seed);
+  const std::vector<double> chances = computeFamilyWiseChances(trends, options.draws, options.seed);
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (chances[i] <= options.alarm) {
       TellingPair& pair = result.pairs.emplace_back(all[i].pair);
       pair.chance = chances[i];
-      describe(all[i], trends[i], squares, pair);
+      describePair(all[i], trends[i], squares, pair);
     }
   }
-  result.pairs = differing(std::move(result.pairs));
+  result.pairs = selectDiffering(std::move(result.pairs));
   return result;
 }
 
@@ -224,32 +225,33 @@ std::string errorWords(const TellingPair& pair, const Robot& robot) {
   return fmt::format("{}'s error that would explain the misfit", robot.joints[pair.motor].name);
 }
 
-const DriverSeries* driverOf(const TellingPair& pair, const std::vector<DriverSeries>& drivers) {
+const DriverSeries* findDriver(const TellingPair& pair, const std::vector<DriverSeries>& drivers) {
   return pair.over == Over::driver ? &drivers[pair.driver] : nullptr;
 }
 
 /// What the error is drawn over.
-std::string overWords(const TellingPair& pair, const std::vector<DriverSeries>& drivers, const Robot& robot) {
-  const DriverSeries* const driver = driverOf(pair, drivers);
-  return driver != nullptr           ? drivenBy(*driver, robot)
+std::string formatDriver(const TellingPair& pair, const std::vector<DriverSeries>& drivers, const Robot& robot) {
+  const DriverSeries* const driver = findDriver(pair, drivers);
+  return driver != nullptr           ? describeDriver(*driver, robot)
          : pair.over == Over::column ? "the column in the picture"
                                      : "the row in the picture";
 }
 
 /// "6.0 px", "-0.41°"; two digits.
-std::string amount(const TellingPair& pair, double value) {
+std::string formatAmount(const TellingPair& pair, double value) {
   const double shown = pair.error == Error::joint ? degrees(value) : value;
   const double size = std::abs(shown);
   const int digits = size < 0.0995 ? 3 : size < 0.995 ? 2 : size < 9.95 ? 1 : 0;
   return (shown < 0 ? "−" : "") +
-         withUnit(fmt::format("{:.{}f}", size, digits), pair.error == Error::joint ? "°" : "px");
+         appendUnit(fmt::format("{:.{}f}", size, digits), pair.error == Error::joint ? "°" : "px");
 }
 
 /// "go from A to B as the torque on LHipPitch grows"
-std::string change(const TellingPair& pair, const std::vector<DriverSeries>& drivers, const Robot& robot) {
+std::string formatChange(const TellingPair& pair, const std::vector<DriverSeries>& drivers, const Robot& robot) {
   const bool one = pair.error == Error::joint; // singular
-  const std::string over = overWords(pair, drivers, robot), from = amount(pair, pair.from), to = amount(pair, pair.to);
-  const DriverSeries* const driver = driverOf(pair, drivers);
+  const std::string over = formatDriver(pair, drivers, robot), from = formatAmount(pair, pair.from),
+                    to = formatAmount(pair, pair.to);
+  const DriverSeries* const driver = findDriver(pair, drivers);
   if (driver != nullptr && driver->kind == Driver::approach) {
     return fmt::format("{} {} where {} was approached from below and {} where from above", one ? "is" : "are", to,
                        robot.joints[driver->joint].name, from); // the last motion was upwards where it is +1
@@ -260,8 +262,8 @@ std::string change(const TellingPair& pair, const std::vector<DriverSeries>& dri
   }
   constexpr double monotone = 0.8; // of what the curve spans lies between its ends
   if (std::abs(pair.to - pair.from) < monotone * (pair.most - pair.least)) {
-    return fmt::format("{} between {} and {} with {}", one ? "varies" : "vary", amount(pair, pair.least),
-                       amount(pair, pair.most), over);
+    return fmt::format("{} between {} and {} with {}", one ? "varies" : "vary", formatAmount(pair, pair.least),
+                       formatAmount(pair, pair.most), over);
   }
   const std::string go = one ? "goes" : "go";
   if (driver == nullptr) {
@@ -275,7 +277,7 @@ std::string change(const TellingPair& pair, const std::vector<DriverSeries>& dri
 
 } // namespace
 
-std::string drivenBy(const DriverSeries& driver, const Robot& robot) {
+std::string describeDriver(const DriverSeries& driver, const Robot& robot) {
   const std::string& joint = robot.joints[driver.joint].name;
   switch (driver.kind) {
   case Driver::approach:
@@ -289,29 +291,31 @@ std::string drivenBy(const DriverSeries& driver, const Robot& robot) {
   }
 }
 
-std::string tellingLabel(const TellingPair& pair, const std::vector<DriverSeries>& drivers, const Robot& robot) {
+std::string formatTellingLabel(const TellingPair& pair, const std::vector<DriverSeries>& drivers, const Robot& robot) {
   const std::string error =
       pair.error == Error::joint ? fmt::format("error of {}", robot.joints[pair.motor].name) : errorWords(pair, robot);
-  return fmt::format("{} over {}", error, overWords(pair, drivers, robot));
+  return fmt::format("{} over {}", error, formatDriver(pair, drivers, robot));
 }
 
-std::string tellingSentence(const TellingPair& pair, const std::vector<DriverSeries>& drivers, const Robot& robot) {
+std::string formatTellingSentence(const TellingPair& pair, const std::vector<DriverSeries>& drivers,
+                                  const Robot& robot) {
   const double small = std::min(std::abs(pair.from), std::abs(pair.to)),
                large = std::max(std::abs(pair.from), std::abs(pair.to));
-  const DriverSeries* const driver = driverOf(pair, drivers);
+  const DriverSeries* const driver = findDriver(pair, drivers);
   // the smaller side of an error against the larger: beyond the first it turns round, beyond the second "±" says it
   constexpr double turned = 0.3, even = 0.7;
   const bool turns =
       driver != nullptr && driver->kind == Driver::approach && pair.from * pair.to < 0 && small > turned * large;
   std::string text = errorWords(pair, robot);
   if (turns) {
-    const std::string size = small > even * large ? "±" + amount(pair, (small + large) / 2)
-                                                  : fmt::format("{} from below, {} from above", amount(pair, pair.to),
-                                                                amount(pair, pair.from));
+    const std::string size =
+        small > even * large
+            ? "±" + formatAmount(pair, (small + large) / 2)
+            : fmt::format("{} from below, {} from above", formatAmount(pair, pair.to), formatAmount(pair, pair.from));
     text += fmt::format(" ({}) {} sign with {}", size, pair.error == Error::joint ? "changes" : "change",
-                        overWords(pair, drivers, robot));
+                        formatDriver(pair, drivers, robot));
   } else {
-    text += " " + change(pair, drivers, robot);
+    text += " " + formatChange(pair, drivers, robot);
   }
   text[0] = static_cast<char>(std::toupper(text[0]));
   const double percent = 100 * std::min(1.0, pair.share);
@@ -319,9 +323,10 @@ std::string tellingSentence(const TellingPair& pair, const std::vector<DriverSer
                              : fmt::format(". That is {:.0f} % of the squared error.", percent));
 }
 
-std::string tellingSentence(const TellingPairs& telling, const std::vector<DriverSeries>& drivers, const Robot& robot) {
+std::string formatTellingSentence(const TellingPairs& telling, const std::vector<DriverSeries>& drivers,
+                                  const Robot& robot) {
   if (!telling.pairs.empty()) {
-    return tellingSentence(telling.pairs.front(), drivers, robot);
+    return formatTellingSentence(telling.pairs.front(), drivers, robot);
   }
   return telling.tried == 0
              ? "Too few poses to tell a trend from chance."

@@ -45,20 +45,22 @@ struct TellingOptions {
 /// each joint would have to be off by, over angles, torques, time, how joints were approached, their temperatures and
 /// speeds, and the place in the picture. What follows its driver beyond chance (`Trend`) is ranked by the share of
 /// all squared errors that goes with the curve: errors in pixels and of joints are measured by the same yardstick.
-TellingPairs tellingPairs(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
-                          const std::vector<DriverSeries>& drivers, const TellingOptions& options = {});
+TellingPairs findTellingPairs(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
+                              const std::vector<DriverSeries>& drivers, const TellingOptions& options = {});
 
 /// "the torque on LHipPitch", "the direction from which LHipPitch was approached"
-std::string drivenBy(const DriverSeries& driver, const Robot& robot);
+std::string describeDriver(const DriverSeries& driver, const Robot& robot);
 
 /// "errors down over the torque on LHipPitch"
-std::string tellingLabel(const TellingPair& pair, const std::vector<DriverSeries>& drivers, const Robot& robot);
+std::string formatTellingLabel(const TellingPair& pair, const std::vector<DriverSeries>& drivers, const Robot& robot);
 
 /// What the plot shows: "Errors down of ±6.0 px change sign with the direction from which LHipPitch was approached: 87
 /// % of the squared error."
-std::string tellingSentence(const TellingPair& pair, const std::vector<DriverSeries>& drivers, const Robot& robot);
+std::string formatTellingSentence(const TellingPair& pair, const std::vector<DriverSeries>& drivers,
+                                  const Robot& robot);
 
 /// Of the most telling one, or that there is none.
-std::string tellingSentence(const TellingPairs& telling, const std::vector<DriverSeries>& drivers, const Robot& robot);
+std::string formatTellingSentence(const TellingPairs& telling, const std::vector<DriverSeries>& drivers,
+                                  const Robot& robot);
 
 } // namespace naocal

@@ -34,7 +34,7 @@ Eigen::VectorXd basis(double r, Eigen::Index degree) {
 }
 
 /// Which of its steps a driver stands on, per sample; nothing where it has many values.
-std::vector<double> onSteps(const std::vector<TrendSample>& samples, const std::vector<std::size_t>& order) {
+std::vector<double> findSteps(const std::vector<TrendSample>& samples, const std::vector<std::size_t>& order) {
   const double gap = apart * (samples[order.back()].x - samples[order.front()].x);
   std::vector<double> result(samples.size());
   std::size_t step = 0;
@@ -50,7 +50,7 @@ std::vector<double> ranksOf(const std::vector<TrendSample>& samples) {
   std::vector<std::size_t> order(samples.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return samples[a].x < samples[b].x; });
-  std::vector<double> values = onSteps(samples, order);
+  std::vector<double> values = findSteps(samples, order);
   if (values.empty()) {
     for (const TrendSample& sample : samples) {
       values.push_back(sample.x);
@@ -90,7 +90,7 @@ Trend::Trend(const std::vector<TrendSample>& samples) {
   std::vector<double> distinct = ranks_;
   std::sort(distinct.begin(), distinct.end());
   values_ = static_cast<std::size_t>(std::unique(distinct.begin(), distinct.end()) - distinct.begin());
-  for (Eigen::Index degree = std::min(mostDegree, at(values_) - 1); degree > 0; --degree) {
+  for (Eigen::Index degree = std::min(mostDegree, eigenIndex(values_) - 1); degree > 0; --degree) {
     if (prepare(samples, degree)) {
       degree_ = degree;
       return;
@@ -136,15 +136,15 @@ bool Trend::prepare(const std::vector<TrendSample>& samples, Eigen::Index degree
   return true;
 }
 
-Trend::Fitted Trend::fitted(const Eigen::VectorXd& signs) const {
+Trend::Fitted Trend::fitSigned(const Eigen::VectorXd& signs) const {
   const Eigen::Index count = gram_.rows() - 1;
   Few moment = Few::Zero(count + 1);
   for (const Block& block : blocks_) {
-    moment += signs[at(block.number)] * block.moment;
+    moment += signs[eigenIndex(block.number)] * block.moment;
   }
   Fitted result{(inverse_ * moment).tail(count), Square::Zero(count, count)};
   for (const Block& block : blocks_) {
-    const Few without = block.inverseWithout * (moment - signs[at(block.number)] * block.moment);
+    const Few without = block.inverseWithout * (moment - signs[eigenIndex(block.number)] * block.moment);
     const Few moved = without.tail(count) - result.coefficients;
     result.variance += moved * moved.transpose();
   }
@@ -157,16 +157,16 @@ double Trend::pValueOf(const Eigen::VectorXd& signs) const {
   if (!isTestable()) {
     return 1;
   }
-  const Fitted here = fitted(signs);
+  const Fitted here = fitSigned(signs);
   const double smallest = 1e-12 * here.coefficients.squaredNorm() + 1e-300; // of values without any scatter
   const Square variance = here.variance + smallest * Square::Identity(degree_, degree_);
   const auto d = static_cast<double>(degree_), n = static_cast<double>(blocks_.size());
   const double f = here.coefficients.dot(Few{variance.ldlt().solve(here.coefficients)}) / d;
-  return std::isfinite(f) ? fisherTail(std::max(0.0, f), d, n - 1 - d) : 1;
+  return std::isfinite(f) ? fTail(std::max(0.0, f), d, n - 1 - d) : 1;
 }
 
 std::vector<double> Trend::curve() const {
-  const Few coefficients = fitted(Eigen::VectorXd::Ones(at(mostBlocks))).coefficients;
+  const Few coefficients = fitSigned(Eigen::VectorXd::Ones(eigenIndex(mostBlocks))).coefficients;
   std::vector<double> result;
   const Few middle = gram_.col(0).tail(degree_) / gram_(0, 0); // of the polynomials
   for (const double rank : ranks_) {
@@ -177,24 +177,24 @@ std::vector<double> Trend::curve() const {
 }
 
 double Trend::chanceShare() const {
-  const Fitted here = fitted(Eigen::VectorXd::Ones(at(mostBlocks)));
+  const Fitted here = fitSigned(Eigen::VectorXd::Ones(eigenIndex(mostBlocks)));
   const Few middle = gram_.col(0).tail(degree_);
   const Square spread = gram_.bottomRightCorner(degree_, degree_) - middle * middle.transpose() / gram_(0, 0);
   const double all = here.coefficients.dot(spread * here.coefficients);
   return all > 0 ? std::min(1.0, (spread * here.variance).trace() / all) : 1;
 }
 
-std::vector<double> chancesAmongAll(const std::vector<Trend>& trends, Eigen::Index draws, std::uint64_t seed) {
+std::vector<double> computeFamilyWiseChances(const std::vector<Trend>& trends, Eigen::Index draws, std::uint64_t seed) {
   boost::random::mt19937_64 random{seed};
   boost::random::bernoulli_distribution<double> heads;
   const Eigen::MatrixXd signs =
-      Eigen::MatrixXd::NullaryExpr(at(Trend::mostBlocks), draws, [&] { return heads(random) ? 1.0 : -1.0; });
-  Eigen::MatrixXd drawn(draws, at(trends.size()));
+      Eigen::MatrixXd::NullaryExpr(eigenIndex(Trend::mostBlocks), draws, [&] { return heads(random) ? 1.0 : -1.0; });
+  Eigen::MatrixXd drawn(draws, eigenIndex(trends.size()));
   std::vector<double> found(trends.size());
-  inParallel(trends.size(), [&](std::size_t i) {
+  parallelFor(trends.size(), [&](std::size_t i) {
     found[i] = trends[i].pValue();
     for (Eigen::Index draw = 0; draw < draws; ++draw) {
-      drawn(draw, at(i)) = trends[i].pValueOf(signs.col(draw));
+      drawn(draw, eigenIndex(i)) = trends[i].pValueOf(signs.col(draw));
     }
   });
   const Eigen::VectorXd clearest = trends.empty() ? Eigen::VectorXd{} : Eigen::VectorXd{drawn.rowwise().minCoeff()};

@@ -22,7 +22,7 @@ struct TrendSample {
 /// keeps few values has a step for each. b_(-p): fitted without pose p (delete-one jackknife over clusters; Efron, The
 /// Jackknife (1982); Cameron & Miller, J. Human Resources 50 (2015) 317): what the many corners of one pose share
 /// counts once, whether the driver varies within pictures or between poses. F is compared with F(d, n - 1 - d), which
-/// is near enough to compare trends with each other; how far chance goes is `chancesAmongAll`'s to say.
+/// is near enough to compare trends with each other; how far chance goes is `computeFamilyWiseChances`'s to say.
 class Trend {
 public:
   /// No more blocks than that are left out in turn: of more poses, equally many neighbours make one.
@@ -62,7 +62,7 @@ private:
     Square variance;
   };
   bool prepare(const std::vector<TrendSample>& samples, Eigen::Index degree);
-  Fitted fitted(const Eigen::VectorXd& signs) const;
+  Fitted fitSigned(const Eigen::VectorXd& signs) const;
 
   std::vector<double> ranks_; // per sample
   double mean_ = 0;
@@ -75,6 +75,6 @@ private:
 /// Of each trend the chance that the clearest of all of them is as clear where nothing follows anything: whole poses'
 /// values turn round at random, alike for all trends (Westfall & Young, Resampling-Based Multiple Testing (1993),
 /// minP). 1 for what cannot be tested.
-std::vector<double> chancesAmongAll(const std::vector<Trend>& trends, Eigen::Index draws, std::uint64_t seed);
+std::vector<double> computeFamilyWiseChances(const std::vector<Trend>& trends, Eigen::Index draws, std::uint64_t seed);
 
 } // namespace naocal

@@ -13,8 +13,8 @@ Effect soleCompliance() {
           .needs = {Driver::com},
           .correct = [](ModelState& belief, const RobotSample& instant, std::size_t, std::span<const double> values) {
             if (instant.supportFoot != SupportFoot::both) {
-              belief.ground()[3] -= values[0] * instant.com.y();
-              belief.ground()[4] += values[0] * instant.com.x();
+              belief.worldFromSupport()[3] -= values[0] * instant.com.y();
+              belief.worldFromSupport()[4] += values[0] * instant.com.x();
             }
           }};
 }

@@ -11,7 +11,7 @@ Effect soleTilt() {
           .place = EffectSite::sole,
           .unknowns = {{"roll", "rad", 0.02}, {"pitch", "rad", 0.02}},
           .correct = [](ModelState& belief, const RobotSample&, std::size_t, std::span<const double> values) {
-            belief.ground().segment<2>(3) += Eigen::Vector2d{values[0], values[1]};
+            belief.worldFromSupport().segment<2>(3) += Eigen::Vector2d{values[0], values[1]};
           }};
 }
 

@@ -18,26 +18,26 @@ BoardPlacementRules::BoardPlacementRules(const Robot& robot, SupportFoot support
     : farthest_{farthest}, gap_{gap} {
   feet_ = {supportSole(robot, supportFoot).outline, otherSole(robot, supportFoot).outline};
   for (Eigen::Vector2d& corner : feet_.back()) {
-    corner.y() += supportFoot == SupportFoot::right ? betweenFeet : -betweenFeet;
+    corner.y() += supportFoot == SupportFoot::right ? footDistance : -footDistance;
   }
 }
 
-bool BoardPlacementRules::allow(const std::vector<Board>& boards, std::size_t one) const {
-  const ConvexPolygon own = sheet(boards[one], gap_);
+bool BoardPlacementRules::isAllowed(const std::vector<Board>& boards, std::size_t one) const {
+  const ConvexPolygon own = boardOutline(boards[one], gap_);
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& corner : own) {
     middle += corner / static_cast<double>(own.size());
   }
-  const auto clear = [&](const ConvexPolygon& other) { return apart(own, other); };
+  const auto clear = [&](const ConvexPolygon& other) { return areSeparated(own, other); };
   for (std::size_t i = 0; i < boards.size(); ++i) {
-    if (i != one && !clear(sheet(boards[i]))) {
+    if (i != one && !clear(boardOutline(boards[i]))) {
       return false;
     }
   }
   return middle.norm() <= farthest_ && std::all_of(feet_.begin(), feet_.end(), clear);
 }
 
-ConvexPolygon sheet(const Board& board, double margin) {
+ConvexPolygon boardOutline(const Board& board, double margin) {
   Eigen::AlignedBox3d extent;
   for (const Eigen::Vector3d& point : board.points) {
     extent.extend(point);
@@ -57,7 +57,7 @@ ConvexPolygon sheet(const Board& board, double margin) {
 namespace {
 
 Eigen::Vector2d middleOf(const Board& board) {
-  const ConvexPolygon corners = sheet(board);
+  const ConvexPolygon corners = boardOutline(board);
   return std::accumulate(corners.begin(), corners.end(), Eigen::Vector2d::Zero().eval()) /
          static_cast<double>(corners.size());
 }
@@ -68,7 +68,7 @@ std::string otherSide(const std::string& name) {
 
 } // namespace
 
-Eigen::VectorXd mirrored(const Robot& robot, const Eigen::VectorXd& angles) {
+Eigen::VectorXd mirrorAngles(const Robot& robot, const Eigen::VectorXd& angles) {
   Eigen::VectorXd result(angles.size());
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     const auto other = robot.jointIndex(otherSide(robot.joints[joint].name));
@@ -80,12 +80,12 @@ Eigen::VectorXd mirrored(const Robot& robot, const Eigen::VectorXd& angles) {
                       "poses cannot be mirrored",
                       robot.model, robot.joints[joint].name)};
     }
-    result[at(*other)] = std::round(sign) * angles[at(joint)];
+    result[eigenIndex(*other)] = std::round(sign) * angles[eigenIndex(joint)];
   }
   return result;
 }
 
-Placement mirrored(const Board& board, double middle) {
+Placement mirrorAngles(const Board& board, double middle) {
   // The sheet turns the other way; what was its lower edge is then its upper one.
   Board image = board;
   image.placement->yaw = -board.placement->yaw;
@@ -116,10 +116,10 @@ MirroredBoards::MirroredBoards(const std::vector<Board>& boards, double middle) 
   }
 }
 
-void MirroredBoards::follow(std::vector<Board>& boards, std::size_t moved) const {
+void MirroredBoards::mirrorMoved(std::vector<Board>& boards, std::size_t moved) const {
   Board& board = boards[moved];
   if (mates_[moved] != moved) {
-    boards[mates_[moved]].placement = mirrored(board, middle_);
+    boards[mates_[moved]].placement = mirrorAngles(board, middle_);
     return;
   }
   constexpr double quarter = std::numbers::pi / 2;

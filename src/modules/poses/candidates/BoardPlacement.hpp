@@ -11,11 +11,11 @@
 namespace naocal {
 
 /// The squares of a board on the floor and `margin` around them [m], counter-clockwise.
-ConvexPolygon sheet(const Board& board, double margin = 0);
+ConvexPolygon boardOutline(const Board& board, double margin = 0);
 
 /// y of the line between them in the frame of the one that the robot stands on [m].
-constexpr double middleBetweenFeet(SupportFoot supportFoot) {
-  return supportFoot == SupportFoot::right ? betweenFeet / 2 : -betweenFeet / 2;
+constexpr double midlineBetweenFeet(SupportFoot supportFoot) {
+  return supportFoot == SupportFoot::right ? footDistance / 2 : -footDistance / 2;
 }
 
 /// Where boards may lie on the floor around a robot.
@@ -25,7 +25,7 @@ public:
   BoardPlacementRules(const Robot& robot, SupportFoot supportFoot, double farthest, double gap);
 
   /// Whether one of the boards, in the support sole's frame, lies well beside feet and other boards.
-  bool allow(const std::vector<Board>& boards, std::size_t one) const;
+  bool isAllowed(const std::vector<Board>& boards, std::size_t one) const;
 
 private:
   double farthest_, gap_;
@@ -34,10 +34,10 @@ private:
 
 /// The angles of the mirror image of a robot's pose, left and right exchanged. Throws InputError for a joint without a
 /// mirror image of its own.
-Eigen::VectorXd mirrored(const Robot& robot, const Eigen::VectorXd& angles);
+Eigen::VectorXd mirrorAngles(const Robot& robot, const Eigen::VectorXd& angles);
 
 /// Where a board lies when its sheet is mirrored at the line y = `middle`.
-Placement mirrored(const Board& board, double middle);
+Placement mirrorAngles(const Board& board, double middle);
 
 /// Boards that lie alike to the left and to the right of y = `middle`, and remain so.
 class MirroredBoards {
@@ -45,10 +45,10 @@ public:
   /// Pairs each board with the one nearest to its mirror image, which may be itself.
   MirroredBoards(const std::vector<Board>& boards, double middle);
 
-  std::size_t mate(std::size_t board) const { return mates_[board]; }
+  std::size_t mirrorImageOf(std::size_t board) const { return mates_[board]; }
   /// After one was moved: brings its mate to its mirror image; a board that is its own mate back onto the line, square
   /// to it.
-  void follow(std::vector<Board>& boards, std::size_t moved) const;
+  void mirrorMoved(std::vector<Board>& boards, std::size_t moved) const;
 
 private:
   double middle_;

@@ -19,7 +19,7 @@ CornerBlocks allCorners(const Board& board) {
   BoardCorners all{.board = board.id, .ids = std::vector<int>(board.points.size()), .uv = {}};
   std::iota(all.ids.begin(), all.ids.end(), 0);
   all.uv.assign(board.points.size(), Eigen::Vector2d::Zero());
-  return cornerBlocks(board, all);
+  return packCorners(board, all);
 }
 
 } // namespace
@@ -27,7 +27,8 @@ CornerBlocks allCorners(const Board& board) {
 PlanningScene::PlanningScene(const Robot& robot, SupportFoot foot, const std::vector<Board>& boards,
                              const std::map<std::string, CameraIntrinsics>& cameras, const VisibilityLimits& limits)
     : robot_{robot}, limits_{limits}, boards_{boards},
-      quantities_{robot.joints.size(), robot.lengths.size(), boards.size()}, drawn_{drawnBelief(robot, quantities_)} {
+      quantities_{robot.joints.size(), robot.lengths.size(), boards.size()}, drawn_{naocal::nominalState(robot,
+                                                                                                         quantities_)} {
   for (std::size_t board = 0; board < boards_.size(); ++board) {
     const auto& placement = boards_[board].placement;
     if (!placement || boards_[board].link != "floor") {
@@ -62,13 +63,13 @@ PlanningScene::Projection PlanningScene::projection(const Outlook& outlook, Mode
   belief.lens() << lens.fx, lens.fy, lens.cx, lens.cy,
       Eigen::Map<const Eigen::Matrix<double, 5, 1>>(lens.distortion.data());
   Projection result;
-  result.attitude = outlook.view.attitude(robot_, belief, torsoFromLink);
+  result.attitude = outlook.view.cameraFrames(robot_, belief, torsoFromLink);
   if (!outlook.view.project(result.attitude, belief, outlook.corners, result.corners)) {
     return result; // partly behind the camera: too near to be of use
   }
   const Eigen::Vector3d cameraInBoard = result.attitude.opticalFromBoard.inverse().translation;
   for (std::size_t corner = 0; corner < board.points.size(); ++corner) {
-    const auto lane = at(corner % 4);
+    const auto lane = eigenIndex(corner % 4);
     const double u = result.corners[corner / 4].u[lane], v = result.corners[corner / 4].v[lane];
     const Eigen::Vector3d ray = cameraInBoard - board.points[corner];
     const double distance = ray.norm();
@@ -99,7 +100,7 @@ std::vector<std::size_t> PlanningScene::joints() const {
   return {motors.begin(), motors.end()};
 }
 
-std::vector<VisibleBoard> PlanningScene::sights(const ModelState& belief, const LinkPoses& torsoFromLink) const {
+std::vector<VisibleBoard> PlanningScene::visibleBoards(const ModelState& belief, const LinkPoses& torsoFromLink) const {
   std::vector<VisibleBoard> sights;
   ModelState own = belief; // each camera has its lens
   for (const Outlook& outlook : outlooks_) {
@@ -132,7 +133,7 @@ Eigen::Matrix<double, 6, 6> ofMotion(const ProjectedBlocks& corners, const std::
 Eigen::MatrixXd PlanningScene::information(const ModelState& belief, const LinkPoses& torsoFromLink,
                                            double pixel) const {
   const std::size_t mounts = robot_.joints.size(), boards = mounts + 3 * robot_.cameras.size();
-  const auto size = at(boards + 3 * boards_.size());
+  const auto size = eigenIndex(boards + 3 * boards_.size());
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(size, size);
   ModelState own = belief;
   for (const Outlook& outlook : outlooks_) {
@@ -153,13 +154,13 @@ Eigen::MatrixXd PlanningScene::information(const ModelState& belief, const LinkP
       add(quantities_.mountRotation() + i, mounts + 3 * outlook.camera + i);
       add(quantities_.board(board) + (i < 2 ? i : 5), boards + 3 * board + i);
     }
-    Eigen::MatrixXd motion(6, at(quantities.size()));
-    outlook.view.motion(robot_, seen.attitude, own, torsoFromLink, quantities, {}, motion);
+    Eigen::MatrixXd motion(6, eigenIndex(quantities.size()));
+    outlook.view.fillMotionColumns(robot_, seen.attitude, own, torsoFromLink, quantities, {}, motion);
     const Eigen::MatrixXd ofQuantities =
         motion.transpose() * ofMotion(seen.corners, seen.seen) * motion / (pixel * pixel);
     for (std::size_t a = 0; a < unknowns.size(); ++a) {
       for (std::size_t b = 0; b < unknowns.size(); ++b) {
-        information(at(unknowns[a]), at(unknowns[b])) += ofQuantities(at(a), at(b));
+        information(eigenIndex(unknowns[a]), eigenIndex(unknowns[b])) += ofQuantities(eigenIndex(a), eigenIndex(b));
       }
     }
   }
@@ -171,19 +172,20 @@ Eigen::MatrixXd PlanningScene::information(const ModelState& belief, const LinkP
 
 void PlanningScene::addFloorContact(const ModelState& belief, const LinkPoses& torsoFromLink,
                                     Eigen::MatrixXd& information) const {
-  const CameraFrames attitude = otherSole_->pathAttitude(robot_, belief, torsoFromLink);
+  const CameraFrames attitude = otherSole_->pathFrames(robot_, belief, torsoFromLink);
   const std::vector<std::size_t>& joints = otherSole_->joints();
   std::vector<std::size_t> quantities;
   for (const std::size_t joint : joints) {
     quantities.push_back(quantities_.angle(joint));
   }
-  Eigen::MatrixXd motion(6, at(joints.size()));
-  otherSole_->motion(robot_, attitude, belief, torsoFromLink, quantities, {}, motion);
-  const Eigen::MatrixXd slopes = floorContactByMotion(attitude.opticalFromWorld.rotation.col(2)) * motion;
+  Eigen::MatrixXd motion(6, eigenIndex(joints.size()));
+  otherSole_->fillMotionColumns(robot_, attitude, belief, torsoFromLink, quantities, {}, motion);
+  const Eigen::MatrixXd slopes = floorContactJacobian(attitude.opticalFromWorld.rotation.col(2)) * motion;
   const Eigen::MatrixXd told = slopes.transpose() * slopes;
   for (std::size_t a = 0; a < joints.size(); ++a) {
     for (std::size_t b = 0; b < joints.size(); ++b) {
-      information(at(robot_.joints[joints[a]].motor), at(robot_.joints[joints[b]].motor)) += told(at(a), at(b));
+      information(eigenIndex(robot_.joints[joints[a]].motor), eigenIndex(robot_.joints[joints[b]].motor)) +=
+          told(eigenIndex(a), eigenIndex(b));
     }
   }
 }
@@ -192,8 +194,8 @@ Eigen::MatrixXd PlanningScene::priorInformation() const {
   // Offsets are uniform within 6.5 degrees and cameras turned by up to 2; boards lie about where they should.
   const double offset = radians(6.5) / std::sqrt(3.0), mount = radians(2) / std::sqrt(3.0); // [rad]
   constexpr double board = 0.1;                                                             // [m] and [rad]
-  const auto offsets = at(robot_.joints.size()), mounts = at(3 * robot_.cameras.size());
-  Eigen::VectorXd sigma = Eigen::VectorXd::Constant(offsets + mounts + at(3 * boards_.size()), board);
+  const auto offsets = eigenIndex(robot_.joints.size()), mounts = eigenIndex(3 * robot_.cameras.size());
+  Eigen::VectorXd sigma = Eigen::VectorXd::Constant(offsets + mounts + eigenIndex(3 * boards_.size()), board);
   sigma.head(offsets).setConstant(offset);
   sigma.segment(offsets, mounts).setConstant(mount);
   return sigma.array().square().inverse().matrix().asDiagonal();

@@ -35,12 +35,12 @@ public:
                 const std::map<std::string, CameraIntrinsics>& cameras, const VisibilityLimits& limits);
 
   /// The drawn robot on its sole among the boards, all angles zero.
-  const ModelState& drawn() const { return drawn_; }
+  const ModelState& nominalState() const { return drawn_; }
 
   /// Joints between the sole and the cameras, by their motors; on both feet the other leg's too.
   std::vector<std::size_t> joints() const;
 
-  std::vector<VisibleBoard> sights(const ModelState& belief, const LinkPoses& torsoFromLink) const;
+  std::vector<VisibleBoard> visibleBoards(const ModelState& belief, const LinkPoses& torsoFromLink) const;
 
   /// J^T R^-1 J over the corners in sight, `pixel` being their noise [px]: what the pictures of a pose tell about the
   /// unknowns: an offset per joint of the drawing (at its motor) [rad], three rotations per camera [rad], and x, y [m],

@@ -27,7 +27,7 @@ struct PassCounts {
 /// On both feet: the right sole in the frame of the left one, flat on its floor, and the centre of mass. The feet do
 /// not move from pose to pose; hence no ranges, unless they are wanted.
 struct DoubleSupportRanges {
-  Interval forwards{0, 0}, sideways{betweenFeet, betweenFeet};       // [m]
+  Interval forwards{0, 0}, sideways{footDistance, footDistance};     // [m]
   Interval yaw{0, 0};                                                // [rad]
   Interval centreForwards{-0.03, 0.03}, centreSideways{-0.04, 0.04}; // from the middle between the soles [m]
 };
@@ -39,8 +39,8 @@ struct PoseOptions {
   SupportFoot supportFoot = SupportFoot::left; // or right, or both
   std::size_t count = 24;
   std::uint64_t seed = 1;
-  std::size_t choice = 10;     // candidates per pose, of which the most informative ones are taken
-  std::size_t tries = 400'000; // attitudes drawn, until it is given up
+  std::size_t choice = 10;           // candidates per pose, of which the most informative ones are taken
+  std::size_t maxAttempts = 400'000; // attitudes drawn, until it is given up
   SamplingMethod sampling = SamplingMethod::random;
 
   // The torso over the support sole. On both feet its yaw is what lets one motor turn both hips.

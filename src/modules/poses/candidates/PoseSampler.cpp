@@ -20,7 +20,7 @@ constexpr std::size_t chunk = 5000; // attitudes
 
 /// J^T (R + J_t s^2 J_t^T)^-1 J of J^T R^-1 J, by Woodbury: an offset and the deflections of its joint have the same
 /// columns.
-Eigen::MatrixXd whitened(const Eigen::MatrixXd& gram, Eigen::Index joints, const Noise& noise) {
+Eigen::MatrixXd whitenColumns(const Eigen::MatrixXd& gram, Eigen::Index joints, const Noise& noise) {
   const double deflection = noise.encoder * noise.encoder + noise.pose * noise.pose;
   const Eigen::MatrixXd byJoints = gram.leftCols(joints);
   Eigen::MatrixXd inner = byJoints.topRows(joints);
@@ -31,15 +31,15 @@ Eigen::MatrixXd whitened(const Eigen::MatrixXd& gram, Eigen::Index joints, const
 
 } // namespace
 
-PoseCandidates poseCandidates(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
-                              const std::function<void(std::size_t)>& progress) {
-  const std::size_t chunks = (options.tries + chunk - 1) / chunk;
+PoseCandidates samplePoses(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
+                           const std::function<void(std::size_t)>& progress) {
+  const std::size_t chunks = (options.maxAttempts + chunk - 1) / chunk;
   std::vector<PoseCandidates> parts(chunks);
   std::mutex telling;
   std::size_t tried = 0;
-  inParallel(chunks, [&](std::size_t i) {
+  parallelFor(chunks, [&](std::size_t i) {
     PoseSampler attitudes{robot, scene, options, i * chunk};
-    const std::size_t count = std::min(chunk, options.tries - i * chunk);
+    const std::size_t count = std::min(chunk, options.maxAttempts - i * chunk);
     for (std::size_t k = 0; k < count; ++k) {
       if (auto attitude = attitudes.draw(parts[i].sieve)) {
         parts[i].attitudes.push_back(*std::move(attitude));
@@ -59,24 +59,24 @@ PoseCandidates poseCandidates(const Robot& robot, const PlanningScene& scene, co
   return all;
 }
 
-std::vector<Eigen::MatrixXd> informations(const Robot& robot, const PlanningScene& scene,
-                                          const std::vector<ValidPose>& poses, const Noise& noise) {
+std::vector<Eigen::MatrixXd> computeInformation(const Robot& robot, const PlanningScene& scene,
+                                                const std::vector<ValidPose>& poses, const Noise& noise) {
   std::vector<Eigen::MatrixXd> result(poses.size());
-  inParallel(poses.size(), [&](std::size_t i) {
+  parallelFor(poses.size(), [&](std::size_t i) {
     const auto joints = static_cast<Eigen::Index>(robot.joints.size());
-    ModelState belief = scene.drawn(); // the boards may lie elsewhere than when the pose was drawn
+    ModelState belief = scene.nominalState(); // the boards may lie elsewhere than when the pose was drawn
     belief.values.head(joints) = poses[i].belief.values.head(joints);
-    result[i] = whitened(scene.information(belief, posture(robot, belief), noise.pixel), joints, noise);
+    result[i] = whitenColumns(scene.information(belief, forwardKinematics(robot, belief), noise.pixel), joints, noise);
   });
   return result;
 }
 
-std::vector<ModelState> stableAttitudes(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
-                                        std::size_t count) {
+std::vector<ModelState> sampleStableStates(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
+                                           std::size_t count) {
   PoseSampler attitudes{robot, scene, options};
   std::vector<ModelState> found;
   PassCounts sieve;
-  for (std::size_t tried = 0; tried < options.tries && found.size() < count; ++tried) {
+  for (std::size_t tried = 0; tried < options.maxAttempts && found.size() < count; ++tried) {
     if (const auto attitude = attitudes.draw(sieve)) {
       found.push_back(attitude->belief);
     }
@@ -84,25 +84,25 @@ std::vector<ModelState> stableAttitudes(const Robot& robot, const PlanningScene&
   return found;
 }
 
-std::vector<PlannedPose> stablePoses(const Robot& robot, const std::vector<Board>& boards,
-                                     const std::map<std::string, CameraIntrinsics>& cameras,
-                                     const PoseOptions& options) {
+std::vector<PlannedPose> planInformativePoses(const Robot& robot, const std::vector<Board>& boards,
+                                              const std::map<std::string, CameraIntrinsics>& cameras,
+                                              const PoseOptions& options) {
   const PlanningScene scene{robot, options.supportFoot, boards, cameras, options.sight};
-  const std::vector<ModelState> found = stableAttitudes(robot, scene, options, options.choice * options.count);
+  const std::vector<ModelState> found = sampleStableStates(robot, scene, options, options.choice * options.count);
   if (found.size() < options.count) {
     throw InputError{fmt::format("expected {} stable poses that see a board, found {} in {} attempts; put the boards "
                                  "nearer or ask for fewer poses",
-                                 options.count, found.size(), options.tries)};
+                                 options.count, found.size(), options.maxAttempts)};
   }
   std::vector<Eigen::MatrixXd> informations;
   for (const ModelState& belief : found) {
-    informations.push_back(scene.information(belief, posture(robot, belief)));
+    informations.push_back(scene.information(belief, forwardKinematics(robot, belief)));
   }
   std::vector<PlannedPose> poses;
-  for (const std::size_t chosen : mostInformative(scene.priorInformation(), informations, options.count)) {
+  for (const std::size_t chosen : selectDOptimal(scene.priorInformation(), informations, options.count)) {
     const ModelState& belief = found[chosen];
     poses.push_back({options.supportFoot, belief.values.head(static_cast<Eigen::Index>(robot.joints.size())),
-                     scene.sights(belief, posture(robot, belief))});
+                     scene.visibleBoards(belief, forwardKinematics(robot, belief))});
   }
   return poses;
 }
@@ -112,7 +112,7 @@ namespace {
 std::vector<std::size_t> headJoints(const Robot& robot) {
   std::set<std::size_t> joints;
   for (const CameraMount& camera : robot.cameras) {
-    const std::vector<std::size_t> ofCamera = jointsTowards(robot, camera.link);
+    const std::vector<std::size_t> ofCamera = ancestorJoints(robot, camera.link);
     joints.insert(ofCamera.begin(), ofCamera.end());
   }
   return {joints.begin(), joints.end()};
@@ -131,11 +131,11 @@ PassCounts& PassCounts::operator+=(const PassCounts& other) {
 
 PoseSampler::PoseSampler(const Robot& robot, const PlanningScene& scene, const PoseOptions& options, std::size_t first)
     : robot_{robot}, scene_{scene}, checks_{robot, options}, legs_{robot, options}, head_{headJoints(robot)},
-      hanging_{scene.drawn()}, point_(legs_.ranges() + head_.size()) {
-  points_ = unitPoints(options.sampling, options.seed, point_.size(), options.tries, first);
+      hanging_{scene.nominalState()}, point_(legs_.dimension() + head_.size()) {
+  points_ = makeSampler(options.sampling, options.seed, point_.size(), options.maxAttempts, first);
   std::seed_seq mixed{options.seed, static_cast<std::uint64_t>(first), std::uint64_t{1}};
   random_.seed(mixed);
-  takeToRest(robot, hanging_);
+  moveToRest(robot, hanging_);
 }
 
 std::optional<ValidPose> PoseSampler::draw(PassCounts& sieve) {
@@ -143,17 +143,17 @@ std::optional<ValidPose> PoseSampler::draw(PassCounts& sieve) {
   return attempt(30, sieve);
 }
 
-std::optional<ValidPose> PoseSampler::at(const std::vector<double>& point, PassCounts& sieve) {
+std::optional<ValidPose> PoseSampler::sampleAt(const std::vector<double>& point, PassCounts& sieve) {
   point_ = point;
   return attempt(1, sieve);
 }
 
-std::optional<ModelState> PoseSampler::reached(const std::vector<double>& point) {
+std::optional<ModelState> PoseSampler::stateAt(const std::vector<double>& point) {
   point_ = point;
   used_ = 0;
   ModelState belief = hanging_;
   const auto draw = [&](const Interval& interval) { return from(interval); };
-  if (!legs_.bend(belief, draw) || !checks_.withinLimits(belief, legs_.joints())) {
+  if (!legs_.reachStance(belief, draw) || !checks_.isWithinLimits(belief, legs_.joints())) {
     return std::nullopt;
   }
   turnHead(belief, draw);
@@ -162,17 +162,17 @@ std::optional<ModelState> PoseSampler::reached(const std::vector<double>& point)
 
 std::optional<ValidPose> PoseSampler::attempt(int glances, PassCounts& sieve) {
   ++sieve.generated;
-  const auto belief = reached(point_);
+  const auto belief = stateAt(point_);
   if (!belief) {
     return std::nullopt;
   }
   ++sieve.reachable;
-  const LinkPoses torsoFromLink = posture(robot_, *belief);
-  if (checks_.touchesItself(torsoFromLink)) {
+  const LinkPoses torsoFromLink = forwardKinematics(robot_, *belief);
+  if (checks_.selfCollides(torsoFromLink)) {
     return std::nullopt;
   }
   ++sieve.collisionFree;
-  const auto share = checks_.standing(*belief, torsoFromLink, random_);
+  const auto share = checks_.balancedFraction(*belief, torsoFromLink, random_);
   if (!share) {
     return std::nullopt;
   }
@@ -184,7 +184,8 @@ std::optional<ValidPose> PoseSampler::attempt(int glances, PassCounts& sieve) {
   ++sieve.seeing;
   for (std::size_t i = 0; i < head_.size(); ++i) {
     const AngleRange& limits = robot_.joints[head_[i]].limits;
-    result.point[legs_.ranges() + i] = (result.belief.angle(head_[i]) - limits.lower) / (limits.upper - limits.lower);
+    result.point[legs_.dimension() + i] =
+        (result.belief.angle(head_[i]) - limits.lower) / (limits.upper - limits.lower);
   }
   return result;
 }
@@ -203,16 +204,16 @@ bool PoseSampler::lookAround(ValidPose& attitude, int glances) {
         return std::uniform_real_distribution{interval.lower, interval.upper}(random_);
       });
     }
-    if (!checks_.withinLimits(belief, head_)) {
+    if (!checks_.isWithinLimits(belief, head_)) {
       continue;
     }
-    const LinkPoses torsoFromLink = posture(robot_, belief);
-    if (scene_.sights(belief, torsoFromLink).empty()) {
+    const LinkPoses torsoFromLink = forwardKinematics(robot_, belief);
+    if (scene_.visibleBoards(belief, torsoFromLink).empty()) {
       continue;
     }
-    const auto share = checks_.touchesItself(torsoFromLink) ? std::nullopt
-                       : glance == 0                        ? std::optional{attitude.standing}
-                                                            : checks_.standing(belief, torsoFromLink, random_);
+    const auto share = checks_.selfCollides(torsoFromLink) ? std::nullopt
+                       : glance == 0                       ? std::optional{attitude.standing}
+                                                           : checks_.balancedFraction(belief, torsoFromLink, random_);
     attitude.standing = share.value_or(0);
     return share.has_value();
   }
@@ -223,22 +224,22 @@ double PoseSampler::from(const Interval& interval) {
   return interval.lower + point_[used_++] * (interval.upper - interval.lower);
 }
 
-std::vector<Eigen::VectorXd> wornRobots(const Robot& robot, const PoseOptions& options, std::size_t count,
-                                        std::uint64_t number) {
+std::vector<Eigen::VectorXd> drawPerturbedRobots(const Robot& robot, const PoseOptions& options, std::size_t count,
+                                                 std::uint64_t number) {
   std::seed_seq mixed{options.seed, number};
   std::mt19937_64 random{mixed};
   std::uniform_real_distribution<double> error{-options.stability.jointError, options.stability.jointError};
-  std::vector<Eigen::VectorXd> result(count, Eigen::VectorXd(at(robot.joints.size())));
+  std::vector<Eigen::VectorXd> result(count, Eigen::VectorXd(eigenIndex(robot.joints.size())));
   for (Eigen::VectorXd& errors : result) {
     std::generate(errors.begin(), errors.end(), [&] { return error(random); });
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-      errors[at(joint)] = errors[at(robot.joints[joint].motor)];
+      errors[eigenIndex(joint)] = errors[eigenIndex(robot.joints[joint].motor)];
     }
   }
   return result;
 }
 
-std::vector<ValidPose> takenBy(const Eigen::VectorXd& errors, std::vector<ValidPose> poses) {
+std::vector<ValidPose> applyErrors(const Eigen::VectorXd& errors, std::vector<ValidPose> poses) {
   for (ValidPose& pose : poses) {
     pose.belief.values.head(errors.size()) += errors;
   }

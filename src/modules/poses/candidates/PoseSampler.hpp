@@ -31,10 +31,10 @@ public:
   std::optional<ValidPose> draw(PassCounts& sieve);
 
   /// The attitude at a point of the ranges, with no other glance than that.
-  std::optional<ValidPose> at(const std::vector<double>& point, PassCounts& sieve);
+  std::optional<ValidPose> sampleAt(const std::vector<double>& point, PassCounts& sieve);
 
   /// The robot at a point of the ranges, whether or not it stands there; absent where its legs do not reach it.
-  std::optional<ModelState> reached(const std::vector<double>& point);
+  std::optional<ModelState> stateAt(const std::vector<double>& point);
 
 private:
   std::optional<ValidPose> attempt(int glances, PassCounts& sieve);
@@ -62,15 +62,15 @@ struct PoseCandidates {
   PassCounts sieve;
 };
 
-/// Sieves `options.tries` attitudes on all cores. The same options give the same candidates on any number of cores.
+/// Sieves `options.maxAttempts` attitudes on all cores. The same options give the same candidates on any number of cores.
 /// `progress` is told how many were tried, now and then, by one thread at a time.
-PoseCandidates poseCandidates(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
-                              const std::function<void(std::size_t)>& progress = {});
+PoseCandidates samplePoses(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
+                           const std::function<void(std::size_t)>& progress = {});
 
 /// What each pose tells about the scene's unknowns (Scene::information), one picture of each camera: pixel noise, and
 /// each joint's encoder error and scatter, which moves all corners of a pose together, integrated out.
-std::vector<Eigen::MatrixXd> informations(const Robot& robot, const PlanningScene& scene,
-                                          const std::vector<ValidPose>& poses, const Noise& noise);
+std::vector<Eigen::MatrixXd> computeInformation(const Robot& robot, const PlanningScene& scene,
+                                                const std::vector<ValidPose>& poses, const Noise& noise);
 
 /// A pose in which the robot stands on one foot and sees a board.
 struct PlannedPose {
@@ -86,9 +86,9 @@ struct ProposedPose {
 };
 
 /// The first `count` attitudes that the draw finds acceptable (PoseOptions, PoseSampler), in the scene's terms;
-/// fewer where `options.tries` do not suffice.
-std::vector<ModelState> stableAttitudes(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
-                                        std::size_t count);
+/// fewer where `options.maxAttempts` do not suffice.
+std::vector<ModelState> sampleStableStates(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
+                                           std::size_t count);
 
 /// Poses on one foot for boards around it (placements in the support sole's frame), arms hanging: within joint limits,
 /// stable, the soles apart, a board in sight. Each is the most informative one beside those before it: greedily the
@@ -96,16 +96,16 @@ std::vector<ModelState> stableAttitudes(const Robot& robot, const PlanningScene&
 ///
 /// No part touches another; what hides a board is not looked at. Throws InputError when fewer than `count` are
 /// found.
-std::vector<PlannedPose> stablePoses(const Robot& robot, const std::vector<Board>& boards,
-                                     const std::map<std::string, CameraIntrinsics>& cameras,
-                                     const PoseOptions& options);
+std::vector<PlannedPose> planInformativePoses(const Robot& robot, const std::vector<Board>& boards,
+                                              const std::map<std::string, CameraIntrinsics>& cameras,
+                                              const PoseOptions& options);
 
 /// Errors per joint of robots whose motors are off, uniform within Stability::jointError either way [rad]; each
 /// `number` gives others.
-std::vector<Eigen::VectorXd> wornRobots(const Robot& robot, const PoseOptions& options, std::size_t count,
-                                        std::uint64_t number);
+std::vector<Eigen::VectorXd> drawPerturbedRobots(const Robot& robot, const PoseOptions& options, std::size_t count,
+                                                 std::uint64_t number);
 
 /// How a robot with errors stands when the poses are commanded.
-std::vector<ValidPose> takenBy(const Eigen::VectorXd& errors, std::vector<ValidPose> poses);
+std::vector<ValidPose> applyErrors(const Eigen::VectorXd& errors, std::vector<ValidPose> poses);
 
 } // namespace naocal

@@ -26,20 +26,20 @@ bool isCalibrated(const std::string& joint) {
 
 SingleSupportPlanner::SingleSupportPlanner(const Robot& robot, SupportFoot foot, const Eigen::VectorXd& stand,
                                            double jointError)
-    : robot_{robot}, foot_{foot}, options_{onFoot(foot, jointError)}, ways_{robot, options_}, onto_{ontoOneFoot(
+    : robot_{robot}, foot_{foot}, options_{onFoot(foot, jointError)}, ways_{robot, options_}, onto_{planOntoOneFoot(
                                                                                                   robot, foot, stand)} {
 }
 
 std::optional<SingleSupportPlanner::Way> SingleSupportPlanner::safeWay(const Eigen::VectorXd& to) const {
   for (const int parts : {1, 2, 4, 8}) {
-    auto way = betweenOnOneFoot(robot_, foot_, onto_.back(), to, parts);
+    auto way = interpolateOnOneFoot(robot_, foot_, onto_.back(), to, parts);
     if (!way) {
       continue;
     }
     way->push_back(to);
     const Eigen::VectorXd* last = &onto_.back();
     const bool safe = std::all_of(way->begin(), way->end(), [&](const Eigen::VectorXd& point) {
-      return ways_.seconds(*std::exchange(last, &point), point).has_value();
+      return ways_.duration(*std::exchange(last, &point), point).has_value();
     });
     if (safe) {
       return way;
@@ -48,24 +48,24 @@ std::optional<SingleSupportPlanner::Way> SingleSupportPlanner::safeWay(const Eig
   return std::nullopt;
 }
 
-std::optional<SingleSupportPlanner::Approach> SingleSupportPlanner::approach(const Eigen::VectorXd& angles,
-                                                                             const Eigen::VectorXd& wanted,
-                                                                             double distance,
-                                                                             std::mt19937_64& random) const {
+std::optional<SingleSupportPlanner::Approach> SingleSupportPlanner::planApproach(const Eigen::VectorXd& angles,
+                                                                                 const Eigen::VectorXd& wanted,
+                                                                                 double distance,
+                                                                                 std::mt19937_64& random) const {
   constexpr int tries = 16;
   Approach result{Eigen::VectorXd::Zero(angles.size()), {}};
   for (int attempt = 0; attempt < tries; ++attempt) {
     for (std::size_t joint = 0; joint < robot_.joints.size(); ++joint) {
       const double side = random() % 2 == 0 ? 1 : -1;
-      result.side[at(joint)] = !isCalibrated(robot_.joints[joint].name) ? 0
-                               : wanted[at(joint)] != 0                 ? wanted[at(joint)]
-                                                                        : side;
+      result.side[eigenIndex(joint)] = !isCalibrated(robot_.joints[joint].name) ? 0
+                                       : wanted[eigenIndex(joint)] != 0         ? wanted[eigenIndex(joint)]
+                                                                                : side;
       if (const std::size_t motor = robot_.joints[joint].motor; motor != joint) {
-        result.side[at(joint)] = result.side[at(motor)];
+        result.side[eigenIndex(joint)] = result.side[eigenIndex(motor)];
       }
     }
     const Eigen::VectorXd below = angles - distance * result.side, above = angles + distance * result.side;
-    if (!ways_.seconds(below, angles) || !ways_.seconds(angles, above)) {
+    if (!ways_.duration(below, angles) || !ways_.duration(angles, above)) {
       continue;
     }
     if (auto way = safeWay(below)) {
@@ -82,9 +82,9 @@ bool ReachabilityCheck::operator()(const ProposedPose& pose) {
   if (foot != SupportFoot::left && foot != SupportFoot::right) {
     return true;
   }
-  const auto ways = ways_.try_emplace(foot, robot_, foot, bentKnees(robot_), jointError_).first;
+  const auto ways = ways_.try_emplace(foot, robot_, foot, bentKneesStance(robot_), jointError_).first;
   std::mt19937_64 random{1};
-  return ways->second.approach(pose.pose.angles, pose.approach, aside, random).has_value();
+  return ways->second.planApproach(pose.pose.angles, pose.approach, aside, random).has_value();
 }
 
 } // namespace naocal

@@ -15,8 +15,8 @@ public:
   /// `stand`: on both feet [rad]; `jointError`: as of Stability [rad].
   SingleSupportPlanner(const Robot& robot, SupportFoot foot, const Eigen::VectorXd& stand, double jointError);
 
-  /// From the stand onto the foot (ontoOneFoot).
-  const std::vector<Eigen::VectorXd>& onto() const { return onto_; }
+  /// From the stand onto the foot (planOntoOneFoot).
+  const std::vector<Eigen::VectorXd>& pathOnto() const { return onto_; }
 
   using Way = std::vector<Eigen::VectorXd>; // angles to pass through, the last ones where it leads [rad]
   struct Approach {
@@ -25,8 +25,8 @@ public:
   };
   /// Into a pose from `distance` beside it [rad], from where one can go on as far beyond it: each joint from the side
   /// that is wanted (-1 or +1; 0: drawn at random). Absent where no safe way was found.
-  std::optional<Approach> approach(const Eigen::VectorXd& angles, const Eigen::VectorXd& wanted, double distance,
-                                   std::mt19937_64& random) const;
+  std::optional<Approach> planApproach(const Eigen::VectorXd& angles, const Eigen::VectorXd& wanted, double distance,
+                                       std::mt19937_64& random) const;
 
 private:
   std::optional<Way> safeWay(const Eigen::VectorXd& to) const;

@@ -17,28 +17,28 @@ namespace naocal {
 
 SingleSupport::SingleSupport(const Robot& robot, SupportFoot supportFoot)
     : robot_{robot}, supportLeg_{robot, supportSole(robot, supportFoot).name},
-      otherLeg_{robot, otherSole(robot, supportFoot).name}, middle_{naocal::middle(
+      otherLeg_{robot, otherSole(robot, supportFoot).name}, middle_{naocal::vertexMean(
                                                                 supportSole(robot, supportFoot).outline)} {}
 
-bool SingleSupport::stand(ModelState& belief, RigidTransform soleFromTorso, const RigidTransform& soleFromOther,
-                          const Eigen::Vector2d& centre) const {
+bool SingleSupport::reachStance(ModelState& belief, RigidTransform soleFromTorso, const RigidTransform& soleFromOther,
+                                const Eigen::Vector2d& centre) const {
   soleFromTorso.translation.head<2>() = centre;
   constexpr int rounds = 3; // each leaves a small share of the distance
   for (int round = 0; round < rounds; ++round) {
-    if (!bend(belief, soleFromTorso, soleFromOther)) {
+    if (!bendLegs(belief, soleFromTorso, soleFromOther)) {
       return false;
     }
-    const Eigen::Vector3d reached = soleFromTorso * centreOfMass(robot_, posture(robot_, belief)).inTorso;
+    const Eigen::Vector3d reached = soleFromTorso * centreOfMass(robot_, forwardKinematics(robot_, belief)).inTorso;
     soleFromTorso.translation.head<2>() += centre - reached.head<2>();
   }
-  return bend(belief, soleFromTorso, soleFromOther);
+  return bendLegs(belief, soleFromTorso, soleFromOther);
 }
 
-bool SingleSupport::bend(ModelState& belief, const RigidTransform& soleFromTorso,
-                         const RigidTransform& soleFromOther) const {
+bool SingleSupport::bendLegs(ModelState& belief, const RigidTransform& soleFromTorso,
+                             const RigidTransform& soleFromOther) const {
   const RigidTransform torsoFromSole = soleFromTorso.inverse();
-  const auto support = supportLeg_.angles(torsoFromSole);
-  const auto other = support ? otherLeg_.angles(torsoFromSole * soleFromOther, support->front()) : std::nullopt;
+  const auto support = supportLeg_.solveAngles(torsoFromSole);
+  const auto other = support ? otherLeg_.solveAngles(torsoFromSole * soleFromOther, support->front()) : std::nullopt;
   if (!other) {
     return false;
   }
@@ -49,7 +49,7 @@ bool SingleSupport::bend(ModelState& belief, const RigidTransform& soleFromTorso
   return true;
 }
 
-Eigen::VectorXd bentKnees(const Robot& robot) {
+Eigen::VectorXd bentKneesStance(const Robot& robot) {
   Eigen::VectorXd angles = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.joints.size()));
   for (const auto& [joint, degrees] : {std::pair{"ShoulderPitch", 90}, std::pair{"HipPitch", -25},
                                        std::pair{"KneePitch", 50}, std::pair{"AnklePitch", -25}}) {
@@ -60,7 +60,8 @@ Eigen::VectorXd bentKnees(const Robot& robot) {
   return angles;
 }
 
-std::vector<Eigen::VectorXd> ontoOneFoot(const Robot& robot, SupportFoot supportFoot, const Eigen::VectorXd& stand) {
+std::vector<Eigen::VectorXd> planOntoOneFoot(const Robot& robot, SupportFoot supportFoot,
+                                             const Eigen::VectorXd& stand) {
   struct Point {
     double shift;       // share of the way over the foot
     double height;      // of the torso over the sole [m]
@@ -73,16 +74,16 @@ std::vector<Eigen::VectorXd> ontoOneFoot(const Robot& robot, SupportFoot support
   constexpr double forwards = 0.025; // the centre of mass, from the sole's origin [m]
   const SingleSupport feet{robot, supportFoot};
   const double inwards = supportFoot == SupportFoot::left ? -1 : 1;
-  const Eigen::Vector2d over{forwards, feet.middle().y()}, between{forwards, inwards * betweenFeet / 2};
-  ModelState belief = drawnBelief(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
+  const Eigen::Vector2d over{forwards, feet.outlineCentre().y()}, between{forwards, inwards * footDistance / 2};
+  ModelState belief = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
   belief.values.head(stand.size()) = stand;
   std::vector<Eigen::VectorXd> way;
   for (const Point& point : points) {
     RigidTransform soleFromTorso, soleFromOther;
     soleFromTorso.rotation = rotationY(point.pitch) * rotationX(inwards * point.roll);
     soleFromTorso.translation.z() = point.height;
-    soleFromOther.translation << 0, inwards * betweenFeet, point.lift;
-    if (!feet.stand(belief, soleFromTorso, soleFromOther, between + point.shift * (over - between))) {
+    soleFromOther.translation << 0, inwards * footDistance, point.lift;
+    if (!feet.reachStance(belief, soleFromTorso, soleFromOther, between + point.shift * (over - between))) {
       throw InputError{fmt::format("the legs of the {} do not reach from its stand onto its {} foot", robot.model,
                                    supportFoot == SupportFoot::left ? "left" : "right")};
     }
@@ -91,9 +92,9 @@ std::vector<Eigen::VectorXd> ontoOneFoot(const Robot& robot, SupportFoot support
   return way;
 }
 
-std::optional<std::vector<Eigen::VectorXd>> betweenOnOneFoot(const Robot& robot, SupportFoot supportFoot,
-                                                             const Eigen::VectorXd& from, const Eigen::VectorXd& to,
-                                                             int parts) {
+std::optional<std::vector<Eigen::VectorXd>> interpolateOnOneFoot(const Robot& robot, SupportFoot supportFoot,
+                                                                 const Eigen::VectorXd& from, const Eigen::VectorXd& to,
+                                                                 int parts) {
   const SingleSupport feet{robot, supportFoot};
   const std::size_t support = supportSole(robot, supportFoot).link, other = otherSole(robot, supportFoot).link;
   struct End {
@@ -101,7 +102,7 @@ std::optional<std::vector<Eigen::VectorXd>> betweenOnOneFoot(const Robot& robot,
     Eigen::Vector3d centre;
   };
   const auto end = [&](const Eigen::VectorXd& angles) {
-    const LinkPoses torsoFromLink = posture(robot, angles);
+    const LinkPoses torsoFromLink = forwardKinematics(robot, angles);
     const RigidTransform soleFromTorso = torsoFromLink[support].inverse();
     return End{soleFromTorso, soleFromTorso * torsoFromLink[other],
                soleFromTorso * centreOfMass(robot, torsoFromLink).inTorso};
@@ -113,13 +114,13 @@ std::optional<std::vector<Eigen::VectorXd>> betweenOnOneFoot(const Robot& robot,
         (1 - share) * a.translation + share * b.translation};
   };
   std::vector<Eigen::VectorXd> via;
-  ModelState belief = drawnBelief(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
+  ModelState belief = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
   for (int i = 1; i < parts; ++i) {
     const double share = static_cast<double>(i) / parts;
     belief.values.head(from.size()) = (1 - share) * from + share * to;
-    if (!feet.stand(belief, blend(one.soleFromTorso, two.soleFromTorso, share),
-                    blend(one.soleFromOther, two.soleFromOther, share),
-                    ((1 - share) * one.centre + share * two.centre).head<2>())) {
+    if (!feet.reachStance(belief, blend(one.soleFromTorso, two.soleFromTorso, share),
+                          blend(one.soleFromOther, two.soleFromOther, share),
+                          ((1 - share) * one.centre + share * two.centre).head<2>())) {
       return std::nullopt;
     }
     via.push_back(belief.values.head(from.size()));
@@ -134,11 +135,11 @@ StanceSampler::StanceSampler(const Robot& robot, const PoseOptions& options)
   joints_.insert(joints_.end(), feet_.otherLeg().joints().begin(), feet_.otherLeg().joints().end());
 }
 
-std::size_t StanceSampler::ranges() const {
+std::size_t StanceSampler::dimension() const {
   return options_.supportFoot == SupportFoot::both ? 8 : 11;
 }
 
-bool StanceSampler::bend(ModelState& belief, const NumberSource& draw) const {
+bool StanceSampler::reachStance(ModelState& belief, const NumberSource& draw) const {
   return options_.supportFoot == SupportFoot::both ? bendOnBoth(belief, draw) : bendOnOne(belief, draw);
 }
 
@@ -153,11 +154,11 @@ bool StanceSampler::bendOnOne(ModelState& belief, const NumberSource& draw) cons
   soleFromOther.translation.x() = draw(options_.otherForwards);
   soleFromOther.translation.y() = -outwards * draw(options_.otherSideways);
   soleFromOther.translation.z() = draw(options_.otherUp);
-  Eigen::Vector2d wanted = feet_.middle();
+  Eigen::Vector2d wanted = feet_.outlineCentre();
   wanted.x() += draw(options_.centreForwards);
   wanted.y() += outwards * draw(options_.centreOutwards);
   soleFromTorso.translation.z() = draw(options_.height);
-  return feet_.stand(belief, soleFromTorso, soleFromOther, wanted);
+  return feet_.reachStance(belief, soleFromTorso, soleFromOther, wanted);
 }
 
 /// One motor turns both hips, in opposite directions: the torso's yaw is sought by secants at which either leg wants it
@@ -171,9 +172,9 @@ bool StanceSampler::bendOnBoth(ModelState& belief, const NumberSource& draw) con
   soleFromOther.rotation = rotationZ(otherYaw);
   Eigen::Matrix3d tilted = rotationY(draw(options_.pitch));
   tilted *= rotationX(draw(options_.roll));
-  const Eigen::Vector2d otherMiddle = middle(other_.outline);
+  const Eigen::Vector2d otherMiddle = vertexMean(other_.outline);
   Eigen::Vector2d wanted =
-      (feet_.middle() + (soleFromOther * Eigen::Vector3d{otherMiddle.x(), otherMiddle.y(), 0}).head<2>()) / 2;
+      (feet_.outlineCentre() + (soleFromOther * Eigen::Vector3d{otherMiddle.x(), otherMiddle.y(), 0}).head<2>()) / 2;
   wanted.x() += draw(beside.centreForwards);
   wanted.y() += draw(beside.centreSideways);
   RigidTransform soleFromTorso;
@@ -186,13 +187,13 @@ bool StanceSampler::bendOnBoth(ModelState& belief, const NumberSource& draw) con
   for (int round = 0; round < rounds; ++round) {
     soleFromTorso.rotation = rotationZ(yaw) * tilted;
     const RigidTransform torsoFromSole = soleFromTorso.inverse();
-    const auto support = feet_.supportLeg().angles(torsoFromSole),
-               other = feet_.otherLeg().angles(torsoFromSole * soleFromOther);
+    const auto support = feet_.supportLeg().solveAngles(torsoFromSole),
+               other = feet_.otherLeg().solveAngles(torsoFromSole * soleFromOther);
     if (!support || !other) {
       return false;
     }
     set(belief, *support, *other);
-    const double gap = wrapped(other->front() - support->front());
+    const double gap = wrapAngle(other->front() - support->front());
     if (round < leaning) {
       lean(belief, wanted, soleFromTorso);
     } else if (std::abs(gap) < alike) {
@@ -216,7 +217,7 @@ void StanceSampler::set(ModelState& belief, const LegAngles& support, const LegA
 }
 
 void StanceSampler::lean(const ModelState& belief, const Eigen::Vector2d& wanted, RigidTransform& soleFromTorso) const {
-  const Eigen::Vector3d centre = soleFromTorso * centreOfMass(robot_, posture(robot_, belief)).inTorso;
+  const Eigen::Vector3d centre = soleFromTorso * centreOfMass(robot_, forwardKinematics(robot_, belief)).inTorso;
   soleFromTorso.translation.head<2>() += wanted - centre.head<2>();
 }
 

@@ -19,16 +19,16 @@ public:
   /// Bends both legs so that torso and other sole are turned as wanted, the torso is at the height wanted, and the
   /// centre of mass is over a point of the support sole [m]; where the torso is forwards and sideways follows. False
   /// where the legs do not reach.
-  bool stand(ModelState& belief, RigidTransform soleFromTorso, const RigidTransform& soleFromOther,
-             const Eigen::Vector2d& centre) const;
+  bool reachStance(ModelState& belief, RigidTransform soleFromTorso, const RigidTransform& soleFromOther,
+                   const Eigen::Vector2d& centre) const;
 
   const LegKinematics& supportLeg() const { return supportLeg_; }
   const LegKinematics& otherLeg() const { return otherLeg_; }
   /// Of the support sole's outline.
-  const Eigen::Vector2d& middle() const { return middle_; }
+  const Eigen::Vector2d& outlineCentre() const { return middle_; }
 
 private:
-  bool bend(ModelState& belief, const RigidTransform& soleFromTorso, const RigidTransform& soleFromOther) const;
+  bool bendLegs(ModelState& belief, const RigidTransform& soleFromTorso, const RigidTransform& soleFromOther) const;
 
   const Robot& robot_;
   LegKinematics supportLeg_, otherLeg_;
@@ -36,21 +36,21 @@ private:
 };
 
 /// Standing on both feet, feet flat and knees bent by 50 degrees, arms hanging [rad].
-Eigen::VectorXd bentKnees(const Robot& robot);
+Eigen::VectorXd bentKneesStance(const Robot& robot);
 
 /// How a robot that stands on both feet comes onto one: the torso moves over the foot while the other one stays on the
 /// floor, then that one is lifted. The angles to pass through (per joint, legs as they must be, the rest as in
 /// `stand`) [rad]; the last ones are a pose on one foot, upright, from which others are reached.
 ///
 /// Throws InputError for a robot whose legs do not reach that.
-std::vector<Eigen::VectorXd> ontoOneFoot(const Robot& robot, SupportFoot supportFoot, const Eigen::VectorXd& stand);
+std::vector<Eigen::VectorXd> planOntoOneFoot(const Robot& robot, SupportFoot supportFoot, const Eigen::VectorXd& stand);
 
 /// Angles to pass through from one pose on a foot to another one, so that torso, other foot and centre of mass move
 /// evenly, which keeps the robot over its foot where joints that move evenly do not; `parts` - 1 of them [rad]. Absent
 /// where the legs do not reach. Whether the way is safe is not looked at.
-std::optional<std::vector<Eigen::VectorXd>> betweenOnOneFoot(const Robot& robot, SupportFoot supportFoot,
-                                                             const Eigen::VectorXd& from, const Eigen::VectorXd& to,
-                                                             int parts);
+std::optional<std::vector<Eigen::VectorXd>> interpolateOnOneFoot(const Robot& robot, SupportFoot supportFoot,
+                                                                 const Eigen::VectorXd& from, const Eigen::VectorXd& to,
+                                                                 int parts);
 
 /// The next number, in an interval.
 using NumberSource = std::function<double(const Interval&)>;
@@ -60,14 +60,14 @@ class StanceSampler {
 public:
   StanceSampler(const Robot& robot, const PoseOptions& options);
 
-  /// How many numbers `bend` draws.
-  std::size_t ranges() const;
+  /// How many numbers `reachStance` draws.
+  std::size_t dimension() const;
   /// Of both legs.
   const std::vector<std::size_t>& joints() const { return joints_; }
 
   /// The torso somewhere over the support sole, then moved until the centre of mass is where it was drawn. False: out
   /// of the legs' reach; joints' limits are not judged.
-  bool bend(ModelState& belief, const NumberSource& draw) const;
+  bool reachStance(ModelState& belief, const NumberSource& draw) const;
 
 private:
   bool bendOnOne(ModelState& belief, const NumberSource& draw) const;

@@ -74,7 +74,7 @@ PoseOptions onTheWay(PoseOptions options, const TransitionOptions& motion) {
 
 } // namespace
 
-double secondsBetween(const Robot& robot, const Eigen::VectorXd& from, const Eigen::VectorXd& to, double speed) {
+double motionTime(const Robot& robot, const Eigen::VectorXd& from, const Eigen::VectorXd& to, double speed) {
   double seconds = 0;
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     const auto i = static_cast<Eigen::Index>(joint);
@@ -88,27 +88,27 @@ double secondsBetween(const Robot& robot, const Eigen::VectorXd& from, const Eig
 TransitionCheck::TransitionCheck(const Robot& robot, const PoseOptions& options, const TransitionOptions& motion)
     : robot_{robot}, motion_{motion}, options_{onTheWay(options, motion)}, checks_{robot, options_} {}
 
-std::optional<double> TransitionCheck::seconds(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const {
+std::optional<double> TransitionCheck::duration(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const {
   std::mt19937_64 random{options_.seed};
-  const LinkPoses before = posture(robot_, from);
-  if (slides(before, posture(robot_, to))) {
+  const LinkPoses before = forwardKinematics(robot_, from);
+  if (isSliding(before, forwardKinematics(robot_, to))) {
     return std::nullopt;
   }
-  ModelState belief = drawnBelief(robot_, StateLayout{robot_.joints.size(), robot_.lengths.size(), 0});
+  ModelState belief = nominalState(robot_, StateLayout{robot_.joints.size(), robot_.lengths.size(), 0});
   const int steps = std::max(1, static_cast<int>(std::ceil((to - from).cwiseAbs().maxCoeff() / motion_.step)));
   for (int i = 1; i < steps; ++i) {
     belief.values.head(from.size()) = from + (to - from) * i / steps;
-    const LinkPoses torsoFromLink = posture(robot_, belief);
-    if (slides(before, torsoFromLink) || checks_.touchesItself(torsoFromLink) ||
-        !checks_.standing(belief, torsoFromLink, random)) {
+    const LinkPoses torsoFromLink = forwardKinematics(robot_, belief);
+    if (isSliding(before, torsoFromLink) || checks_.selfCollides(torsoFromLink) ||
+        !checks_.balancedFraction(belief, torsoFromLink, random)) {
       return std::nullopt;
     }
   }
-  return secondsBetween(robot_, from, to, motion_.speed);
+  return motionTime(robot_, from, to, motion_.speed);
 }
 
 /// On both feet: whether a corner of the other sole comes to lie elsewhere, seen from the support sole.
-bool TransitionCheck::slides(const LinkPoses& before, const LinkPoses& now) const {
+bool TransitionCheck::isSliding(const LinkPoses& before, const LinkPoses& now) const {
   if (options_.supportFoot != SupportFoot::both) {
     return false;
   }
@@ -121,35 +121,35 @@ bool TransitionCheck::slides(const LinkPoses& before, const LinkPoses& now) cons
   });
 }
 
-double secondsToPlay(const Robot& robot, const std::vector<ValidPose>& poses, double secondsPerPose) {
+double playTime(const Robot& robot, const std::vector<ValidPose>& poses, double secondsPerPose) {
   const auto joints = static_cast<Eigen::Index>(robot.joints.size());
   const double speed = TransitionOptions{}.speed;
   Ways seconds(poses.size(), std::vector<std::optional<double>>(poses.size()));
   for (std::size_t i = 0; i < poses.size(); ++i) {
     for (std::size_t k = 0; k < poses.size(); ++k) {
       seconds[i][k] =
-          secondsBetween(robot, poses[i].belief.values.head(joints), poses[k].belief.values.head(joints), speed);
+          motionTime(robot, poses[i].belief.values.head(joints), poses[k].belief.values.head(joints), speed);
     }
   }
   double sum = secondsPerPose * static_cast<double>(poses.size());
-  const std::vector<std::size_t> order = quickestOrder(seconds).value_or(std::vector<std::size_t>{});
+  const std::vector<std::size_t> order = findQuickestOrder(seconds).value_or(std::vector<std::size_t>{});
   for (std::size_t i = 1; i < order.size(); ++i) {
     sum += *seconds[order[i - 1]][order[i]];
   }
   return sum;
 }
 
-std::optional<std::vector<std::size_t>> quickestOrder(const Ways& seconds) {
+std::optional<std::vector<std::size_t>> findQuickestOrder(const Ways& seconds) {
   constexpr std::size_t exact = 12;
   const std::vector<std::size_t> order = seconds.size() <= exact ? byDynamicProgramming(seconds) : nearestNext(seconds);
   return order.size() == seconds.size() ? std::optional{order} : std::nullopt;
 }
 
-std::optional<Transition> safeWay(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
-                                  const TransitionCheck& checks, const ValidPose& from, const ValidPose& to) {
+std::optional<Transition> findTransition(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
+                                         const TransitionCheck& checks, const ValidPose& from, const ValidPose& to) {
   const auto joints = static_cast<Eigen::Index>(robot.joints.size());
   const Eigen::VectorXd start = from.belief.values.head(joints), end = to.belief.values.head(joints);
-  if (const auto straight = checks.seconds(start, end)) {
+  if (const auto straight = checks.duration(start, end)) {
     return Transition{{}, *straight};
   }
   PoseSampler attitudes{robot, scene, options};
@@ -161,8 +161,8 @@ std::optional<Transition> safeWay(const Robot& robot, const PlanningScene& scene
       for (std::size_t k = 0; k < point.size(); ++k) {
         point[k] = from.point[k] + (to.point[k] - from.point[k]) * i / parts;
       }
-      const auto reached = i == parts ? std::optional{to.belief} : attitudes.reached(point);
-      const auto seconds = reached ? checks.seconds(last, reached->values.head(joints)) : std::nullopt;
+      const auto reached = i == parts ? std::optional{to.belief} : attitudes.stateAt(point);
+      const auto seconds = reached ? checks.duration(last, reached->values.head(joints)) : std::nullopt;
       if (!seconds) {
         break;
       }
@@ -177,13 +177,13 @@ std::optional<Transition> safeWay(const Robot& robot, const PlanningScene& scene
   return std::nullopt;
 }
 
-OrderedPoses inOrder(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
-                     std::vector<ValidPose> poses) {
+OrderedPoses orderPoses(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
+                        std::vector<ValidPose> poses) {
   const std::size_t count = poses.size();
   const TransitionCheck checks{robot, options};
   std::vector<std::optional<Transition>> ways(count * count);
-  inParallel(count * count, [&](std::size_t i) {
-    ways[i] = safeWay(robot, scene, options, checks, poses[i / count], poses[i % count]);
+  parallelFor(count * count, [&](std::size_t i) {
+    ways[i] = findTransition(robot, scene, options, checks, poses[i / count], poses[i % count]);
   });
   std::vector<std::vector<std::optional<double>>> seconds(count, std::vector<std::optional<double>>(count));
   for (std::size_t i = 0; i < count * count; ++i) {
@@ -193,7 +193,7 @@ OrderedPoses inOrder(const Robot& robot, const PlanningScene& scene, const PoseO
   }
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  order = quickestOrder(seconds).value_or(order);
+  order = findQuickestOrder(seconds).value_or(order);
   OrderedPoses result;
   for (std::size_t i = 0; i < count; ++i) {
     result.poses.push_back(std::move(poses[order[i]]));

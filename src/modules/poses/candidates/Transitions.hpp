@@ -18,7 +18,7 @@ struct TransitionOptions {
 };
 
 /// From one pose to another (angles per joint), the slowest joint at a share `speed` of its full one [s].
-double secondsBetween(const Robot& robot, const Eigen::VectorXd& from, const Eigen::VectorXd& to, double speed);
+double motionTime(const Robot& robot, const Eigen::VectorXd& from, const Eigen::VectorXd& to, double speed);
 
 /// Looks at the way between poses.
 class TransitionCheck {
@@ -29,10 +29,10 @@ public:
 
   /// Of the motion from one to the other; absent where the robot, or too many of those with joint errors, would fall
   /// over or touch itself on the way, or a foot of both would slide.
-  std::optional<double> seconds(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const;
+  std::optional<double> duration(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const;
 
 private:
-  bool slides(const LinkPoses& before, const LinkPoses& now) const;
+  bool isSliding(const LinkPoses& before, const LinkPoses& now) const;
 
   const Robot& robot_;
   TransitionOptions motion_;
@@ -42,11 +42,12 @@ private:
 
 /// The quickest order to visit all poses, one after another: exact for up to 12 poses, else always the nearest next.
 /// `seconds[i][j]`: from i to j, absent where there is no way. Absent: there is no such order.
-std::optional<std::vector<std::size_t>> quickestOrder(const std::vector<std::vector<std::optional<double>>>& seconds);
+std::optional<std::vector<std::size_t>>
+findQuickestOrder(const std::vector<std::vector<std::optional<double>>>& seconds);
 
 /// Straight on from pose to pose in the quickest order, and a rest in each [s]; whether the ways are safe is not looked
 /// at.
-double secondsToPlay(const Robot& robot, const std::vector<ValidPose>& poses, double secondsPerPose);
+double playTime(const Robot& robot, const std::vector<ValidPose>& poses, double secondsPerPose);
 
 /// A safe way from one pose to another.
 struct Transition {
@@ -56,8 +57,8 @@ struct Transition {
 
 /// Straight on where that is safe; else along the line between the poses' points in the ranges that they were drawn
 /// from, which keeps the centre of mass over the foot. Absent: neither is safe.
-std::optional<Transition> safeWay(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
-                                  const TransitionCheck& checks, const ValidPose& from, const ValidPose& to);
+std::optional<Transition> findTransition(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
+                                         const TransitionCheck& checks, const ValidPose& from, const ValidPose& to);
 
 /// Poses in the quickest safe order, and the way to each from the one before it; absent: the first, or none is safe.
 struct OrderedPoses {
@@ -66,7 +67,7 @@ struct OrderedPoses {
 };
 
 /// Where there is no safe way through all of them the order is as given.
-OrderedPoses inOrder(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
-                     std::vector<ValidPose> poses);
+OrderedPoses orderPoses(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
+                        std::vector<ValidPose> poses);
 
 } // namespace naocal

@@ -47,34 +47,34 @@ Eigen::VectorXd Discrimination::misfits(const Eigen::MatrixXd& hessian) const {
     return kept.block(first_[one], first_[other], question_.suspects[one].size.size(),
                       question_.suspects[other].size.size());
   };
-  Eigen::VectorXd result(at(pairs_.size()));
+  Eigen::VectorXd result(eigenIndex(pairs_.size()));
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const Pair& pair = pairs_[i];
     const Eigen::VectorXd& size = question_.suspects[pair.one].size;
-    result[at(i)] = size.dot(block(pair.one, pair.one) * size);
+    result[eigenIndex(i)] = size.dot(block(pair.one, pair.one) * size);
     if (pair.other) {
       Eigen::MatrixXd rival = block(*pair.other, *pair.other);
       rival.diagonal() += question_.suspects[*pair.other].plausible.cwiseAbs2().cwiseInverse();
       const Eigen::VectorXd imitated = block(*pair.other, pair.one) * size;
-      result[at(i)] -= imitated.dot(rival.llt().solve(imitated));
+      result[eigenIndex(i)] -= imitated.dot(rival.llt().solve(imitated));
     }
   }
   return result.cwiseMax(0);
 }
 
-double Discrimination::gain(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const {
+double Discrimination::expectedGain(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const {
   double sum = 0;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    sum += pairs_[i].weight * (1 - std::exp((before[at(i)] - after[at(i)]) / 8));
+    sum += pairs_[i].weight * (1 - std::exp((before[eigenIndex(i)] - after[eigenIndex(i)]) / 8));
   }
   return sum;
 }
 
-double Discrimination::growth(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const {
+double Discrimination::growthFactor(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const {
   constexpr double nothing = 1e-3; // a misfit that no one could see
   double sum = 0;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    sum += pairs_[i].weight * std::log((after[at(i)] + nothing) / (before[at(i)] + nothing));
+    sum += pairs_[i].weight * std::log((after[eigenIndex(i)] + nothing) / (before[eigenIndex(i)] + nothing));
   }
   return std::exp(sum);
 }
@@ -97,14 +97,14 @@ void suspect(std::vector<Hypothesis> suspects, std::vector<double> evidence, Mod
     question.suspects.push_back(std::move(suspects[i]));
     kept.push_back(evidence[i]);
   }
-  const std::vector<double> odds = probabilities(kept);
+  const std::vector<double> odds = posteriorProbabilities(kept);
   for (std::size_t i = 0; i < odds.size(); ++i) {
     question.suspects[i].odds = odds[i];
   }
 }
 
 /// "a, b and c", from the suspect `first` on: three of them by name.
-std::string named(const std::vector<Hypothesis>& suspects, std::size_t first) {
+std::string nameHypotheses(const std::vector<Hypothesis>& suspects, std::size_t first) {
   constexpr std::size_t most = 3;
   std::vector<std::string> words;
   for (std::size_t i = first; i < std::min(suspects.size(), first + most); ++i) {
@@ -113,7 +113,7 @@ std::string named(const std::vector<Hypothesis>& suspects, std::size_t first) {
   if (suspects.size() > first + most) {
     words.push_back(fmt::format("{} more", suspects.size() - first - most));
   }
-  return enumerated(words);
+  return joinWords(words);
 }
 
 /// False: its only twins are in the model as well.
@@ -135,13 +135,13 @@ bool askWhichOne(const Diagnosis& diagnosis, const CandidateFinding& head, Model
   std::erase(question.with, head.term.label());
   suspect(std::move(suspects), std::move(evidence), question);
   question.rivals = true;
-  question.why = fmt::format("tells {} from {}", question.suspects.front().label, named(question.suspects, 1));
+  question.why = fmt::format("tells {} from {}", question.suspects.front().label, nameHypotheses(question.suspects, 1));
   return true;
 }
 
 /// The curve that the misfit follows, as an effect of its own, against the best of the catalogue.
 void askAboutCurve(const Diagnosis& diagnosis, const Robot& robot, ModelAmbiguity& question) {
-  const DriverCurve& curve = diagnosis.drivers.front();
+  const DriverCurve& curve = diagnosis.driverCurves.front();
   const auto rival = std::find_if(diagnosis.ranking.begin(), diagnosis.ranking.end(), [&](const auto& finding) {
     return finding.state != CandidateState::noData && finding.state != CandidateState::present &&
            finding.evidence.freedom > 0;
@@ -156,7 +156,7 @@ void askAboutCurve(const Diagnosis& diagnosis, const Robot& robot, ModelAmbiguit
     size[i] = value;
     definition["unknowns"][name] = {{"unit", unit}, {"sigma", std::max(std::abs(value), 1e-6)}};
   }
-  question.effects.push_back(userEffect(JsonCursor{definition, "the curve"}, robot));
+  question.effects.push_back(parseUserEffect(JsonCursor{definition, "the curve"}, robot));
   const Eigen::VectorXd plausible = Term{question.effects.back()}.sigmas();
   suspect({{"curve@" + curve.place, size, plausible},
            {rival->term.label(), rival->evidence.estimate, rival->term.sigmas()}},
@@ -178,14 +178,14 @@ void askWhether(const Diagnosis& diagnosis, CandidateState state, ModelAmbiguity
   }
   if (!suspects.empty()) {
     suspect(std::move(suspects), std::move(evidence), question);
-    question.why = fmt::format("shows whether {} {} there", named(question.suspects, 0),
+    question.why = fmt::format("shows whether {} {} there", nameHypotheses(question.suspects, 0),
                                question.suspects.size() == 1 ? "is" : "are");
   }
 }
 
 } // namespace
 
-std::vector<double> probabilities(const std::vector<double>& evidence) {
+std::vector<double> posteriorProbabilities(const std::vector<double>& evidence) {
   const double most = *std::max_element(evidence.begin(), evidence.end());
   std::vector<double> result;
   double sum = 0;
@@ -199,7 +199,7 @@ std::vector<double> probabilities(const std::vector<double>& evidence) {
   return result;
 }
 
-ModelAmbiguity openQuestion(const Diagnosis& diagnosis, const Robot& robot, const DiagnosisOptions& asked) {
+ModelAmbiguity findAmbiguity(const Diagnosis& diagnosis, const Robot& robot, const DiagnosisOptions& asked) {
   ModelAmbiguity question{
       .suspects = {}, .with = diagnosis.with, .without = asked.without, .effects = asked.effects, .why = {}};
   if (diagnosis.verdict == Verdict::badCaptures) {
@@ -209,7 +209,7 @@ ModelAmbiguity openQuestion(const Diagnosis& diagnosis, const Robot& robot, cons
   if (diagnosis.verdict == Verdict::unknownEffect) {
     askAboutCurve(diagnosis, robot, question);
     if (question.suspects.empty()) {
-      const DriverCurve& curve = diagnosis.drivers.front();
+      const DriverCurve& curve = diagnosis.driverCurves.front();
       question.whyNone =
           fmt::format("poses are proposed to tell a joint's curve from effects, and what is missing sits at {} over {}",
                       curve.place, curve.driver);

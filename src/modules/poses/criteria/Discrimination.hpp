@@ -32,10 +32,10 @@ struct ModelAmbiguity {
 /// The first of these that a diagnosis leaves open: which effect of a class that its captures cannot tell apart is
 /// there; whether a curve that no effect describes is what its best rival of the catalogue says; whether candidates are
 /// there that the captures hardly test. Odds are exp(evidence / 2), evidence = 2 ln of the Bayes factor.
-ModelAmbiguity openQuestion(const Diagnosis& diagnosis, const Robot& robot, const DiagnosisOptions& asked);
+ModelAmbiguity findAmbiguity(const Diagnosis& diagnosis, const Robot& robot, const DiagnosisOptions& asked);
 
 /// 2 ln Bayes factors as probabilities: exp(evidence / 2), together 1.
-std::vector<double> probabilities(const std::vector<double>& evidence);
+std::vector<double> posteriorProbabilities(const std::vector<double>& evidence);
 
 /// How surely suspects are told apart, or seen, by what some captures tell.
 ///
@@ -54,10 +54,10 @@ public:
 
   /// What further captures promise: sum over pairs of odds_j odds_k (1 - exp(-(after - before) / 8)); the exponential
   /// bounds the chance that the pair is still confused.
-  double gain(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const;
+  double expectedGain(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const;
 
   /// By how much the misfits grow on average: exp of the mean of ln(after / before), weighted by the pairs' odds.
-  double growth(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const;
+  double growthFactor(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const;
 
 private:
   struct Pair {

@@ -42,33 +42,33 @@ CaptureSet EffectPairCriterion::captures(const std::vector<ValidPose>& poses) co
   const auto joints = static_cast<Eigen::Index>(robot_.joints.size());
   std::mt19937_64 random{options_.poses.seed};
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    const Eigen::VectorXd approach = poses[i].approach.size() > 0 ? poses[i].approach : randomApproach(robot_, random);
-    ModelState belief = scene_.drawn();
+    const Eigen::VectorXd approach = poses[i].approach.size() > 0 ? poses[i].approach : drawApproach(robot_, random);
+    ModelState belief = scene_.nominalState();
     belief.values.head(joints) = poses[i].belief.values.head(joints);
-    const std::vector<VisibleBoard> sights = scene_.sights(belief, posture(robot_, belief));
+    const std::vector<VisibleBoard> sights = scene_.visibleBoards(belief, forwardKinematics(robot_, belief));
     for (const auto& [camera, lens] : cameras_) {
       Capture& capture = set.captures.emplace_back();
       capture.id = static_cast<int>(set.captures.size());
-      capture.pose = plannedName(i);
+      capture.pose = plannedPoseName(i);
       capture.camera = camera;
       capture.supportFoot = options_.poses.supportFoot;
       capture.joints.measured.assign(belief.values.begin(), belief.values.begin() + joints);
       capture.joints.approach.assign(approach.begin(), approach.end());
-      capture.corners = seenBy(camera, sights);
+      capture.corners = cornersSeenBy(camera, sights);
     }
   }
   return set;
 }
 
-EffectPairCriterion::Told EffectPairCriterion::told(const std::vector<ValidPose>& poses) const {
-  const Measurements measurements = measurementsOf({captures(poses)}, robot_);
+EffectPairCriterion::Told EffectPairCriterion::tellApart(const std::vector<ValidPose>& poses) const {
+  const Measurements measurements = buildMeasurements({captures(poses)}, robot_);
   const std::vector<std::string> without =
       options_.known ? std::vector<std::string>{"cameraRotation@*"} : std::vector<std::string>{};
-  const Model own = makeModel(measurements, {}, without);
+  const Model own = buildModel(measurements, {}, without);
   Told result{static_cast<Eigen::Index>(own.unknownCount()), {}, false, {}, {}};
   result.question.rivals = true;
   result.question.effects = allEffects();
-  const Model named = makeModel(measurements, options_.effects, without); // says what is wrong with them
+  const Model named = buildModel(measurements, options_.effects, without); // says what is wrong with them
   const auto isAsked = [&](const Term& term) {
     return std::any_of(options_.effects.begin(), options_.effects.end(), [&](const std::string& given) {
       return given == term.label() ||
@@ -80,34 +80,37 @@ EffectPairCriterion::Told EffectPairCriterion::told(const std::vector<ValidPose>
       result.question.suspects.push_back({term.label(), term.sigmas(), term.sigmas(), 0.5});
     }
   }
-  const Model model = withSuspects(measurements, own, result.question);
-  result.byApproach = looksAtApproach(model);
+  const Model model = addHypotheses(measurements, own, result.question);
+  result.byApproach = dependsOnApproach(model);
   result.prior = model.sigmas().cwiseAbs2().cwiseInverse().asDiagonal();
   result.poses.assign(poses.size(), Eigen::MatrixXd::Zero(result.prior.rows(), result.prior.cols()));
   const Residuals residuals{measurements, model, options_.noise};
   const Eigen::VectorXd asDrawn = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.unknownCount()));
-  const auto linear = residuals.linearised(residuals.start(asDrawn)).value(); // what is in sight lies before the camera
+  const auto linear =
+      residuals.linearise(residuals.startState(asDrawn)).value(); // what is in sight lies before the camera
   std::map<std::string, std::size_t> numbers;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    numbers[plannedName(i)] = i;
+    numbers[plannedPoseName(i)] = i;
   }
   for (std::size_t pose = 0; pose < linear.poses.size(); ++pose) {
-    informationOf(linear.poses[pose], options_.noise).addTo(result.poses[numbers.at(measurements.poses[pose].name)]);
+    marginalInformation(linear.poses[pose], options_.noise)
+        .addTo(result.poses[numbers.at(measurements.poses[pose].name)]);
   }
   return result;
 }
 
-std::vector<ValidPose> EffectPairCriterion::best(const std::vector<ValidPose>& kept,
-                                                 const std::vector<ValidPose>& candidates, std::size_t count) const {
+std::vector<ValidPose> EffectPairCriterion::selectPoses(const std::vector<ValidPose>& kept,
+                                                        const std::vector<ValidPose>& candidates,
+                                                        std::size_t count) const {
   std::vector<ValidPose> all = kept;
   std::mt19937_64 random{options_.poses.seed};
   for (const ValidPose& candidate : candidates) {
     all.push_back(candidate);
-    all.back().approach = randomApproach(robot_, random);
+    all.back().approach = drawApproach(robot_, random);
     all.push_back(all.back());
     all.back().approach *= -1;
   }
-  Told told = this->told(all);
+  Told told = this->tellApart(all);
   const Discrimination discrimination{told.question, told.own};
   Eigen::MatrixXd known = told.prior;
   for (std::size_t i = 0; i < kept.size(); ++i) {
@@ -116,10 +119,10 @@ std::vector<ValidPose> EffectPairCriterion::best(const std::vector<ValidPose>& k
   told.poses.erase(told.poses.begin(), told.poses.begin() + static_cast<std::ptrdiff_t>(kept.size()));
   const Eigen::VectorXd before = discrimination.misfits(told.prior);
   const Objective judge = [&](const Eigen::MatrixXd& sum) {
-    return 1 / discrimination.growth(before, discrimination.misfits(sum));
+    return 1 / discrimination.growthFactor(before, discrimination.misfits(sum));
   };
-  std::vector<std::size_t> chosen = greedySelection(judge, known, told.poses, count);
-  exchange(judge, known, told.poses, chosen);
+  std::vector<std::size_t> chosen = selectGreedily(judge, known, told.poses, count);
+  improveByExchange(judge, known, told.poses, chosen);
   std::vector<ValidPose> result;
   for (const std::size_t index : chosen) {
     result.push_back(all[kept.size() + index]);
@@ -133,7 +136,7 @@ std::vector<ValidPose> EffectPairCriterion::best(const std::vector<ValidPose>& k
 double EffectPairCriterion::misfit(const std::vector<ValidPose>& kept, const std::vector<ValidPose>& poses) const {
   std::vector<ValidPose> all = kept;
   all.insert(all.end(), poses.begin(), poses.end());
-  const Told told = this->told(all);
+  const Told told = this->tellApart(all);
   Eigen::MatrixXd sum = told.prior;
   for (const Eigen::MatrixXd& pose : told.poses) {
     sum += pose;

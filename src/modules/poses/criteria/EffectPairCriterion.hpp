@@ -17,8 +17,8 @@ public:
   /// Greedily and by exchange, the poses after which the misfits of the wrong effect are largest (the mean of their
   /// logarithms), beside those that are `kept`. Where an effect looks at it each pose gets the approach that it is to
   /// be taken with. Throws InputError where the effects are not two, or have no place in such captures.
-  std::vector<ValidPose> best(const std::vector<ValidPose>& kept, const std::vector<ValidPose>& candidates,
-                              std::size_t count) const;
+  std::vector<ValidPose> selectPoses(const std::vector<ValidPose>& kept, const std::vector<ValidPose>& candidates,
+                                     std::size_t count) const;
 
   /// By how much chi2 the wrong one fits worse after these poses; the smaller of both.
   double misfit(const std::vector<ValidPose>& kept, const std::vector<ValidPose>& poses) const;
@@ -32,7 +32,7 @@ private:
     Eigen::MatrixXd prior;
     std::vector<Eigen::MatrixXd> poses;
   };
-  Told told(const std::vector<ValidPose>& poses) const;
+  Told tellApart(const std::vector<ValidPose>& poses) const;
   CaptureSet captures(const std::vector<ValidPose>& poses) const;
 
   const Robot& robot_;

@@ -19,7 +19,7 @@ struct PlanOptions {
   bool compare = false;                  // all criteria on the same candidates
   Noise noise;
   std::vector<std::string> effects; // two labels, that `discriminate` tells apart
-  std::size_t wornRobots = 0;       // with joint errors, for which poses and boards are judged besides
+  std::size_t perturbedRobots = 0;  // with joint errors, for which poses and boards are judged besides
   bool known = false;               // cameras and boards: their places are not to be estimated
   bool moveBoards = true;           // else they lie where they are given
   bool mirrored = false;            // boards lie symmetrically to the middle between the feet, for both feet's poses
@@ -28,7 +28,7 @@ struct PlanOptions {
   std::vector<Eigen::VectorXd> kept = {}; // angles of poses that are taken besides [rad]
   double farthestBoard = 1.3;             // middle of a board from the support sole [m]
   double gap = 0.02;                      // between boards, and from the robot's feet [m]
-  std::size_t weighed = 2000;             // candidates at most that are selected from, evenly among those found
+  std::size_t maxCandidates = 2000;       // candidates at most that are selected from, evenly among those found
   std::size_t starts = 4;                 // plans that are begun in different ways and refined; the best goes on
   std::size_t rounds = 3;                 // of refining poses and boards twice, the first for every start
   std::size_t refinements = 1000;         // tries per pose and per board in a round

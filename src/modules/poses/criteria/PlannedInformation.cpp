@@ -15,17 +15,17 @@
 
 namespace naocal {
 
-Eigen::VectorXd randomApproach(const Robot& robot, std::mt19937_64& random) {
-  Eigen::VectorXd result(at(robot.joints.size()));
+Eigen::VectorXd drawApproach(const Robot& robot, std::mt19937_64& random) {
+  Eigen::VectorXd result(eigenIndex(robot.joints.size()));
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     const double drawn = random() % 2 == 0 ? 1 : -1;
     const std::size_t motor = robot.joints[joint].motor;
-    result[at(joint)] = motor < joint ? result[at(motor)] : drawn;
+    result[eigenIndex(joint)] = motor < joint ? result[eigenIndex(motor)] : drawn;
   }
   return result;
 }
 
-bool looksAtApproach(const Model& model) {
+bool dependsOnApproach(const Model& model) {
   return std::any_of(model.terms().begin(), model.terms().end(), [](const Term& term) {
     const auto& needs = term.effect.needs;
     return std::find(needs.begin(), needs.end(), Driver::approach) != needs.end();
@@ -38,7 +38,7 @@ namespace {
 constexpr SupportMargin fittedFooting{0.01, 0.01};
 
 /// In the order of the set's joints; 0 for those that the drawing does not hold (fingers).
-std::vector<double> listed(const CaptureSet& set, const Robot& robot, const Eigen::VectorXd& perJoint) {
+std::vector<double> listAngles(const CaptureSet& set, const Robot& robot, const Eigen::VectorXd& perJoint) {
   std::vector<double> result;
   for (const std::string& name : set.jointNames) {
     const auto joint = robot.jointIndex(name);
@@ -53,12 +53,12 @@ Capture plannedCapture(const CaptureSet& set, const Robot& robot, const Proposed
   Capture capture;
   capture.time = last.time + Seconds{30};
   capture.supportFoot = planned.pose.supportFoot;
-  capture.joints.measured = listed(set, robot, planned.pose.angles);
+  capture.joints.measured = listAngles(set, robot, planned.pose.angles);
   if (!last.joints.velocity.empty()) {
     capture.joints.velocity.assign(set.jointNames.size(), 0);
   }
   if (!last.joints.approach.empty()) {
-    capture.joints.approach = listed(set, robot, planned.approach);
+    capture.joints.approach = listAngles(set, robot, planned.approach);
   }
   capture.joints.temperature = last.joints.temperature;
   capture.joints.current = last.joints.current;
@@ -69,7 +69,7 @@ Capture plannedCapture(const CaptureSet& set, const Robot& robot, const Proposed
 
 } // namespace
 
-std::vector<BoardCorners> seenBy(const std::string& camera, const std::vector<VisibleBoard>& sights) {
+std::vector<BoardCorners> cornersSeenBy(const std::string& camera, const std::vector<VisibleBoard>& sights) {
   std::vector<BoardCorners> result;
   for (const VisibleBoard& sight : sights) {
     if (sight.camera == camera) {
@@ -80,11 +80,11 @@ std::vector<BoardCorners> seenBy(const std::string& camera, const std::vector<Vi
   return result;
 }
 
-std::string plannedName(std::size_t pose) {
+std::string plannedPoseName(std::size_t pose) {
   return fmt::format("planned {:06}", pose);
 }
 
-int plannedStance(const std::vector<CaptureSet>& sets, SupportFoot foot) {
+int plannedStanceId(const std::vector<CaptureSet>& sets, SupportFoot foot) {
   int highest = -1;
   for (const CaptureSet& set : sets) {
     for (const Stance& stance : set.stances) {
@@ -94,29 +94,29 @@ int plannedStance(const std::vector<CaptureSet>& sets, SupportFoot foot) {
   return highest + (foot == SupportFoot::left ? 1 : 2);
 }
 
-std::vector<CaptureSet> withPlanned(const std::vector<CaptureSet>& sets, const Robot& robot,
-                                    const std::vector<ProposedPose>& poses) {
+std::vector<CaptureSet> appendPlannedCaptures(const std::vector<CaptureSet>& sets, const Robot& robot,
+                                              const std::vector<ProposedPose>& poses) {
   std::vector<CaptureSet> result = sets;
   CaptureSet& set = result.back();
   for (const SupportFoot foot : {SupportFoot::left, SupportFoot::right}) {
-    set.stances.push_back({plannedStance(sets, foot), foot, std::nullopt});
+    set.stances.push_back({plannedStanceId(sets, foot), foot, std::nullopt});
   }
   for (std::size_t i = 0; i < poses.size(); ++i) {
     Capture capture = plannedCapture(sets.back(), robot, poses[i]);
-    capture.pose = plannedName(i);
-    capture.stance = plannedStance(sets, capture.supportFoot);
+    capture.pose = plannedPoseName(i);
+    capture.stance = plannedStanceId(sets, capture.supportFoot);
     for (const auto& [camera, lens] : set.cameras) {
       capture.camera = camera;
-      capture.corners = seenBy(camera, poses[i].pose.sights);
+      capture.corners = cornersSeenBy(camera, poses[i].pose.sights);
       set.captures.push_back(capture);
     }
   }
   return result;
 }
 
-std::vector<ProposedPose> feasibleByFit(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                        const Model& model, const Eigen::VectorXd& unknowns,
-                                        const std::vector<LocalScene>& around, std::vector<ProposedPose> poses) {
+std::vector<ProposedPose> filterFeasible(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                         const Model& model, const Eigen::VectorXd& unknowns,
+                                         const std::vector<LocalScene>& around, std::vector<ProposedPose> poses) {
   const Robot& robot = measurements.robot;
   std::map<SupportFoot, PlanningScene> scenes;
   for (const LocalScene& here : around) {
@@ -134,14 +134,14 @@ std::vector<ProposedPose> feasibleByFit(const std::vector<CaptureSet>& sets, con
     for (auto& [camera, picture] : pictures) {
       picture.instant.supportFoot = pose.supportFoot;
       picture.instant.q = pose.angles;
-      picture.drawn.values.head(pose.angles.size()) = pose.angles;
-      ModelState belief = scene.drawn();
-      belief.values.head(ofRobot) = believed(measurements, model, picture, unknowns).values.head(ofRobot);
-      const LinkPoses torsoFromLink = posture(robot, belief);
-      if (!stands(robot, torsoFromLink, pose.supportFoot, fittedFooting)) {
+      picture.nominal.values.head(pose.angles.size()) = pose.angles;
+      ModelState belief = scene.nominalState();
+      belief.values.head(ofRobot) = predictState(measurements, model, picture, unknowns).values.head(ofRobot);
+      const LinkPoses torsoFromLink = forwardKinematics(robot, belief);
+      if (!isBalanced(robot, torsoFromLink, pose.supportFoot, fittedFooting)) {
         break;
       }
-      for (VisibleBoard& sight : scene.sights(belief, torsoFromLink)) {
+      for (VisibleBoard& sight : scene.visibleBoards(belief, torsoFromLink)) {
         if (sight.camera == robot.cameras[camera].name) {
           pose.sights.push_back(std::move(sight));
         }
@@ -156,9 +156,9 @@ namespace {
 
 /// The fit's unknowns in the order of a model of the same captures and planned ones; the robot stands anew where it
 /// stood last.
-Eigen::VectorXd unknownsOf(const Measurements& extended, const Model& model, const FittedModel& fit,
-                           const std::vector<LocalScene>& around) {
-  Eigen::VectorXd result = carried(fit.model, fit.unknowns, model);
+Eigen::VectorXd extendUnknowns(const Measurements& extended, const Model& model, const FittedModel& fit,
+                               const std::vector<LocalScene>& around) {
+  Eigen::VectorXd result = mapParameters(fit.model, fit.unknowns, model);
   for (const Term& term : model.terms()) {
     const auto& fitted = fit.model.terms();
     if (term.effect.place != EffectSite::stance ||
@@ -166,7 +166,7 @@ Eigen::VectorXd unknownsOf(const Measurements& extended, const Model& model, con
       continue;
     }
     for (const LocalScene& here : around) {
-      if (here.supportFoot == extended.standings[term.at].supportFoot) {
+      if (here.supportFoot == extended.stances[term.site].supportFoot) {
         result.segment<3>(static_cast<Eigen::Index>(term.first)) << here.sole.x, here.sole.y, here.sole.yaw;
       }
     }
@@ -176,7 +176,7 @@ Eigen::VectorXd unknownsOf(const Measurements& extended, const Model& model, con
 
 } // namespace
 
-double samplesOf(const Measurements& measurements) {
+double samplesPerPose(const Measurements& measurements) {
   std::size_t pictures = 0;
   std::set<std::pair<const PoseGroup*, std::size_t>> views;
   for (const PoseGroup& pose : measurements.poses) {
@@ -190,7 +190,7 @@ double samplesOf(const Measurements& measurements) {
   return std::round(static_cast<double>(pictures) / static_cast<double>(views.size()));
 }
 
-Model withSuspects(const Measurements& measurements, const Model& model, const ModelAmbiguity& question) {
+Model addHypotheses(const Measurements& measurements, const Model& model, const ModelAmbiguity& question) {
   Model result = model;
   const std::vector<Term> terms = candidateTerms(measurements, question.effects);
   for (const Hypothesis& suspect : question.suspects) {
@@ -208,38 +208,38 @@ void PoseInformation::addTo(Eigen::MatrixXd& sum) const {
   sum(unknowns, unknowns) += hessian;
 }
 
-PoseInformation informationOf(PoseSystem pose, const Noise& noise, double samples) {
+PoseInformation marginalInformation(PoseSystem pose, const Noise& noise, double samples) {
   pose.unknownGram *= samples;
-  pose.cross *= samples;
-  pose.deflectionGram *= samples;
-  return {pose.unknowns, eliminated(pose, noise, deflectionRoot(pose, noise)).hessian};
+  pose.jointErrorCross *= samples;
+  pose.jointErrorGram *= samples;
+  return {pose.unknowns, marginalize(pose, noise, jointErrorRoot(pose, noise)).hessian};
 }
 
-PlannedInformation plannedInformation(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+PlannedInformation predictInformation(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                                       const FittedModel& fit, const ModelAmbiguity& question,
                                       const std::vector<LocalScene>& around, const std::vector<ProposedPose>& poses,
                                       bool samePlace) {
   const Measurements extended =
-      measurementsOf(withPlanned(sets, measurements.robot, poses), measurements.robot, samePlace);
-  PlannedInformation result{makeModel(extended, question.with, question.without, question.effects), {}, {}};
-  const Model model = withSuspects(extended, result.own, question);
+      buildMeasurements(appendPlannedCaptures(sets, measurements.robot, poses), measurements.robot, samePlace);
+  PlannedInformation result{buildModel(extended, question.with, question.without, question.effects), {}, {}};
+  const Model model = addHypotheses(extended, result.own, question);
   const Residuals residuals{extended, model, fit.noise};
-  const auto linear = residuals.linearised(residuals.start(unknownsOf(extended, model, fit, around)));
+  const auto linear = residuals.linearise(residuals.startState(extendUnknowns(extended, model, fit, around)));
   if (!linear) {
     throw InputError{"the fit puts a corner that was seen behind the camera: these captures do not belong together"};
   }
   std::map<std::string, std::size_t> planned;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    planned[plannedName(i)] = i;
+    planned[plannedPoseName(i)] = i;
   }
-  const double samples = samplesOf(measurements);
+  const double samples = samplesPerPose(measurements);
   result.known = model.sigmas().cwiseAbs2().cwiseInverse().asDiagonal();
   result.promised.resize(poses.size());
   for (std::size_t pose = 0; pose < linear->poses.size(); ++pose) {
     if (const auto found = planned.find(extended.poses[pose].name); found != planned.end()) {
-      result.promised[found->second] = informationOf(linear->poses[pose], fit.noise, samples);
+      result.promised[found->second] = marginalInformation(linear->poses[pose], fit.noise, samples);
     } else {
-      informationOf(linear->poses[pose], fit.noise).addTo(result.known);
+      marginalInformation(linear->poses[pose], fit.noise).addTo(result.known);
     }
   }
   return result;
@@ -253,7 +253,7 @@ Placement seenFrom(const Placement& sole, const Placement& board) {
   Placement result;
   result.x = c * x + s * y;
   result.y = c * y - s * x;
-  result.yaw = wrapped(board.yaw - sole.yaw);
+  result.yaw = wrapAngle(board.yaw - sole.yaw);
   return result;
 }
 
@@ -267,8 +267,8 @@ template <typename Numbers> Placement onFloor(const Numbers& numbers) {
 
 } // namespace
 
-std::vector<LocalScene> surroundings(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                     const Model& model, const Eigen::VectorXd& unknowns) {
+std::vector<LocalScene> findLocalScenes(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                        const Model& model, const Eigen::VectorXd& unknowns) {
   const std::size_t lastSet = sets.size() - 1;
   std::map<SupportFoot, const ImageObservation*> latest; // per foot
   std::set<std::size_t> seen;
@@ -288,8 +288,8 @@ std::vector<LocalScene> surroundings(const std::vector<CaptureSet>& sets, const 
   }
   std::vector<LocalScene> result;
   for (const auto& [foot, picture] : latest) {
-    const ModelState belief = believed(measurements, model, *picture, unknowns);
-    LocalScene here{foot, onFloor(belief.ground()), {}};
+    const ModelState belief = predictState(measurements, model, *picture, unknowns);
+    LocalScene here{foot, onFloor(belief.worldFromSupport()), {}};
     for (const std::size_t target : seen) {
       Board board = measurements.targets[target].board; // its id as in its set
       board.placement = seenFrom(here.sole, onFloor(belief.boardPlacement(target)));

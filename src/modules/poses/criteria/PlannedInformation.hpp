@@ -12,10 +12,10 @@
 namespace naocal {
 
 /// Per joint the motion that ends in a pose, at random: -1 from above, +1 from below; as one for joints of one motor.
-Eigen::VectorXd randomApproach(const Robot& robot, std::mt19937_64& random);
+Eigen::VectorXd drawApproach(const Robot& robot, std::mt19937_64& random);
 
 /// Whether an effect of the model depends on it.
-bool looksAtApproach(const Model& model);
+bool dependsOnApproach(const Model& model);
 
 /// Where a robot stood last and what lies around it, by a fit: where it would take further poses.
 struct LocalScene {
@@ -25,29 +25,29 @@ struct LocalScene {
 };
 
 /// One for each foot that the last set stands on (of both feet, the left one); none where no board lies on the floor.
-std::vector<LocalScene> surroundings(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                     const Model& model, const Eigen::VectorXd& unknowns);
+std::vector<LocalScene> findLocalScenes(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                        const Model& model, const Eigen::VectorXd& unknowns);
 
 /// The sets with captures of planned poses behind the last one's, as if they had been taken after it: the boards lie
 /// where they lay, the robot stands anew on each foot; every camera takes one picture a pose, and joints read what they
 /// were sent to. Corners' ids are those in sight, their pixels nothing: slopes do not depend on what was measured.
-std::vector<CaptureSet> withPlanned(const std::vector<CaptureSet>& sets, const Robot& robot,
-                                    const std::vector<ProposedPose>& poses);
+std::vector<CaptureSet> appendPlannedCaptures(const std::vector<CaptureSet>& sets, const Robot& robot,
+                                              const std::vector<ProposedPose>& poses);
 
 /// What a camera sees, corners' pixels nothing.
-std::vector<BoardCorners> seenBy(const std::string& camera, const std::vector<VisibleBoard>& sights);
+std::vector<BoardCorners> cornersSeenBy(const std::string& camera, const std::vector<VisibleBoard>& sights);
 
 /// The name of a planned pose's captures.
-std::string plannedName(std::size_t pose);
+std::string plannedPoseName(std::size_t pose);
 
 /// The stance that poses on this foot get: numbers above those of all sets, the left foot's first.
-int plannedStance(const std::vector<CaptureSet>& sets, SupportFoot foot);
+int plannedStanceId(const std::vector<CaptureSet>& sets, SupportFoot foot);
 
 /// Those poses in which the robot stands and sees a board when its joints are where the fitted model has them, not
 /// where they were sent; their sights so.
-std::vector<ProposedPose> feasibleByFit(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                        const Model& model, const Eigen::VectorXd& unknowns,
-                                        const std::vector<LocalScene>& around, std::vector<ProposedPose> poses);
+std::vector<ProposedPose> filterFeasible(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+                                         const Model& model, const Eigen::VectorXd& unknowns,
+                                         const std::vector<LocalScene>& around, std::vector<ProposedPose> poses);
 
 /// A pose's information about the unknowns that it depends on, its joints' deflections eliminated.
 struct PoseInformation {
@@ -58,7 +58,7 @@ struct PoseInformation {
 };
 
 /// `samples`: pictures taken without moving, that is, with the same encoder errors.
-PoseInformation informationOf(PoseSystem pose, const Noise& noise, double samples = 1);
+PoseInformation marginalInformation(PoseSystem pose, const Noise& noise, double samples = 1);
 
 /// A model that was fitted to captures.
 struct FittedModel {
@@ -74,16 +74,17 @@ struct PlannedInformation {
   std::vector<PoseInformation> promised; // per planned pose
 };
 
-/// The measurement model linearised at the fit, for captures and planned poses (withPlanned); suspects absent.
-PlannedInformation plannedInformation(const std::vector<CaptureSet>& sets, const Measurements& measurements,
+/// The measurement model linearised at the fit, for captures and planned poses (appendPlannedCaptures); suspects
+/// absent.
+PlannedInformation predictInformation(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                                       const FittedModel& fit, const ModelAmbiguity& question,
                                       const std::vector<LocalScene>& around, const std::vector<ProposedPose>& poses,
                                       bool samePlace);
 
 /// Pictures per pose and camera.
-double samplesOf(const Measurements& measurements);
+double samplesPerPose(const Measurements& measurements);
 
 /// The model with the suspects behind its own unknowns.
-Model withSuspects(const Measurements& measurements, const Model& model, const ModelAmbiguity& question);
+Model addHypotheses(const Measurements& measurements, const Model& model, const ModelAmbiguity& question);
 
 } // namespace naocal

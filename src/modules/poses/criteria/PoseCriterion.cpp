@@ -29,7 +29,7 @@ PoseCriterion::PoseCriterion(const Robot& robot, const PlanningScene& scene, std
   order_.insert(order_.end(), joints_.begin(), joints_.end());
 }
 
-Eigen::MatrixXd PoseCriterion::part(const Eigen::MatrixXd& information) const {
+Eigen::MatrixXd PoseCriterion::relevantInformation(const Eigen::MatrixXd& information) const {
   return information(order_, order_);
 }
 
@@ -65,13 +65,13 @@ double PoseCriterion::operator()(const Eigen::MatrixXd& information) const {
   return std::pow(sum, 1 / softness);
 }
 
-std::vector<std::size_t> selected(const PoseCriterion& judge, const Eigen::MatrixXd& known,
-                                  const std::vector<Eigen::MatrixXd>& candidates, std::size_t count) {
+std::vector<std::size_t> selectPoses(const PoseCriterion& judge, const Eigen::MatrixXd& known,
+                                     const std::vector<Eigen::MatrixXd>& candidates, std::size_t count) {
   std::vector<std::size_t> best;
   double least = std::numeric_limits<double>::infinity();
   for (const Criterion start : {Criterion::determinant, Criterion::trace, Criterion::eigenvalue, Criterion::worst}) {
-    std::vector<std::size_t> chosen = greedySelection(judge.by(start), known, candidates, count);
-    exchange(judge, known, candidates, chosen);
+    std::vector<std::size_t> chosen = selectGreedily(judge.withCriterion(start), known, candidates, count);
+    improveByExchange(judge, known, candidates, chosen);
     Eigen::MatrixXd sum = known;
     for (const std::size_t index : chosen) {
       sum += candidates[index];

@@ -20,7 +20,7 @@ enum class Criterion {
   time          // the seconds that it takes to play poses which reach a sigma that is asked for
 };
 constexpr std::array<std::string_view, 7> criterionNames{"D", "A", "E", "worst", "thesis", "discriminate", "time"};
-constexpr std::string_view name(Criterion criterion) {
+constexpr std::string_view toString(Criterion criterion) {
   return criterionNames[static_cast<std::size_t>(criterion)];
 }
 
@@ -33,8 +33,8 @@ public:
                 bool known = false);
 
   /// The part that matters: what is unknown beside the offsets, then these.
-  Eigen::MatrixXd part(const Eigen::MatrixXd& information) const;
-  Eigen::MatrixXd prior() const { return part(prior_); }
+  Eigen::MatrixXd relevantInformation(const Eigen::MatrixXd& information) const;
+  Eigen::MatrixXd prior() const { return relevantInformation(prior_); }
 
   /// Of the offsets, by a sum of parts [rad^2].
   Eigen::MatrixXd covariance(const Eigen::MatrixXd& sum) const;
@@ -44,7 +44,7 @@ public:
   const std::vector<std::size_t>& joints() const { return joints_; }
 
   /// The same unknowns judged otherwise.
-  PoseCriterion by(Criterion criterion) const {
+  PoseCriterion withCriterion(Criterion criterion) const {
     PoseCriterion result = *this;
     result.criterion_ = criterion;
     return result;
@@ -59,7 +59,7 @@ private:
 
 /// Picks `count` (at most all) of the candidates, given by their parts, beside what is `known`: greedily by each
 /// criterion in turn, then by exchange; the best of these. Indices.
-std::vector<std::size_t> selected(const PoseCriterion& judge, const Eigen::MatrixXd& known,
-                                  const std::vector<Eigen::MatrixXd>& candidates, std::size_t count);
+std::vector<std::size_t> selectPoses(const PoseCriterion& judge, const Eigen::MatrixXd& known,
+                                     const std::vector<Eigen::MatrixXd>& candidates, std::size_t count);
 
 } // namespace naocal

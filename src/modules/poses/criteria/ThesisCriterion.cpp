@@ -51,14 +51,14 @@ FloorSensor::FloorSensor(const Robot& robot, const Sole& support,
 
 RigidTransform FloorSensor::opticalFromSole(const Eye& eye, const LinkPoses& torsoFromLink) const {
   const CameraMount& mount = robot_.cameras[eye.camera];
-  const ModelState drawn = drawnBelief(robot_, StateLayout{robot_.joints.size(), robot_.lengths.size(), 0});
+  const ModelState drawn = nominalState(robot_, StateLayout{robot_.joints.size(), robot_.lengths.size(), 0});
   return (torsoFromLink[mount.link] * linkFromOptical(mount, drawn)).inverse() * torsoFromLink[sole_];
 }
 
-Eigen::MatrixXd FloorSensor::observation(const Eigen::VectorXd& angles) const {
+Eigen::MatrixXd FloorSensor::observe(const Eigen::VectorXd& angles) const {
   constexpr double little = 1e-3; // [rad]
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(at(3 * eyes_.size()), at(joints_.size()));
-  const LinkPoses here = posture(robot_, angles);
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(eigenIndex(3 * eyes_.size()), eigenIndex(joints_.size()));
+  const LinkPoses here = forwardKinematics(robot_, angles);
   for (std::size_t i = 0; i < eyes_.size(); ++i) {
     const auto& [camera, lens, weight] = eyes_[i];
     const RigidTransform view = opticalFromSole(eyes_[i], here);
@@ -73,9 +73,9 @@ Eigen::MatrixXd FloorSensor::observation(const Eigen::VectorXd& angles) const {
       continue;
     }
     const auto picture = [&, &ownLens = lens](const RigidTransform& opticalFromSole) {
-      Eigen::Matrix2Xd pixels(2, at(seen.size()));
+      Eigen::Matrix2Xd pixels(2, eigenIndex(seen.size()));
       for (std::size_t k = 0; k < seen.size(); ++k) {
-        pixels.col(at(k)) = fromMiddle(ownLens, opticalFromSole * seen[k]);
+        pixels.col(eigenIndex(k)) = fromMiddle(ownLens, opticalFromSole * seen[k]);
       }
       return pixels;
     };
@@ -83,10 +83,11 @@ Eigen::MatrixXd FloorSensor::observation(const Eigen::VectorXd& angles) const {
     for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
       Eigen::VectorXd turned = angles;
       for (std::size_t each = 0; each < robot_.joints.size(); ++each) {
-        turned[at(each)] += robot_.joints[each].motor == joints_[joint] ? little : 0;
+        turned[eigenIndex(each)] += robot_.joints[each].motor == joints_[joint] ? little : 0;
       }
-      const Eigen::Vector3d motion = rigidMotion(before, picture(opticalFromSole(eyes_[i], posture(robot_, turned))));
-      result.block<3, 1>(at(3 * i), at(joint)) =
+      const Eigen::Vector3d motion =
+          rigidMotion(before, picture(opticalFromSole(eyes_[i], forwardKinematics(robot_, turned))));
+      result.block<3, 1>(eigenIndex(3 * i), eigenIndex(joint)) =
           weight / little * motion.cwiseProduct(Eigen::Vector3d{1, 1, lens.width / 2.0});
     }
   }
@@ -107,7 +108,7 @@ template <typename PairValue> Eigen::ArrayXd perPair(Eigen::Index joints, const 
 
 } // namespace
 
-Eigen::ArrayXd jointInteraction(const Eigen::MatrixXd& observation) {
+Eigen::ArrayXd computeJointInteraction(const Eigen::MatrixXd& observation) {
   return perPair(observation.cols(), [&](Eigen::Index a, Eigen::Index b) {
     const double norms = observation.col(a).norm() * observation.col(b).norm();
     return norms > 0 ? std::min(1.0, std::abs(observation.col(a).dot(observation.col(b))) / norms) : 1.0;
@@ -125,8 +126,8 @@ Interaction InteractionCriterion::operator()(const Eigen::ArrayXd& product) cons
   return {(weights_ * product).sum(), static_cast<std::size_t>((product > toldApart).count())};
 }
 
-std::vector<std::size_t> InteractionCriterion::chain(const std::vector<Eigen::ArrayXd>& poses,
-                                                     std::size_t count) const {
+std::vector<std::size_t> InteractionCriterion::selectChain(const std::vector<Eigen::ArrayXd>& poses,
+                                                           std::size_t count) const {
   std::vector<std::size_t> chosen;
   Eigen::ArrayXd product = Eigen::ArrayXd::Ones(weights_.size());
   double cost = 1;
@@ -154,10 +155,10 @@ namespace {
 
 Eigen::VectorXd jointWeights(const Robot& robot, const std::vector<std::size_t>& joints,
                              const std::map<std::string, double>& weights) {
-  Eigen::VectorXd result = Eigen::VectorXd::Ones(at(joints.size()));
+  Eigen::VectorXd result = Eigen::VectorXd::Ones(eigenIndex(joints.size()));
   for (std::size_t i = 0; i < joints.size(); ++i) {
     if (const auto weight = weights.find(robot.joints[joints[i]].name); weight != weights.end()) {
-      result[at(i)] = weight->second;
+      result[eigenIndex(i)] = weight->second;
     }
   }
   return result;
@@ -169,12 +170,12 @@ ThesisCriterion::ThesisCriterion(const Robot& robot, const Sole& support,
                                  const std::map<std::string, CameraIntrinsics>& cameras,
                                  const std::vector<std::size_t>& joints, const std::map<std::string, double>& weights)
     : sensor_{robot, support, cameras, joints, weights}, judge_{jointWeights(robot, joints, weights)},
-      angles_{at(robot.joints.size())} {}
+      angles_{eigenIndex(robot.joints.size())} {}
 
 std::vector<Eigen::ArrayXd> ThesisCriterion::interactions(const std::vector<ValidPose>& poses) const {
   std::vector<Eigen::ArrayXd> result(poses.size());
-  inParallel(poses.size(), [&](std::size_t i) {
-    result[i] = jointInteraction(sensor_.observation(poses[i].belief.values.head(angles_)));
+  parallelFor(poses.size(), [&](std::size_t i) {
+    result[i] = computeJointInteraction(sensor_.observe(poses[i].belief.values.head(angles_)));
   });
   return result;
 }
@@ -188,8 +189,8 @@ Interaction ThesisCriterion::interaction(const std::vector<ValidPose>& poses) co
   return judge_(product);
 }
 
-std::vector<std::size_t> ThesisCriterion::chain(const std::vector<ValidPose>& poses, std::size_t count) const {
-  return judge_.chain(interactions(poses), count);
+std::vector<std::size_t> ThesisCriterion::selectChain(const std::vector<ValidPose>& poses, std::size_t count) const {
+  return judge_.selectChain(interactions(poses), count);
 }
 
 } // namespace naocal

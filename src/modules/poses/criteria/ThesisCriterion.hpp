@@ -18,7 +18,7 @@ public:
   virtual ~PoseSensor() = default;
 
   /// Angles per joint of the drawing [rad].
-  virtual Eigen::MatrixXd observation(const Eigen::VectorXd& angles) const = 0;
+  virtual Eigen::MatrixXd observe(const Eigen::VectorXd& angles) const = 0;
 };
 
 /// Cameras over a floor of points every 0.25 m, 4 m around the robot (thesis, algorithm 1): a small turn of a joint
@@ -31,7 +31,7 @@ public:
   FloorSensor(const Robot& robot, const Sole& support, const std::map<std::string, CameraIntrinsics>& cameras,
               std::vector<std::size_t> joints, const std::map<std::string, double>& weights = {});
 
-  Eigen::MatrixXd observation(const Eigen::VectorXd& angles) const override;
+  Eigen::MatrixXd observe(const Eigen::VectorXd& angles) const override;
 
 private:
   struct Eye {
@@ -53,7 +53,7 @@ private:
 /// sensor does not see move looks like every other one: 1.
 ///
 /// `observation`: n numbers of any sensor by m joints.
-Eigen::ArrayXd jointInteraction(const Eigen::MatrixXd& observation);
+Eigen::ArrayXd computeJointInteraction(const Eigen::MatrixXd& observation);
 
 /// What a set of poses leaves alike.
 struct Interaction {
@@ -71,7 +71,7 @@ public:
 
   /// The thesis's chain: the pose of the least cost, then always the one with which the product's cost falls most, as
   /// long as it falls, up to `count`. Indices.
-  std::vector<std::size_t> chain(const std::vector<Eigen::ArrayXd>& poses, std::size_t count) const;
+  std::vector<std::size_t> selectChain(const std::vector<Eigen::ArrayXd>& poses, std::size_t count) const;
 
 private:
   Eigen::ArrayXd weights_; // per pair, together 1
@@ -86,7 +86,7 @@ public:
 
   Interaction interaction(const std::vector<ValidPose>& poses) const;
   /// InteractionCriterion::chain.
-  std::vector<std::size_t> chain(const std::vector<ValidPose>& poses, std::size_t count) const;
+  std::vector<std::size_t> selectChain(const std::vector<ValidPose>& poses, std::size_t count) const;
 
 private:
   std::vector<Eigen::ArrayXd> interactions(const std::vector<ValidPose>& poses) const;

@@ -93,11 +93,11 @@ TEST_CASE("two cameras stream at full rate and every picture is accounted for") 
 // Proves that no byte changes on the way from a driver's buffer to a frame, and that what comes is good enough to
 // detect.
 TEST_CASE("a known picture is captured byte for byte and its board is found") {
-  const CameraIntrinsics lens = drawnCameras(640, 480).at("top");
-  Board board = boardsAround().front();
+  const CameraIntrinsics lens = nominalCameras(640, 480).at("top");
+  Board board = defaultBoards().front();
   RenderedScene scene;
   scene.boards.push_back({board.id, *board.pattern, {rotationX(3.0), {-0.28, -0.2, 1.0}}});
-  const GreyPicture grey = Renderer{lens}.picture(scene, Appearance{}, 1);
+  const GreyPicture grey = Renderer{lens}.render(scene, Appearance{}, 1);
   std::vector<std::uint8_t> picture(2 * grey.pixels.size(), 128);
   for (std::size_t pixel = 0; pixel < grey.pixels.size(); ++pixel) {
     picture[2 * pixel] = grey.pixels[pixel];
@@ -114,7 +114,7 @@ TEST_CASE("a known picture is captured byte for byte and its board is found") {
     same += std::equal(bytes.begin(), bytes.end(), picture.begin(), picture.end());
   }
   CHECK(same == 30);
-  const Detection detection = detect(toGreyImage(*frame).value(), {board}, lens);
+  const Detection detection = detectBoards(toGreyImage(*frame).value(), {board}, lens);
   REQUIRE(detection.boards.size() == 1);
   CHECK(detection.boards.front().ids.size() == board.points.size());
   fmt::print("{} of 30 captured pictures are the known one, {} of {} corners found\n", same,
