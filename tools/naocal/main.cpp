@@ -21,7 +21,7 @@ void requireCommand(const CLI::App& app, const std::string& word) {
   }
   if (!word.starts_with('-') && std::find(names.begin(), names.end(), word) == names.end()) {
     throw naocal::InputError{
-        fmt::format("'{}' is no command; near it are {}", word, fmt::join(naocal::nearNames(word, names), ", "))};
+        fmt::format("'{}' is no command; near it are {}", word, fmt::join(naocal::closestNames(word, names), ", "))};
   }
 }
 

@@ -239,7 +239,7 @@ bool matches(std::string_view pattern, std::string_view text) {
         fmt::format("'{0}' names no place: write {0}@PLACE, such as {1}, or {0}@*", wanted, places.front())};
   }
   throw InputError{fmt::format("'{}' names no place of {} in these captures; near it are {}", wanted, effect,
-                               fmt::join(nearNames(wanted, places), ", "))};
+                               fmt::join(closestNames(wanted, places), ", "))};
 }
 
 /// "E@P" with '*', and whether it has named anything yet.
