@@ -19,8 +19,8 @@ struct LevenbergMarquardtOptions {
 };
 
 /// Where the search ended.
-template <typename CandidateState, typename Linear> struct Minimum {
-  CandidateState state;
+template <typename State, typename Linear> struct Minimum {
+  State state;
   Linear linear; // cost, gradient and Hessian there
   int iterations = 0;
   bool converged = false;
@@ -38,10 +38,10 @@ template <typename CandidateState, typename Linear> struct Minimum {
 /// Where the cost has a kink or a narrow bent valley (a gear's gap), steps never bring what is predicted: such a search
 /// has converged when it hardly fell any more.
 /// An impossible state is never rewarded: the step that led there is refused. Absent: already the start is impossible.
-template <typename Problem, typename CandidateState>
-auto levenbergMarquardt(const Problem& problem, CandidateState start, const LevenbergMarquardtOptions& options = {})
-    -> std::optional<Minimum<CandidateState, typename Problem::Linear>> {
-  Minimum<CandidateState, typename Problem::Linear> minimum{std::move(start), {}};
+template <typename Problem, typename State>
+auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarquardtOptions& options = {})
+    -> std::optional<Minimum<State, typename Problem::Linear>> {
+  Minimum<State, typename Problem::Linear> minimum{std::move(start), {}};
   if (!problem.linearise(minimum.state, minimum.linear)) {
     return std::nullopt;
   }
@@ -65,7 +65,7 @@ auto levenbergMarquardt(const Problem& problem, CandidateState start, const Leve
     if (minimum.converged && arrived) {
       break;
     }
-    CandidateState candidate = problem.applyStep(minimum.state, here, step);
+    State candidate = problem.applyStep(minimum.state, here, step);
     const double fall = problem.linearise(candidate, there) ? here.cost - there.cost : -1;
     arrived = fall > 0;
     if (arrived) {
