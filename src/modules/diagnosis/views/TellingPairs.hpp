@@ -51,11 +51,11 @@ TellingPairs tellingPairs(const Measurements& measurements, const Model& model, 
 /// "the torque on LHipPitch", "the direction from which LHipPitch was approached"
 std::string drivenBy(const DriverSeries& driver, const Robot& robot);
 
-/// "errors down over the torque on LHipPitch"
+/// "downward errors over the torque on LHipPitch"
 std::string tellingLabel(const TellingPair& pair, const std::vector<DriverSeries>& drivers, const Robot& robot);
 
-/// What the plot shows: "Errors down of ±6.0 px change sign with the direction from which LHipPitch was approached: 87
-/// % of the squared error."
+/// What the plot shows: "Downward errors (±6.0 px) change sign with the direction from which LHipPitch was approached.
+/// That is 87 % of the squared error."
 std::string tellingSentence(const TellingPair& pair, const std::vector<DriverSeries>& drivers, const Robot& robot);
 
 /// Of the most telling one, or that there is none.
