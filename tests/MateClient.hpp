@@ -15,7 +15,7 @@
 namespace naocal {
 
 /// A client of the robot's sockets that puts its bytes together as MATE does (Python's "<4sBBHII" and "<4sBBHI"), and
-/// shares nothing with the servers' own encoder. Waits at most half a minute for anything.
+/// shares nothing with the servers' own encoder. Waits at most five minutes for anything.
 class MateClient {
 public:
   struct Frame {
@@ -86,7 +86,7 @@ inline MateClient::~MateClient() {
 }
 
 inline void MateClient::limitWaiting() const {
-  const timeval longest{30, 0};
+  const timeval longest{300, 0};
   ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &longest, sizeof longest);
   ::setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &longest, sizeof longest);
 }

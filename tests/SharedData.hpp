@@ -1,6 +1,7 @@
 #pragma once
 
-#include <catch2/catch.hpp>
+#include "Skipped.hpp"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -8,13 +9,13 @@
 namespace naocal {
 
 /// A folder or file of real measurements that are not part of the project: ../shared/data beside the checkout.
-/// Tests that need it say so and pass where it is absent.
+/// Where it is absent the test is skipped: it returns, and CTest does not count it as passed.
 inline std::optional<std::filesystem::path> sharedData(const std::string& inside) {
   const auto path = std::filesystem::path{NAOCAL_SOURCE_DIR} / ".." / "shared" / "data" / inside;
   if (std::filesystem::exists(path)) {
     return path;
   }
-  WARN("skipped: no ../shared/data/" + inside);
+  skip("no ../shared/data/" + inside);
   return std::nullopt;
 }
 

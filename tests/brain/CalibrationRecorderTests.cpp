@@ -68,7 +68,7 @@ TEST_CASE("records until it is killed", "[.victim]") {
 // Proves that whatever moment a recording is cut off at, all that was said to be written is there, whole. A cut of the
 // power could take more than a killed process: files and their names are synchronised, which only a power cut would
 // test. NAOCAL_KILLS=200 makes it two hundred.
-TEST_CASE("a recording that is killed at any moment is readable up to its last capture") {
+TEST_CASE("a recording that is killed at any moment is readable up to its last capture", "[slow]") {
   std::mt19937 random{1}; // and chance enough in the scheduler
   int begun = 0;
   for (int kill = 0; kill < killCount(); ++kill) {

@@ -87,7 +87,7 @@ TEST_CASE("what one pose cannot tell is said in words and makes the result unusa
   const CalibrationResult result = calibrate(made.measurements, made.model);
   CHECK_FALSE(result.usable);
   REQUIRE_FALSE(result.weak.empty());
-  CHECK(result.weak.front().sentence.find("tell") != std::string::npos);
+  CHECK_FALSE(result.weak.front().parts.empty());
   CHECK(std::any_of(result.estimates.begin(), result.estimates.end(),
                     [](const Estimate& estimate) { return estimate.learned < 0.5; }));
 }

@@ -169,7 +169,7 @@ void checkIntervals(const Tally& tally) {
 
 } // namespace
 
-TEST_CASE("a calibration is as uncertain as it says") {
+TEST_CASE("a calibration is as uncertain as it says", "[slow]") {
   // Proves that 95 % intervals hold 95 % of true values, pooled and per unknown, over 200 robots with offsets up to 6.5
   // degrees, mounts up to 2 and unknown placements; that errors reach the Cramer-Rao bound of the true noise; and that
   // no better minimum is missed (none is found from the truth). The simulated robot has its own mechanics, but no
@@ -196,7 +196,7 @@ TEST_CASE("a calibration is as uncertain as it says") {
   WARN("pooled " << all.pooled() << " inside 95 %, errors over Cramer-Rao sigma " << ratio);
 }
 
-TEST_CASE("on both feet the right sole's floor tells the other leg") {
+TEST_CASE("on both feet the right sole's floor tells the other leg", "[slow]") {
   // Proves that the closed chain over both legs is used: right leg offsets are learned without any board seen along it,
   // and intervals still hold. The floor's flatness is assumed (FloorContact), the simulated one is perfect.
   const Tally all = tally({{24, 3, 0, RepeatKind::reapproach, 0, 0, SupportFoot::both}}, 20);
@@ -207,7 +207,7 @@ TEST_CASE("on both feet the right sole's floor tells the other leg") {
   WARN("pooled " << all.pooled() << " inside 95 %, " << all.unusable << " of 20 unusable");
 }
 
-TEST_CASE("false corners and a displaced board are named and do no harm") {
+TEST_CASE("false corners and a displaced board are named and do no harm", "[slow]") {
   // Proves robustness: 5 % of corners 8 px off and a board 3 cm off its place in one picture. Not: boards off in most
   // pictures, or errors as small as the noise.
   const Tally all =

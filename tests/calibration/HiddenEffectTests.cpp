@@ -29,7 +29,7 @@ Estimate estimateOf(const Measurements& measurements, const std::string& label) 
 
 } // namespace
 
-TEST_CASE("an effect that another simulator hid has its size within 3 sigma") {
+TEST_CASE("an effect that another simulator hid has its size within 3 sigma", "[slow]") {
   // Proves sign, formula and unit of five effects, torque and centre of mass among them, against captures that nothing
   // of this code made.
   const auto [name, place] =
@@ -66,7 +66,8 @@ TEST_CASE("a spring at the angle that it gave way to, and play that load or moti
   CHECK(estimate.learned > 0.8);
 }
 
-TEST_CASE("what the simulator builds into a joint is estimated within 3 sigma, one motor's two joints included") {
+TEST_CASE("what the simulator builds into a joint is estimated within 3 sigma, one motor's two joints included",
+          "[slow]") {
   // Proves the simulator's mechanisms and the effects against each other: a spring is let sag until it carries the
   // posture reached, play is taken up by load or motion. The calibration solves neither that way.
   const auto label = GENERATE("elasticity@LKneePitch", "spring@LHipYawPitch", "gearPlay@LHipPitch", "gearPlay@HeadYaw",

@@ -18,7 +18,7 @@ SimulationPlan planOf(const Robot& robot, std::size_t poses) {
 
 } // namespace
 
-TEST_CASE("a camera that sits elsewhere is no scatter of joints") {
+TEST_CASE("a camera that sits elsewhere is no scatter of joints", "[slow]") {
   // Proves that noise levels come from the widest model: with both cameras up to 3 mm off their drawing, the pose noise
   // of joints that do not stick stays near zero, the fit is as close as with fixed noise, and averaged intervals hold
   // the offsets. Ten robots; a level told from the model alone runs to its bound in most of them.
@@ -52,7 +52,7 @@ TEST_CASE("a camera that sits elsewhere is no scatter of joints") {
   CHECK(vouched == 0);
 }
 
-TEST_CASE("joints that scatter more than noise may are a misfit of that size, however sharp the corners") {
+TEST_CASE("joints that scatter more than noise may are a misfit of that size, however sharp the corners", "[slow]") {
   // Proves that the misfit keeps its digits where joints are loose and corners sharp: gears stick by 0.3 degrees, noise
   // is bound to 0.15 and readings know 0.025, so that chi2 per freedom is 4; few poses leave a factor of two.
   const Robot robot = loadRobot(configurationDirectory(), "V6");

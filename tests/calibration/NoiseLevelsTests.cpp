@@ -9,7 +9,7 @@
 
 namespace naocal {
 
-TEST_CASE("repeats tell what scatters from pose to pose and what at every approach") {
+TEST_CASE("repeats tell what scatters from pose to pose and what at every approach", "[slow]") {
   // Proves that the restricted likelihood is searched to its peak: gears that stick differently in every pose (0.06
   // degrees) and at every approach (0.08) are told apart and sized, averaged over six robots with 24 poses each. One
   // robot's levels vary by some 10 percent.
@@ -54,7 +54,7 @@ CaptureSet restood(const Robot& robot, SimulationPlan plan, std::uint64_t seed) 
 
 } // namespace
 
-TEST_CASE("a robot that was put down anew tells what standing anew changes") {
+TEST_CASE("a robot that was put down anew tells what standing anew changes", "[slow]") {
   // Proves that the stance's level is told from the pose's and the approach's: what settles anew with the stance (0.06
   // degrees) is not called the re-approach's, nor a scatter of poses; without a second stance it is the poses'.
   const Robot robot = loadRobot(configurationDirectory(), "V6");

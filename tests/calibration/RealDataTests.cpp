@@ -6,7 +6,7 @@
 
 namespace naocal {
 
-TEST_CASE("a real NAO's arm and leg are predicted better than published") {
+TEST_CASE("a real NAO's arm and leg are predicted better than published", "[slow]") {
   // Proves the whole chain on measurements of a robot nobody here has touched (Freiburg, 2014): training set fitted
   // with joint offsets, mount, lens and marks; test set predicted. Published with all four limbs: 4.0 px (arm), 5.2 px
   // (leg).
@@ -31,7 +31,7 @@ TEST_CASE("a real NAO's arm and leg are predicted better than published") {
   }
 }
 
-TEST_CASE("tilted axes explain a real NAO's limbs better than free links do") {
+TEST_CASE("tilted axes explain a real NAO's limbs better than free links do", "[slow]") {
   // Proves that an effect found missing on real captures helps on ones that it was not fitted to: published with six
   // free numbers per link 2.1 px (arm) and 4.2 px (leg); here two per joint.
   const auto data = sharedData("nao-freiburg-2014");

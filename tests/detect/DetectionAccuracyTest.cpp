@@ -48,7 +48,7 @@ Spread spread(int width, double square, double distance, double tilt, int frames
 
 // Proves unbiasedness, precision and the absence of gross errors in standard conditions (blur 0.7 px, noise 3 grey
 // levels), from near to the edge of sight. Not: real lenses' blur, motion, demosaicing, sharpening.
-TEST_CASE("corners are unbiased and precise wherever a board is found") {
+TEST_CASE("corners are unbiased and precise wherever a board is found", "[slow]") {
   struct Row {
     int width;
     double square, distance, tilt;

@@ -22,7 +22,7 @@ double& angle(const CaptureSet& set, Capture& capture, const std::string& joint)
 
 } // namespace
 
-TEST_CASE("a bad capture is found although an effect hides more") {
+TEST_CASE("a bad capture is found although an effect hides more", "[slow]") {
   // Proves that accidents are looked for again once what was missing is in the model: the knee's gain is off by 4 %,
   // and one capture's head was elsewhere by 1.5 degrees.
   CaptureSet set = simulatedSet(16, 4);
@@ -38,10 +38,10 @@ TEST_CASE("a bad capture is found although an effect hides more") {
         diagnosis.suggested.end());
   REQUIRE(!diagnosis.anomalies.empty());
   CHECK(diagnosis.anomalies.front().capture == bad.id);
-  CHECK(diagnosis.sentence.ends_with("Missing besides: encoderGain@LKneePitch."));
+  CHECK(diagnosis.suggested == std::vector<std::string>{"encoderGain@LKneePitch"});
 }
 
-TEST_CASE("angles that were wrong for a moment are an accident and no physics") {
+TEST_CASE("angles that were wrong for a moment are an accident and no physics", "[slow]") {
   // Proves it of one picture's angles, of both cameras' in one approach, and of all of a pose, each by 2 degrees at the
   // knee: these captures are named, and no others.
   const CaptureSet good = simulatedSet(16, 4);
@@ -70,7 +70,7 @@ TEST_CASE("angles that were wrong for a moment are an accident and no physics") 
   }
 }
 
-TEST_CASE("two pictures that were swapped are named, and not the set-up") {
+TEST_CASE("two pictures that were swapped are named, and not the set-up", "[slow]") {
   // Proves that a few pictures with errors of hundreds of pixels do not speak for all others.
   CaptureSet set = simulatedSet(16, 4);
   Capture &one = set.captures[10], &other = set.captures[60];
@@ -84,7 +84,7 @@ TEST_CASE("two pictures that were swapped are named, and not the set-up") {
   }
 }
 
-TEST_CASE("a robot that slipped before its last poses is named, although these boards lost their weight") {
+TEST_CASE("a robot that slipped before its last poses is named, although these boards lost their weight", "[slow]") {
   // Proves that a fit of all corners is asked where whole boards do not fit: before the last of 16 poses all boards are
   // 40 mm to the left, which is the robot 40 mm to the right. The board that is seen there may as well have been moved.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
@@ -117,7 +117,7 @@ TEST_CASE("a robot that slipped before its last poses is named, although these b
   CHECK(told.when->time < after - first);
 }
 
-TEST_CASE("a robot that was put down anew half a metre away is named with the time, not another pattern") {
+TEST_CASE("a robot that was put down anew half a metre away is named with the time, not another pattern", "[slow]") {
   // Proves it where no search can start, or ends behind a camera: from some capture on all boards lie elsewhere, which
   // is the robot that does; what was seen on both sides of the moment bounds it.
   const auto [poses, shift, turn, share] =
@@ -150,7 +150,7 @@ TEST_CASE("a robot that was put down anew half a metre away is named with the ti
   CHECK(told.when->until >= set.captures[first - 1].time.count() - begin);
 }
 
-TEST_CASE("squares of another size are told with their size, and nothing else") {
+TEST_CASE("squares of another size are told with their size, and nothing else", "[slow]") {
   // Proves the size where the linearised estimate falls short of it: the file says 11 % more than was printed.
   CaptureSet set = simulatedSet(16, 4);
   for (Board& board : set.boards) {
@@ -169,7 +169,7 @@ TEST_CASE("squares of another size are told with their size, and nothing else") 
   CHECK(why.find("smaller") != std::string::npos);
 }
 
-TEST_CASE("where the alarm stands but nothing is likely, a diagnosis does not call the model adequate") {
+TEST_CASE("where the alarm stands but nothing is likely, a diagnosis does not call the model adequate", "[slow]") {
   // Proves that the best candidate is named instead, with the verdict inconclusive. (An alarm of 100 % always stands;
   // of few candidates rarely one is likely where nothing is hidden.)
   DiagnosisOptions options;

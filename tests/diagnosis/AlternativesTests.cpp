@@ -6,7 +6,7 @@
 
 namespace naocal {
 
-TEST_CASE("evident effects that do different things to the pictures are never each other's alternatives") {
+TEST_CASE("evident effects that do different things to the pictures are never each other's alternatives", "[slow]") {
   // Proves that two effects that are both there, with about the same evidence, are not called one that cannot be told
   // from the other: gains of the head and of the knee are off.
   CaptureSet set = simulatedSet(16, 4);
@@ -34,7 +34,7 @@ TEST_CASE("evident effects that do different things to the pictures are never ea
   }
 }
 
-TEST_CASE("play that load never holds cannot be told from hysteresis, and is told from it where load does") {
+TEST_CASE("play that load never holds cannot be told from hysteresis, and is told from it where load does", "[slow]") {
   // Proves that a law with a threshold is compared with its limits by fits: the head's weight never exceeds friction,
   // the knee's nearly always does.
   const std::string joint = GENERATE("HeadPitch", "LKneePitch");

@@ -18,7 +18,8 @@ std::vector<std::vector<std::size_t>> everyCandidate(const Questioned& asked) {
 
 } // namespace
 
-TEST_CASE("the best of many candidates seems to lower the error of unseen poses, one chosen without them does not") {
+TEST_CASE("the best of many candidates seems to lower the error of unseen poses, one chosen without them does not",
+          "[slow]") {
   // Proves, on robots with nothing hidden, why the choice belongs inside the folds, and that it is made there.
   int lured = 0;
   double before = 0, next = 0;
@@ -35,7 +36,7 @@ TEST_CASE("the best of many candidates seems to lower the error of unseen poses,
   CHECK(next > 0.999 * before);
 }
 
-TEST_CASE("an effect that is there is chosen in every fold, one that is not is no better than its choice") {
+TEST_CASE("an effect that is there is chosen in every fold, one that is not is no better than its choice", "[slow]") {
   // Proves that an effect of the model is taken out and chosen anew: with it where it explains the misfit; without it,
   // whatever it does on the poses that it was chosen on, where it does not.
   CaptureSet set = simulatedSet(16, 3);
@@ -55,7 +56,7 @@ TEST_CASE("an effect that is there is chosen in every fold, one that is not is n
   CHECK(other->chosenPx < 0.9 * other->beforePx);              // the folds choose the gain of the knee instead
 }
 
-TEST_CASE("what only priors tell is not fitted to the poses that are to be predicted") {
+TEST_CASE("what only priors tell is not fitted to the poses that are to be predicted", "[slow]") {
   // Proves that poses are predicted worse than they are fitted, also with an effect that looks at torques: it brings
   // the offsets of arms along, of which pictures tell next to nothing. Fitted to the fold itself they took its encoder
   // noise away, and the held-out error lay below the noise floor.
@@ -66,7 +67,7 @@ TEST_CASE("what only priors tell is not fitted to the poses that are to be predi
   CHECK(held->beforePx < 2 * asked.fit.rmsPx);
 }
 
-TEST_CASE("where a single pose says how two stances lie, it is not predicted from the others") {
+TEST_CASE("where a single pose says how two stances lie, it is not predicted from the others", "[slow]") {
   // Proves that a direction of the placements that the other folds do not tell is learned from the fold itself: its
   // error would be hundreds of pixels, and no effect could lower it.
   CaptureSet set = simulatedSet(16, 3);

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 namespace naocal {
-TEST_CASE("an effect's imprint is what it leaves after a calibration without it") {
+TEST_CASE("an effect's imprint is what it leaves after a calibration without it", "[slow]") {
   // Proves the shifts before and after against a whole calibration of captures that are perfect but for that effect:
   // one that the joint offsets take up for the most part, one they take up less, and one of the lens, so large that the
   // calibration's being nonlinear shows.

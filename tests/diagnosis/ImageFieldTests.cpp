@@ -7,7 +7,7 @@
 
 namespace naocal {
 
-TEST_CASE("the shape of a board is seen, whatever it is and wherever the board lies") {
+TEST_CASE("the shape of a board is seen, whatever it is and wherever the board lies", "[slow]") {
   // Proves size, sign and place of what corners are off: one board's middle stands 5 mm over its rim
   // and it is 1 % wider but not higher than its file says; in fact the file is wrong and the board is flat. A board's
   // size, tilt and place are no shape: they are taken out of both before they are compared.
@@ -46,7 +46,7 @@ TEST_CASE("the shape of a board is seen, whatever it is and wherever the board l
   CHECK(shapeOf(truth - found).norm() < 4e-4 * std::sqrt(3.0 * static_cast<double>(count))); // 0.4 mm
 }
 
-TEST_CASE("noise alone is no field") {
+TEST_CASE("noise alone is no field", "[slow]") {
   // Proves the F distribution: over simulated robots without an effect, p-values of all boards' shapes and of both
   // lenses are small about as often as chance has it (0.13 fall below 0.1), and none is striking. Poses of three
   // pictures at rest.
@@ -78,7 +78,7 @@ TEST_CASE("noise alone is no field") {
   CHECK(least > 1e-5);
 }
 
-TEST_CASE("a board that does not lie as its file has it is named as what it is") {
+TEST_CASE("a board that does not lie as its file has it is named as what it is", "[slow]") {
   // Proves that a shape which no effect of the catalogue has is said to sit on its board, instead of being explained by
   // what moves boards as a whole. The sheet's corner stands up by 6 mm; here the file has it so, and the sheet is flat.
   CaptureSet set = simulatedSet(16, 5);
@@ -96,7 +96,7 @@ TEST_CASE("a board that does not lie as its file has it is named as what it is")
   CHECK(diagnosis.sentence.find("board " + board.id) != std::string::npos);
 }
 
-TEST_CASE("a lens that no effect describes is named as what it is") {
+TEST_CASE("a lens that no effect describes is named as what it is", "[slow]") {
   // Proves the same of a camera: its errors wave over the picture, by 2 px.
   CaptureSet set = simulatedSet(16, 5);
   for (Capture& capture : set.captures) {

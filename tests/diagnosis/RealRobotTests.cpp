@@ -6,7 +6,7 @@
 
 namespace naocal {
 
-TEST_CASE("what is found missing in a real NAO's limbs predicts captures that the search has not seen") {
+TEST_CASE("what is found missing in a real NAO's limbs predicts captures that the search has not seen", "[slow]") {
   // Proves the loop on measurements of a robot nobody here has touched (Freiburg, 2014): diagnosis on the training set,
   // what it suggests added, the test set predicted. Published with six free numbers per link: 2.1 px (arm), 4.2 px
   // (leg). Here the lens stays as it was measured, and at most a dozen numbers are added.

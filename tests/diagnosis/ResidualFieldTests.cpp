@@ -19,7 +19,7 @@ double rmsOf(const ResidualField& leftover) {
 
 } // namespace
 
-TEST_CASE("what a lens does stays within the pictures, what a joint does leaves them as a whole") {
+TEST_CASE("what a lens does stays within the pictures, what a joint does leaves them as a whole", "[slow]") {
   // Proves that a rigid motion of the scene is taken out and nothing else, on captures that are perfect but for one
   // effect: of the joint's errors hardly anything is left, of the lens a good part, though the model follows where it
   // can.
@@ -42,7 +42,7 @@ TEST_CASE("what a lens does stays within the pictures, what a joint does leaves 
   CHECK(share <= most);
 }
 
-TEST_CASE("noise alone leaves within the pictures what corners' noise is") {
+TEST_CASE("noise alone leaves within the pictures what corners' noise is", "[slow]") {
   // Proves that the six numbers of each picture's motion are reckoned with: over range the dots lie around the noise.
   // Cells without a lens error differ from zero as often as chance has it.
   const CaptureSet set = simulatedSet(12, 4);
@@ -60,7 +60,7 @@ TEST_CASE("noise alone leaves within the pictures what corners' noise is") {
                     [](const ResidualField::Seen& seen) { return seen.distance > 0.2 && seen.distance < 3; }));
 }
 
-TEST_CASE("a joint that was off in one pose stands out in what it would have to do") {
+TEST_CASE("a joint that was off in one pose stands out in what it would have to do", "[slow]") {
   // Proves sign, size and place of the what-if deflections: the knee's reading is 0.6 degrees too small during one
   // pose. The joint's offset takes its share of that.
   const CaptureSet plain = simulatedSet(12, 3);

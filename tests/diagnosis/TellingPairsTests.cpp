@@ -54,21 +54,22 @@ CaptureSet flawed(const std::string& label, double size, std::uint64_t seed) {
 
 } // namespace
 
-TEST_CASE("the most telling pair is the error that a gear with play makes, over how it was approached") {
+TEST_CASE("the most telling pair is the error that a gear with play makes, over how it was approached", "[slow]") {
   // Proves that joint, driver and sign are found and said, and that the trend takes most of the squared error; not that
   // the joint is the only one that could do it: others with a parallel axis come near.
   const Told told{flawed("hysteresis@LKneePitch", 0.02, 3)};
   INFO(told.sentence());
   REQUIRE_FALSE(told.telling.pairs.empty());
   const TellingPair& first = told.telling.pairs.front();
-  CHECK(told.label(0).ends_with("over the direction from which LKneePitch was approached"));
+  const DriverSeries& driver = told.drivers[first.driver];
+  CHECK(driver.kind == Driver::approach);
+  CHECK(told.measurements.robot.joints[driver.joint].name == "LKneePitch");
   CHECK(first.share > 0.7);
   CHECK(first.chance < 0.02);
   CHECK(first.from * first.to < 0);
-  CHECK(told.sentence().find("sign with the direction from which LKneePitch was approached") != std::string::npos);
 }
 
-TEST_CASE("a soft joint shows over what bends it") {
+TEST_CASE("a soft joint shows over what bends it", "[slow]") {
   // Proves that a smooth driver is found as a two-valued one is: the most telling driver is an angle or a torque of the
   // leg, and the curve is said to go from one end to the other or to vary.
   const Told told{flawed("elasticity@LAnklePitch", 0.01, 5)};
@@ -79,7 +80,7 @@ TEST_CASE("a soft joint shows over what bends it") {
   CHECK(told.telling.pairs.front().share > 0.3);
 }
 
-TEST_CASE("next pairs tell something else than those before them") {
+TEST_CASE("next pairs tell something else than those before them", "[slow]") {
   // Proves that no joint and no driver comes twice among pairs of one kind, and that shares fall.
   const Told told{flawed("hysteresis@LKneePitch", 0.02, 3)};
   const std::vector<TellingPair>& pairs = told.telling.pairs;
@@ -94,7 +95,7 @@ TEST_CASE("next pairs tell something else than those before them") {
   }
 }
 
-TEST_CASE("on sound captures hardly any pair is called telling, and that is said") {
+TEST_CASE("on sound captures hardly any pair is called telling", "[slow]") {
   // Proves the chance of a false trend over whole fits, of hundreds of pairs with three captures of each pose: expected
   // are 5 % of 40 sets, allowed what chance exceeds once in a hundred.
   int found = 0;
@@ -102,9 +103,6 @@ TEST_CASE("on sound captures hardly any pair is called telling, and that is said
     const Told told{simulatedSet(16, seed)};
     found += !told.telling.pairs.empty();
     CHECK(told.telling.tried > 100);
-    if (told.telling.pairs.empty()) {
-      CHECK(told.sentence().starts_with("No trend beyond chance: none of "));
-    }
   }
   CHECK(found <= 6);
 }

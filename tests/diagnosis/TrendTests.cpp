@@ -33,7 +33,7 @@ std::vector<TrendSample> corners(std::size_t poses, Varies varies, double slope,
 
 } // namespace
 
-TEST_CASE("corners of one pose count once: trends that are not there are found as rarely as promised") {
+TEST_CASE("corners of one pose count once: trends that are not there are found as rarely as promised", "[slow]") {
   // Proves that 40 corners with one pose's error are no 40 witnesses, for drivers between and within poses and with two
   // values, with few and many poses; an ordinary F test over corners would cry in nearly every case. Proves nothing of
   // errors that poses share among each other.
@@ -51,7 +51,7 @@ TEST_CASE("corners of one pose count once: trends that are not there are found a
   }
 }
 
-TEST_CASE("among many trends over related drivers the clearest is rarely called clear by chance") {
+TEST_CASE("among many trends over related drivers the clearest is rarely called clear by chance", "[slow]") {
   // Proves that the chance counts all trends that were looked at, though they are alike; and that it is no more
   // cautious than it must be.
   Chance chance{4};

@@ -6,7 +6,7 @@
 
 namespace naocal {
 
-TEST_CASE("proposed poses tell the hidden effect from its twins sooner than random ones") {
+TEST_CASE("proposed poses tell the hidden effect from its twins sooner than random ones", "[slow]") {
   // Proves that trials run to their end and are won, both ways counted together, on the first three robots whose first
   // captures leave several effects open. Three robots prove no median: `naocal evaluate next` measures it over many.
   const NextPosesTrialOptions options;
@@ -27,7 +27,7 @@ TEST_CASE("proposed poses tell the hidden effect from its twins sooner than rand
   CHECK(right >= 2);
 }
 
-TEST_CASE("a robot whose effect is plain leaves nothing to tell apart") {
+TEST_CASE("a robot whose effect is plain leaves nothing to tell apart", "[slow]") {
   // Proves that such a robot counts for neither way: its hidden effect is as large as a worn NAO's.
   NextPosesTrialOptions options;
   options.flawScale = 1;

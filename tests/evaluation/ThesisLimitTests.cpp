@@ -75,7 +75,7 @@ Eigen::MatrixXd denseInformation(const ThesisTrial& trial, const ThesisExperimen
 
 } // namespace
 
-TEST_CASE("the tables' limit is that of the whole measurement's covariance") {
+TEST_CASE("the tables' limit is that of the whole measurement's covariance", "[slow]") {
   // Proves information and draws against dense matrices of slopes that are differences through the synthetic robot's
   // kinematics, which share no code with the solver's. Not proved: that errors are normal.
   const ThesisSetting setting{.poses = 3, .noise = ThesisNoise::both, .jointNoise = AngleNoise::encoder, .samples = 3};

@@ -31,7 +31,7 @@ ThesisEvaluation evaluated(const ThesisSetting& setting, std::size_t sets, std::
 
 } // namespace
 
-TEST_CASE("without noise our solver finds all offsets of every error set, from three poses on") {
+TEST_CASE("without noise our solver finds all offsets of every error set, from three poses on", "[slow]") {
   // Proves it for some sets of every noiseless setting of the tables; `naocal evaluate thesis` counts thousands.
   for (const auto& [setting, solvers] : thesisSettings()) {
     if (setting.noise == ThesisNoise::none) {
@@ -46,7 +46,7 @@ TEST_CASE("without noise our solver finds all offsets of every error set, from t
   }
 }
 
-TEST_CASE("both legs, and mounts and places with the offsets, are found without noise") {
+TEST_CASE("both legs, and mounts and places with the offsets, are found without noise", "[slow]") {
   // Proves it for some sets of what the thesis left open, five poses on each leg, and that there are 13 offsets of both
   // legs; mounts and places are not counted but must be right, as no offset could be otherwise.
   for (const bool legs : {true, false}) {
@@ -63,7 +63,7 @@ TEST_CASE("both legs, and mounts and places with the offsets, are found without 
   }
 }
 
-TEST_CASE("what the thesis left open succeeds as often as its limit says") {
+TEST_CASE("what the thesis left open succeeds as often as its limit says", "[slow]") {
   // Proves it for 150 sets of every setting beyond the thesis at 0.2 degrees, with eight poses; three standard
   // deviations of a share are let pass.
   for (const ThesisCell& cell : furtherCells()) {
@@ -77,7 +77,7 @@ TEST_CASE("what the thesis left open succeeds as often as its limit says") {
   }
 }
 
-TEST_CASE("where only pixels are noisy our solver ends in plain Levenberg-Marquardt's minimum") {
+TEST_CASE("where only pixels are noisy our solver ends in plain Levenberg-Marquardt's minimum", "[slow]") {
   // Proves it for some sets from five poses on: weights are all alike then, and the prior does not count in the end.
   const ThesisSetting setting{.poses = 5, .noise = ThesisNoise::pixel};
   const ThesisExperiment stage = thesisStageFor(setting);
@@ -90,7 +90,8 @@ TEST_CASE("where only pixels are noisy our solver ends in plain Levenberg-Marqua
   }
 }
 
-TEST_CASE("numeric derivatives lead where ours do, and searches by costs alone come nearer than where they began") {
+TEST_CASE("numeric derivatives lead where ours do, and searches by costs alone come nearer than where they began",
+          "[slow]") {
   // Proves it for one set without noise. Not proved: that dlib or a swarm find the minimum; they often do not.
   const ThesisSetting setting{.feature = ThesisFeature::boards, .poses = 3};
   const ThesisExperiment stage = thesisStageFor(setting);
@@ -147,7 +148,7 @@ TEST_CASE("readings are as noisy as our solver is told") {
   }
 }
 
-TEST_CASE("error sets repeat by their number and keep to the range of errors") {
+TEST_CASE("error sets repeat by their number and keep to the range of errors", "[slow]") {
   // Proves that draws do not depend on what was drawn before, and that large errors are large.
   const ThesisSetting setting{.noise = ThesisNoise::both, .largeErrors = true};
   const ThesisExperiment stage = thesisStageFor(setting);
@@ -164,7 +165,7 @@ TEST_CASE("error sets repeat by their number and keep to the range of errors") {
   }
 }
 
-TEST_CASE("parts of an evaluation, written, read and put together, are the whole") {
+TEST_CASE("parts of an evaluation, written, read and put together, are the whole", "[slow]") {
   // Proves it for one setting and for every count; times differ. Also that a part cannot be counted twice.
   const ThesisSetting setting{.noise = ThesisNoise::both, .jointNoise = AngleNoise::encoder};
   const TemporaryFolder folder;

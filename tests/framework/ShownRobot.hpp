@@ -75,7 +75,7 @@ struct ShownRobot {
   }
   bool hasLogged(const std::string& text) { return isLogged(text, std::chrono::seconds{0}); }
   /// Whether a sentence with this text is logged within the time.
-  bool isLogged(const std::string& text, std::chrono::seconds within = std::chrono::seconds{10}) {
+  bool isLogged(const std::string& text, std::chrono::seconds within = std::chrono::minutes{5}) {
     std::unique_lock lock{mutex};
     return logged.wait_for(lock, within, [&] {
       return std::any_of(sentences.begin(), sentences.end(),

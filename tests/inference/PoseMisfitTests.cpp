@@ -6,7 +6,7 @@
 
 namespace naocal {
 
-TEST_CASE("poses of a robot that lacks nothing miss its model by as much as their freedom says") {
+TEST_CASE("poses of a robot that lacks nothing miss its model by as much as their freedom says", "[slow]") {
   // Proves that chi2 / freedom is 1 on average where model and noise are right, with few poses (whose unknowns take
   // most of what they tell) as with more: at the simulated noise, over twelve and six robots. A mean of twelve such
   // ratios scatters by 0.07 with 8 poses.

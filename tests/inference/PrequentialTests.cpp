@@ -41,7 +41,7 @@ double evidenceOfDrift(const Questioned& asked) {
 
 } // namespace
 
-TEST_CASE("a drift predicts the last poses, a slip does not pass for one, and nothing predicts nothing") {
+TEST_CASE("a drift predicts the last poses, a slip does not pass for one, and nothing predicts nothing", "[slow]") {
   // Proves the rule by which what depends on time is added: a knee that creeps by a degree foretells its last fifth and
   // beats every step; one that slips at seven tenths of the time is explained better by a step; a knee that keeps still
   // gains nothing.

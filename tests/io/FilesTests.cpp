@@ -1,5 +1,6 @@
 #include "io/Files.hpp"
 
+#include "../Skipped.hpp"
 #include "../TemporaryFolder.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "data/GoodSet.hpp"
@@ -64,7 +65,7 @@ TEST_CASE("a file in a folder that must not be changed stays as it was") {
   writeAtomically(file, "old");
   fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
   if (::access(folder.path().c_str(), W_OK) == 0) {
-    WARN("skipped: this user may write into protected folders");
+    skip("this user may write into protected folders");
   } else {
     CHECK_THROWS_AS(writeAtomically(file, "new"), InputError);
     CHECK(readFile(file) == "old");

@@ -58,7 +58,8 @@ struct Bench {
 
 } // namespace
 
-TEST_CASE("adding what is missing lets the error on unseen poses fall to the noise, and going back brings it back") {
+TEST_CASE("adding what is missing lets the error on unseen poses fall to the noise, and going back brings it back",
+          "[slow]") {
   // Proves the loop of a person who finds a hidden flaw: told figures before and after. That the flaw itself is found
   // is proven with the diagnosis.
   Bench bench;
@@ -81,7 +82,7 @@ TEST_CASE("adding what is missing lets the error on unseen poses fall to the noi
   CHECK(bench.told["ladder"]["rungs"].size() == 2);
 }
 
-TEST_CASE("an own effect is fitted like the built-in ones, and a broken one changes nothing") {
+TEST_CASE("an own effect is fitted like the built-in ones, and a broken one changes nothing", "[slow]") {
   // Proves define and its refusals; what expressions may be is tested with the effects.
   Bench bench;
   bench.session.fit();
@@ -100,7 +101,7 @@ TEST_CASE("an own effect is fitted like the built-in ones, and a broken one chan
   CHECK(bench.told["set"]["own"][0] == effect);
 }
 
-TEST_CASE("an own effect that is changed can be taken back, and one for every joint is asked for") {
+TEST_CASE("an own effect that is changed can be taken back, and one for every joint is asked for", "[slow]") {
   // Proves that a changed definition belongs to its step of the history, that going back has the old one in the model
   // again, and that an effect for every joint is among the candidates. What is refused leaves both as they were.
   Bench bench;
@@ -135,7 +136,7 @@ TEST_CASE("an own effect that is changed can be taken back, and one for every jo
                     [](const Json& one) { return one["label"].get<std::string>().starts_with("anywhere@"); }));
 }
 
-TEST_CASE("what is set on a robot is what its own calibration would set") {
+TEST_CASE("what is set on a robot is what its own calibration would set", "[slow]") {
   // Proves that offsets that the captures hardly tell are left out, that the others are the fit's (of all constants
   // they predict best, whatever else is missing), and that every camera's mount is complete.
   Bench bench;
@@ -180,7 +181,7 @@ TEST_CASE("of a broken expression the place is told") {
   CHECK(checked("a*current")["ok"] == false);         // these captures have no currents
 }
 
-TEST_CASE("what cannot be done is refused with a sentence and changes nothing") {
+TEST_CASE("what cannot be done is refused with a sentence and changes nothing", "[slow]") {
   // Proves the refusals of add, drop and goTo.
   Bench bench;
   bench.session.fit();
@@ -194,7 +195,7 @@ TEST_CASE("what cannot be done is refused with a sentence and changes nothing") 
   CHECK(bench.told["fit"]["without"].empty());
 }
 
-TEST_CASE("another model that is tried from an earlier one leaves those between in the history") {
+TEST_CASE("another model that is tried from an earlier one leaves those between in the history", "[slow]") {
   // Proves what the panel shows of branches: nothing that was tried is lost, and each model names its origin.
   Bench bench;
   bench.session.fit();
@@ -212,7 +213,7 @@ TEST_CASE("another model that is tried from an earlier one leaves those between 
   CHECK_THROWS_AS(bench.session.add("jointOffset@HeadYaw"), InputError); // of the base model
 }
 
-TEST_CASE("a search that is cancelled says what it has found so far") {
+TEST_CASE("a search that is cancelled says what it has found so far", "[slow]") {
   // Proves that a search that may not go on adds nothing, says that it was stopped, and leaves the model as it is; one
   // that may go on finds the flaw.
   Bench bench;
@@ -226,7 +227,7 @@ TEST_CASE("a search that is cancelled says what it has found so far") {
   CHECK(bench.told["ladder"]["rungs"].size() == 1);
 }
 
-TEST_CASE("what the panel saves is what the terminal reads") {
+TEST_CASE("what the panel saves is what the terminal reads", "[slow]") {
   // Proves that a result is opened again with its model, a diagnosis with what it suggests, a model file has the
   // person's own effect, and that reports are pages; what is in them is tested with them.
   Bench bench;
@@ -251,7 +252,7 @@ TEST_CASE("what the panel saves is what the terminal reads") {
   CHECK_THROWS_AS(bench.session.generateFile("passwords.txt"), InputError);
 }
 
-TEST_CASE("other captures are compared with the fit") {
+TEST_CASE("other captures are compared with the fit", "[slow]") {
   // Proves that the same captures give the fit's own error, and that the drawing alone is worse.
   Bench bench;
   bench.session.fit();
@@ -261,7 +262,7 @@ TEST_CASE("other captures are compared with the fit") {
   CHECK(compared["nominal"]["rmsPx"].get<double>() > 3 * compared["rmsPx"].get<double>());
 }
 
-TEST_CASE("poses are proposed for what the model leaves open") {
+TEST_CASE("poses are proposed for what the model leaves open", "[slow]") {
   // Proves that as many come as were asked for, with the angles to play them; that they tell is proven with the poses.
   Bench bench;
   bench.session.fit();

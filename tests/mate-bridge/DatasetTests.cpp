@@ -94,7 +94,7 @@ TEST_CASE("a model that was saved is opened with captures") {
   CHECK_THROWS_WITH(openDataset({model}), Contains("name them behind it"));
 }
 
-TEST_CASE("a session is kept as it goes, and gone on from") {
+TEST_CASE("a session is kept as it goes, and gone on from", "[slow]") {
   // Proves that the file holds the ladder after each change, that it is opened alone, with its captures, and by a
   // panel that keeps it, with where one stood and what was found; and that captures that changed since are refused.
   const TemporaryFolder folder;

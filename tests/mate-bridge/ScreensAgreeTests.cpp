@@ -118,7 +118,7 @@ void checkTogether(const Said& said) {
 
 } // namespace
 
-TEST_CASE("all screens say the same about a set of captures") {
+TEST_CASE("all screens say the same about a set of captures", "[slow]") {
   // Proves that terminal, files, reports and panel give one verdict, one sentence and the same numbers about each set
   // of the table, and that calibration and diagnosis do not contradict each other. Not that they are right.
   struct Row {

@@ -6,6 +6,7 @@ import {tmpdir} from "node:os";
 import {join} from "node:path";
 
 const notRun = 77; // CTest's SKIP_RETURN_CODE
+const patience = 900000; // ms for anything: a test fails by what happens, not by how busy the machine is
 
 export const skip = why => { console.log("not run: " + why); process.exit(notRun); };
 
@@ -16,7 +17,7 @@ export function tools(modules) {
   if (!existsSync(join(modules, "playwright-core"))) skip("the page's packages are not installed");
   const require = createRequire(join(modules, "x.js"));
   return {
-    launch: () => require("playwright-core").chromium.launch({executablePath: browser, args: ["--no-sandbox", "--disable-gpu"]}),
+    launch: () => require("playwright-core").chromium.launch({executablePath: browser, args: ["--no-sandbox", "--disable-gpu"], timeout: patience}),
     axe: require("axe-core").source,
   };
 }
@@ -55,9 +56,26 @@ export function folder() {
   return path;
 }
 
+// A page that waits as long as a busy machine takes.
+export async function patientPage(browser, options = {}) {
+  const page = await browser.newPage(options);
+  page.setDefaultTimeout(patience);
+  return page;
+}
+
+// Until something holds that no page shows; false where it never does.
+export async function until(holds) {
+  const end = Date.now() + patience;
+  while (Date.now() < end) {
+    if (await holds()) return true;
+    await new Promise(resolve => setTimeout(resolve, 50));
+  }
+  return false;
+}
+
 // A page whose complaints are failures; but that nobody answers is no fault of the page.
 export async function quietPage(browser, address, options = {}) {
-  const page = await browser.newPage({viewport: {width: 1366, height: 800}, ...options});
+  const page = await patientPage(browser, {viewport: {width: 1366, height: 800}, ...options});
   page.on("console", message => { if (["error", "warning"].includes(message.type()) && !message.text().includes("ERR_CONNECTION_REFUSED")) check(false, "the console is quiet: " + message.text()); });
   page.on("pageerror", error => check(false, "no script fails: " + error.message));
   await page.goto(address);
@@ -65,8 +83,7 @@ export async function quietPage(browser, address, options = {}) {
 }
 
 // A camera's picture has come, however slow the next ones are.
-export const livePicture = (page, timeout = 30000) =>
-  page.locator(".camera figcaption", {hasText: /\d+ × \d+ px/}).first().waitFor({timeout});
+export const livePicture = page => page.locator(".camera figcaption", {hasText: /\d+ × \d+ px/}).first().waitFor();
 
 export const px = text => Number(text.match(/([\d.]+) px/)[1]);
 

@@ -5,7 +5,7 @@
 import {createServer} from "node:http";
 import {cpSync, mkdirSync, readFileSync, writeFileSync} from "node:fs";
 import {join} from "node:path";
-import {tools, check, happens, panelOf, run, folder, quietPage, portrait, px, end} from "./browser.mjs";
+import {tools, check, happens, panelOf, run, folder, quietPage, portrait, px, patientPage, until, end} from "./browser.mjs";
 
 const [, , naocal, bridge, modules, pictures] = process.argv;
 const {launch, axe} = tools(modules), here = folder();
@@ -110,7 +110,7 @@ check(rows[0].startsWith("effect,at,unit,value") && rows.some(row => row.startsW
 await tab("Next poses");
 await page.getByLabel("How many").selectOption("2");
 await page.getByRole("button", {name: "Suggest poses"}).click();
-await page.locator(".standing, .empty:has-text('There are none')").first().waitFor({timeout: 60000});
+await page.locator(".standing, .empty:has-text('There are none')").first().waitFor();
 await idle();
 check(await page.locator(".standing").count() === 2 || (await page.locator(".empty").innerText()).includes("none to suggest"), "poses are suggested, or it is said that nothing is open");
 await page.waitForTimeout(300);
@@ -136,7 +136,7 @@ check(!session.includes("<script") && (session.match(/<img /g) || []).length >= 
 writeFileSync(join(pictures, "session.html"), session);
 const kept = JSON.parse((await saved(() => page.getByRole("button", {name: "session.json"}).click())).content);
 check(kept.format === "naocal-session" && kept.ladder.length > 1 && kept.ladder.some(one => one.with.includes(effect + "@" + at)), "and a file to go on from, with all models that were tried");
-const alone = await browser.newPage({viewport: {width: 1200, height: 900}});
+const alone = await patientPage(browser, {viewport: {width: 1200, height: 900}});
 await alone.goto("file://" + join(pictures, "session.html"));
 await alone.screenshot({path: join(pictures, "session.png"), fullPage: true});
 await alone.close();
@@ -145,7 +145,7 @@ await alone.close();
 await tab("Learn");
 await page.getByRole("button", {name: "Find missing effects"}).click();
 await page.getByRole("button", {name: "Stop searching"}).click();
-await happens(page.getByText(/Stopped early/).waitFor({timeout: 60000}), "a search can be stopped");
+await happens(page.getByText(/Stopped early/).waitFor(), "a search can be stopped");
 await idle();
 
 // A custom effect: a broken one shows where, a good one can be added.
@@ -187,7 +187,7 @@ for (const [count, path] of [[1, "photographed"], [2, "again/photographed"]]) {
   await viewer.getByRole("button", {name: "Files", exact: true}).last().click();
   await viewer.getByLabel("path of what to open").fill(join(here, path));
   await viewer.getByRole("button", {name: "Open", exact: true}).click();
-  for (let i = 0; i < 300 && desks.size < count; ++i) await viewer.waitForTimeout(100);
+  await until(() => desks.size >= count);
 }
 check(desks.size === 2, "photographs of captures that are opened later are asked for anew: " + [...desks].join());
 await viewer.close();
@@ -198,7 +198,7 @@ await new Promise(resolve => stranger.listen(0, "127.0.0.1", resolve));
 const own = await quietPage(browser, second.address), photograph = second.address + "picture/photographed/0";
 check(await own.evaluate(async address => (await fetch(address)).status, photograph) === 200, "the panel's own page gets a photograph");
 await own.close();
-const foreign = await browser.newPage(), asked = new Map(), answered = new Map(); // by request: what the bridge answers, whatever the browser keeps from the page
+const foreign = await patientPage(browser), asked = new Map(), answered = new Map(); // by request: what the bridge answers, whatever the browser keeps from the page
 const inspector = await foreign.context().newCDPSession(foreign);
 inspector.on("Network.requestWillBeSent", ({requestId, request}) => asked.set(requestId, request.url));
 inspector.on("Network.responseReceivedExtraInfo", ({requestId, statusCode}) => answered.set(requestId, statusCode)); // may come first
@@ -228,7 +228,7 @@ const tried = await foreign.evaluate(async address => ({
   }),
 }), second.address);
 check(JSON.stringify(tried) === '{"live":"closed","read":"refused","image":"refused","script":"refused"}', "a stranger's page gets nothing: " + JSON.stringify(tried));
-for (let i = 0; i < 50 && Object.keys(statusesOf()).length < 3; ++i) await foreign.waitForTimeout(100);
+await until(() => Object.keys(statusesOf()).length >= 3);
 const statuses = statusesOf();
 check(["", "picture/photographed/0", "panel.js"].every(path => statuses[path] === 403), "the bridge itself refuses it: " + JSON.stringify(statuses));
 await second.stop("SIGTERM");
@@ -287,6 +287,6 @@ await page.locator("#undo").click();
 await page.getByText("The bridge is not connected").waitFor();
 await page.screenshot({path: join(pictures, "bridge-away.png")});
 await page.locator("#notice button").click();
-await happens(page.getByText("If it was restarted, open the address that it prints").waitFor({timeout: 30000}), "the panel says what to do when the bridge was started anew");
+await happens(page.getByText("If it was restarted, open the address that it prints").waitFor(), "the panel says what to do when the bridge was started anew");
 await browser.close();
 end();

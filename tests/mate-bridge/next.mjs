@@ -20,12 +20,12 @@ const idle = () => page.waitForFunction(() => document.getElementById("work").te
 await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor();
 await idle();
 await tab("Calibrate"); // looks at the robot
-await livePicture(page, 60000);
+await livePicture(page);
 await tab("Next poses");
 await page.getByLabel("How many").selectOption("2");
 await page.getByRole("button", {name: "Suggest poses"}).click();
-await happens(page.locator("figure figcaption", {hasText: "foot, sees"}).nth(1).waitFor({timeout: 60000}), "poses are suggested");
-await portrait(page, axe, pictures, "next");
+await happens(page.locator("figure figcaption", {hasText: "foot, sees"}).nth(1).waitFor(), "poses are suggested");
+await portrait(page, axe, pictures, "next-with-robot");
 await page.getByRole("button", {name: /^Play on/}).click();
 await portrait(page, axe, pictures, "next-confirm");
 await page.getByRole("button", {name: "Play", exact: true}).click();
@@ -36,12 +36,12 @@ await tab("Calibrate");
 
 // The robot asks to be held between one foot and both, and to be put down before its poses.
 for (const words of [/going to stand on its .* foot/, /lies flat, let go/, /back onto both feet/]) {
-  await page.getByText(words).first().waitFor({timeout: 300000});
+  await page.getByText(words).first().waitFor();
   if (words.test("lies flat, let go")) check(await page.getByText("Hold the robot by its trunk").count() === 0, "who is to let go is not told to hold on");
   await page.screenshot({path: join(pictures, "calibrate-question.png"), fullPage: true});
   await page.getByRole("button", {name: "Confirm"}).click();
 }
-await page.getByRole("heading", {name: /^(Finished|Failed)$/}).waitFor({timeout: 300000});
+await page.getByRole("heading", {name: /^(Finished|Failed)$/}).waitFor();
 check(await page.getByRole("heading", {name: "Finished"}).count() === 1, "the robot took them: " + await page.getByRole("heading", {name: /^(Finished|Failed)$/}).locator("xpath=following-sibling::p[1]").innerText());
 const sessions = readdirSync(join(here, "recordings")).map(name => join(here, "recordings", name, "first")).filter(path => existsSync(join(path, "captures.json")));
 const taken = sessions.length ? JSON.parse(readFileSync(join(sessions.at(-1), "captures.json"))).captures : [];
@@ -51,16 +51,16 @@ check(new Set(taken.map(({pose}) => pose)).size === 2 && taken.length >= 8, "bot
 await tab("Files");
 await page.getByLabel("path of what to open").fill(sessions.at(-1) ?? "");
 await page.getByRole("button", {name: "Open", exact: true}).click();
-await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor({timeout: 60000});
+await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor();
 await tab("Files");
-await happens(page.getByText("Open now: " + sessions.at(-1)).waitFor({timeout: 60000}), "and the recording is opened");
+await happens(page.getByText("Open now: " + sessions.at(-1)).waitFor(), "and the recording is opened");
 
 // Opens captures, and asks to put their result on the robot.
 async function toApply(name) {
   await tab("Files");
   await page.getByLabel("path of what to open").fill(join(here, name));
   await page.getByRole("button", {name: "Open", exact: true}).click();
-  await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor({timeout: 60000});
+  await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor();
   await tab("Result");
   await page.getByRole("button", {name: /^Apply to .* …/}).click();
 }

@@ -8,8 +8,8 @@ const [, , naocal, bridge, modules] = process.argv;
 const {launch} = tools(modules), here = folder();
 run(naocal, "simulate", join(here, "many"), "--poses", "60", "--samples", "32", "--seed", "1");
 const panel = await panelOf(bridge, join(here, "many")), browser = await launch(), page = await quietPage(browser, panel.address);
-await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor({timeout: 300000});
-await page.waitForFunction(() => document.getElementById("work").textContent === "", null, {timeout: 600000});
+await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor();
+await page.waitForFunction(() => document.getElementById("work").textContent === "");
 console.log("measured: " + (await page.getByText(/^1–6 of/).innerText()).replace(/.*of/, "") + " pictures, opened");
 for (const axis of ["v", "radius", "capture", "u"]) {
   const begun = Date.now();

@@ -4,7 +4,7 @@
 // Usage: node robot.mjs NAOCAL-ROBOT MATE-BRIDGE NODE_MODULES CONFIGURATION PICTURES
 import {existsSync, readdirSync, readFileSync} from "node:fs";
 import {join} from "node:path";
-import {tools, check, happens, panelOf, folder, quietPage, livePicture, portrait, px, end} from "./browser.mjs";
+import {tools, check, happens, panelOf, folder, quietPage, livePicture, portrait, px, until, end} from "./browser.mjs";
 import {robotIn} from "./robotHere.mjs";
 
 const [, , robotProgram, bridge, modules, configuration, pictures] = process.argv;
@@ -15,7 +15,7 @@ const opened = Date.now();
 let page = await quietPage(browser, panel.address);
 const tab = name => page.getByRole("button", {name, exact: true}).click();
 
-await livePicture(page, 120000);
+await livePicture(page);
 console.log("measured: from opening to the first live picture: " + (Date.now() - opened) + " ms");
 await page.waitForTimeout(3000);
 console.log("measured: cameras: " + (await page.locator(".camera figcaption").allInnerTexts()).join("; "));
@@ -31,16 +31,16 @@ await page.evaluate(() => { // what the page asks the bridge for from here on
 });
 const wills = () => page.evaluate(() => window.sent.filter(({settings}) => settings?.[0].key === "lastWill").map(({settings}) => settings[0].value.length).join());
 await page.getByRole("button", {name: "Start", exact: true}).click();
-await page.getByText(/pose [1-9] of/).waitFor({timeout: 180000});
-await happens(page.getByText(/, \d+ of \d+ of this round/).waitFor({timeout: 60000}), "each pose is shown before it is played");
-await page.locator(".thumbnails img").first().waitFor({timeout: 120000});
+await page.getByText(/pose [1-9] of/).waitFor();
+await happens(page.getByText(/, \d+ of \d+ of this round/).waitFor(), "each pose is shown before it is played");
+await page.locator(".thumbnails img").first().waitFor();
 const found = page.locator(".camera figcaption").filter({hasText: "corners, predicted"}).first(); // not in every pose
-await happens(found.waitFor({timeout: 120000}), "corners are found in the live pictures");
+await happens(found.waitFor(), "corners are found in the live pictures");
 await page.screenshot({path: join(pictures, "calibrate-running.png")});
 await tab("Configuration"); // its captures are followed all the same
 await page.waitForTimeout(6000);
 await tab("Calibrate");
-await page.getByRole("heading", {name: /^(Finished|Failed)$/}).waitFor({timeout: 480000});
+await page.getByRole("heading", {name: /^(Finished|Failed)$/}).waitFor();
 const bars = page.locator(".rung.flat"), before = px(await bars.nth(0).innerText()), after = px(await bars.nth(1).innerText());
 check(await page.getByRole("heading", {name: "Finished"}).count() === 1 && after < 0.5 * before, "the robot is calibrated: " + before + " px before, " + after + " px after");
 check(await wills() === "1,0", "a last will is made for the calibration, and ends with it: " + await wills());
@@ -106,9 +106,14 @@ await page.getByRole("button", {name: /^Undo on/}).click();
 await happens(page.getByText(/^Nothing was taken back: /).waitFor(), "after a calibration that was ended the robot says whether there is something to take back");
 
 // The panel is closed while the robot moves: there is no Stop any more, so the robot ends it.
+const onlooker = await panelOf(bridge, "--robot", address), looked = await quietPage(browser, onlooker.address);
+await looked.getByRole("button", {name: "Calibrate", exact: true}).click();
 await begun();
+await looked.getByRole("heading", {name: /^(Moving|Collecting|Going home)$/}).waitFor();
 await page.close();
-await new Promise(resolve => setTimeout(resolve, 8000));
+await looked.getByText("The calibration was ended").waitFor();
+await looked.close();
+await onlooker.stop("SIGTERM");
 page = await quietPage(browser, panel.address);
 await happens(wasEnded(), "a calibration ends when its panel is closed");
 
@@ -130,7 +135,6 @@ await tab("Live");
 await page.getByLabel("filter values").fill("Motion.angles");
 await page.getByLabel("Motion.angles").check();
 await page.locator(".plot canvas").first().waitFor();
-await page.waitForTimeout(2500);
 check((await page.locator("pre.value").first().innerText()).length > 20, "values are shown as they come");
 await portrait(page, axe, pictures, "live");
 const downloaded = async name => {
@@ -141,7 +145,8 @@ await page.getByRole("button", {name: "LKneePitch", exact: true}).click();
 check(await page.getByRole("button", {name: "LKneePitch", exact: true}).getAttribute("aria-pressed") === "true", "which numbers are drawn is chosen by name");
 check((await downloaded("save as SVG: Motion.angles")).toString().includes("LKneePitch"), "a plot over time is saved as strokes");
 check((await downloaded("save as PNG: Motion.angles")).subarray(1, 4).toString() === "PNG", "a plot over time is saved as a picture");
-const rows = (await downloaded("save as CSV: Motion.angles")).toString().trim().split("\n");
+let rows = [];
+await until(async () => (rows = (await downloaded("save as CSV: Motion.angles")).toString().trim().split("\n")).length > 50); // as they come
 check(rows[0].startsWith("time [s],HeadYaw,") && rows.length > 50 && rows.every(row => row.split(",").length === rows[0].split(",").length), "and as a table");
 
 // Parameters: nothing is written before the person says so.
@@ -163,8 +168,7 @@ const saved = () => savedIn("state");
 check(!saved(), "a value that is set is not written into files");
 await page.getByRole("button", {name: "Save …"}).click();
 await page.getByRole("button", {name: /^Save on/}).click();
-for (let i = 0; i < 100 && !saved(); ++i) await page.waitForTimeout(100);
-check(saved(), "saving writes it, once it is confirmed");
+check(await until(saved), "saving writes it, once it is confirmed");
 check(!savedIn("configuration"), "and leaves what was shipped as it is");
 
 // The robot's process dies and is started anew.

@@ -2,6 +2,7 @@
 import {cpSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync} from "node:fs";
 import {spawn} from "node:child_process";
 import {join} from "node:path";
+import {until} from "./browser.mjs";
 
 export function robotIn(here, program, configuration, options = []) {
   cpSync(configuration, join(here, "configuration"), {recursive: true});
@@ -15,12 +16,10 @@ export function robotIn(here, program, configuration, options = []) {
     async start() {
       process_ = spawn(program, ["--configuration", join(here, "configuration"), "--state", join(here, "state"), "--recordings", join(here, "recordings"), ...options], {stdio: "ignore"});
       process.on("exit", () => process_.kill("SIGKILL"));
-      for (let i = 0; i < 300; ++i) {
-        const name = readdirSync(join(here, "sockets")).find(one => existsSync(join(here, "sockets", one, "config")));
-        if (name) return join(here, "sockets", name);
-        await new Promise(resolve => setTimeout(resolve, 100));
-      }
-      throw new Error("the robot does not listen");
+      const listening = () => readdirSync(join(here, "sockets")).find(one => existsSync(join(here, "sockets", one, "config")));
+      await until(() => process_.exitCode !== null || listening());
+      if (!listening()) throw new Error("the robot does not listen");
+      return join(here, "sockets", listening());
     },
     kill: () => process_.kill("SIGKILL"),
   };

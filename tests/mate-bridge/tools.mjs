@@ -4,7 +4,7 @@
 import {chmodSync, existsSync, readFileSync, readdirSync, readlinkSync, writeFileSync} from "node:fs";
 import {spawn} from "node:child_process";
 import {join} from "node:path";
-import {tools, check, happens, panelOf, folder, quietPage, portrait, end} from "./browser.mjs";
+import {tools, check, happens, panelOf, folder, quietPage, portrait, patientPage, until, end} from "./browser.mjs";
 
 const [, , bridge, modules, pictures] = process.argv;
 const {launch, axe} = tools(modules), here = folder();
@@ -12,7 +12,7 @@ const panel = await panelOf(bridge);
 const browser = await launch(), page = await quietPage(browser, panel.address);
 const click = name => page.getByRole("button", {name, exact: true}).click();
 const status = page.locator("#toolStatus"), line = page.locator("#toolLine"), output = page.locator("#toolOutput");
-const ended = () => page.waitForFunction(() => /finished|ended with/.test(document.getElementById("toolStatus")?.textContent), null, {timeout: 120000});
+const ended = () => page.waitForFunction(() => /finished|ended with/.test(document.getElementById("toolStatus")?.textContent));
 
 const statOf = pid => { try { return readFileSync("/proc/" + pid + "/stat", "utf8").replace(/^.*\) \S+ /s, ""); } catch { return null; } };
 
@@ -32,7 +32,7 @@ await page.screenshot({path: join(here, "a robot", "kept.png")}); // a picture t
 set.captures[0].image = "kept.png";
 writeFileSync(setFile, JSON.stringify(set));
 await page.getByRole("button", {name: /^Open /}).click();
-await happens(page.getByRole("heading", {name: "Where the prediction fails"}).waitFor({timeout: 60000}), "they are opened by a click");
+await happens(page.getByRole("heading", {name: "Where the prediction fails"}).waitFor(), "they are opened by a click");
 const kept = await page.evaluate(id => fetch("picture/" + encodeURIComponent("a robot") + "/" + id).then(answer => answer.status), set.captures[0].id);
 check(kept === 200, "pictures of a set whose name has a space are shown: " + kept);
 
@@ -42,14 +42,14 @@ await page.getByLabel("write the plan to").fill(join(here, "poses.json"));
 await page.getByLabel("candidate poses").fill("20000");
 await page.getByLabel("poses", {exact: true}).fill("5");
 await click("Run");
-await page.waitForFunction(() => /^naocal poses .*finished/.test(document.getElementById("toolStatus")?.textContent), null, {timeout: 120000});
+await page.waitForFunction(() => /^naocal poses .*finished/.test(document.getElementById("toolStatus")?.textContent));
 check(JSON.parse(readFileSync(join(here, "poses.json"))).poses.length === 5, "five poses are planned");
 await portrait(page, axe, pictures, "tools-finished");
 
 await page.getByLabel("stand on").selectOption("both");
 await page.getByLabel("further options").fill("--sellect 3");
 await click("Run");
-await page.waitForFunction(() => /ended with/.test(document.getElementById("toolStatus")?.textContent), null, {timeout: 60000});
+await page.waitForFunction(() => /ended with/.test(document.getElementById("toolStatus")?.textContent));
 check((await output.innerText()).includes("--sellect"), "a slip is told in the program's words: " + (await output.innerText()).trim());
 
 await click("Solve");
@@ -57,10 +57,10 @@ await page.getByLabel("captures", {exact: true}).fill(join(here, "a robot"));
 await page.getByLabel("write the result to").fill(join(here, "result.json"));
 await page.getByLabel("add effects").fill("focalLength@top");
 await click("Run");
-await page.waitForFunction(() => /^naocal solve .*finished/.test(document.getElementById("toolStatus")?.textContent), null, {timeout: 120000});
+await page.waitForFunction(() => /^naocal solve .*finished/.test(document.getElementById("toolStatus")?.textContent));
 await portrait(page, axe, pictures, "tools-solve");
 await click("Open " + join(here, "result.json"));
-await happens(page.getByRole("button", {name: "remove focalLength@top"}).waitFor({timeout: 60000}), "a result that was solved for is opened by a click, with its model");
+await happens(page.getByRole("button", {name: "remove focalLength@top"}).waitFor(), "a result that was solved for is opened by a click, with its model");
 
 await click("Tools");
 await click("Evaluate: next poses");
@@ -68,14 +68,15 @@ await page.getByLabel("robots").fill("5000");
 await click("Run");
 await page.locator("#toolEnd").waitFor();
 check(await page.locator("#toolRun").isDisabled(), "one command at a time");
-await page.waitForTimeout(1000);
-const child = readdirSync("/proc").find(pid => /^\d+$/.test(pid) && statOf(pid)?.startsWith(panel.pid + " "));
+const programOf = pid => { try { return readlinkSync("/proc/" + pid + "/exe"); } catch { return ""; } };
+let child; // once it is the command
+await until(() => child = readdirSync("/proc").find(pid => /^\d+$/.test(pid) && statOf(pid)?.startsWith(panel.pid + " ") && programOf(pid).endsWith("/naocal")));
 const open = readdirSync("/proc/" + child + "/fd").map(one => { try { return readlinkSync("/proc/" + child + "/fd/" + one); } catch { return ""; } });
 check(child && !open.some(one => one.startsWith("socket:")), "a command holds none of the bridge's sockets: " + open.join(" "));
 await click("End it");
 await page.getByText("finishes what it has begun").waitFor();
 await click("End it");
-await happens(page.waitForFunction(() => /was ended/.test(document.getElementById("toolStatus")?.textContent), null, {timeout: 30000}), "a long command is ended");
+await happens(page.waitForFunction(() => /was ended/.test(document.getElementById("toolStatus")?.textContent)), "a long command is ended");
 
 const refused = await page.evaluate(words => new Promise(resolve => {
   const socket = new WebSocket(location.href.replace(/^http/, "ws").replace(/#.*$/, "") + "live");
@@ -90,13 +91,13 @@ writeFileSync(fake, "#!/bin/sh\necho \"$@\" > '" + join(here, "arguments") + "'\
 chmodSync(fake, 0o755);
 const opening = spawn(bridge, [], {stdio: ["ignore", "pipe", "inherit"], env: {...process.env, PATH: here + ":/usr/bin:/bin", HOME: here}});
 const line2 = await new Promise(resolve => opening.stdout.once("data", data => resolve(String(data))));
-for (let i = 0; i < 100 && !existsSync(join(here, "arguments")); ++i) await page.waitForTimeout(50);
-await page.waitForTimeout(200);
+const told = () => existsSync(join(here, "arguments")) ? readFileSync(join(here, "arguments"), "utf8") : "";
+await until(() => told().endsWith("\n"));
 const words = readFileSync(join(here, "arguments"), "utf8").trim(), [, token] = line2.match(/:\d+\/([0-9a-f]{32})\//);
 check(words.startsWith("--app=file://") && !words.includes(token), "the secret is not in the browser's command line: " + words);
-const led = await browser.newPage();
+const led = await patientPage(browser);
 await led.goto(words.replace("--app=", ""));
-await led.getByText("No captures are open").or(led.getByText("No robot yet")).first().waitFor({timeout: 20000});
+await led.getByText("No captures are open").or(led.getByText("No robot yet")).first().waitFor();
 check(led.url().includes(token), "its page leads to the panel");
 opening.kill("SIGTERM");
 await new Promise(resolve => opening.on("exit", resolve));

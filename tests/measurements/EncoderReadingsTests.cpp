@@ -61,7 +61,7 @@ TEST_CASE("readings at rest tell how much an encoder jitters, and where its join
   }
 }
 
-TEST_CASE("joints that were not recorded say nothing of encoders' jitter") {
+TEST_CASE("joints that were not recorded say nothing of encoders' jitter", "[slow]") {
   // Proves the level of a set that has only the joints of one leg and the head, as most have: every pose is read three
   // times at rest, jittering by 0.015 degrees, in whole steps. Arms would read zero always, like encoders of no jitter.
   const Robot robot = loadRobot(configurationDirectory(), "V6");

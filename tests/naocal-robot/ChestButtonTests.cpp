@@ -67,7 +67,7 @@ struct Person {
 
 } // namespace
 
-TEST_CASE("the chest button alone calibrates a leg: it starts, and answers every question") {
+TEST_CASE("the chest button alone calibrates a leg: it starts, and answers every question", "[robot]") {
   // Proves it with offsets to 5 degrees; other parameters that are set meanwhile end nothing, and nothing is saved
   // before the second round has shown that it helps.
   Person person{SimulatedProcess::plan(1, radians(5))};
@@ -94,7 +94,8 @@ TEST_CASE("the chest button alone calibrates a leg: it starts, and answers every
   CHECK(state["errorAfter"] < 0.3 * state["errorBefore"].get<double>());
 }
 
-TEST_CASE("a calibration that the chest button started is ended by its parameter, whatever that was before") {
+TEST_CASE("a calibration that the chest button started is ended by its parameter, whatever that was before",
+          "[robot]") {
   // Proves it for the value that the parameter has already; and that an old answer's number is asked no more.
   Person person{SimulatedProcess::plan(1, 0)};
   person.set("confirmed", 5);
@@ -120,7 +121,7 @@ TEST_CASE("a calibration that is ended while its ways are checked stays ended, a
   CHECK(state["sentence"] == "The calibration was ended; the robot goes back to its stand. Nothing was changed.");
 }
 
-TEST_CASE("a robot that is ended on one foot is held on its way back") {
+TEST_CASE("a robot that is ended on one foot is held on its way back", "[robot]") {
   // Proves for a robot with offsets to 5 degrees, which falls between one foot and both when nobody holds it, that it
   // asks for hands first and comes to its stand, also where somebody meanwhile wants it to look somewhere.
   Person person{SimulatedProcess::plan(1, radians(5))};
@@ -149,7 +150,7 @@ TEST_CASE("a robot that is ended on one foot is held on its way back") {
   CHECK(person.simulated.world.truth().supportFoot == SupportFoot::both);
 }
 
-TEST_CASE("a calibration says what it waits for") {
+TEST_CASE("a calibration says what it waits for", "[robot]") {
   // Proves it for a camera that gives no pictures.
   Person person{SimulatedProcess::plan(1, 0)};
   person.simulated.world.block(CameraName::bottom, true);

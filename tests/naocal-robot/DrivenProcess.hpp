@@ -30,7 +30,7 @@ struct DrivenProcess {
     RobotProcessOptions options{folder.path() / "configuration", folder.path() / "recordings", "simulated", sockets,
                                 realTime};
     options.state = folder.path() / "state";
-    process.emplace(robot, cameras, drawing, robot.waitForIdentity(std::chrono::seconds{5}).value(), options,
+    process.emplace(robot, cameras, drawing, robot.waitForIdentity(std::chrono::minutes{5}).value(), options,
                     [this](std::string_view line) { log += std::string{line} + "\n"; });
   }
 
@@ -103,7 +103,7 @@ struct DrivenProcess {
         *hardware.robot,
         *hardware.cameras,
         hardware.drawing,
-        hardware.robot->waitForIdentity(std::chrono::seconds{1}).value(),
+        hardware.robot->waitForIdentity(std::chrono::minutes{5}).value(),
         RobotProcessOptions{recording / "configuration", folder, "simulated", sockets, false, hardware.replay.get()},
         [](std::string_view) {}};
     std::promise<std::string> over;

@@ -60,7 +60,8 @@ TEST_CASE("calibrates until it is killed", "[.victim]") {
 
 // Proves that whatever moment a calibrating robot is killed at, offsets and mounts that are saved belong together, and
 // recordings are readable up to their last capture. NAOCAL_KILLS=200 makes it two hundred.
-TEST_CASE("a robot that is killed while it calibrates has its old or its new configuration, and its recordings") {
+TEST_CASE("a robot that is killed while it calibrates has its old or its new configuration, and its recordings",
+          "[robot]") {
   std::mt19937 random{1}; // and chance enough in the scheduler
   int calibrated = 0, captures = 0;
   for (int kill = 0; kill < killCount(); ++kill) {

@@ -55,7 +55,7 @@ TEST_CASE("both threads are wired with the shipped configuration") {
   }
 }
 
-TEST_CASE("a simulated robot calibrates neck and cameras, driven only through the sockets") {
+TEST_CASE("a simulated robot calibrates neck and cameras, driven only through the sockets", "[robot]") {
   // Proves the whole way: started by a SET, poses played, pictures paired and searched, solved, saved into the robot's
   // own files, and checked with pictures that were not used; asked once more, it keeps what it had. What was shipped is
   // only read. Its legs are nearly calibrated (within a degree).
@@ -77,7 +77,7 @@ TEST_CASE("a simulated robot calibrates neck and cameras, driven only through th
   CHECK(contents(simulated.folder.path() / "configuration") == shipped);
 }
 
-TEST_CASE("a calibration of neck and cameras that does not help is taken back") {
+TEST_CASE("a calibration of neck and cameras that does not help is taken back", "[robot]") {
   // Proves it for a robot whose legs are off by up to five degrees: nothing is saved, and offsets are as before; where
   // somebody saved them before they were checked, what was before is saved again.
   const bool saves = GENERATE(false, true);
@@ -100,7 +100,7 @@ TEST_CASE("a calibration of neck and cameras that does not help is taken back") 
   CHECK(offsets["headPitch"] == 0.0);
 }
 
-TEST_CASE("a simulated robot calibrates a leg on one foot, and what was saved can be undone") {
+TEST_CASE("a simulated robot calibrates a leg on one foot, and what was saved can be undone", "[robot]") {
   // Proves the whole way for a robot with offsets to 5 degrees, mounts to 2 and play to half a degree in its gears:
   // the person is asked before it steps onto the foot, pictures are taken from both sides of each pose, and a point of
   // the floor 2 m ahead is perceived within 2 cm afterwards, by mechanics of the simulation's own. Replaying the
@@ -161,7 +161,7 @@ TEST_CASE("a question that is not answered keeps the robot on both feet, and any
   simulated.process->stop();
 }
 
-TEST_CASE("a calibration ends when the client that started it is gone") {
+TEST_CASE("a calibration ends when the client that started it is gone", "[robot]") {
   // Proves it from the will that a client leaves to the robot's way back to its stand.
   SimulatedProcess simulated{SimulatedProcess::plan(1, 0)};
   std::optional<MateClient> config{MateClient::config(simulated.process->sockets().configPort())};

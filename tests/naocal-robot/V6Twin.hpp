@@ -12,10 +12,14 @@
 #include "hardware/v4l2/VideoCameras.hpp"
 
 #include <atomic>
+#include <condition_variable>
 #include <mutex>
 #include <thread>
 
 namespace naocal {
+
+/// How long a twin whose time is not the wall's waits for the program before it goes on without it.
+inline constexpr std::chrono::seconds twinPatience{2};
 
 /// A kernel that two threads use: one takes pictures, the other one has the cameras.
 class SharedVideo : public VideoSystem {
@@ -30,6 +34,12 @@ public:
     const std::lock_guard lock{mutex_};
     const char* path = frame.camera == CameraName::top ? "/dev/video-top" : "/dev/video-bottom";
     video_.expose(video_.cameras[path], bytes, frame.time.time_since_epoch());
+    idle_ = false;
+  }
+  /// Until the cameras' thread has taken all pictures and waits for the next one.
+  void waitForReader() {
+    std::unique_lock lock{mutex_};
+    changed_.wait_for(lock, twinPatience, [this] { return idle_; });
   }
   int open(const std::string& path) override {
     return guarded([&] { return video_.open(path); });
@@ -55,8 +65,13 @@ public:
   int poll(std::span<pollfd> files, int milliseconds) override {
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds{milliseconds};
     int ready = 0;
-    while ((ready = guarded([&] { return video_.poll(files, 0); })) == 0 &&
-           std::chrono::steady_clock::now() < deadline) {
+    const auto poll = [&] {
+      ready = video_.poll(files, 0);
+      idle_ = ready == 0;
+      return ready;
+    };
+    while (guarded(poll) == 0 && std::chrono::steady_clock::now() < deadline) {
+      changed_.notify_all();
       std::this_thread::sleep_for(std::chrono::milliseconds{1});
     }
     return ready;
@@ -64,20 +79,26 @@ public:
 
 private:
   std::mutex mutex_;
+  std::condition_variable changed_;
+  bool idle_ = true;
   FakeVideo video_;
 };
 
-/// A V6 as its head's programs meet it: LoLA's socket and two V4L2 cameras, behind which a simulated robot stands and
-/// time is the wall's.
+/// A V6 as its head's programs meet it: LoLA's socket and two V4L2 cameras, behind which a simulated robot stands. With
+/// `Pace::quick` its time is its own: it waits for every command and until every picture was taken.
 class V6Twin {
 public:
   V6Twin(const Robot& drawing, SimulatedPlan plan, const std::filesystem::path& socket)
-      : world{drawing, plan}, lola_{socket}, body_{world.robot()}, eyes_{world.cameras()} {
+      : world{drawing, plan}, isQuick_{plan.pace == Pace::quick}, lola_{socket}, body_{world.robot()},
+        eyes_{world.cameras()} {
     motion_ = std::jthread{[this](const std::stop_token& stop) { live(stop); }};
     sight_ = std::jthread{[this](const std::stop_token& stop) {
       while (!stop.stop_requested()) {
         if (const auto frame = eyes_->waitForFrame(std::chrono::milliseconds{50})) {
           video.expose(*frame);
+          if (isQuick_) {
+            video.waitForReader();
+          }
         }
       }
     }};
@@ -92,6 +113,7 @@ public:
   SharedVideo video;
   std::atomic<int> states = 0, commands = 0; // sent; heard
   std::atomic<TimePoint> due{};              // when the last state was sent
+  std::atomic<TimePoint> stateTime{};        // of the last state, in the robot's time
 
 private:
   void live(const std::stop_token& stop) {
@@ -106,13 +128,15 @@ private:
       if (!state) {
         continue;
       }
+      stateTime = state->time;
       if (!lola_.send(twin::stateOf([&](std::string_view list, std::size_t i) { return number(*state, list, i); }))) {
         lola_.accept(); // the program was started anew
         continue;
       }
       ++states;
-      constexpr int patience = 8; // ms of a cycle's 12; the robot goes on without an answer
-      const std::string message = lola_.hears(patience) ? lola_.receive(lolaCommandSize) : "";
+      constexpr std::chrono::milliseconds cycleShare{8}; // of a cycle's 12; the robot goes on without an answer
+      const std::chrono::milliseconds patience = isQuick_ ? twinPatience : cycleShare;
+      const std::string message = lola_.hears(int(patience.count())) ? lola_.receive(lolaCommandSize) : "";
       if (message.size() == lolaCommandSize) {
         for (std::size_t i = 0; i < twin::names.size(); ++i) {
           const std::size_t joint = *jointIndex(twin::names[i]);
@@ -145,10 +169,35 @@ private:
                                      : 0;
   }
 
+  bool isQuick_;
   twin::Server lola_;
   std::unique_ptr<RobotInterface> body_;
   std::unique_ptr<CameraInterface> eyes_;
   std::jthread motion_, sight_;
+};
+
+/// A robot whose states bear the twin's time instead of that of their arrival.
+class TwinTimedRobot : public RobotInterface {
+public:
+  TwinTimedRobot(RobotInterface& robot, const V6Twin& twin) : robot_{robot}, twin_{twin} {}
+
+  std::optional<RobotIdentity> waitForIdentity(std::chrono::milliseconds timeout) override {
+    return robot_.waitForIdentity(timeout);
+  }
+  std::optional<RobotState> waitForState(std::chrono::milliseconds timeout) override {
+    auto state = robot_.waitForState(timeout);
+    if (state) {
+      state->time = twin_.stateTime; // the next state follows the answer to this one
+    }
+    return state;
+  }
+  void send(const RobotCommand& command) override { robot_.send(command); }
+  std::chrono::nanoseconds period() const override { return robot_.period(); }
+  RobotStatus status() const override { return robot_.status(); }
+
+private:
+  RobotInterface& robot_;
+  const V6Twin& twin_;
 };
 
 /// The process as it runs on a V6's head.
@@ -160,9 +209,13 @@ struct V6Process : DrivenProcess {
       : twin{drawing, plan, folder.path() / "robocup"}, robot{folder.path() / "robocup"}, cameras{videoOptionsForModel(
                                                                                                       "V6"),
                                                                                                   twin.video} {
-    watched = watch ? watch(robot, twin) : nullptr;
+    const bool isQuick = plan.pace == Pace::quick;
+    watched = watch     ? watch(robot, twin)
+              : isQuick ? std::make_unique<TwinTimedRobot>(robot, twin)
+                        : std::unique_ptr<RobotInterface>{};
     begin(
-        watched ? *watched : robot, cameras, drawing, [] { return Clock::now(); }, watched != nullptr);
+        watched ? *watched : robot, cameras, drawing,
+        [this, isQuick] { return isQuick ? twin.world.truth().time : Clock::now(); }, bool(watch));
   }
   ~V6Process() { process.reset(); }
 

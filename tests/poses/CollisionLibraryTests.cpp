@@ -104,7 +104,7 @@ private:
 
 } // namespace
 
-TEST_CASE("a collision library finds the same postures touching") {
+TEST_CASE("a collision library finds the same postures touching", "[slow]") {
   // Proves SelfCollision against FCL on 3000 random postures of the whole robot, both ways, with kinematics and the
   // choice of pairs written anew from the drawing; postures within a tenth of a millimetre of the clearance are left
   // out. That the capsules are the robot's shape is the drawing's word.

@@ -87,7 +87,7 @@ std::vector<CommandedPose> commanded(const std::vector<ProposedPose>& poses) {
 
 } // namespace
 
-TEST_CASE("four proposed poses tell twins apart better than four random ones, by as much as they promise") {
+TEST_CASE("four proposed poses tell twins apart better than four random ones, by as much as they promise", "[slow]") {
   // Proves on pairs of effects that twelve random poses hardly tell apart: a simulated robot, which shares no physics
   // with the model, takes the proposed poses, and the information in its captures grows by what was predicted and by
   // more than with random stable poses (the median of five draws). Does not prove that an effect is named sooner:
@@ -121,7 +121,8 @@ TEST_CASE("four proposed poses tell twins apart better than four random ones, by
   CHECK(proposed - 1 > 1.5 * (random[2] - 1));
 }
 
-TEST_CASE("poses are proposed for captures that tell little or much of the joints, and only where boards lie") {
+TEST_CASE("poses are proposed for captures that tell little or much of the joints, and only where boards lie",
+          "[slow]") {
   // Proves that fingers, which no drawing has, and readings that are missing do no harm; that every proposed pose sees
   // a board of the captures and is reached safely from standing on its foot; that the
   // same seed proposes the same; and that a hanging robot is proposed nothing.

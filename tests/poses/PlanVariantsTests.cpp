@@ -8,7 +8,7 @@
 
 using namespace naocal;
 
-TEST_CASE("a plan that is extended keeps its poses and boards and tells every offset better") {
+TEST_CASE("a plan that is extended keeps its poses and boards and tells every offset better", "[slow]") {
   // Proves it for three more poses; also that the same total planned at once is not worse by more than a fifth either
   // way, that is, that what the first poses told is counted.
   const PosePlan first = quickPlan(quickOptions(6));
@@ -33,7 +33,7 @@ TEST_CASE("a plan that is extended keeps its poses and boards and tells every of
   CHECK(largest(second.sigma) == Approx(largest(quickPlan(atOnce).sigma)).epsilon(0.2));
 }
 
-TEST_CASE("the quickest plan reaches the sigma that is asked for, and a harder demand takes longer") {
+TEST_CASE("the quickest plan reaches the sigma that is asked for, and a harder demand takes longer", "[slow]") {
   // Proves both for two demands, and that one which as many poses cannot meet is refused with what they can.
   PlanOptions easy = quickOptions(6);
   easy.criterion = Criterion::time;
@@ -73,7 +73,7 @@ TEST_CASE("mirrored boards lie alike on both sides, and mirroring twice changes 
   CHECK(mirrorAngles(v6(), angles)[0] == -angles[0]); // HeadYaw
 }
 
-TEST_CASE("a board may be off as far as a plan says") {
+TEST_CASE("a board may be off as far as a plan says", "[slow]") {
   // Proves the tolerances of a plan by laying each board off by them, along the axes and turned, and judging anew.
   const PosePlan good = quickPlan(quickOptions(6));
   const SimulationPlan scene;
@@ -96,7 +96,7 @@ TEST_CASE("a board may be off as far as a plan says") {
   }
 }
 
-TEST_CASE("a plan on both feet leaves the feet where they are and looks at both legs") {
+TEST_CASE("a plan on both feet leaves the feet where they are and looks at both legs", "[slow]") {
   // Proves that every way between its poses keeps the other sole within 5 mm, at a finer step than it was planned with,
   // that most neighbours have a way, and that offsets of both legs are told better than they are known beforehand.
   const PosePlan plan = quickPlan(quickOptions(8, SupportFoot::both));
@@ -124,7 +124,7 @@ TEST_CASE("a plan on both feet leaves the feet where they are and looks at both 
   }
 }
 
-TEST_CASE("poses that are to tell two effects apart do so better than those of any other criterion") {
+TEST_CASE("poses that are to tell two effects apart do so better than those of any other criterion", "[slow]") {
   // Proves it among the same candidates, boards where they are, for one kind of effect at one joint; and that names
   // which mean nothing, or one effect alone, are refused with what to do.
   PlanOptions options = quickOptions(5);
@@ -154,7 +154,7 @@ TEST_CASE("poses that are to tell two effects apart do so better than those of a
   CHECK_THROWS_WITH(quickPlan(options), Catch::Contains("expected two effects"));
 }
 
-TEST_CASE("a plan that is refined for worn robots serves them better") {
+TEST_CASE("a plan that is refined for worn robots serves them better", "[slow]") {
   // Proves it by 100 robots with joint errors that the plan was not refined for, against the same plan for the drawn
   // robot alone, by the worst joint's root mean square; the drawn robot's worst offset may suffer by a sixth.
   PlanOptions options = quickOptions(6);

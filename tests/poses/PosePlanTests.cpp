@@ -116,7 +116,7 @@ TEST_CASE("exchange finds the best set where all sets can be tried") {
   }
 }
 
-TEST_CASE("predicted sigmas are the spread of calibrations with the planned poses and boards") {
+TEST_CASE("predicted sigmas are the spread of calibrations with the planned poses and boards", "[slow]") {
   // Proves the prediction against 120 simulated robots, pooled over joints (5 % is the pooled figure's own spread);
   // benchmark_spread does so with 500, joint by joint. On both feet it promises too little: the simulated floor is
   // perfect, while a plan takes soles to lie flat to 1 mm and 0.005 rad only.
@@ -131,7 +131,7 @@ TEST_CASE("predicted sigmas are the spread of calibrations with the planned pose
   }
 }
 
-TEST_CASE("a plan's poses are in order and reached safely, and its boards lie free") {
+TEST_CASE("a plan's poses are in order and reached safely, and its boards lie free", "[slow]") {
   // Proves that the way from each pose to the next is safe at a finer step and for other robots than it was planned
   // with, for both feet (95 of 100 robots, as 200 draws are uncertain by a hundredth), and that boards lie where they
   // may.
@@ -192,7 +192,7 @@ TEST_CASE("the quickest order is that of a full search") {
   CHECK_FALSE(findQuickestOrder(seconds));
 }
 
-TEST_CASE("a plan is read back from its files as it was written") {
+TEST_CASE("a plan is read back from its files as it was written", "[slow]") {
   // Proves the round trip of POSES.json and of .pose files to the last digit, and that broken ones are refused.
   const TemporaryFolder folder;
   const auto json = folder.path() / "poses.json";

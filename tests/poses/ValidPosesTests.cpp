@@ -74,7 +74,8 @@ int cornersInPicture(const plain::Json& robot, const plain::Json& pose, const pl
 
 } // namespace
 
-TEST_CASE("every pose that is written keeps to the limits, stands on its feet despite errors, and sees its boards") {
+TEST_CASE("every pose that is written keeps to the limits, stands on its feet despite errors, and sees its boards",
+          "[slow]") {
   // Proves it for plans of both legs in turn and on both feet with kinematics, masses and pinhole written anew from the
   // drawing's numbers: the file is all that is taken from the generator. On both feet the right sole lies flat beside
   // the left one, 10 cm off, in every pose. That no parts touch is shown by a library (CollisionLibraryTests).
@@ -115,7 +116,7 @@ TEST_CASE("every pose that is written keeps to the limits, stands on its feet de
   }
 }
 
-TEST_CASE("no robot as drawn falls on its way between neighbours of a plan, and few with joint errors do") {
+TEST_CASE("no robot as drawn falls on its way between neighbours of a plan, and few with joint errors do", "[slow]") {
   // Proves it at 1000 random instants of the plans' ways, by the same plain robot: joints move in proportion from stop
   // to stop. 97 of 100 robots with errors are asked for; 3 sigmas of 1000 draws less are let pass. On both feet the
   // right sole moves by no more than 3 mm.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Skipped.hpp"
 #include "TemporaryFolder.hpp"
 #include "io/Files.hpp"
 
@@ -23,10 +24,11 @@ inline std::string outputOf(const std::string& command) {
   return output;
 }
 
-/// What chromium makes of a page in a window 400 px wide, then all that its scripts complain of; absent without
-/// chromium.
+/// The document that chromium makes of a page in a window 400 px wide, then what its scripts logged. Without chromium
+/// absent, and the test is skipped.
 inline std::optional<std::string> drawnByBrowser(const std::string& page) {
   if (std::system("command -v chromium > /dev/null") != 0) {
+    skip("no chromium");
     return std::nullopt;
   }
   const TemporaryFolder folder;

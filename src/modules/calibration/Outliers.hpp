@@ -15,6 +15,7 @@ std::vector<Outlier> findOutliers(const Measurements& measurements, const Calibr
 struct Accidents {
   std::size_t moved = 0, all = 0;
 
+  Accidents() = default;
   Accidents(const Measurements& measurements, const std::vector<Outlier>& doubts);
 
   bool any() const { return moved > 0; }

@@ -33,7 +33,7 @@ ResultVerdict judgeExplained(const Model& model, const CalibrationResult& result
 }
 
 std::string words(const Accidents& accidents) {
-  return fmt::format("{} of {} boards in pictures {} not lie where the others put {}", accidents.moved, accidents.all,
+  return fmt::format("{} of {} board views {} not lie where the others put {}", accidents.moved, accidents.all,
                      accidents.moved == 1 ? "does" : "do", accidents.moved == 1 ? "it" : "them");
 }
 
@@ -60,7 +60,8 @@ std::string formatSizes(const CalibrationResult& result, const Accidents& accide
                      accidents.any() ? rmsWithoutMoved(result) : result.rmsPx, result.noiseFloorPx);
 }
 
-/// The verdict in words. `cause`: what is missing, where something is. `firm`: that forbids to use it, if anything.
+} // namespace
+
 std::string sentenceOf(const CalibrationResult& result, const Accidents& accidents, const std::string& cause,
                        const std::string& firm) {
   switch (result.verdict) {
@@ -80,8 +81,6 @@ std::string sentenceOf(const CalibrationResult& result, const Accidents& acciden
   }
   return {};
 }
-
-} // namespace
 
 void assess(const Measurements& measurements, const Model& model, CalibrationResult& result) {
   constexpr double largestFloorError = 0.05; // [m]
@@ -112,7 +111,7 @@ void assess(const Measurements& measurements, const Model& model, CalibrationRes
   }
   const bool missing = result.pValue <= threshold::alarm && result.matters;
   const Accidents accidents{measurements, result.doubts};
-  std::string cause = "what is missing is open";
+  std::string cause = "no single cause stands out";
   if (missing && !result.explanations.empty() && !result.explanations.front().effects.empty()) {
     const Explanation& likeliest = result.explanations.front();
     cause = fmt::format("most probable: {}{}{} (posterior probability {:.0f} % among the models considered)",

@@ -65,6 +65,13 @@ std::string describeUnknown(const Term& term, std::size_t unknown) {
     const bool says = term.effect.name.starts_with("board");
     return fmt::format("board {}'s {}{}", term.place, splitCamelCase(term.effect.name.substr(says ? 5 : 0)), which);
   }
+  if (term.effect.place == EffectSite::sole) { // soleTilt, ...
+    const bool says = term.effect.name.starts_with("sole");
+    return fmt::format("the {} sole's {}{}", term.place, splitCamelCase(term.effect.name.substr(says ? 4 : 0)), which);
+  }
+  if (term.effect.place == EffectSite::all) {
+    return fmt::format("the {}{}", splitCamelCase(term.effect.name), which);
+  }
   return fmt::format("{}'s {}{}", joint(term.place), splitCamelCase(term.effect.name), which);
 }
 

@@ -14,7 +14,7 @@ namespace naocal {
 namespace {
 
 std::string percent(double p) {
-  return p < 0.01 ? "below 1 %" : fmt::format("{:.0f} %", 100 * p);
+  return p < 0.01 ? "less than 1 %" : fmt::format("{:.0f} %", 100 * p);
 }
 
 std::string formatMissing(const Diagnosis& diagnosis) {
@@ -31,7 +31,8 @@ std::string formatMissing(const Diagnosis& diagnosis) {
                                                         : "");
   }
   if (diagnosis.suggested.size() > 1) {
-    text += fmt::format(" Further: {}.", fmt::join(diagnosis.suggested.begin() + 1, diagnosis.suggested.end(), ", "));
+    text +=
+        fmt::format(" Also missing: {}.", fmt::join(diagnosis.suggested.begin() + 1, diagnosis.suggested.end(), ", "));
   }
   const SelectionStep &before = diagnosis.steps.front(), &after = diagnosis.steps.back();
   const std::optional<double>& heldOut = diagnosis.suggested.empty() ? before.nextPx : after.heldOutPx;
@@ -48,7 +49,7 @@ std::string formatHardlyLikely(const Diagnosis& diagnosis) {
   const CandidateFinding& first = diagnosis.ranking.front();
   return fmt::format(
       "Something may be missing (chance that noise alone looks this convincing: {}). The likeliest cause "
-      "is {} ({}), but these captures show too little of it to add it: take more poses.",
+      "is {} ({}), but the evidence is too weak to add it: take more poses.",
       percent(diagnosis.alarm), first.term.label(), formatSizes(first));
 }
 
@@ -78,15 +79,15 @@ std::string formatUnknown(const Diagnosis& diagnosis) {
   std::string own;
   if (diagnosis.own) {
     named.pop_back();
-    own = fmt::format("As an effect of your own, {}, it lowers the held-out error from {:.2f} to {:.2f} px.",
+    own = fmt::format("As a custom effect, {}, it lowers the held-out error from {:.2f} to {:.2f} px.",
                       diagnosis.own->label, *std::prev(diagnosis.steps.end(), 2)->heldOutPx,
                       *diagnosis.own->step.heldOutPx);
   }
-  return fmt::format("unknown effect: no effect of the catalogue explains the misfit. It sits at {} and varies with {} "
+  return fmt::format("unknown effect: no effect in the catalogue explains the misfit. It sits at {} and varies with {} "
                      "({}), by about {}{}.{}{}",
                      where, curve.driver, curve.what, howFar,
                      curve.expression.empty() ? "" : "; like " + curve.expression,
-                     named.empty() ? "" : fmt::format(" It is left after adding {}.", fmt::join(named, ", ")),
+                     named.empty() ? "" : fmt::format(" It remains after adding {}.", fmt::join(named, ", ")),
                      own.empty() ? "" : " " + own);
 }
 
@@ -183,14 +184,14 @@ std::string summarize(const Diagnosis& diagnosis) {
     return fmt::format(
         "Something is wrong with the captures or the set-up: {}{}.{}", diagnosis.anomalies.front().why,
         diagnosis.anomalies.size() > 1 ? fmt::format("; and {} more", diagnosis.anomalies.size() - 1) : "",
-        diagnosis.suggested.empty() ? "" : fmt::format(" Missing besides: {}.", fmt::join(diagnosis.suggested, ", ")));
+        diagnosis.suggested.empty() ? "" : fmt::format(" Also missing: {}.", fmt::join(diagnosis.suggested, ", ")));
   case Verdict::unknownEffect:
     return "An " + formatUnknown(diagnosis);
   case Verdict::effectMissing:
     return formatMissing(diagnosis);
   case Verdict::scatter:
     return fmt::format("Joint scatter: joints deflect at random from pose to pose by {:.3f}° (1 sigma), and nothing "
-                       "that was recorded drives it: stiction or a slipping foot. Repeatability limits this robot, "
+                       "recorded explains it: stiction or a slipping foot. Repeatability limits this robot, "
                        "not the model.",
                        degrees(diagnosis.scatter));
   case Verdict::inconclusive:

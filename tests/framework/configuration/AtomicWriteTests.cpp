@@ -64,7 +64,7 @@ std::vector<std::string> startOn(const ConfiguredRobot& robot, const std::string
 
 } // namespace
 
-TEST_CASE("a configuration whose writer is killed at any moment is the old or the new one") {
+TEST_CASE("a configuration whose writer is killed at any moment is the old or the new one", "[slow]") {
   // Proves it for 200 kills at random moments of saving and undoing: every file of the robot is whole and holds values
   // that belong together. A power cut (what the disk had not yet written) is not simulated.
   ConfiguredRobot robot;

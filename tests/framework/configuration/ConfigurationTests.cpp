@@ -180,7 +180,7 @@ TEST_CASE("orders are never saved, and all else is written elsewhere as it would
   CHECK(robot.content("default/head/Ada/Runner.json") == json{{"repeats", 2}});
 }
 
-TEST_CASE("a save that changes nothing leaves what an undo goes back to") {
+TEST_CASE("a save that changes nothing leaves what an undo goes back to", "[slow]") {
   // Proves it for values that were put back before anything is saved, for a save by name of what is saved already, and
   // for a value that its file has got meanwhile.
   for (const std::string way : {"put back", "saved already", "in the file"}) {
@@ -321,7 +321,7 @@ TEST_CASE("a save that has failed is not finished by a copy of the configuration
   CHECK_FALSE(std::filesystem::exists(robot.path("default/head/Ada/Offsets.json")));
 }
 
-TEST_CASE("what is saved together is old or new together, wherever the program ends") {
+TEST_CASE("what is saved together is old or new together, wherever the program ends", "[slow]") {
   // Proves it for every write of a save and of an undo: the program ends there, and the next one finishes what was
   // noted or finds nothing changed. A mount without changes is left as it is by both.
   for (const bool undone : {false, true}) {

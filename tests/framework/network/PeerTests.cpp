@@ -147,7 +147,7 @@ TEST_CASE("a client at the address in memory of one that showed the secret has n
   CHECK(robot.readKeys("Brain.Counter")["factor"] == 0.5);
 }
 
-TEST_CASE("clients that come, ask and leave at once leave nothing behind while values flow") {
+TEST_CASE("clients that come, ask and leave at once leave nothing behind while values flow", "[slow]") {
   // Proves it over real sockets: the robot cycles for a second and a half for one that looks at it, while hundreds of
   // others subscribe, ask for the list, unsubscribe and leave without reading, in MATE's frames. What is left behind
   // shows as a production that is wanted when all have gone, or ends this program.

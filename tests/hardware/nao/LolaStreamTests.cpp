@@ -116,7 +116,7 @@ TEST_CASE("every state is answered by a whole command") {
 }
 
 // Proves that a robot which does not read its commands neither blocks the program nor is sent halves of them.
-TEST_CASE("commands that the robot does not take are dropped whole") {
+TEST_CASE("commands that the robot does not take are dropped whole", "[slow]") {
   const TemporaryFolder folder;
   twin::Server server{folder.path() / "robocup"};
   auto robot = std::make_unique<LolaRobot>(folder.path() / "robocup");
@@ -198,7 +198,7 @@ TEST_CASE("sudden closes in the middle of states are survived") {
 
 // Proves that bytes which were lost, added or are no messages at all never become angles, and that the stream is in
 // step again after them. A number that was changed in place cannot be noticed: the protocol has no checksum.
-TEST_CASE("garbage between and within states never becomes a state") {
+TEST_CASE("garbage between and within states never becomes a state", "[slow]") {
   const TemporaryFolder folder;
   twin::Server server{folder.path() / "robocup"};
   LolaRobot robot{folder.path() / "robocup"};

@@ -91,7 +91,7 @@ TEST_CASE("a V5's state arrives through shared memory with all its numbers") {
 
 // Proves that states are whole and in order while the robot's side writes as quickly as it can, and that none is
 // missing in the count.
-TEST_CASE("states that were overwritten while they were read are never given") {
+TEST_CASE("states that were overwritten while they were read are never given", "[slow]") {
   BlockTwin twin;
   SharedMemoryRobot robot{BlockTwin::name()};
   CHECK(!robot.waitForState(0ms));

@@ -158,7 +158,7 @@ TEST_CASE("a camera that is unplugged is waited for while the other one goes on"
 
 // Proves that a camera whose buffers filled meanwhile is not taken for one that hangs, and that attempts keep their
 // distance, however long each takes; not how late pictures are.
-TEST_CASE("a camera whose opening takes over a second is not the other one's trouble") {
+TEST_CASE("a camera whose opening takes over a second is not the other one's trouble", "[slow]") {
   Scene scene;
   scene.bottom().present = false;
   scene.cameras();
@@ -185,7 +185,7 @@ TEST_CASE("a camera whose opening takes over a second is not the other one's tro
 }
 
 // Proves that one that is open and silent is closed and opened again; how soon is not measured.
-TEST_CASE("a camera that gives no picture for a second is opened anew") {
+TEST_CASE("a camera that gives no picture for a second is opened anew", "[slow]") {
   Scene scene;
   scene.cameras();
   while (scene.top().opened == 1 || !scene.top().streaming) {

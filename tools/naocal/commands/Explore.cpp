@@ -70,7 +70,7 @@ std::string joined(const std::string& definitions, const std::string& others) {
 }
 
 std::string modelWords(const ModelRevision& rung) {
-  std::string words = rung.with.empty() ? "base" : fmt::format("+ {}", fmt::join(rung.with, " + "));
+  std::string words = rung.with.empty() ? "base model" : fmt::format("+ {}", fmt::join(rung.with, " + "));
   return rung.without.empty() ? words : fmt::format("{}, without {}", words, fmt::join(rung.without, ", "));
 }
 
@@ -145,8 +145,8 @@ void ExploreLoop::printLadder() const {
   for (std::size_t i = 0; i < session_.ladder.size(); ++i) {
     const ModelRevision& rung = session_.ladder[i];
     const auto& step = rung.questioned;
-    const std::string unseen = step && step->heldOutPx ? fmt::format("{:6.3f} px", *step->heldOutPx) : "-";
-    fmt::print("{} {:>3}  {:6.3f} px  {:>9}  {:>9}  {:>7}  {}\n", i == session_.at ? '*' : ' ', i, rung.rmsPx, unseen,
+    const std::string heldOut = step && step->heldOutPx ? fmt::format("{:6.3f} px", *step->heldOutPx) : "-";
+    fmt::print("{} {:>3}  {:6.3f} px  {:>9}  {:>9}  {:>7}  {}\n", i == session_.at ? '*' : ' ', i, rung.rmsPx, heldOut,
                step ? fmt::format("{:6.3f} px", step->noiseFloorPx) : "-",
                step ? fmt::format("{:7.3f}", step->alarm) : "-", modelWords(rung));
   }
@@ -166,7 +166,7 @@ void printHelp() {
   fmt::print("  add EFFECT@PLACE    put an effect into the model and fit\n"
              "  drop EFFECT@PLACE   take it out again\n"
              "  undo                back to the model that this one was made from\n"
-             "  what                the candidates that would help most now\n"
+             "  what                the candidates, best first\n"
              "  ladder              all models tried, and their errors\n"
              "  quit\n");
 }
@@ -217,7 +217,7 @@ void explore(const ExploreCommand& command) {
   ExploreLoop exploration{given, std::move(first), command.session};
   exploration.printLadder();
   exploration.printCandidates();
-  fmt::print("type 'help' for what you can do\n> ");
+  fmt::print("type 'help' for the commands\n> ");
   std::fflush(stdout);
   for (std::string line; std::getline(std::cin, line);) {
     try {

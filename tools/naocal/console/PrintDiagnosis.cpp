@@ -48,7 +48,7 @@ void printCurves(const Diagnosis& diagnosis) {
   if (diagnosis.verdict != Verdict::unknownEffect) {
     return;
   }
-  fmt::print("\nwhat is left over, by joint and what it varies with\n");
+  fmt::print("\nunexplained rest, by joint and what it varies with\n");
   for (const DriverCurve& curve : diagnosis.driverCurves) {
     std::string coefficients;
     for (const auto& [name, value, unit] : curve.coefficients) {
@@ -82,9 +82,9 @@ void printCandidates(const Diagnosis& diagnosis) {
     const std::string fall = finding.chi2Drop ? fmt::format("; chi2 fell by {:.0f} on adding it, predicted {:.0f}",
                                                             *finding.chi2Drop, finding.evidence.likelihoodRatio)
                                               : "";
-    fmt::print("  {:32} {} {:8.1f}  {:12} {}{}\n", finding.term.label(),
-               bar(std::max(0.0, finding.evidence.bayes), most, 14), finding.evidence.bayes, toString(finding.state),
-               formatSizes(finding), fall);
+    fmt::print("  {:32} {} {:8.1f}  {:19} {}{}\n", finding.term.label(),
+               bar(std::max(0.0, finding.evidence.bayes), most, 14), finding.evidence.bayes,
+               describeState(finding.state), formatSizes(finding), fall);
   }
   std::size_t absorbed = 0, noData = 0, inconclusive = 0;
   for (const CandidateFinding& finding : diagnosis.ranking) {
@@ -143,9 +143,8 @@ void printNextPoses(const NextPoses& next, GivenOptions asked, const std::string
   }
   asked.sets.emplace_back("FURTHER-SET");
   asked.samePlace = true;
-  fmt::print("\n{} holds {} poses. With them, what {} becomes {:.1f} times stronger. Leave the boards where they lie, "
-             "record the "
-             "poses as a new set with \"stance\": {}, then:\n  naocal diagnose {}\n",
+  fmt::print("\n{} holds {} poses. With them the evidence that {} becomes {:.1f} times stronger. Leave the boards "
+             "where they lie, record the poses as a new set with \"stance\": {}, then:\n  naocal diagnose {}\n",
              file, next.poses.size(), next.why, next.growth, next.firstStance, asked.commandLine());
 }
 

@@ -216,13 +216,13 @@ using Over = TellingPair::Over;
 std::string errorWords(const TellingPair& pair, const Robot& robot) {
   switch (pair.error) {
   case Error::right:
-    return "errors to the right";
+    return "rightward errors";
   case Error::down:
-    return "errors down";
+    return "downward errors";
   case Error::joint:
     break;
   }
-  return fmt::format("{}'s error that would explain the misfit", robot.joints[pair.motor].name);
+  return fmt::format("the error of {} that would explain the misfit", robot.joints[pair.motor].name);
 }
 
 const DriverSeries* findDriver(const TellingPair& pair, const std::vector<DriverSeries>& drivers) {
@@ -253,7 +253,7 @@ std::string formatChange(const TellingPair& pair, const std::vector<DriverSeries
                     to = formatAmount(pair, pair.to);
   const DriverSeries* const driver = findDriver(pair, drivers);
   if (driver != nullptr && driver->kind == Driver::approach) {
-    return fmt::format("{} {} where {} was approached from below and {} where from above", one ? "is" : "are", to,
+    return fmt::format("{} {} where {} was approached from below and {} from above", one ? "is" : "are", to,
                        robot.joints[driver->joint].name, from); // the last motion was upwards where it is +1
   }
   if (pair.hasTwoValues) {
@@ -330,8 +330,7 @@ std::string formatTellingSentence(const TellingPairs& telling, const std::vector
   }
   return telling.tried == 0
              ? "Too few poses to tell a trend from chance."
-             : fmt::format("No trend beyond chance: none of {} pairs of an error and what may drive it stands out.",
-                           telling.tried);
+             : fmt::format("No trend beyond chance: none of {} pairs of error and driver stands out.", telling.tried);
 }
 
 } // namespace naocal

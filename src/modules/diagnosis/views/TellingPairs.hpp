@@ -51,11 +51,11 @@ TellingPairs findTellingPairs(const Measurements& measurements, const Model& mod
 /// "the torque on LHipPitch", "the direction from which LHipPitch was approached"
 std::string describeDriver(const DriverSeries& driver, const Robot& robot);
 
-/// "errors down over the torque on LHipPitch"
+/// "downward errors over the torque on LHipPitch"
 std::string formatTellingLabel(const TellingPair& pair, const std::vector<DriverSeries>& drivers, const Robot& robot);
 
-/// What the plot shows: "Errors down of ±6.0 px change sign with the direction from which LHipPitch was approached: 87
-/// % of the squared error."
+/// What the plot shows: "Downward errors (±6.0 px) change sign with the direction from which LHipPitch was approached.
+/// That is 87 % of the squared error."
 std::string formatTellingSentence(const TellingPair& pair, const std::vector<DriverSeries>& drivers,
                                   const Robot& robot);
 

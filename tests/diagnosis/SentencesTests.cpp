@@ -1,0 +1,300 @@
+#include "calibration/Outliers.hpp"
+#include "calibration/Verdict.hpp"
+#include "calibration/Wording.hpp"
+#include "diagnosis/DiagnosisWording.hpp"
+#include "diagnosis/views/TellingPairs.hpp"
+#include "effects/Catalogue.hpp"
+#include "io/Files.hpp"
+#include "math/Angles.hpp"
+#include "robot/Robot.hpp"
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace naocal {
+namespace {
+
+/// Lines "name: sentence" of a fixed table of inputs.
+class Sentences {
+public:
+  void add(const std::string& name, const std::string& sentence) { lines_.push_back(name + ": " + sentence); }
+  void heading(const std::string& words) {
+    if (!lines_.empty()) {
+      lines_.emplace_back();
+    }
+    lines_.push_back("# " + words);
+  }
+  const std::vector<std::string>& lines() const { return lines_; }
+
+private:
+  std::vector<std::string> lines_;
+};
+
+/// A finding whose unknowns are estimated at these sizes with these sigmas [SI].
+CandidateFinding found(Effect effect, const std::string& place, const std::vector<double>& sizes,
+                       const std::vector<double>& sigmas) {
+  CandidateFinding result;
+  result.term = {.effect = std::move(effect), .place = place};
+  result.state = CandidateState::present;
+  result.evidence.estimate = Eigen::Map<const Eigen::VectorXd>(sizes.data(), std::ssize(sizes));
+  const Eigen::VectorXd sigma = Eigen::Map<const Eigen::VectorXd>(sigmas.data(), std::ssize(sigmas));
+  result.evidence.covariance = sigma.cwiseAbs2().asDiagonal();
+  return result;
+}
+
+SelectionStep rung(const std::string& added, double heldOut, double floor) {
+  SelectionStep step;
+  step.added = added;
+  step.heldOutPx = heldOut;
+  step.noiseFloorPx = floor;
+  return step;
+}
+
+Diagnosis softKnee() {
+  Diagnosis result;
+  result.verdict = Verdict::effectMissing;
+  result.ranking = {found(elasticity(), "LKneePitch", {radians(0.475)}, {radians(0.009)})};
+  result.suggested = {"elasticity@LKneePitch"};
+  result.steps = {rung("", 4.3, 0.6), rung("elasticity@LKneePitch", 0.65, 0.53)};
+  return result;
+}
+
+DriverCurve curve(const std::string& place, const std::string& driver, const std::string& what, double amplitude) {
+  DriverCurve result;
+  result.place = place;
+  result.driver = driver;
+  result.what = what;
+  result.amplitude = amplitude;
+  return result;
+}
+
+void addCalibrationVerdicts(Sentences& all) {
+  all.heading("verdicts of a calibration");
+  CalibrationResult result;
+  result.rmsPx = 4.49;
+  result.noiseFloorPx = 0.65;
+  const Accidents none;
+  Accidents one, some;
+  one.moved = 1, some.moved = 3;
+  one.all = some.all = 120;
+  const std::string cause = "the likeliest cause is elasticity@LKneePitch (probability 69 %)";
+  for (const ResultVerdict verdict : {ResultVerdict::good, ResultVerdict::causeMissing, ResultVerdict::doNotUse}) {
+    result.verdict = verdict;
+    all.add(toString(verdict), sentenceOf(result, none, cause, ""));
+    all.add(toString(verdict) + ", one board moved", sentenceOf(result, one, cause, ""));
+    all.add(toString(verdict) + ", three boards moved", sentenceOf(result, some, cause, ""));
+  }
+  all.add("do-not-use, for a reason", sentenceOf(result, none, cause, "the search did not converge"));
+}
+
+void addDiagnosisVerdicts(Sentences& all) {
+  all.heading("verdicts of a diagnosis");
+  const auto add = [&](const std::string& which, const Diagnosis& diagnosis) {
+    all.add(toString(diagnosis.verdict) + which, summarize(diagnosis));
+  };
+  Diagnosis adequate;
+  adequate.rmsPx = 0.6;
+  adequate.lackOfFit.noiseFloorPx = 0.53;
+  adequate.alarm = 0.42;
+  add("", adequate);
+  adequate.alarm = 0.005;
+  add(", rare", adequate);
+
+  Diagnosis missing = softKnee();
+  add("", missing);
+  missing.ranking[0].equivalent = {"backlash@LKneePitch", "gearPlay@LKneePitch"};
+  add(", two look alike", missing);
+  missing.ranking[0].equivalent = {"a@X", "b@X", "c@X", "d@X", "e@X"};
+  missing.suggested.emplace_back("rollingShutter@top");
+  add(", five look alike and two are missing", missing);
+  missing = softKnee();
+  missing.steps.back().heldOutPx = 4.4;
+  add(", the error stays", missing);
+  missing = softKnee();
+  missing.ranking[0].term.effect.what.clear();
+  missing.steps.front().heldOutPx.reset();
+  add(", one pose, an effect without words", missing);
+
+  Diagnosis unknown = softKnee();
+  unknown.verdict = Verdict::unknownEffect;
+  unknown.suggested.clear();
+  unknown.driverCurves = {curve("LKneePitch", "q", "the angle of LKneePitch", radians(0.3))};
+  add(", a joint", unknown);
+  unknown.driverCurves[0].expression = "a*sin(3*q)";
+  unknown.suggested = {"encoderGain@HeadYaw"};
+  add(", a joint, with an expression, after another effect", unknown);
+  unknown.suggested = {"found_LKneePitch_over_q@LKneePitch"};
+  unknown.own = OwnEffect{"found_LKneePitch_over_q@LKneePitch", "", rung("", 0.7, 0.53)};
+  add(", a joint, with an effect that lowers the error", unknown);
+  unknown.own.reset();
+  unknown.suggested.clear();
+  unknown.driverCurves[0] = curve("top", "t", "time", radians(0.1));
+  unknown.driverCurves[0].about = "y";
+  add(", a camera's mount", unknown);
+  unknown.driverCurves[0] = curve("A", "x", "the board's columns", 0.002);
+  unknown.driverCurves[0].unit = "m";
+  unknown.driverCurves[0].about = "z";
+  add(", a board's shape", unknown);
+  unknown.driverCurves[0] = curve("bottom", "u", "the column in the picture", 1.5);
+  unknown.driverCurves[0].unit = "px";
+  unknown.driverCurves[0].about = "v";
+  add(", a lens", unknown);
+
+  Diagnosis scatter;
+  scatter.verdict = Verdict::scatter;
+  scatter.scatter = radians(0.12);
+  add("", scatter);
+
+  Diagnosis open = softKnee();
+  open.verdict = Verdict::inconclusive;
+  open.lackOfFit.pValue = 0.003;
+  add("", open);
+  open.unexplained = true;
+  open.alarm = 0.04;
+  add(", a likeliest cause", open);
+
+  Diagnosis bad;
+  bad.verdict = Verdict::badCaptures;
+  bad.anomalies = {DataAnomaly{{}, "HeadYaw's angles have the wrong sign"}};
+  add("", bad);
+  bad.anomalies.push_back(bad.anomalies.front());
+  bad.suggested = {"encoderGain@LKneePitch"};
+  add(", two, and an effect is missing", bad);
+}
+
+void addStates(Sentences& all) {
+  all.heading("states of candidates, as files and as people have them");
+  using enum CandidateState;
+  for (const CandidateState state : {present, aliased, trivial, absent, inconclusive, absorbed, noData}) {
+    all.add(toString(state), describeState(state));
+  }
+}
+
+void addSizes(Sentences& all) {
+  all.heading("sizes");
+  all.add("elasticity", formatSizes(found(elasticity(), "LKneePitch", {0.00829}, {0.00015})));
+  all.add("focal length", formatSizes(found(focalLength(), "top", {0.012}, {0.0007})));
+  all.add("principal point", formatSizes(found(principalPoint(), "top", {-3.25, 1e-3}, {0.21, 1000})));
+  all.add("joint offset", formatSizes(found(jointOffset(), "LKneePitch", {radians(-2.2686)}, {radians(0.056)})));
+  all.add("curve of a joint", formatAmplitude(curve("LKneePitch", "q", "", radians(0.3))));
+  DriverCurve lens = curve("top", "u", "", 1.25);
+  lens.unit = "px";
+  all.add("curve of a lens", formatAmplitude(lens));
+  lens.unit = "m";
+  lens.amplitude = 0.00125;
+  all.add("shape of a board", formatAmplitude(lens));
+}
+
+void addEffects(Sentences& all) {
+  all.heading("effects, and their unknowns at a place");
+  const std::map<EffectSite, std::string> places{{EffectSite::motor, "LKneePitch"}, {EffectSite::joint, "HeadYaw"},
+                                                 {EffectSite::camera, "top"},       {EffectSite::board, "A"},
+                                                 {EffectSite::sole, "left"},        {EffectSite::length, "thigh"},
+                                                 {EffectSite::all, "all"},          {EffectSite::stance, "0"}};
+  for (const Effect& effect : allEffects()) {
+    all.add(effect.name, effect.what);
+    for (std::size_t i = 0; i < effect.unknowns.size(); ++i) {
+      const std::string& place = places.at(effect.place);
+      all.add(effect.name + "@" + place + "." + effect.unknowns[i].name,
+              describeUnknown(Term{.effect = effect, .place = place}, i));
+    }
+  }
+  all.add("enumerated", joinWords({"a"}) + "; " + joinWords({"a", "b"}) + "; " + joinWords({"a", "b", "c"}));
+}
+
+void addTellingPairs(Sentences& all) {
+  all.heading("pairs that tell most");
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  const auto motor = static_cast<std::size_t>(
+      std::find_if(robot.joints.begin(), robot.joints.end(), [](const auto& one) { return one.name == "LKneePitch"; }) -
+      robot.joints.begin());
+  std::vector<DriverSeries> drivers;
+  for (const auto& [kind, what] : {std::pair{Driver::torque, "the torque on LKneePitch"},
+                                   {Driver::approach, ""},
+                                   {Driver::time, "time"},
+                                   {Driver::temperature, ""},
+                                   {Driver::velocity, ""}}) {
+    drivers.push_back({.kind = kind, .joint = motor, .what = what});
+  }
+  using Error = TellingPair::Error;
+  using Over = TellingPair::Over;
+  const auto add = [&](const TellingPair& pair) {
+    all.add(formatTellingLabel(pair, drivers, robot), formatTellingSentence(pair, drivers, robot));
+  };
+  for (const Error error : {Error::right, Error::down, Error::joint}) {
+    const double unit = error == Error::joint ? radians(0.1) : 1;
+    TellingPair pair{.error = error, .motor = motor, .from = 8.2 * unit, .to = -4.3 * unit};
+    pair.least = pair.to;
+    pair.most = pair.from;
+    pair.share = 0.87;
+    for (pair.driver = 0; pair.driver < drivers.size(); ++pair.driver) {
+      add(pair);
+    }
+    pair.driver = 1; // how it was approached
+    pair.from = 6 * unit;
+    pair.to = -5.5 * unit;
+    add(pair);
+    pair.to = -0.5 * unit;
+    pair.share = 0.004;
+    add(pair);
+    pair.driver = 0;
+    pair.hasTwoValues = true;
+    add(pair);
+    pair.hasTwoValues = false;
+    pair.most = 40 * unit;
+    add(pair);
+  }
+  for (const Over over : {Over::column, Over::row}) {
+    add({.error = Error::down, .over = over, .from = -2, .to = 2, .least = -2, .most = 2, .share = 0.3});
+  }
+  TellingPairs none;
+  all.add("too few", formatTellingSentence(none, drivers, robot));
+  none.tried = 412;
+  all.add("none", formatTellingSentence(none, drivers, robot));
+}
+
+std::vector<std::string> linesOf(const std::filesystem::path& file) {
+  std::istringstream text{readFile(file)};
+  std::vector<std::string> result;
+  for (std::string line; std::getline(text, line);) {
+    result.push_back(line);
+  }
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("the sentences that people read are those of the golden file") {
+  // Proves every verdict's sentence, the words of states and effects, sizes and trends for a fixed table of inputs,
+  // line by line. Where a sentence shall change: NAOCAL_ACCEPT_SENTENCES=1 test_diagnosis "the sentences*" writes the
+  // file anew; read its difference before you commit it.
+  Sentences all;
+  addCalibrationVerdicts(all);
+  addDiagnosisVerdicts(all);
+  addStates(all);
+  addSizes(all);
+  addEffects(all);
+  addTellingPairs(all);
+
+  const std::filesystem::path file = std::filesystem::path{NAOCAL_SOURCE_DIR} / "tests/diagnosis/sentences.txt";
+  if (std::getenv("NAOCAL_ACCEPT_SENTENCES") != nullptr) {
+    std::ofstream out{file};
+    for (const std::string& line : all.lines()) {
+      out << line << "\n";
+    }
+  }
+  const std::vector<std::string> golden = linesOf(file);
+  for (std::size_t i = 0; i < std::max(golden.size(), all.lines().size()); ++i) {
+    const std::string expected = i < golden.size() ? golden[i] : "(end of file)";
+    const std::string now = i < all.lines().size() ? all.lines()[i] : "(no further line)";
+    if (now != expected) {
+      FAIL_CHECK(fmt::format("sentences.txt:{}\n- {}\n+ {}", i + 1, expected, now));
+    }
+  }
+}
+
+} // namespace naocal
