@@ -84,11 +84,11 @@ void addCalibrationVerdicts(Sentences& all) {
   const std::string cause = "the likeliest cause is elasticity@LKneePitch (probability 69 %)";
   for (const ResultVerdict verdict : {ResultVerdict::good, ResultVerdict::causeMissing, ResultVerdict::doNotUse}) {
     result.verdict = verdict;
-    all.add(toString(verdict), sentenceOf(result, none, cause, ""));
-    all.add(toString(verdict) + ", one board moved", sentenceOf(result, one, cause, ""));
-    all.add(toString(verdict) + ", three boards moved", sentenceOf(result, some, cause, ""));
+    all.add(toString(verdict), formatVerdict(result, none, cause, ""));
+    all.add(toString(verdict) + ", one board moved", formatVerdict(result, one, cause, ""));
+    all.add(toString(verdict) + ", three boards moved", formatVerdict(result, some, cause, ""));
   }
-  all.add("do-not-use, for a reason", sentenceOf(result, none, cause, "the search did not converge"));
+  all.add("do-not-use, for a reason", formatVerdict(result, none, cause, "the search did not converge"));
 }
 
 void addDiagnosisVerdicts(Sentences& all) {

@@ -62,8 +62,8 @@ std::string formatSizes(const CalibrationResult& result, const Accidents& accide
 
 } // namespace
 
-std::string sentenceOf(const CalibrationResult& result, const Accidents& accidents, const std::string& cause,
-                       const std::string& firm) {
+std::string formatVerdict(const CalibrationResult& result, const Accidents& accidents, const std::string& cause,
+                          const std::string& firm) {
   switch (result.verdict) {
   case ResultVerdict::good:
     return fmt::format("This calibration is good: the model explains the captures ({}).",
@@ -124,7 +124,7 @@ void assess(const Measurements& measurements, const Model& model, CalibrationRes
   result.verdict =
       result.usable ? judgeExplained(model, result, missing || accidents.areMany()) : ResultVerdict::doNotUse;
   result.usable = result.verdict != ResultVerdict::doNotUse;
-  result.sentence = sentenceOf(result, accidents, cause, firm);
+  result.sentence = formatVerdict(result, accidents, cause, firm);
   std::size_t corners = 0;
   for (const Outlier& doubt : result.doubts) {
     corners += doubt.corners.size();

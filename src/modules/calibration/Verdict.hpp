@@ -16,8 +16,8 @@ struct Accidents;
 
 /// The verdict in words. `cause`: the likeliest cause, where one is missing. `firm`: the reason that forbids use
 /// whatever the cause, if any.
-std::string sentenceOf(const CalibrationResult& result, const Accidents& accidents, const std::string& cause,
-                       const std::string& firm);
+std::string formatVerdict(const CalibrationResult& result, const Accidents& accidents, const std::string& cause,
+                          const std::string& firm);
 
 /// As files have it: "good", "cause-missing", "do-not-use".
 std::string toString(ResultVerdict verdict);
