@@ -15,6 +15,11 @@
 
 namespace naocal {
 
+void ResultSources::add(const std::filesystem::path& folder) {
+  sets.push_back(std::filesystem::weakly_canonical(folder).string());
+  sha256.push_back(naocal::sha256(readFile(folder / "captures.json")));
+}
+
 /// What of the captures does not fit the rest: set, capture, board, corners and how far off [px].
 nlohmann::json outliersJson(const std::vector<CaptureSet>& sets, const Measurements& measurements,
                             const CalibrationResult& result);

@@ -12,8 +12,12 @@ namespace naocal {
 
 /// Where a result came from.
 struct ResultSources {
-  std::vector<std::string> sets;   // folders, as given
+  std::vector<std::string> sets;   // folders
   std::vector<std::string> sha256; // of their captures.json
+
+  /// Adds a capture set's folder, named so that it is found from anywhere. Throws InputError where it holds no
+  /// captures.json.
+  void add(const std::filesystem::path& folder);
 };
 
 /// RESULT.json: estimates with their uncertainty, what was assumed, and every corner's prediction for reports.

@@ -19,8 +19,7 @@ Captures readCaptures(const std::vector<std::filesystem::path>& folders, const s
   Captures captures;
   for (const std::filesystem::path& folder : folders) {
     captures.sets.push_back(readCaptureSet(folder).set);
-    captures.sources.sets.push_back(std::filesystem::weakly_canonical(folder).string());
-    captures.sources.sha256.push_back(sha256(readFile(folder / "captures.json")));
+    captures.sources.add(folder);
   }
   const Robot robot = loadRobot(configuration, captures.sets.front().model);
   captures.measurements = buildMeasurements(captures.sets, robot);

@@ -34,8 +34,7 @@ void addSet(const std::string& folder, Dataset& opened) {
   if (!opened.folders.emplace(set.name, folder).second) {
     throw InputError{fmt::format("two sets are called \"{}\"; rename the folder of one", set.name)};
   }
-  opened.inputs.sets.push_back(std::filesystem::weakly_canonical(folder).string());
-  opened.inputs.sha256.push_back(sha256(readFile(std::filesystem::path{folder} / "captures.json")));
+  opened.inputs.add(folder);
   opened.sets.push_back(std::move(set));
 }
 

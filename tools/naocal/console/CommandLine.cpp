@@ -1,11 +1,9 @@
 #include "console/CommandLine.hpp"
 
 #include "data/CaptureSetFile.hpp"
-#include "io/Files.hpp"
 #include "io/InputError.hpp"
 
 #include <cstdio>
-#include <filesystem>
 #include <fmt/core.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -38,8 +36,7 @@ LoadedSets loadSets(const std::vector<std::string>& folders, bool skipBad) {
     for (const std::string& sentence : read.skipped) {
       fmt::print(stderr, "left out: {}\n", sentence);
     }
-    given.inputs.sets.push_back(std::filesystem::weakly_canonical(folder).string()); // found from anywhere
-    given.inputs.sha256.push_back(sha256(readFile(std::filesystem::path{folder} / "captures.json")));
+    given.inputs.add(folder);
     given.sets.push_back(std::move(read.set));
   }
   given.robot = loadRobot(configurationDirectory(), given.sets.front().model);
