@@ -336,10 +336,16 @@ StepwiseSelection::Nearly StepwiseSelection::fitModelNearly(const Model& model, 
   return {minimum.linear.cost, minimum.state.unknowns};
 }
 
+double StepwiseSelection::leastEvidence(const CandidateTests& inquiry) const {
+  const bool isFirst = added_.size() <= options_.with.size();
+  return isFirst ? 0 : 2 * std::log(std::max<double>(1, static_cast<double>(inquiry.candidates().size())));
+}
+
 std::optional<StepwiseSelection::Choice> StepwiseSelection::chooseNext(const CandidateTests& inquiry) {
   constexpr std::size_t most = 4;
   std::vector<std::size_t> order, likely = inquiry.candidatesByEvidence();
-  std::erase_if(likely, [&](std::size_t candidate) { return inquiry.candidateEvidence(candidate).bayes <= 0; });
+  const double floor = leastEvidence(inquiry);
+  std::erase_if(likely, [&](std::size_t candidate) { return inquiry.candidateEvidence(candidate).bayes <= floor; });
   // one that is sure and negligible does not stand before one that matters
   std::stable_partition(likely.begin(), likely.end(), [&](std::size_t candidate) {
     return !inquiry.evidence().matters || inquiry.candidateEvidence(candidate).matters();

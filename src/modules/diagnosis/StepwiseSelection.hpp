@@ -75,6 +75,10 @@ private:
   Model addSizedTerm(const CandidateTests& inquiry, std::size_t candidate) const;
   /// Earlier additions that the last one has made superfluous.
   void dropSuperfluous(std::vector<std::string>& suggested);
+  /// 2 ln(Bayes factor) that a candidate must exceed. The alarm alone guards the first addition. A later one must outweigh
+  /// the number K of candidates that it was chosen from: 2 ln K, even odds beforehand that one of them is there. On 200
+  /// simulated robots with two effects, half of the later additions below that were wrong.
+  double leastEvidence(const CandidateTests& inquiry) const;
   /// Whether it foretells poses that it was not fitted to: of the first few only.
   bool predictsFurtherPoses(const CandidateTests& inquiry, std::size_t candidate) const;
   /// A model's least cost at the rung's levels of noise, to a hundredth, and where it lies.
