@@ -22,7 +22,7 @@ struct Solved {
 
   StoredResult stored() const {
     const std::filesystem::path file = std::filesystem::temp_directory_path() / "naocal-real-data-test.json";
-    writeAtomically(file, resultJson(sets, measurements, model, result, {{""}, {""}}).dump());
+    writeAtomically(file, resultJson({measurements, model, result}, {{""}, {""}}).dump());
     StoredResult read = readResult(file);
     std::filesystem::remove(file);
     return read;

@@ -50,13 +50,14 @@ CalibrationRecorder::Solution CalibrationRecorder::solve() const {
   const Model model = buildModel(measurements, asked.with, asked.without, asked.effects);
   const CalibrationResult result = calibrate(measurements, model);
   const ResultSources inputs{{folder_.string()}, {sha256(readFile(folder_ / "captures.json"))}};
-  writeAtomically(folder_ / "result.json", resultJson(sets, measurements, model, result, inputs).dump(2) + "\n");
+  writeAtomically(folder_ / "result.json", resultJson({measurements, model, result}, inputs).dump(2) + "\n");
   if (!result.converged) {
     throw InputError{
         "the search for offsets and mounts did not converge. Nothing was changed. Look whether all boards are "
         "those of the configuration and lie still, and calibrate again"};
   }
-  Solution solved{readResult(folder_ / "result.json"), effectiveOffsets(measurements, model, result), result.warnings};
+  Solution solved{readResult(folder_ / "result.json"), effectiveOffsets({measurements, model, result}),
+                  result.warnings};
   if (!leftOut.empty()) {
     solved.warnings.push_back(
         {Warning::About::fit,
@@ -79,7 +80,7 @@ std::string CalibrationRecorder::diagnose() const {
   options.with = asked.with;
   options.without = asked.without;
   options.effects = asked.effects;
-  const Diagnosis diagnosis = naocal::diagnose(sets, measurements, options);
+  const Diagnosis diagnosis = naocal::diagnose(measurements, options);
   writeAtomically(folder_ / "diagnosis.json", diagnosisJson(diagnosis).dump(2) + "\n");
   return diagnosis.sentence;
 }

@@ -41,7 +41,7 @@ void scorePass(benchmark::State& state) {
   const std::vector<Term> testable = sound().testable();
   for (auto _ : state) {
     const CandidateTests inquiry{
-        sound().measurements, sound().model, sound().fit, testable, {.draws = 0, .map = false}};
+        {sound().measurements, sound().model, sound().fit}, testable, {.draws = 0, .map = false}};
     benchmark::DoNotOptimize(inquiry.evidence().pValue);
   }
   state.counters["candidates"] = static_cast<double>(testable.size());
@@ -50,7 +50,7 @@ void scorePass(benchmark::State& state) {
 void scorePassWithMapAndAlarm(benchmark::State& state) {
   const std::vector<Term> testable = sound().testable();
   for (auto _ : state) {
-    const CandidateTests inquiry{sound().measurements, sound().model, sound().fit, testable};
+    const CandidateTests inquiry{{sound().measurements, sound().model, sound().fit}, testable};
     benchmark::DoNotOptimize(inquiry.evidence().pValue);
   }
 }
@@ -60,7 +60,7 @@ void wholeDiagnosis(benchmark::State& state, const std::vector<std::pair<std::st
   const Measurements measurements = buildMeasurements({set}, loadRobot(configurationDirectory(), "V6"));
   std::size_t rungs = 0;
   for (auto _ : state) {
-    rungs = diagnose({set}, measurements).steps.size();
+    rungs = diagnose(measurements).steps.size();
   }
   state.counters["rungs"] = static_cast<double>(rungs);
 }

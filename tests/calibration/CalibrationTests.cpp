@@ -97,8 +97,7 @@ TEST_CASE("a result file gives back what was written and predicts other captures
   const Made made{4, 12};
   const CalibrationResult result = calibrate(made.measurements, made.model);
   const auto file = std::filesystem::temp_directory_path() / "naocal-result-round-trip.json";
-  writeAtomically(file,
-                  resultJson({made.simulation.set}, made.measurements, made.model, result, {{"x"}, {"y"}}).dump());
+  writeAtomically(file, resultJson({made.measurements, made.model, result}, {{"x"}, {"y"}}).dump());
   const StoredResult stored = readResult(file);
   std::filesystem::remove(file);
   CHECK(stored.usable == result.usable);

@@ -12,7 +12,7 @@ namespace naocal {
 namespace {
 
 Diagnosis asked(const CaptureSet& set, const DiagnosisOptions& options = {}) {
-  return diagnose({set}, buildMeasurements({set}, loadRobot(configurationDirectory(), set.model)), options);
+  return diagnose(buildMeasurements({set}, loadRobot(configurationDirectory(), set.model)), options);
 }
 
 double& angle(const CaptureSet& set, Capture& capture, const std::string& joint) {

@@ -21,7 +21,7 @@ TEST_CASE("a candidate that is like another keeps little once that one is in the
   for (const std::string& label : labels) {
     candidates.push_back(asked.inquiry.candidates()[*asked.inquiry.findCandidate(label)]);
   }
-  const CandidateTests without{asked.measurements, asked.model, asked.fit, candidates, options};
+  const CandidateTests without{{asked.measurements, asked.model, asked.fit}, candidates, options};
   const AliasMatrix aliases = computeAliasMatrix(without, labels, labels.size());
   REQUIRE(aliases.labels == labels);
   CHECK(aliases.correlations.isApprox(aliases.correlations.transpose()));
@@ -31,7 +31,7 @@ TEST_CASE("a candidate that is like another keeps little once that one is in the
     const Model larger = buildModel(asked.measurements, {labels[0]});
     CalibrationResult fit = asked.fit; // taken over: what is compared does not depend on where
     fit.state.unknowns = mapParameters(asked.model, asked.fit.unknowns, larger);
-    const CandidateTests with{asked.measurements, larger, fit, {candidates[i]}, options};
+    const CandidateTests with{{asked.measurements, larger, fit}, {candidates[i]}, options};
     const Eigen::Index place = without.problem().groups[i].first;
     const double kept = with.evidence().information(0, 0) / without.evidence().information(place, place);
     INFO(labels[i]);

@@ -46,7 +46,7 @@ TEST_CASE("play that load never holds cannot be told from hysteresis, and is tol
     capture.joints.measured[static_cast<std::size_t>(place)] +=
         gap / 2 * capture.joints.approach[static_cast<std::size_t>(place)];
   }
-  const Diagnosis diagnosis = diagnose({set}, buildMeasurements({set}, loadRobot(configurationDirectory(), set.model)));
+  const Diagnosis diagnosis = diagnose(buildMeasurements({set}, loadRobot(configurationDirectory(), set.model)));
   CAPTURE(diagnosis.sentence);
   const auto found =
       std::find_if(diagnosis.ranking.begin(), diagnosis.ranking.end(),

@@ -17,7 +17,7 @@ namespace {
 
 Diagnosis diagnosed(const CaptureSet& set) {
   const Measurements measurements = buildMeasurements({set}, loadRobot(configurationDirectory(), set.model));
-  return diagnose({set}, measurements);
+  return diagnose(measurements);
 }
 
 /// A joint's readings, changed.
@@ -63,7 +63,7 @@ TEST_CASE("asked not to add anything, a diagnosis still says what is missing", "
   DiagnosisOptions options;
   options.extend = false;
   const Measurements measurements = buildMeasurements({set}, loadRobot(configurationDirectory(), set.model));
-  const Diagnosis diagnosis = diagnose({set}, measurements, options);
+  const Diagnosis diagnosis = diagnose(measurements, options);
   CHECK(diagnosis.verdict == Verdict::effectMissing);
   CHECK(diagnosis.suggested.empty());
   REQUIRE_FALSE(diagnosis.ranking.empty());
@@ -184,7 +184,7 @@ TEST_CASE("a ripple that no effect describes is located and drawn", "[slow]") {
   DiagnosisOptions withIt;
   withIt.effects = parseEffects(nlohmann::json::array({own}), "own", robot);
   withIt.with = {own["name"].get<std::string>() + "@LKneePitch"};
-  const Diagnosis explained = diagnose({set}, buildMeasurements({set}, robot), withIt);
+  const Diagnosis explained = diagnose(buildMeasurements({set}, robot), withIt);
   CHECK(explained.verdict == Verdict::adequate);
   CHECK(explained.steps.front().heldOutPx < diagnosis.steps.front().heldOutPx);
 }

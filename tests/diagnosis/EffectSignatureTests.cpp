@@ -14,7 +14,7 @@ TEST_CASE("an effect's imprint is what it leaves after a calibration without it"
   CAPTURE(label);
   const std::size_t candidate = *asked.inquiry.findCandidate(label);
   const EffectSignature imprint =
-      computeSignatures(asked.measurements, asked.model, asked.fit, asked.inquiry, {candidate}).front();
+      computeSignatures({asked.measurements, asked.model, asked.fit}, asked.inquiry, {candidate}).front();
   const CaptureSet perfect = perfectButFor(asked.inquiry.candidates()[candidate], imprint.size, asked, set);
   const Measurements measurements = buildMeasurements({perfect}, asked.measurements.robot);
 
@@ -36,7 +36,7 @@ TEST_CASE("an imprint shows the pictures that shift most, largest first") {
   const Questioned asked{simulatedSet(8, 3), false};
   const std::size_t candidate = *asked.inquiry.findCandidate("elasticity@LKneePitch");
   const EffectSignature imprint =
-      computeSignatures(asked.measurements, asked.model, asked.fit, asked.inquiry, {candidate}).front();
+      computeSignatures({asked.measurements, asked.model, asked.fit}, asked.inquiry, {candidate}).front();
   CHECK(std::is_sorted(imprint.pictures.begin(), imprint.pictures.end(),
                        [](const auto& a, const auto& b) { return a.beforePx > b.beforePx; }));
   for (const std::size_t camera : {0, 1}) {

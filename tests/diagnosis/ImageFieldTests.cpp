@@ -23,7 +23,7 @@ TEST_CASE("the shape of a board is seen, whatever it is and wherever the board l
   const Measurements measurements = buildMeasurements({set}, loadRobot(configurationDirectory(), set.model));
   const Model model = buildModel(measurements);
   const CalibrationResult fit = calibrate(measurements, model);
-  const MotionFreeResiduals errors{measurements, model, fit};
+  const MotionFreeResiduals errors{{measurements, model, fit}};
   const BoardShape bent = boardShapeFromField(fitSheetField(errors, measurements, 0), measurements);
   CHECK(bent.pValue < 1e-6);
   const auto count = static_cast<Eigen::Index>(bent.corners.size());
@@ -57,7 +57,7 @@ TEST_CASE("noise alone is no field", "[slow]") {
     const Measurements measurements = buildMeasurements({set}, loadRobot(configurationDirectory(), set.model));
     const Model model = buildModel(measurements);
     const CalibrationResult fit = calibrate(measurements, model);
-    const MotionFreeResiduals errors{measurements, model, fit};
+    const MotionFreeResiduals errors{{measurements, model, fit}};
     std::vector<ImageField> fields;
     for (std::size_t board = 0; board < measurements.targets.size(); ++board) {
       fields.push_back(fitCornerField(errors, measurements, board));
@@ -71,7 +71,7 @@ TEST_CASE("noise alone is no field", "[slow]") {
       below += field.fit.pValue < 0.1;
       least = std::min(least, field.fit.pValue);
     }
-    CHECK_FALSE(findStrikingField(measurements, model, fit));
+    CHECK_FALSE(findStrikingField({measurements, model, fit}));
   }
   REQUIRE(all > 150);
   CHECK(static_cast<double>(below) < 0.17 * static_cast<double>(all));
@@ -88,7 +88,7 @@ TEST_CASE("a board that does not lie as its file has it is named as what it is",
     const Eigen::Vector3d arm = point - middle;
     point.z() += 0.006 * std::pow(std::max(0.0, arm.x() / 0.2 + arm.y() / 0.12 - 0.5) / 1.5, 2);
   }
-  const Diagnosis diagnosis = diagnose({set}, buildMeasurements({set}, loadRobot(configurationDirectory(), set.model)));
+  const Diagnosis diagnosis = diagnose(buildMeasurements({set}, loadRobot(configurationDirectory(), set.model)));
   CHECK(diagnosis.verdict == Verdict::unknownEffect);
   REQUIRE_FALSE(diagnosis.driverCurves.empty());
   CHECK(diagnosis.driverCurves.front().place == board.id);
@@ -106,7 +106,7 @@ TEST_CASE("a lens that no effect describes is named as what it is", "[slow]") {
       }
     }
   }
-  const Diagnosis diagnosis = diagnose({set}, buildMeasurements({set}, loadRobot(configurationDirectory(), set.model)));
+  const Diagnosis diagnosis = diagnose(buildMeasurements({set}, loadRobot(configurationDirectory(), set.model)));
   CHECK(diagnosis.verdict == Verdict::unknownEffect);
   REQUIRE_FALSE(diagnosis.driverCurves.empty());
   CHECK(diagnosis.driverCurves.front().place == "bottom");

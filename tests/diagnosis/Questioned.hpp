@@ -12,9 +12,10 @@ namespace naocal {
 /// A fitted base model with every testable candidate, linearised at the fit.
 struct Questioned {
   Questioned(const CaptureSet& set, bool map, const std::vector<std::string>& with = {})
-      : measurements{buildMeasurements({set}, loadRobot(configurationDirectory(), "V6"))}, model{buildModel(
-                                                                                               measurements, with)},
-        fit{calibrate(measurements, model)}, inquiry{measurements, model, fit, testable(), {.draws = 0, .map = map}} {}
+      : measurements{buildMeasurements({set}, loadRobot(configurationDirectory(), "V6"))},
+        model{buildModel(measurements, with)}, fit{calibrate(measurements, model)}, inquiry{{measurements, model, fit},
+                                                                                            testable(),
+                                                                                            {.draws = 0, .map = map}} {}
 
   std::vector<Term> testable() const { return testableTerms(measurements, model); }
 

@@ -21,7 +21,7 @@ TEST_CASE("what is found missing in a real NAO's limbs predicts captures that th
   for (const auto& [limb, before, after] : {Limit{"larm", 2.9, 1.9}, {"lleg", 4.4, 4.15}}) {
     const std::filesystem::path training = *data / (limb + "-train");
     const Solved plain = solved(training);
-    const Diagnosis diagnosis = diagnose(plain.sets, plain.measurements);
+    const Diagnosis diagnosis = diagnose(plain.measurements);
     const Solved larger = solved(training, diagnosis.suggested);
     const CaptureSet test = readCaptureSet(*data / (limb + "-test")).set;
     INFO(limb << ": " << diagnosis.sentence);

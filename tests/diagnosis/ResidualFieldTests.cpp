@@ -36,8 +36,7 @@ TEST_CASE("what a lens does stays within the pictures, what a joint does leaves 
                     asked, set);
   const Measurements measurements = buildMeasurements({perfect}, asked.measurements.robot);
   const CalibrationResult fit = calibratedAt(asked.fit.noise, measurements, asked.model);
-  const double share =
-      rmsOf(computeResidualField({perfect}, measurements, asked.model, fit)) * std::sqrt(2) / fit.rmsPx;
+  const double share = rmsOf(computeResidualField({measurements, asked.model, fit})) * std::sqrt(2) / fit.rmsPx;
   CHECK(share >= least);
   CHECK(share <= most);
 }
@@ -49,7 +48,7 @@ TEST_CASE("noise alone leaves within the pictures what corners' noise is", "[slo
   const Measurements measurements = buildMeasurements({set}, loadRobot(configurationDirectory(), set.model));
   const Model model = buildModel(measurements);
   const CalibrationResult fit = calibrate(measurements, model);
-  const ResidualField left = computeResidualField({set}, measurements, model, fit);
+  const ResidualField left = computeResidualField({measurements, model, fit});
   CHECK(rmsOf(left) == Approx(fit.noise.pixel).epsilon(0.1));
   REQUIRE(left.cells.size() > 50);
   const auto beyond = std::count_if(left.cells.begin(), left.cells.end(), [](const ResidualField::Cell& cell) {

@@ -17,7 +17,7 @@ struct Told {
   explicit Told(const CaptureSet& set)
       : measurements{buildMeasurements({set}, loadRobot(configurationDirectory(), "V6"))},
         model{buildModel(measurements)}, fit{calibrate(measurements, model)},
-        drivers{collectDrivers(measurements, model, fit.unknowns)}, telling{findTellingPairs(measurements, model, fit,
+        drivers{collectDrivers(measurements, model, fit.unknowns)}, telling{findTellingPairs({measurements, model, fit},
                                                                                              drivers)} {}
 
   std::string sentence() const { return formatTellingSentence(telling, drivers, measurements.robot); }

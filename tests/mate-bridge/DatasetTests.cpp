@@ -28,7 +28,8 @@ void writeSetAndResult(const std::filesystem::path& folder) {
   writeCaptureSet(sets.front(), folder / "few");
   const Measurements measurements = buildMeasurements(sets, robot);
   const Model model = buildModel(measurements, {"elasticity@LKneePitch"}, {"jointOffset@HeadYaw"});
-  const Json result = resultJson(sets, measurements, model, calibrate(measurements, model), {{"/gone/few"}, {""}});
+  const CalibrationResult fit = calibrate(measurements, model);
+  const Json result = resultJson({measurements, model, fit}, {{"/gone/few"}, {""}});
   writeAtomically(folder / "result.json", result.dump());
 }
 

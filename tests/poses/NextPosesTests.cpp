@@ -51,25 +51,22 @@ ModelAmbiguity between(const std::string& one, double size, const std::string& o
 /// Captures with the base model fitted to them.
 struct Fitted {
   explicit Fitted(const std::vector<CaptureSet>& given)
-      : sets{given}, measurements{buildMeasurements(sets, v6(), true)}, model{buildModel(measurements)} {
-    const CalibrationResult result = calibrate(measurements, model);
-    unknowns = result.unknowns;
-    noise = result.noise;
+      : measurements{buildMeasurements(given, v6(), true)}, model{buildModel(measurements)} {
+    fit = calibrate(measurements, model);
   }
-  FittedModel fit() const { return {model, unknowns, noise}; }
+  FittedModel view() const { return {measurements, model, fit}; }
 
-  std::vector<CaptureSet> sets;
   Measurements measurements;
   Model model;
-  Eigen::VectorXd unknowns;
-  Noise noise;
+  CalibrationResult fit;
 };
 
 /// What these captures tell about the question, by the measurements alone; noise and fit as of `before`.
 Eigen::VectorXd misfits(const Fitted& fitted, const Noise& noise, const ModelAmbiguity& question) {
   const Model model = addHypotheses(fitted.measurements, fitted.model, question);
   const Residuals residuals{fitted.measurements, model, noise};
-  const auto linear = residuals.linearise(residuals.startState(mapParameters(fitted.model, fitted.unknowns, model)));
+  const auto linear =
+      residuals.linearise(residuals.startState(mapParameters(fitted.model, fitted.fit.unknowns, model)));
   Eigen::MatrixXd hessian = model.sigmas().cwiseAbs2().cwiseInverse().asDiagonal();
   for (const PoseSystem& pose : linear.value().poses) {
     marginalInformation(pose, noise).addTo(hessian);
@@ -102,12 +99,12 @@ TEST_CASE("four proposed poses tell twins apart better than four random ones, by
   CAPTURE(one, other);
   const ModelAmbiguity question = between(one, size, other, otherSize);
   const Discrimination discrimination{question, 0};
-  const NextPoses next = proposeNextPoses(before.sets, before.measurements, before.fit(), question);
+  const NextPoses next = proposeNextPoses(before.view(), question);
   REQUIRE(next.poses.size() == 4);
-  const Eigen::VectorXd told = misfits(before, before.noise, question);
+  const Eigen::VectorXd told = misfits(before, before.fit.noise, question);
   const auto growthWith = [&](std::vector<CommandedPose> poses, int stance) {
-    const Fitted after{{before.sets.front(), captures(std::move(poses), stance)}};
-    return discrimination.growthFactor(told, misfits(after, before.noise, question));
+    const Fitted after{{before.measurements.sets->front(), captures(std::move(poses), stance)}};
+    return discrimination.growthFactor(told, misfits(after, before.fit.noise, question));
   };
   const double proposed = growthWith(commanded(next.poses), 1);
   std::vector<double> random;
@@ -136,8 +133,8 @@ TEST_CASE("poses are proposed for captures that tell little or much of the joint
   }
   const ModelAmbiguity question = between("elasticity@LKneePitch", 0.006, "elasticity@LAnklePitch", 0.006);
   const Fitted fitted{{set}};
-  const NextPoses next = proposeNextPoses(fitted.sets, fitted.measurements, fitted.fit(), question);
-  const NextPoses again = proposeNextPoses(fitted.sets, fitted.measurements, fitted.fit(), question);
+  const NextPoses next = proposeNextPoses(fitted.view(), question);
+  const NextPoses again = proposeNextPoses(fitted.view(), question);
   REQUIRE(next.poses.size() == 4);
   CHECK(next.growth > 1);
   CHECK(next.whyNone.empty());
@@ -163,8 +160,9 @@ TEST_CASE("poses are proposed for captures that tell little or much of the joint
     capture.supportFoot = SupportFoot::none;
   }
   const Measurements measurements = buildMeasurements({hanging}, v6());
-  const Eigen::VectorXd none = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(fitted.model.unknownCount()));
-  const NextPoses nothing = proposeNextPoses({hanging}, measurements, {fitted.model, none, {}}, question);
+  CalibrationResult nowhere;
+  nowhere.unknowns = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(fitted.model.unknownCount()));
+  const NextPoses nothing = proposeNextPoses({measurements, fitted.model, nowhere}, question);
   CHECK(nothing.poses.empty());
   CHECK(nothing.whyNone == "no board lies on the floor before a standing robot");
 }

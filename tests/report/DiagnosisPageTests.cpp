@@ -18,7 +18,7 @@ const json& diagnosed() {
   static const json file = [] {
     const Robot robot = loadRobot(configurationDirectory(), "V6");
     const std::vector<CaptureSet> sets{simulate(robot, handMadePlan(robot), 7).set};
-    return diagnosisJson(diagnose(sets, buildMeasurements(sets, robot)));
+    return diagnosisJson(diagnose(buildMeasurements(sets, robot)));
   }();
   return file;
 }
@@ -123,7 +123,7 @@ TEST_CASE("only drivers that were recorded and varied are offered") {
   }
   DiagnosisOptions quick;
   quick.inquiry.draws = 0;
-  const json without = diagnosisJson(diagnose({bare}, buildMeasurements({bare}, robot), quick));
+  const json without = diagnosisJson(diagnose(buildMeasurements({bare}, robot), quick));
   for (const json& driver : without["recorded"]) {
     CHECK(driver["driver"] != "T");
     CHECK(driver["driver"] != "approach");

@@ -29,7 +29,8 @@ public:
     const std::vector<CaptureSet> sets{readCaptureSet(captures()).set};
     const Measurements measurements = buildMeasurements(sets, robot);
     const Model model = buildModel(measurements, {}, {});
-    result = resultJson(sets, measurements, model, calibrate(measurements, model),
+    const CalibrationResult fit = calibrate(measurements, model);
+    result = resultJson({measurements, model, fit},
                         {{captures().string()}, {sha256(readFile(captures() / "captures.json"))}});
   }
 

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -126,6 +127,18 @@ struct CalibrationResult {
   int restartsTried = 0;
   bool restartsChanged = false;
   double seconds = 0;
+};
+
+/// A model, the measurements it was fitted to, and the fit. A view: the caller keeps all three (temporaries are
+/// refused).
+struct FittedModel {
+  FittedModel(std::reference_wrapper<const Measurements> fittedTo, std::reference_wrapper<const Model> ofModel,
+              std::reference_wrapper<const CalibrationResult> theFit)
+      : measurements{fittedTo.get()}, model{ofModel.get()}, fit{theFit.get()} {}
+
+  const Measurements& measurements;
+  const Model& model;
+  const CalibrationResult& fit;
 };
 
 } // namespace naocal

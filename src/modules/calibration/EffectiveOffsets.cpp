@@ -21,34 +21,35 @@ struct Sum {
 
 } // namespace
 
-std::vector<EffectiveOffset> effectiveOffsets(const Measurements& measurements, const Model& model,
-                                              const CalibrationResult& result) {
-  const Robot& robot = measurements.robot;
+std::vector<EffectiveOffset> effectiveOffsets(const FittedModel& fitted) {
+  const Robot& robot = fitted.measurements.robot;
   std::map<std::size_t, Sum> sums; // by motor
-  for (const ImageObservation& picture : measurements.pictures) {
+  for (const ImageObservation& picture : fitted.measurements.pictures) {
     if (picture.sightings.empty()) {
       continue;
     }
-    const ModelState belief = predictState(measurements, model, picture, result.unknowns);
-    const std::vector<StateDerivative> all = evaluateJacobian(measurements, model, picture, result.unknowns);
+    const ModelState belief = predictState(fitted.measurements, fitted.model, picture, fitted.fit.unknowns);
+    const std::vector<StateDerivative> all =
+        evaluateJacobian(fitted.measurements, fitted.model, picture, fitted.fit.unknowns);
     for (const std::size_t joint : observedJoints(robot, picture)) {
-      Sum& sum = sums.try_emplace(robot.joints[joint].motor, Sum{0, Eigen::VectorXd::Zero(result.unknowns.size()), 0})
-                     .first->second;
+      Sum& sum =
+          sums.try_emplace(robot.joints[joint].motor, Sum{0, Eigen::VectorXd::Zero(fitted.fit.unknowns.size()), 0})
+              .first->second;
       sum.value += picture.nominal.angle(joint) - belief.angle(joint);
       ++sum.count;
       for (const StateDerivative& slope : all) {
         sum.gradient[eigenIndex(slope.unknown)] -=
-            slope.quantity == measurements.quantities.angle(joint) ? slope.value : 0;
+            slope.quantity == fitted.measurements.quantities.angle(joint) ? slope.value : 0;
       }
     }
   }
   std::vector<EffectiveOffset> offsets;
-  for (const Term& term : model.terms()) {
+  for (const Term& term : fitted.model.terms()) {
     if (const auto found = sums.find(term.site); term.effect.name == "jointOffset" && found != sums.end()) {
       const Sum& sum = found->second;
       offsets.push_back({term.place, sum.value / sum.count,
-                         std::sqrt(sum.gradient.dot(result.covariance * sum.gradient)) / sum.count,
-                         result.estimates[term.first].learned});
+                         std::sqrt(sum.gradient.dot(fitted.fit.covariance * sum.gradient)) / sum.count,
+                         fitted.fit.estimates[term.first].learned});
     }
   }
   return offsets;

@@ -17,8 +17,7 @@ struct EffectiveOffset {
 };
 
 /// Of every measured joint.
-std::vector<EffectiveOffset> effectiveOffsets(const Measurements& measurements, const Model& model,
-                                              const CalibrationResult& result);
+std::vector<EffectiveOffset> effectiveOffsets(const FittedModel& fitted);
 
 /// Whether the captures tell it: else a robot had better keep what it has.
 bool isLearned(const EffectiveOffset& offset);

@@ -61,7 +61,7 @@ Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& se
       all.push_back(distance);
       byBoard[measurements.targets[picture.sightings[seen.sighting].view.board()].name].push_back(distance);
       byCamera[measurements.robot.cameras[picture.camera].name].push_back(distance);
-      byPose[sets[picture.set].captures[picture.capture].pose].push_back(distance);
+      byPose[measurements.captureOf(picture).pose].push_back(distance);
     }
   }
   const Prediction drawn = preparePrediction(prediction.model, StoredResult{}, measurements, samePlace);

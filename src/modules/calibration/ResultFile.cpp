@@ -21,13 +21,11 @@ void ResultSources::add(const std::filesystem::path& folder) {
 }
 
 /// What of the captures does not fit the rest: set, capture, board, corners and how far off [px].
-nlohmann::json outliersJson(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                            const CalibrationResult& result);
+nlohmann::json outliersJson(const Measurements& measurements, const CalibrationResult& result);
 
 /// Every corner: measured; predicted with the joints' readings as they are; fitted, where the readings are moved as
 /// far as their noise allows; and how far it counted.
-nlohmann::json residualsJson(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                             const CalibrationResult& result);
+nlohmann::json residualsJson(const Measurements& measurements, const CalibrationResult& result);
 
 /// The cameras' image sizes, by set and name.
 nlohmann::json camerasJson(const std::vector<CaptureSet>& sets);
@@ -46,12 +44,11 @@ json pointsJson(const Eigen::Matrix2Xd& points) {
 
 } // namespace
 
-json outliersJson(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                  const CalibrationResult& result) {
+json outliersJson(const Measurements& measurements, const CalibrationResult& result) {
   json list = json::array();
   for (const Outlier& doubt : result.doubts) {
     const ImageObservation& picture = measurements.pictures[doubt.picture];
-    const CaptureSet& set = sets[picture.set];
+    const CaptureSet& set = measurements.setOf(picture);
     list.push_back({{"set", set.name},
                     {"capture", set.captures[picture.capture].id},
                     {"board", measurements.targets[picture.sightings[doubt.sighting].view.board()].name},
@@ -62,15 +59,14 @@ json outliersJson(const std::vector<CaptureSet>& sets, const Measurements& measu
   return list;
 }
 
-json residualsJson(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                   const CalibrationResult& result) {
+json residualsJson(const Measurements& measurements, const CalibrationResult& result) {
   json list = json::array();
   for (std::size_t i = 0; i < result.sightings.size(); ++i) {
     const BoardResidual& seen = result.sightings[i];
     const ImageObservation& picture = measurements.pictures[seen.picture];
     const BoardObservation& sighting = picture.sightings[seen.sighting];
-    const Capture& capture = sets[picture.set].captures[picture.capture];
-    list.push_back({{"set", sets[picture.set].name},
+    const Capture& capture = measurements.captureOf(picture);
+    list.push_back({{"set", measurements.setOf(picture).name},
                     {"capture", capture.id},
                     {"pose", capture.pose},
                     {"repeat", capture.repeat},
@@ -201,15 +197,15 @@ json placementJson(const Eigen::Matrix<double, 6, 1>& p, bool onFloor) {
   return {{"x", p[0]}, {"y", p[1]}, {"z", p[2]}, {"roll", p[3]}, {"pitch", p[4]}, {"yaw", p[5]}};
 }
 
-json placementsJson(const Measurements& measurements, const Model& model, const CalibrationResult& result) {
+json placementsJson(const FittedModel& fitted) {
   json boards = json::object(), stances = json::object();
-  for (const ImageObservation& picture : measurements.pictures) {
-    const ModelState belief = predictState(measurements, model, picture, result.unknowns);
+  for (const ImageObservation& picture : fitted.measurements.pictures) {
+    const ModelState belief = predictState(fitted.measurements, fitted.model, picture, fitted.fit.unknowns);
     for (const BoardObservation& sighting : picture.sightings) {
-      const Target& target = measurements.targets[sighting.view.board()];
+      const Target& target = fitted.measurements.targets[sighting.view.board()];
       boards[target.name] = placementJson(belief.boardPlacement(sighting.view.board()), target.onFloor);
       if (target.onFloor) {
-        stances[measurements.stances[picture.stance].name] = placementJson(belief.worldFromSupport(), true);
+        stances[fitted.measurements.stances[picture.stance].name] = placementJson(belief.worldFromSupport(), true);
       }
     }
   }
@@ -279,55 +275,57 @@ json definitions(const Model& model) {
 
 } // namespace
 
-json resultJson(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& model,
-                const CalibrationResult& result, const ResultSources& inputs) {
+json resultJson(const FittedModel& fitted, const ResultSources& inputs) {
   std::vector<std::string> terms;
-  for (const Term& term : model.terms()) {
+  for (const Term& term : fitted.model.terms()) {
     if (!term.isPlacement) {
       terms.push_back(term.label());
     }
   }
   return {{"format", "naocal-result"},
           {"version", 1},
-          {"converged", result.converged},
-          {"verdict", toString(result.verdict)},
-          {"usable", result.usable},
-          {"sentence", result.sentence},
-          {"warnings", toSentences(result.warnings)},
-          {"rmsPx", result.rmsPx},
-          {"medianPx", result.medianPx},
-          {"noiseFloorPx", result.noiseFloorPx},
-          {"chi2", result.chi2},
-          {"dof", result.dof},
-          {"pValue", result.pValue},
-          {"sigmaScale", result.sigmaScale},
-          {"misfit", result.misfit},
-          {"misfitLeft", result.misfitLeft},
-          {"explanations", explanationsJson(result)},
-          {"corners", measurements.cornerCount},
-          {"captures", measurements.pictures.size()},
+          {"converged", fitted.fit.converged},
+          {"verdict", toString(fitted.fit.verdict)},
+          {"usable", fitted.fit.usable},
+          {"sentence", fitted.fit.sentence},
+          {"warnings", toSentences(fitted.fit.warnings)},
+          {"rmsPx", fitted.fit.rmsPx},
+          {"medianPx", fitted.fit.medianPx},
+          {"noiseFloorPx", fitted.fit.noiseFloorPx},
+          {"chi2", fitted.fit.chi2},
+          {"dof", fitted.fit.dof},
+          {"pValue", fitted.fit.pValue},
+          {"sigmaScale", fitted.fit.sigmaScale},
+          {"misfit", fitted.fit.misfit},
+          {"misfitLeft", fitted.fit.misfitLeft},
+          {"explanations", explanationsJson(fitted.fit)},
+          {"corners", fitted.measurements.cornerCount},
+          {"captures", fitted.measurements.pictures.size()},
           {"noise",
-           {{"pixel", result.noise.pixel},
-            {"encoder", result.noise.encoder},
-            {"pose", result.noise.pose},
-            {"stance", result.noise.stance},
-            {"reapproach", result.noise.reapproach},
-            {"pixelAlike", result.noise.pixelAlike},
-            {"jitter", jitterOf(measurements)},
-            {"source", result.noiseSource}}},
-          {"effects", effectsJson(model, result)},
-          {"placements", placementsJson(measurements, model, result)},
-          {"placementSigmas", placementSigmasJson(model, result)},
-          {"weak", weakJson(result)},
-          {"doubtful", outliersJson(sets, measurements, result)},
-          {"floorErrorAt2m", result.floorErrorAt2m},
-          {"iterations", result.iterations},
-          {"restarts", {{"tried", result.restartsTried}, {"changedTheAnswer", result.restartsChanged}}},
-          {"seconds", result.seconds},
+           {{"pixel", fitted.fit.noise.pixel},
+            {"encoder", fitted.fit.noise.encoder},
+            {"pose", fitted.fit.noise.pose},
+            {"stance", fitted.fit.noise.stance},
+            {"reapproach", fitted.fit.noise.reapproach},
+            {"pixelAlike", fitted.fit.noise.pixelAlike},
+            {"jitter", jitterOf(fitted.measurements)},
+            {"source", fitted.fit.noiseSource}}},
+          {"effects", effectsJson(fitted.model, fitted.fit)},
+          {"placements", placementsJson(fitted)},
+          {"placementSigmas", placementSigmasJson(fitted.model, fitted.fit)},
+          {"weak", weakJson(fitted.fit)},
+          {"doubtful", outliersJson(fitted.measurements, fitted.fit)},
+          {"floorErrorAt2m", fitted.fit.floorErrorAt2m},
+          {"iterations", fitted.fit.iterations},
+          {"restarts", {{"tried", fitted.fit.restartsTried}, {"changedTheAnswer", fitted.fit.restartsChanged}}},
+          {"seconds", fitted.fit.seconds},
           {"inputs", {{"sets", inputs.sets}, {"sha256", inputs.sha256}}},
-          {"model", {{"robot", measurements.robot.model}, {"terms", std::move(terms)}, {"define", definitions(model)}}},
-          {"cameras", camerasJson(sets)},
-          {"sightings", residualsJson(sets, measurements, result)}};
+          {"model",
+           {{"robot", fitted.measurements.robot.model},
+            {"terms", std::move(terms)},
+            {"define", definitions(fitted.model)}}},
+          {"cameras", camerasJson(*fitted.measurements.sets)},
+          {"sightings", residualsJson(fitted.measurements, fitted.fit)}};
 }
 
 } // namespace naocal

@@ -21,8 +21,7 @@ struct ResultSources {
 };
 
 /// RESULT.json: estimates with their uncertainty, what was assumed, and every corner's prediction for reports.
-nlohmann::json resultJson(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& model,
-                          const CalibrationResult& result, const ResultSources& inputs);
+nlohmann::json resultJson(const FittedModel& fitted, const ResultSources& inputs);
 
 /// What a result file says about robot and scene, without its uncertainty.
 struct StoredResult {

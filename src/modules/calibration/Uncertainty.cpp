@@ -20,46 +20,46 @@ namespace naocal {
 namespace {
 
 /// The error with the legs as in one picture; absent where it sees no floor board or the point lies behind.
-std::optional<double> predictErrorIn(const ImageObservation& picture, const Measurements& measurements,
-                                     const Model& model, const CalibrationResult& result) {
+std::optional<double> predictErrorIn(const ImageObservation& picture, const FittedModel& fitted) {
   const auto sighting =
       std::find_if(picture.sightings.begin(), picture.sightings.end(),
-                   [&](const BoardObservation& s) { return measurements.targets[s.view.board()].onFloor; });
+                   [&](const BoardObservation& s) { return fitted.measurements.targets[s.view.board()].onFloor; });
   if (sighting == picture.sightings.end()) {
     return std::nullopt;
   }
-  ModelState belief = predictState(measurements, model, picture, result.unknowns);
+  ModelState belief = predictState(fitted.measurements, fitted.model, picture, fitted.fit.unknowns);
   const std::size_t board = sighting->view.board();
   belief.worldFromSupport().setZero();
   belief.boardPlacement(board) << 2, 0, 0, 0, 0, 0;
   for (std::size_t joint : sighting->view.joints()) {
-    const std::size_t link = measurements.robot.joints[joint].link;
-    const std::size_t head = measurements.robot.cameras[picture.camera].link;
-    const auto towardsHead = ancestorLinks(measurements.robot, {head});
+    const std::size_t link = fitted.measurements.robot.joints[joint].link;
+    const std::size_t head = fitted.measurements.robot.cameras[picture.camera].link;
+    const auto towardsHead = ancestorLinks(fitted.measurements.robot, {head});
     if (std::find(towardsHead.begin(), towardsHead.end(), link) != towardsHead.end()) {
       belief.angle(joint) = 0;
     }
   }
   LinkPoses torsoFromLink;
-  forwardKinematics(measurements.robot, belief, sighting->view.links(), torsoFromLink);
-  const CameraFrames attitude = sighting->view.cameraFrames(measurements.robot, belief, torsoFromLink);
+  forwardKinematics(fitted.measurements.robot, belief, sighting->view.links(), torsoFromLink);
+  const CameraFrames attitude = sighting->view.cameraFrames(fitted.measurements.robot, belief, torsoFromLink);
   const Eigen::Vector3d point = attitude.opticalFromBoard.translation;
   if (point.z() < 0.1) {
     return std::nullopt;
   }
-  const std::vector<StateDerivative> all = evaluateJacobian(measurements, model, picture, result.unknowns);
+  const std::vector<StateDerivative> all =
+      evaluateJacobian(fitted.measurements, fitted.model, picture, fitted.fit.unknowns);
   std::vector<std::size_t> quantities;
   std::vector<StateDerivative> physical;
   for (const StateDerivative& slope : all) {
-    if (slope.quantity < measurements.quantities.lens()) {
+    if (slope.quantity < fitted.measurements.quantities.lens()) {
       physical.push_back(slope);
       quantities.push_back(slope.quantity);
     }
   }
   Eigen::MatrixXd columns(6, eigenIndex(quantities.size()));
-  sighting->view.fillMotionColumns(measurements.robot, attitude, belief, torsoFromLink, quantities, {}, columns);
+  sighting->view.fillMotionColumns(fitted.measurements.robot, attitude, belief, torsoFromLink, quantities, {}, columns);
   const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
-  Eigen::MatrixXd slip = Eigen::MatrixXd::Zero(2, result.unknowns.size());
+  Eigen::MatrixXd slip = Eigen::MatrixXd::Zero(2, fitted.fit.unknowns.size());
   for (std::size_t i = 0; i < physical.size(); ++i) {
     const Eigen::Vector3d omega = columns.col(eigenIndex(i)).head<3>();
     const Eigen::Vector3d motion = omega.cross(point) + columns.col(eigenIndex(i)).tail<3>();
@@ -68,15 +68,15 @@ std::optional<double> predictErrorIn(const ImageObservation& picture, const Meas
     slip.col(eigenIndex(physical[i].unknown)) +=
         physical[i].value * (attitude.opticalFromWorld.rotation.transpose() * shift).head<2>();
   }
-  return std::sqrt((slip * result.covariance * slip.transpose()).trace());
+  return std::sqrt((slip * fitted.fit.covariance * slip.transpose()).trace());
 }
 
 } // namespace
 
-double predictFloorErrorAt2m(const Measurements& measurements, const Model& model, const CalibrationResult& result) {
+double predictFloorErrorAt2m(const FittedModel& fitted) {
   std::vector<double> errors;
-  for (const ImageObservation& picture : measurements.pictures) {
-    if (const auto error = predictErrorIn(picture, measurements, model, result)) {
+  for (const ImageObservation& picture : fitted.measurements.pictures) {
+    if (const auto error = predictErrorIn(picture, fitted)) {
       errors.push_back(*error);
     }
   }

@@ -10,7 +10,7 @@ namespace naocal {
 /// How far off a floor point 2 m ahead of the support foot is perceived (1 sigma, both directions together) [m] because
 /// of the physical unknowns, with the legs as in a capture and the head straight; the median over captures. 0 without
 /// floor boards. Widened by the misfit that is left, as the covariance is.
-double predictFloorErrorAt2m(const Measurements& measurements, const Model& model, const CalibrationResult& result);
+double predictFloorErrorAt2m(const FittedModel& fitted);
 
 /// A fit's numbers with what they are worth: covariance = inverse Hessian of the whitened problem, priors included,
 /// times the misfit that is left; standard errors averaged over the levels of noise that are possible; 95 % intervals

@@ -87,7 +87,7 @@ void assess(const Measurements& measurements, const Model& model, CalibrationRes
   using About = Warning::About;
   const auto warn = [&](About about, std::string sentence) { result.warnings.push_back({about, std::move(sentence)}); };
   result.weak = findWeakDirections(model, result);
-  result.floorErrorAt2m = predictFloorErrorAt2m(measurements, model, result);
+  result.floorErrorAt2m = predictFloorErrorAt2m({measurements, model, result});
   result.usable = result.converged;
   if (!result.converged) {
     warn(About::fit, "the search did not converge: try --restarts 20, and check the robot's model and the boards");

@@ -95,30 +95,26 @@ bool mayBeMirrored(const CandidateTests& inquiry, std::size_t motor) {
 
 } // namespace
 
-std::vector<DataAnomaly> findAnomalies(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                       const Model& model, const CalibrationResult& fit,
-                                       const CandidateTests& inquiry) {
+std::vector<DataAnomaly> findAnomalies(const FittedModel& fitted, const CandidateTests& inquiry) {
   const auto mirrored = [&](std::size_t motor) { return mayBeMirrored(inquiry, motor); };
-  GrossMisfit misfit = GrossMisfit::assess(fit, model);
+  GrossMisfit misfit = GrossMisfit::assess(fitted.fit, fitted.model);
   if (misfit.rmsPx > threshold::grossPx) {
-    misfit.explainedPx = rmsBesideLikeliest(inquiry, measurements, model);
+    misfit.explainedPx = rmsBesideLikeliest(inquiry, fitted.measurements, fitted.model);
   }
-  if (const auto setUp = findSetupError(sets, measurements, misfit, mirrored)) {
+  if (const auto setUp = findSetupError(fitted.measurements, misfit, mirrored)) {
     return {*setUp};
   }
-  std::vector<DataAnomaly> result = findTransientAnomalies(sets, measurements, model, fit, inquiry);
+  std::vector<DataAnomaly> result = findTransientAnomalies(fitted, inquiry);
   if (result.empty()) { // an accident is far likelier than any effect, if it is named
-    if (const auto setUp = findSetUp(inquiry, measurements)) {
+    if (const auto setUp = findSetUp(inquiry, fitted.measurements)) {
       result.push_back(*setUp);
     }
   }
   return result;
 }
 
-std::vector<DataAnomaly> findTransientAnomalies(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                                const Model& model, const CalibrationResult& fit,
-                                                const CandidateTests& inquiry) {
-  const auto likeliest = findLikeliestEvent(sets, measurements, model, fit, inquiry);
+std::vector<DataAnomaly> findTransientAnomalies(const FittedModel& fitted, const CandidateTests& inquiry) {
+  const auto likeliest = findLikeliestEvent(fitted, inquiry);
   if (!likeliest) {
     return {};
   }
@@ -134,13 +130,12 @@ std::vector<DataAnomaly> findTransientAnomalies(const std::vector<CaptureSet>& s
   return result;
 }
 
-std::vector<DataAnomaly> findDisplacedBoards(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                             const CalibrationResult& fit) {
+std::vector<DataAnomaly> findDisplacedBoards(const Measurements& measurements, const CalibrationResult& fit) {
   std::vector<DataAnomaly> result;
   for (const Outlier& doubt : fit.doubts) {
     if (doubt.whole) {
       const ImageObservation& picture = measurements.pictures[doubt.picture];
-      const int id = sets[picture.set].captures[picture.capture].id;
+      const int id = measurements.captureOf(picture).id;
       const std::string& board = measurements.targets[picture.sightings[doubt.sighting].view.board()].name;
       result.push_back(
           {.capture = id,
@@ -220,8 +215,7 @@ std::vector<Together> selectWorst(std::vector<Together> all, std::size_t most) {
 
 } // namespace
 
-std::vector<TransientEvent> enumerateWrongAngles(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                                 const CalibrationResult& fit) {
+std::vector<TransientEvent> enumerateWrongAngles(const Measurements& measurements, const CalibrationResult& fit) {
   std::map<std::size_t, std::vector<const BoardResidual*>> byPicture;
   for (const BoardResidual& sighting : fit.withReportedAngles) {
     const ObservationChain& view = measurements.pictures[sighting.picture].sightings[sighting.sighting].view;
@@ -235,7 +229,7 @@ std::vector<TransientEvent> enumerateWrongAngles(const std::vector<CaptureSet>& 
     for (const EncoderSample& reading : pose.readings) {
       for (const std::size_t index : reading.pictures) {
         const ImageObservation& picture = measurements.pictures[index];
-        rests[reading.encoderError] += alone(picture, sets[picture.set].captures[picture.capture], byPicture[index]);
+        rests[reading.encoderError] += alone(picture, measurements.captureOf(picture), byPicture[index]);
       }
     }
     poses.emplace_back();
@@ -250,7 +244,8 @@ std::vector<TransientEvent> enumerateWrongAngles(const std::vector<CaptureSet>& 
       const std::string ids = fmt::format("{}", fmt::join(one.captures, ", "));
       const std::string which = one.captures.size() == 1 ? "capture " + ids : "captures " + ids;
       result.push_back(
-          {.term = {makeDisplacement(one.set, one.times), 0, fmt::format("{} of {}", which, sets[one.set].name)},
+          {.term = {makeDisplacement(one.set, one.times), 0,
+                    fmt::format("{} of {}", which, (*measurements.sets)[one.set].name)},
            .who = which,
            .where = " of pose " + one.pose,
            .set = one.set,

@@ -21,15 +21,13 @@ namespace naocal {
 
 /// A model that was questioned, its fit, and what was found.
 struct DiagnosedModel {
-  const Model& model;
-  const CalibrationResult& fit;
+  FittedModel fitted;
   const CandidateTests& inquiry;
 };
 
 /// Adds to a finished diagnosis what its figures show: which captures belong to each pose, how much alike the first
 /// candidates are, what they would look like, and what the models leave over. `given`: the model as given.
-void assembleFigures(const std::vector<CaptureSet>& sets, const Measurements& measurements, const DiagnosedModel& given,
-                     const DiagnosedModel& last, Diagnosis& diagnosis);
+void assembleFigures(const DiagnosedModel& given, const DiagnosedModel& last, Diagnosis& diagnosis);
 
 namespace {
 
@@ -93,18 +91,17 @@ void addNew(const std::vector<DataAnomaly>& further, std::vector<DataAnomaly>& s
 }
 
 /// What is left to say where no search can start.
-Diagnosis withoutFit(const std::vector<CaptureSet>& sets, const Measurements& measurements, const InputError& error) {
+Diagnosis withoutFit(const Measurements& measurements, const InputError& error) {
   Diagnosis result;
   result.verdict = Verdict::badCaptures;
-  const auto setUp = findSetupError(sets, measurements, {}, [](std::size_t) { return true; });
+  const auto setUp = findSetupError(measurements, {}, [](std::size_t) { return true; });
   result.anomalies.push_back(setUp.value_or(DataAnomaly{{}, error.what()}));
   result.sentence = summarize(result);
   return result;
 }
 
 /// The loop: question the model, add what is missing, until the alarm falls silent.
-Diagnosis questionModel(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& asked,
-                        const DiagnosisOptions& options) {
+Diagnosis questionModel(const Measurements& measurements, const Model& asked, const DiagnosisOptions& options) {
   Diagnosis result;
   StepwiseSelection ladder{measurements, asked, options};
   result.fit = ladder.fit();
@@ -116,17 +113,16 @@ Diagnosis questionModel(const std::vector<CaptureSet>& sets, const Measurements&
     if (inquiries.size() > 1) {
       inquiries.pop_back();
     }
-    const CandidateTests& inquiry =
-        inquiries.emplace_back(measurements, ladder.model(), ladder.fit(), ladder.testableTerms(), options.inquiry);
+    const FittedModel fitted{measurements, ladder.model(), ladder.fit()};
+    const CandidateTests& inquiry = inquiries.emplace_back(fitted, ladder.testableTerms(), options.inquiry);
     ladder.recordStep(inquiry, result);
     if (result.steps.size() == 1) {
-      result.anomalies = findAnomalies(sets, measurements, ladder.model(), ladder.fit(), inquiry);
+      result.anomalies = findAnomalies(fitted, inquiry);
       result.alarm = inquiry.evidence().pValue;
     } else { // what was added may have hidden an accident
-      result.anomalies = findTransientAnomalies(sets, measurements, ladder.model(), ladder.fit(), inquiry);
+      result.anomalies = findTransientAnomalies(fitted, inquiry);
     }
-    const std::optional<ImageField> field =
-        noteworthyField(findStrikingField(measurements, ladder.model(), ladder.fit()), most);
+    const std::optional<ImageField> field = noteworthyField(findStrikingField(fitted), most);
     const double level = result.suggested.empty() ? options.alarm : threshold::laterAlarm * options.alarm;
     const bool striking = inquiry.evidence().pValue <= level && inquiry.evidence().matters;
     const bool alarm = (striking || field) && result.anomalies.empty();
@@ -153,7 +149,7 @@ Diagnosis questionModel(const std::vector<CaptureSet>& sets, const Measurements&
       result.scatter = ladder.fit().noise.pose;
       const bool lasting = !result.anomalies.empty() && !result.anomalies.front().capture; // else all would seem moved
       if (!unknown && !lasting && (result.suggested.empty() || !striking)) {
-        addNew(findDisplacedBoards(sets, measurements, ladder.refitWithoutDisplacedBoards()), result.anomalies);
+        addNew(findDisplacedBoards(measurements, ladder.refitWithoutDisplacedBoards()), result.anomalies);
       }
       const bool missing = !result.suggested.empty() || (!grows && candidate);
       result.unexplained = alarm && !candidate && !unknown && !missing;
@@ -174,8 +170,8 @@ Diagnosis questionModel(const std::vector<CaptureSet>& sets, const Measurements&
     }
   }
   result.lastFit = ladder.fit();
-  assembleFigures(sets, measurements, {asked, result.fit, inquiries.front()},
-                  {ladder.model(), result.lastFit, inquiries.back()}, result);
+  assembleFigures({{measurements, asked, result.fit}, inquiries.front()},
+                  {{measurements, ladder.model(), result.lastFit}, inquiries.back()}, result);
   result.sentence = summarize(result);
   return result;
 }
@@ -186,11 +182,10 @@ bool isSpoiled(const DataAnomaly& suspicion) {
 }
 
 /// Without what these captures show.
-Measurements excludeSuspicious(const std::vector<DataAnomaly>& suspicious, const std::vector<CaptureSet>& sets,
-                               Measurements measurements) {
+Measurements excludeSuspicious(const std::vector<DataAnomaly>& suspicious, Measurements measurements) {
   for (std::size_t index = 0; index < measurements.pictures.size(); ++index) {
     const ImageObservation& picture = measurements.pictures[index];
-    const int id = sets[picture.set].captures[picture.capture].id;
+    const int id = measurements.captureOf(picture).id;
     const bool spoiled = std::any_of(suspicious.begin(), suspicious.end(), [&](const DataAnomaly& suspicion) {
       return isSpoiled(suspicion) && suspicion.capture == id && suspicion.set == picture.set;
     });
@@ -215,17 +210,17 @@ void takeLoneEvidence(const std::vector<CandidateFinding>& all, std::vector<Cand
 }
 
 /// Questioned again without captures that an accident spoiled: what is missing beside them is told as well.
-Diagnosis questionWithoutSpoiled(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                 const Model& asked, const DiagnosisOptions& options) {
+Diagnosis questionWithoutSpoiled(const Measurements& measurements, const Model& asked,
+                                 const DiagnosisOptions& options) {
   constexpr int most = 4; // accidents
-  Diagnosis result = questionModel(sets, measurements, asked, options);
+  Diagnosis result = questionModel(measurements, asked, options);
   std::ptrdiff_t known = 0; // suspicions
   for (int round = 0; options.extend && round < most; ++round) {
     if (std::none_of(result.anomalies.begin() + known, result.anomalies.end(), isSpoiled)) {
       break;
     }
     known = std::ssize(result.anomalies);
-    Diagnosis next = questionModel(sets, excludeSuspicious(result.anomalies, sets, measurements), asked, options);
+    Diagnosis next = questionModel(excludeSuspicious(result.anomalies, measurements), asked, options);
     addNew(next.anomalies, result.anomalies);
     next.anomalies = result.anomalies;
     next.alarm = result.alarm;
@@ -239,18 +234,17 @@ Diagnosis questionWithoutSpoiled(const std::vector<CaptureSet>& sets, const Meas
 
 } // namespace
 
-Diagnosis diagnose(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                   const DiagnosisOptions& options) {
+Diagnosis diagnose(const Measurements& measurements, const DiagnosisOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const Model asked = buildModel(measurements, options.with, options.without, options.effects);
   Diagnosis result;
   try {
-    result = questionWithoutSpoiled(sets, measurements, asked, options);
+    result = questionWithoutSpoiled(measurements, asked, options);
   } catch (const InputError& error) {
     if (measurements.cornerCount == 0) {
       throw;
     }
-    result = withoutFit(sets, measurements, error);
+    result = withoutFit(measurements, error);
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
@@ -258,19 +252,17 @@ Diagnosis diagnose(const std::vector<CaptureSet>& sets, const Measurements& meas
 
 namespace {
 
-Figures::Left buildResidualViews(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                 const DiagnosedModel& asked) {
-  return {computeJointCorrections(measurements, asked.inquiry),
-          computeResidualField(sets, measurements, asked.model, asked.fit),
-          estimateBoardShapes(measurements, asked.model, asked.fit)};
+Figures::Left buildResidualViews(const DiagnosedModel& diagnosed) {
+  const FittedModel& fitted = diagnosed.fitted;
+  return {computeJointCorrections(fitted.measurements, diagnosed.inquiry), computeResidualField(fitted),
+          estimateBoardShapes(fitted)};
 }
 
 } // namespace
 
-void assembleFigures(const std::vector<CaptureSet>& sets, const Measurements& measurements, const DiagnosedModel& given,
-                     const DiagnosedModel& last, Diagnosis& diagnosis) {
+void assembleFigures(const DiagnosedModel& given, const DiagnosedModel& last, Diagnosis& diagnosis) {
   constexpr std::size_t compared = 12, shown = 10;
-  diagnosis.figures.taken = indexCaptures(sets, measurements);
+  diagnosis.figures.taken = indexCaptures(given.fitted.measurements);
   std::vector<std::string> labels;
   std::vector<std::size_t> candidates;
   std::vector<CandidateFinding*> findings;
@@ -282,15 +274,14 @@ void assembleFigures(const std::vector<CaptureSet>& sets, const Measurements& me
     }
   }
   diagnosis.figures.aliases = computeAliasMatrix(given.inquiry, labels, compared);
-  std::vector<EffectSignature> looks =
-      computeSignatures(measurements, given.model, given.fit, given.inquiry, candidates);
+  std::vector<EffectSignature> looks = computeSignatures(given.fitted, given.inquiry, candidates);
   for (std::size_t i = 0; i < looks.size(); ++i) {
     findings[i]->imprint = std::move(looks[i]);
   }
-  diagnosis.figures.recorded = collectDrivers(measurements, given.model, given.fit.unknowns);
-  diagnosis.figures.given = buildResidualViews(sets, measurements, given);
+  diagnosis.figures.recorded = collectDrivers(given.fitted.measurements, given.fitted.model, given.fitted.fit.unknowns);
+  diagnosis.figures.given = buildResidualViews(given);
   if (!diagnosis.suggested.empty()) {
-    diagnosis.figures.last = buildResidualViews(sets, measurements, last);
+    diagnosis.figures.last = buildResidualViews(last);
   }
 }
 

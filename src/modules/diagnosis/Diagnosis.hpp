@@ -6,7 +6,6 @@ namespace naocal {
 
 /// Compares the model with the measurements, sees where it fails, learns which effects are missing, adds them as long
 /// as the alarm stands, and says what remains.
-Diagnosis diagnose(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                   const DiagnosisOptions& options = {});
+Diagnosis diagnose(const Measurements& measurements, const DiagnosisOptions& options = {});
 
 } // namespace naocal

@@ -22,24 +22,22 @@ namespace naocal {
 namespace {
 
 /// First with all corners in full: what has moved has lost its weight.
-FitMinimum fitFrom(const Eigen::VectorXd& start, const Measurements& measurements, const Model& model,
-                   const CalibrationResult& fit) {
-  Fit full = fitNearly(measurements, model, fit.noise, Loss{}, start);
-  return refit(measurements, model, fit.noise, fit.loss, std::move(full), nearly).minimum;
+FitMinimum fitFrom(const Eigen::VectorXd& start, const FittedModel& fitted) {
+  Fit full = fitNearly(fitted.measurements, fitted.model, fitted.fit.noise, Loss{}, start);
+  return refit(fitted.measurements, fitted.model, fitted.fit.noise, fitted.fit.loss, std::move(full), nearly).minimum;
 }
 
 } // namespace
 
-std::vector<std::optional<EventFit>> fitEvents(const std::vector<TransientEvent>& events,
-                                               const Measurements& measurements, const Model& model,
-                                               const CalibrationResult& fit) {
-  const double without = fitFrom(fit.unknowns, measurements, model, fit).linear.cost;
+std::vector<std::optional<EventFit>> fitEvents(const std::vector<TransientEvent>& events, const FittedModel& fitted) {
+  const double without = fitFrom(fitted.fit.unknowns, fitted).linear.cost;
   std::vector<std::optional<EventFit>> result(events.size());
   parallelFor(events.size(), [&](std::size_t i) {
-    Model larger = model;
+    Model larger = fitted.model;
     larger.add(events[i].term);
     try {
-      const FitMinimum minimum = fitFrom(mapParameters(model, fit.unknowns, larger), measurements, larger, fit);
+      const FitMinimum minimum =
+          fitFrom(mapParameters(fitted.model, fitted.fit.unknowns, larger), {fitted.measurements, larger, fitted.fit});
       const Term& term = larger.terms().back();
       result[i] = {2 * (without - minimum.linear.cost),
                    minimum.state.unknowns.segment(static_cast<Eigen::Index>(term.first), term.sigmas().size())};
@@ -133,7 +131,8 @@ double priorOf(const Moment& moment, const std::set<double>& times, std::size_t 
   return 2 * std::log(static_cast<double>(count) * share);
 }
 
-std::string formatSet(std::size_t set, const std::vector<CaptureSet>& sets) {
+std::string formatSet(std::size_t set, const Measurements& measurements) {
+  const std::vector<CaptureSet>& sets = *measurements.sets;
   return sets.size() > 1 ? " of " + sets[set].name : std::string{};
 }
 
@@ -144,8 +143,7 @@ bool hasSeveral(std::size_t set, const Times& times) {
 }
 
 /// Boards, stances, cameras and joints' zeros, each moved at this many moments at most.
-std::vector<TransientEvent> movesAt(std::size_t most, const std::vector<CaptureSet>& sets,
-                                    const Measurements& measurements) {
+std::vector<TransientEvent> movesAt(std::size_t most, const Measurements& measurements) {
   std::vector<TransientEvent> result;
   Times boards, stances, cameras, joints;
   for (const ImageObservation& picture : measurements.pictures) {
@@ -168,7 +166,7 @@ std::vector<TransientEvent> movesAt(std::size_t most, const std::vector<CaptureS
       const std::vector<double> moments = midpointsBetween(seen, most);
       for (const double time : moments) {
         const Moment moment = momentIn(set, seen, time);
-        const std::string who = name(at), where = formatSet(set, sets);
+        const std::string who = name(at), where = formatSet(set, measurements);
         result.push_back({.term = {effect(moment), at, fmt::format("{} {:.3f}{}", who, time, where)},
                           .from = moment,
                           .who = who,
@@ -241,15 +239,14 @@ std::string describeEvent(const TransientEvent& event, const Eigen::VectorXd& va
                      since, until);
 }
 
-std::vector<TransientEvent> enumerateEvents(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                            const CalibrationResult& fit) {
+std::vector<TransientEvent> enumerateEvents(const Measurements& measurements, const CalibrationResult& fit) {
   constexpr std::size_t most = 16; // per board, stance or camera
   constexpr std::size_t mostPictures = 128;
-  std::vector<TransientEvent> result = movesAt(most, sets, measurements);
+  std::vector<TransientEvent> result = movesAt(most, measurements);
   for (const std::size_t index : worstPictures(mostPictures, measurements, fit)) {
     const ImageObservation& picture = measurements.pictures[index];
-    const int id = sets[picture.set].captures[picture.capture].id;
-    const std::string name = fmt::format("capture {}", id), where = formatSet(picture.set, sets);
+    const int id = measurements.captureOf(picture).id;
+    const std::string name = fmt::format("capture {}", id), where = formatSet(picture.set, measurements);
     result.push_back({.term = {makeBadPose({.set = picture.set, .time = picture.instant.time.count()}), picture.camera,
                                name + where},
                       .who = name,
@@ -261,9 +258,9 @@ std::vector<TransientEvent> enumerateEvents(const std::vector<CaptureSet>& sets,
 }
 
 std::vector<TransientEvent> spreadOverTime(const std::vector<TransientEvent>& things,
-                                           const std::vector<CaptureSet>& sets, const Measurements& measurements) {
+                                           const Measurements& measurements) {
   constexpr std::size_t most = 128;
-  std::vector<TransientEvent> result = movesAt(most, sets, measurements);
+  std::vector<TransientEvent> result = movesAt(most, measurements);
   std::erase_if(result, [&](const TransientEvent& event) {
     return std::none_of(things.begin(), things.end(),
                         [&](const TransientEvent& thing) { return isSameThing(event, thing); });

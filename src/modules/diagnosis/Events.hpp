@@ -36,12 +36,10 @@ std::string describeEvent(const TransientEvent& event, const Eigen::VectorXd& va
 
 /// Boards, robot, cameras and joints' zeros may have moved between any two captures, at some sixteen moments each; any
 /// capture may be bad, of very many the 128 with the largest errors.
-std::vector<TransientEvent> enumerateEvents(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                            const CalibrationResult& fit);
+std::vector<TransientEvent> enumerateEvents(const Measurements& measurements, const CalibrationResult& fit);
 
 /// The same things at all moments between two captures, where they are many at 128 of them.
-std::vector<TransientEvent> spreadOverTime(const std::vector<TransientEvent>& things,
-                                           const std::vector<CaptureSet>& sets, const Measurements& measurements);
+std::vector<TransientEvent> spreadOverTime(const std::vector<TransientEvent>& things, const Measurements& measurements);
 
 /// What a fit with an event in the model says of it. Far from zero the linearised evidence takes one thing that moved
 /// for another, or the moment for another.
@@ -51,8 +49,6 @@ struct EventFit {
 };
 
 /// Each event fitted at the noise levels and the loss of `fit`, from there. Absent where no search ends.
-std::vector<std::optional<EventFit>> fitEvents(const std::vector<TransientEvent>& events,
-                                               const Measurements& measurements, const Model& model,
-                                               const CalibrationResult& fit);
+std::vector<std::optional<EventFit>> fitEvents(const std::vector<TransientEvent>& events, const FittedModel& fitted);
 
 } // namespace naocal

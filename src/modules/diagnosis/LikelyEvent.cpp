@@ -92,13 +92,12 @@ struct Asked {
   const TransientEvent& event(std::size_t place) const { return events[order[place]]; }
 };
 
-Asked askEvents(std::vector<TransientEvent> events, const Measurements& measurements, const Model& model,
-                const CalibrationResult& fit, const std::vector<Noise>& levels) {
+Asked askEvents(std::vector<TransientEvent> events, const FittedModel& fitted, const std::vector<Noise>& levels) {
   std::vector<Term> terms;
   for (const TransientEvent& event : events) {
     terms.push_back(event.term);
   }
-  const CandidateTests inquiry{measurements, model, fit, terms, {.draws = 0, .map = false}};
+  const CandidateTests inquiry{fitted, terms, {.draws = 0, .map = false}};
   Asked result{std::move(events), findBestAtAnyLevel(inquiry, levels), inquiry.evidence().groups};
   for (std::size_t i = 0; i < result.events.size(); ++i) {
     result.bayes[i] += result.events[i].prior;
@@ -125,8 +124,7 @@ bool isConvincing(const Asked& events, const Rivals& rivals) {
 }
 
 /// The likeliest few, those that moved at all moments.
-std::vector<TransientEvent> expandMoments(const Asked& coarse, const std::vector<CaptureSet>& sets,
-                                          const Measurements& measurements) {
+std::vector<TransientEvent> expandMoments(const Asked& coarse, const Measurements& measurements) {
   constexpr std::size_t most = 8;
   std::vector<TransientEvent> things;
   for (std::size_t place = 0; place < coarse.order.size() && things.size() < most; ++place) {
@@ -136,7 +134,7 @@ std::vector<TransientEvent> expandMoments(const Asked& coarse, const std::vector
       things.push_back(event);
     }
   }
-  std::vector<TransientEvent> result = spreadOverTime(things, sets, measurements);
+  std::vector<TransientEvent> result = spreadOverTime(things, measurements);
   std::copy_if(things.begin(), things.end(), std::back_inserter(result),
                [](const TransientEvent& one) { return !one.from; });
   return result;
@@ -150,8 +148,7 @@ struct Tried {
 };
 
 /// Fits of the likeliest, of each thing that may have moved at its best three moments; the best first.
-std::vector<Tried> tryLikeliest(const Asked& events, const Measurements& measurements, const Model& model,
-                                const CalibrationResult& fit) {
+std::vector<Tried> tryLikeliest(const Asked& events, const FittedModel& fitted) {
   constexpr std::size_t most = 12, moments = 3;
   std::vector<std::size_t> chosen;
   std::vector<TransientEvent> some;
@@ -164,7 +161,7 @@ std::vector<Tried> tryLikeliest(const Asked& events, const Measurements& measure
       some.push_back(event);
     }
   }
-  const std::vector<std::optional<EventFit>> fits = fitEvents(some, measurements, model, fit);
+  const std::vector<std::optional<EventFit>> fits = fitEvents(some, fitted);
   std::vector<Tried> result;
   for (std::size_t i = 0; i < some.size(); ++i) {
     if (fits[i]) {
@@ -215,40 +212,38 @@ std::string formatAlternatives(const std::vector<Tried>& tried) {
 }
 
 /// With all corners in full, whichever board they seem to be on. Absent where that puts one behind its camera.
-std::optional<CalibrationResult> calibrateWithAllCorners(const Measurements& measurements, const Model& model,
-                                                         const CalibrationResult& fit) {
+std::optional<CalibrationResult> calibrateWithAllCorners(const FittedModel& fitted) {
   CalibrationOptions options;
-  options.noise = fit.noise;
-  options.start = fit.unknowns;
+  options.noise = fitted.fit.noise;
+  options.start = fitted.fit.unknowns;
   options.estimateNoise = options.question = options.robust = options.excludeDisplaced = false;
   try {
-    return calibrate(measurements, model, options);
+    return calibrate(fitted.measurements, fitted.model, options);
   } catch (const InputError&) {
     return std::nullopt;
   }
 }
 
-std::optional<LikelyEvent> findLikeliestAt(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                           const Model& model, const CalibrationResult& fit,
-                                           const CandidateTests& inquiry) {
-  std::vector<TransientEvent> events = enumerateEvents(sets, measurements, fit);
-  const std::vector<TransientEvent> angles = enumerateWrongAngles(sets, measurements, fit);
+std::optional<LikelyEvent> findLikeliestAt(const FittedModel& fitted, const CandidateTests& inquiry) {
+  std::vector<TransientEvent> events = enumerateEvents(fitted.measurements, fitted.fit);
+  const std::vector<TransientEvent> angles = enumerateWrongAngles(fitted.measurements, fitted.fit);
   events.insert(events.end(), angles.begin(), angles.end());
   if (events.empty()) {
     return std::nullopt;
   }
   const std::vector<Noise> levels = lowerLevels(inquiry.noise(), inquiry.poses().size());
   const Rivals rivals = findRivals(inquiry, levels);
-  const Asked coarse = askEvents(std::move(events), measurements, model, fit, levels);
+  const Asked coarse = askEvents(std::move(events), fitted, levels);
   constexpr double within = 0.5; // of what the rivals explain, where the best moments are not among the first few
-  if (coarse.bayes[coarse.order.front()] < std::max(expectedByChance(coarse, measurements), within * rivals.best())) {
+  if (coarse.bayes[coarse.order.front()] <
+      std::max(expectedByChance(coarse, fitted.measurements), within * rivals.best())) {
     return std::nullopt;
   }
-  const Asked fine = askEvents(expandMoments(coarse, sets, measurements), measurements, model, fit, levels);
+  const Asked fine = askEvents(expandMoments(coarse, fitted.measurements), fitted, levels);
   if (!isConvincing(fine, rivals)) {
     return std::nullopt;
   }
-  const std::vector<Tried> tried = tryLikeliest(fine, measurements, model, fit);
+  const std::vector<Tried> tried = tryLikeliest(fine, fitted);
   if (tried.empty()) {
     return std::nullopt;
   }
@@ -261,18 +256,17 @@ std::optional<LikelyEvent> findLikeliestAt(const std::vector<CaptureSet>& sets, 
 
 } // namespace
 
-std::optional<LikelyEvent> findLikeliestEvent(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                              const Model& model, const CalibrationResult& fit,
-                                              const CandidateTests& inquiry) {
-  if (std::none_of(fit.doubts.begin(), fit.doubts.end(), std::mem_fn(&Outlier::whole))) {
-    return findLikeliestAt(sets, measurements, model, fit, inquiry);
+std::optional<LikelyEvent> findLikeliestEvent(const FittedModel& fitted, const CandidateTests& inquiry) {
+  if (std::none_of(fitted.fit.doubts.begin(), fitted.fit.doubts.end(), std::mem_fn(&Outlier::whole))) {
+    return findLikeliestAt(fitted, inquiry);
   }
-  const std::optional<CalibrationResult> all = calibrateWithAllCorners(measurements, model, fit);
+  const std::optional<CalibrationResult> all = calibrateWithAllCorners(fitted);
   if (!all) {
-    return findLikeliestAt(sets, measurements, model, fit, inquiry);
+    return findLikeliestAt(fitted, inquiry);
   }
-  const CandidateTests again{measurements, model, *all, inquiry.candidates(), {.draws = 0}};
-  return findLikeliestAt(sets, measurements, model, *all, again);
+  const FittedModel inFull{fitted.measurements, fitted.model, *all};
+  const CandidateTests again{inFull, inquiry.candidates(), {.draws = 0}};
+  return findLikeliestAt(inFull, again);
 }
 
 } // namespace naocal

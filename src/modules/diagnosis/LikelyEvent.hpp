@@ -19,8 +19,6 @@ struct LikelyEvent {
 /// The event that explains the misfit best, where it does so far better than chance and than any candidate effect or
 /// curve. The evidence of all is linearised at the fit; the best few are fitted, and those fits choose what moved and
 /// when. Where the fit gave no weight to whole boards they count in full: they may be all that was seen afterwards.
-std::optional<LikelyEvent> findLikeliestEvent(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                              const Model& model, const CalibrationResult& fit,
-                                              const CandidateTests& inquiry);
+std::optional<LikelyEvent> findLikeliestEvent(const FittedModel& fitted, const CandidateTests& inquiry);
 
 } // namespace naocal

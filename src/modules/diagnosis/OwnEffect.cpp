@@ -36,7 +36,7 @@ std::optional<OwnEffect> fitOwnEffect(const DriverCurve& curve, const Measuremen
   if (terms.empty()) {
     return std::nullopt;
   }
-  const CandidateTests asked{measurements, ladder.model(), ladder.fit(), terms, {.draws = 0, .map = false}};
+  const CandidateTests asked{{measurements, ladder.model(), ladder.fit()}, terms, {.draws = 0, .map = false}};
   const std::optional<CrossValidation> held = crossValidate(asked, ladder.model(), diagnosis.suggested, {{0}});
   if (!held || held->afterPx.front() >= held->beforePx) {
     return std::nullopt;
@@ -45,7 +45,7 @@ std::optional<OwnEffect> fitOwnEffect(const DriverCurve& curve, const Measuremen
   larger.add(terms.front());
   const CalibrationResult fit = ladder.fitLarger(larger);
   std::vector<Term> left = ladder.testableTerms();
-  const CandidateTests after{measurements, larger, fit, left, options};
+  const CandidateTests after{{measurements, larger, fit}, left, options};
   OwnEffect own{.label = terms.front().label(), .definition = definition.dump()};
   own.step.added = own.label;
   own.step.rmsPx = fit.rmsPx;

@@ -25,9 +25,9 @@ constexpr double mostOffset = radians(15); // of a robot that still stands
 constexpr double some = 0.1;               // of all corners: more than a few pictures that belong elsewhere
 
 /// rms distance of corners when these sets are fitted [px]; absent when they cannot be.
-std::optional<double> computeMisfit(const std::vector<CaptureSet>& sets, const Measurements& asTheyAre) {
+std::optional<double> computeMisfit(std::vector<CaptureSet> sets, const Measurements& asTheyAre) {
   try {
-    const Measurements measurements = buildMeasurements(sets, asTheyAre.robot, asTheyAre.samePlace);
+    const Measurements measurements = buildMeasurements(std::move(sets), asTheyAre.robot, asTheyAre.samePlace);
     CalibrationOptions options;
     options.estimateNoise = options.question = false;
     options.robust = false;
@@ -137,15 +137,14 @@ struct BestMoment {
   Moment moment;
   double left = std::numeric_limits<double>::infinity(); // rms distance of corners [px]
 };
-BestMoment findBestMoment(const MovedThing& thing, const std::vector<CaptureSet>& sets,
-                          const Measurements& measurements) {
+BestMoment findBestMoment(const MovedThing& thing, const Measurements& measurements) {
   constexpr std::size_t coarse = 16;
   BestMoment best;
   const auto consider = [&](const std::vector<double>& moments) {
     for (const double time : moments) {
-      std::vector<CaptureSet> corrected = sets;
+      std::vector<CaptureSet> corrected = *measurements.sets;
       thing.separate(corrected[thing.set], time);
-      if (const auto left = computeMisfit(corrected, measurements); left && *left < best.left) {
+      if (const auto left = computeMisfit(std::move(corrected), measurements); left && *left < best.left) {
         const auto after = thing.times.upper_bound(time);
         best = {{thing.set, time, *std::prev(after), *after}, *left};
       }
@@ -160,7 +159,7 @@ BestMoment findBestMoment(const MovedThing& thing, const std::vector<CaptureSet>
     const std::set<double> around{thing.times.lower_bound(since), thing.times.upper_bound(until)};
     consider(midpointsBetween(around, around.size()));
   }
-  const double first = firstTime(sets[thing.set]).count();
+  const double first = firstTime((*measurements.sets)[thing.set]).count();
   best.moment.time -= first;
   best.moment.since -= first;
   best.moment.until -= first;
@@ -168,12 +167,12 @@ BestMoment findBestMoment(const MovedThing& thing, const std::vector<CaptureSet>
 }
 
 /// What was moved so far that no linearised event shows it.
-std::optional<DataAnomaly> findMovedFar(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                        double least) {
+std::optional<DataAnomaly> findMovedFar(const Measurements& measurements, double least) {
+  const std::vector<CaptureSet>& sets = *measurements.sets;
   constexpr double asGood = 1.05; // of the least misfit: the captures cannot tell which of them it was
   std::vector<std::pair<MovedThing, BestMoment>> mending;
   for (const MovedThing& thing : listMovedThings(sets)) {
-    const BestMoment best = findBestMoment(thing, sets, measurements);
+    const BestMoment best = findBestMoment(thing, measurements);
     if (best.left < least) {
       mending.emplace_back(thing, best);
     }
@@ -213,17 +212,17 @@ GrossMisfit GrossMisfit::assess(const CalibrationResult& fit, const Model& model
           .absurd = absurd || fit.rmsPx > threshold::impossiblePx};
 }
 
-std::optional<DataAnomaly> findSetupError(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                          const GrossMisfit& misfit,
+std::optional<DataAnomaly> findSetupError(const Measurements& measurements, const GrossMisfit& misfit,
                                           const std::function<bool(std::size_t)>& mayBeMirrored) {
   if (misfit.rmsPx < threshold::grossPx) {
     return std::nullopt;
   }
+  const std::vector<CaptureSet>& sets = *measurements.sets;
   std::optional<DataAnomaly> best;
   double least = std::min(
       {threshold::mends * std::min(misfit.rmsPx, threshold::impossiblePx), threshold::soundPx, misfit.explainedPx});
-  const auto consider = [&](const std::vector<CaptureSet>& corrected, const std::string& why) {
-    if (const auto left = computeMisfit(corrected, measurements); left && *left < least) {
+  const auto consider = [&](std::vector<CaptureSet> corrected, const std::string& why) {
+    if (const auto left = computeMisfit(std::move(corrected), measurements); left && *left < least) {
       least = *left;
       best = DataAnomaly{{}, fmt::format("{} (so corrected the error is {:.1f} px)", why, *left)};
     }
@@ -238,7 +237,7 @@ std::optional<DataAnomaly> findSetupError(const std::vector<CaptureSet>& sets, c
     consider(swapCameras(sets), "the cameras' names are swapped");
   }
   if (!best && misfit.rmsPx > threshold::impossiblePx) {
-    best = findMovedFar(sets, measurements, least);
+    best = findMovedFar(measurements, least);
   }
   if (!best && misfit.rmsPx > threshold::nonsensePx && misfit.farShare > some && std::isfinite(misfit.rmsPx)) {
     best = DataAnomaly{{},

@@ -22,8 +22,7 @@ struct GrossMisfit {
 /// or a board that was put elsewhere between two captures, tried by fitting the sets so corrected. Absent where the
 /// misfit is small or no such correction mends it. `misfit`: of the sets as they are. `mayBeMirrored`: motors worth a
 /// fit where the one as they are still tells.
-std::optional<DataAnomaly> findSetupError(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                          const GrossMisfit& misfit,
+std::optional<DataAnomaly> findSetupError(const Measurements& measurements, const GrossMisfit& misfit,
                                           const std::function<bool(std::size_t)>& mayBeMirrored);
 
 } // namespace naocal

@@ -500,7 +500,7 @@ bool StepwiseSelection::fieldPersists(const ImageField& field, const CandidateTe
   for (std::size_t i = 0; i < std::min(most, order.size()) && inquiry.candidateEvidence(order[i]).bayes > 0; ++i) {
     const Model larger = addTerm(inquiry.candidates()[order[i]]);
     const CalibrationResult fit = fitLarger(larger);
-    if (refitField(field, {measurements_, larger, fit}, measurements_).fit.bayes < field.fit.bayes / 2) {
+    if (refitField(field, {{measurements_, larger, fit}}, measurements_).fit.bayes < field.fit.bayes / 2) {
       return false;
     }
   }

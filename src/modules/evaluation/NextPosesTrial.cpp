@@ -81,7 +81,7 @@ Weighed weighHypotheses(const Measurements& measurements, ModelAmbiguity questio
   CandidateTestOptions options;
   options.draws = 0;
   options.map = false;
-  const CandidateTests inquiry{measurements, model, fit, terms, options};
+  const CandidateTests inquiry{{measurements, model, fit}, terms, options};
   std::vector<double> evidence;
   for (std::size_t i = 0; i < terms.size(); ++i) {
     evidence.push_back(inquiry.candidateEvidence(i).bayes);
@@ -118,11 +118,8 @@ TrialArm arm(const Robot& robot, const Subject& subject, const CaptureSet& start
     NextPosesOptions next;
     next.count = options.batch;
     next.seed = 1000 * seed + taken;
-    next.samePlace = true;
     const std::vector<CommandedPose> poses =
-        propose ? commandPoses(proposeNextPoses(sets, measurements, {now.model, now.fit.unknowns, now.fit.noise},
-                                                now.question, next)
-                                   .poses)
+        propose ? commandPoses(proposeNextPoses({measurements, now.model, now.fit}, now.question, next).poses)
                 : randomPoses(robot, options.batch, next.seed + 1);
     const CaptureSet captures = subject.captures(poses, sets.size()).set;
     sets.emplace_back();
@@ -144,7 +141,7 @@ NextPosesTrial runNextPosesTrial(const Robot& robot, std::uint64_t seed, const N
   const Simulation start = subject.captures(randomPoses(robot, options.start, seed), 0);
   const Measurements measurements = buildMeasurements({start.set}, robot);
   const DiagnosisOptions asked;
-  const Diagnosis diagnosis = diagnose({start.set}, measurements, asked);
+  const Diagnosis diagnosis = diagnose(measurements, asked);
   const ModelAmbiguity question = findAmbiguity(diagnosis, robot, asked);
   const TrueEffect& hidden = start.truth.effects.back();
   NextPosesTrial result{seed, hidden.effect + "@" + hidden.at, {}, {}, {}};

@@ -17,12 +17,13 @@ Captures readCaptures(const std::vector<std::filesystem::path>& folders, const s
     throw InputError{"expected at least one folder with captures.json, found none"};
   }
   Captures captures;
+  std::vector<CaptureSet> sets;
   for (const std::filesystem::path& folder : folders) {
-    captures.sets.push_back(readCaptureSet(folder).set);
+    sets.push_back(readCaptureSet(folder).set);
     captures.sources.add(folder);
   }
-  const Robot robot = loadRobot(configuration, captures.sets.front().model);
-  captures.measurements = buildMeasurements(captures.sets, robot);
+  const Robot robot = loadRobot(configuration, sets.front().model);
+  captures.measurements = buildMeasurements(std::move(sets), robot);
   return captures;
 }
 
@@ -36,13 +37,12 @@ Calibrated calibrate(const Captures& captures, const std::vector<std::string>& e
 Diagnosis diagnose(const Captures& captures, const std::vector<std::string>& effects) {
   DiagnosisOptions options;
   options.with = effects;
-  return diagnose(captures.sets, captures.measurements, options);
+  return diagnose(captures.measurements, options);
 }
 
 void writeResult(const Captures& captures, const Calibrated& calibrated, const std::filesystem::path& file) {
   const auto& [model, result] = calibrated;
-  writeAtomically(file,
-                  resultJson(captures.sets, captures.measurements, model, result, captures.sources).dump(1) + "\n");
+  writeAtomically(file, resultJson({captures.measurements, model, result}, captures.sources).dump(1) + "\n");
 }
 
 void writeDiagnosis(const Diagnosis& diagnosis, const std::filesystem::path& file) {

@@ -15,9 +15,8 @@
 /// be called by several threads at once.
 namespace naocal {
 
-/// Capture sets of one robot and what they measured.
+/// Capture sets of one robot, and their measurements (with the sets as recorded).
 struct Captures {
-  std::vector<CaptureSet> sets;
   ResultSources sources; // folders and SHA-256 of their captures.json
   Measurements measurements;
 };

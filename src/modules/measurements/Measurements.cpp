@@ -18,14 +18,14 @@ namespace naocal {
 
 /// Sorts the pictures into an order of their own, joins those of one reading, and readings of one pose; fills `poses`,
 /// `joints` and `repeats`.
-void groupByPose(const std::vector<CaptureSet>& sets, Measurements& measurements);
+void groupByPose(Measurements& measurements);
 
 /// One capture of one of the sets in terms of the robot's joints, cameras and targets. `measurements` has its robot,
 /// quantities and targets already.
 /// Throws InputError for what the robot cannot have measured (unknown camera, no corners, joint needed but not
 /// recorded).
-ImageObservation makeImageObservation(const std::vector<CaptureSet>& sets, std::size_t set, std::size_t capture,
-                                      const Measurements& measurements, const FrameRegistry& places);
+ImageObservation makeImageObservation(std::size_t set, std::size_t capture, const Measurements& measurements,
+                                      const FrameRegistry& places);
 
 namespace {
 
@@ -50,17 +50,16 @@ Tolerance toleranceFor(const std::vector<double>& jitter) {
 /// Groups a pose's pictures: those with the same stance, repeat and measured angles share a reading; readings of one
 /// rest share each joint's encoder error, for as long as the robot rests a joint keeps its rounding error and its
 /// place.
-std::vector<Rest> groupPose(const std::vector<CaptureSet>& sets, const std::vector<std::size_t>& members,
-                            const std::vector<ImageObservation>& pictures, const Tolerance& tolerance,
-                            PoseGroup& pose) {
+std::vector<Rest> groupPose(const Measurements& measurements, const std::vector<std::size_t>& members,
+                            const Tolerance& tolerance, PoseGroup& pose) {
   std::vector<Rest> rests;
   std::set<int> stances;
   std::size_t approaches = 0;
   const ImageObservation* previous = nullptr;
   for (std::size_t index : members) {
-    const ImageObservation& picture = pictures[index];
-    const Capture& capture = sets[picture.set].captures[picture.capture];
-    const Capture* last = previous ? &sets[previous->set].captures[previous->capture] : nullptr;
+    const ImageObservation& picture = measurements.pictures[index];
+    const Capture& capture = measurements.captureOf(picture);
+    const Capture* last = previous ? &measurements.captureOf(*previous) : nullptr;
     const bool sameReading = last && last->stance == capture.stance && last->repeat == capture.repeat &&
                              previous->instant.q == picture.instant.q;
     previous = &picture;
@@ -201,10 +200,10 @@ void addFloorContact(const Measurements& measurements, ImageObservation& picture
 
 } // namespace
 
-void groupByPose(const std::vector<CaptureSet>& sets, Measurements& measurements) {
+void groupByPose(Measurements& measurements) {
   auto& pictures = measurements.pictures;
   const auto key = [&](const ImageObservation& picture) {
-    const Capture& capture = sets[picture.set].captures[picture.capture];
+    const Capture& capture = measurements.captureOf(picture);
     return std::tuple{picture.set,          capture.pose,   capture.stance, capture.repeat,
                       capture.time.count(), capture.camera, capture.id};
   };
@@ -213,7 +212,7 @@ void groupByPose(const std::vector<CaptureSet>& sets, Measurements& measurements
   std::map<std::pair<std::size_t, std::string>, std::vector<std::size_t>> poses;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     if (!pictures[i].sightings.empty()) {
-      poses[{pictures[i].set, sets[pictures[i].set].captures[pictures[i].capture].pose}].push_back(i);
+      poses[{pictures[i].set, measurements.captureOf(pictures[i]).pose}].push_back(i);
     }
   }
   std::vector<std::vector<Rest>> rests; // per pose
@@ -224,7 +223,7 @@ void groupByPose(const std::vector<CaptureSet>& sets, Measurements& measurements
     for (const auto& [name, members] : poses) {
       PoseGroup& pose = measurements.poses.emplace_back();
       pose.name = name.second;
-      rests.push_back(groupPose(sets, members, measurements.pictures, tolerance, pose));
+      rests.push_back(groupPose(measurements, members, tolerance, pose));
     }
     measurements.jitter = jitterOf(collectReadings(rests, measurements), measurements);
     tolerance = toleranceFor(measurements.jitter);
@@ -317,10 +316,12 @@ std::vector<std::size_t> posesOfPictures(const Measurements& measurements) {
   return result;
 }
 
-Measurements buildMeasurements(const std::vector<CaptureSet>& sets, const Robot& robot, bool samePlace) {
-  refuseOtherRobots(sets);
-  const FrameRegistry places{sets, robot, samePlace};
+Measurements buildMeasurements(std::vector<CaptureSet> given, const Robot& robot, bool samePlace) {
+  refuseOtherRobots(given);
+  const FrameRegistry places{given, robot, samePlace};
   Measurements result;
+  result.sets = std::make_shared<const std::vector<CaptureSet>>(std::move(given));
+  const std::vector<CaptureSet>& sets = *result.sets;
   result.robot = robot;
   result.samePlace = samePlace;
   result.quantities = StateLayout{robot.joints.size(), robot.lengths.size(), places.targets().size()};
@@ -330,7 +331,7 @@ Measurements buildMeasurements(const std::vector<CaptureSet>& sets, const Robot&
   for (std::size_t set = 0; set < sets.size(); ++set) {
     const Seconds first = earliestTime(sets[set]);
     for (std::size_t capture = 0; capture < sets[set].captures.size(); ++capture) {
-      result.pictures.push_back(makeImageObservation(sets, set, capture, result, places));
+      result.pictures.push_back(makeImageObservation(set, capture, result, places));
       result.pictures.back().instant.time -= first;
       result.pictures.back().instant.set = set;
       for (const BoardObservation& sighting : result.pictures.back().sightings) {
@@ -338,7 +339,7 @@ Measurements buildMeasurements(const std::vector<CaptureSet>& sets, const Robot&
       }
     }
   }
-  groupByPose(sets, result);
+  groupByPose(result);
   return result;
 }
 
@@ -430,10 +431,10 @@ void drawScene(const CameraIntrinsics& camera, const Measurements& measurements,
 
 } // namespace
 
-ImageObservation makeImageObservation(const std::vector<CaptureSet>& sets, std::size_t setIndex, std::size_t index,
-                                      const Measurements& measurements, const FrameRegistry& places) {
+ImageObservation makeImageObservation(std::size_t setIndex, std::size_t index, const Measurements& measurements,
+                                      const FrameRegistry& places) {
   const Robot& robot = measurements.robot;
-  const CaptureSet& set = sets[setIndex];
+  const CaptureSet& set = (*measurements.sets)[setIndex];
   const Capture& capture = set.captures[index];
   if (!capture.corners) {
     throw InputError{fmt::format("{}: captures[{}] (id {}): no corners yet; run 'naocal detect {}' first", set.name,

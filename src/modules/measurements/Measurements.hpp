@@ -5,6 +5,7 @@
 #include "effects/Effect.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -68,6 +69,7 @@ struct PoseGroup {
 
 /// All that was measured, sorted so that no order of captures and no number of threads changes a digit.
 struct Measurements {
+  std::shared_ptr<const std::vector<CaptureSet>> sets; // as recorded
   Robot robot;
   StateLayout quantities{0, 0, 0};
   std::vector<Target> targets;
@@ -80,6 +82,10 @@ struct Measurements {
   std::size_t cornerCount = 0;
   bool hasRepeats = false; // some pose was taken more than once
   bool samePlace = false;  // boards and stances of equal ids are the same in all sets
+
+  /// The set that a picture belongs to, and its capture as recorded.
+  const CaptureSet& setOf(const ImageObservation& picture) const { return (*sets)[picture.set]; }
+  const Capture& captureOf(const ImageObservation& picture) const { return setOf(picture).captures[picture.capture]; }
 };
 
 /// Of each picture the pose that it belongs to; 0 for one without corners, which belongs to none.
@@ -88,7 +94,7 @@ std::vector<std::size_t> posesOfPictures(const Measurements& measurements);
 /// Prepares sets of one robot. `samePlace` joins boards and stances of equal ids over the sets.
 /// Throws InputError for what the robot cannot have measured (unknown link, joint needed but not recorded, other
 /// robot).
-Measurements buildMeasurements(const std::vector<CaptureSet>& sets, const Robot& robot, bool samePlace = false);
+Measurements buildMeasurements(std::vector<CaptureSet> sets, const Robot& robot, bool samePlace = false);
 
 /// Joints between the picture's camera and what it shows, and between the soles where both stand, ascending.
 std::vector<std::size_t> observedJoints(const Robot& robot, const ImageObservation& picture);

@@ -84,8 +84,8 @@ std::map<std::string, double> offsetSigmas(const Model& model, const Eigen::Matr
 
 } // namespace
 
-NextPoses proposeNextPoses(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                           const FittedModel& fit, const ModelAmbiguity& question, const NextPosesOptions& options) {
+NextPoses proposeNextPoses(const FittedModel& fitted, const ModelAmbiguity& question, const NextPosesOptions& options) {
+  const Measurements& measurements = fitted.measurements;
   NextPoses result;
   result.why = question.why;
   if (question.suspects.empty()) {
@@ -93,17 +93,17 @@ NextPoses proposeNextPoses(const std::vector<CaptureSet>& sets, const Measuremen
     return result;
   }
   const Robot& robot = measurements.robot;
-  result.around = findLocalScenes(sets, measurements, fit.model, fit.unknowns);
+  result.around = findLocalScenes(fitted);
   if (result.around.empty()) {
     result.whyNone = "no board lies on the floor before a standing robot";
   }
   if (result.around.empty() || options.count == 0) {
     return result;
   }
-  const bool bothWays = dependsOnApproach(addHypotheses(measurements, fit.model, question));
-  const std::vector<ProposedPose> drawn = candidates(robot, sets.back(), result.around, bothWays, options);
-  const std::vector<ProposedPose> poses =
-      filterFeasible(sets, measurements, fit.model, fit.unknowns, result.around, drawn);
+  const bool bothWays = dependsOnApproach(addHypotheses(measurements, fitted.model, question));
+  const std::vector<ProposedPose> drawn =
+      candidates(robot, measurements.sets->back(), result.around, bothWays, options);
+  const std::vector<ProposedPose> poses = filterFeasible(fitted, result.around, drawn);
   if (poses.empty()) {
     result.whyNone = "no stable pose was found that sees a board";
     return result;
@@ -111,12 +111,11 @@ NextPoses proposeNextPoses(const std::vector<CaptureSet>& sets, const Measuremen
   result.stable = drawn.size() / (bothWays ? 2 : 1);
   result.seeing = poses.size() / (bothWays ? 2 : 1);
   result.jointError = options.jointError;
-  result.noise = fit.noise;
-  result.firstStance = plannedStanceId(sets, SupportFoot::left);
+  result.noise = fitted.fit.noise;
+  result.firstStance = plannedStanceId(*measurements.sets, SupportFoot::left);
   result.samples = samplesPerPose(measurements);
 
-  const PlannedInformation information =
-      predictInformation(sets, measurements, fit, question, result.around, poses, options.samePlace);
+  const PlannedInformation information = predictInformation(fitted, question, result.around, poses);
   const Discrimination discrimination{question, static_cast<Eigen::Index>(information.own.unknownCount())};
   Eigen::MatrixXd known = information.known;
   for (const std::size_t chosen : greedily(discrimination, information, poses,
@@ -130,13 +129,13 @@ NextPoses proposeNextPoses(const std::vector<CaptureSet>& sets, const Measuremen
   return result;
 }
 
-NextPoses proposeNextPoses(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                           const Diagnosis& diagnosis, const DiagnosisOptions& asked, const NextPosesOptions& options) {
+NextPoses proposeNextPoses(const Measurements& measurements, const Diagnosis& diagnosis, const DiagnosisOptions& asked,
+                           const NextPosesOptions& options) {
   const ModelAmbiguity question = findAmbiguity(diagnosis, measurements.robot, asked);
   const Model model = buildModel(measurements, diagnosis.with, asked.without, asked.effects);
-  Noise noise = diagnosis.lastFit.noise;
-  noise.pose = diagnosis.scatter;
-  return proposeNextPoses(sets, measurements, {model, diagnosis.lastFit.unknowns, noise}, question, options);
+  CalibrationResult fit = diagnosis.lastFit;
+  fit.noise.pose = diagnosis.scatter;
+  return proposeNextPoses({measurements, model, fit}, question, options);
 }
 
 } // namespace naocal

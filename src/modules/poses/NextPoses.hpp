@@ -13,7 +13,6 @@ struct NextPosesOptions {
   std::size_t count = 4;        // poses to propose
   std::size_t candidates = 300; // stable attitudes to choose from
   std::uint64_t seed = 1;
-  bool samePlace = false;           // as the measurements were made
   double jointError = radians(1.5); // of robots that will take them, whose offsets are known by then (Stability) [rad]
 };
 
@@ -38,13 +37,11 @@ struct NextPoses {
 /// Chooses among stable poses in sight of the boards (PoseGenerator), on the captures' feet, each approached from above
 /// and from below where that matters: greedily the one with the largest Discrimination::gain beside the captures and
 /// those before it. The measurement model is linearised at the fit, noise as there. The same seed proposes the same.
-NextPoses proposeNextPoses(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                           const FittedModel& fit, const ModelAmbiguity& question,
+NextPoses proposeNextPoses(const FittedModel& fitted, const ModelAmbiguity& question,
                            const NextPosesOptions& options = {});
 
 /// After a diagnosis: of its last model and what it leaves open.
-NextPoses proposeNextPoses(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                           const Diagnosis& diagnosis, const DiagnosisOptions& asked,
+NextPoses proposeNextPoses(const Measurements& measurements, const Diagnosis& diagnosis, const DiagnosisOptions& asked,
                            const NextPosesOptions& options = {});
 
 } // namespace naocal

@@ -111,8 +111,8 @@ void AnalysisSession::enter(Session session) {
   const Model model = buildModel(measurements_, rung.with, rung.without, effects(rung));
   const CalibrationResult result = calibrate(measurements_, model);
   rung.rmsPx = result.rmsPx;
-  const Json document = resultJson(opened_.sets, measurements_, model, result, opened_.inputs);
-  Json told = fitJson(document, opened_, measurements_, model, result);
+  const Json document = resultJson({measurements_, model, result}, opened_.inputs);
+  Json told = fitJson(document, opened_, {measurements_, model, result});
   told["with"] = rung.with;
   told["without"] = rung.without;
   told["labels"] = termLabels(model);
@@ -162,7 +162,7 @@ const Diagnosis& AnalysisSession::diagnosis() {
   if (!diagnosis_) {
     DiagnosisOptions asked = options(session_.current());
     asked.extend = false;
-    diagnosis_ = diagnose(opened_.sets, measurements_, asked);
+    diagnosis_ = diagnose(measurements_, asked);
   }
   return *diagnosis_;
 }
@@ -180,7 +180,7 @@ void AnalysisSession::testCandidates() {
 void AnalysisSession::searchMissing(const std::function<bool()>& goesOn) {
   DiagnosisOptions asked = options(session_.current());
   asked.shouldContinue = goesOn;
-  Json found = diagnosisPanelJson(diagnose(opened_.sets, measurements_, asked));
+  Json found = diagnosisPanelJson(diagnose(measurements_, asked));
   found["stopped"] = !goesOn();
   found["with"] = session_.current().with; // of the model that it began with
   tell_("found", found);
@@ -230,7 +230,7 @@ Json AnalysisSession::checkEffect(const Json& effect) const {
 void AnalysisSession::proposePoses(std::size_t count) {
   NextPosesOptions wanted;
   wanted.count = count;
-  next_ = proposeNextPoses(opened_.sets, measurements_, diagnosis(), options(session_.current()), wanted);
+  next_ = proposeNextPoses(measurements_, diagnosis(), options(session_.current()), wanted);
   Json told = nextPosesJson(*next_, opened_.robot);
   told["whyNone"] = next_->whyNone;
   tell_("next", told);

@@ -92,15 +92,15 @@ Json picturesJson(const Dataset& opened, const Measurements& measurements, const
 
 /// What a robot's own calibration would set of this fit: offsets that a constant angle can compensate and that the
 /// captures tell, and cameras' mounts.
-Json compensationJson(const Measurements& measurements, const Model& model, const CalibrationResult& result) {
+Json compensationJson(const FittedModel& fitted) {
   Json offsets = Json::array(), untold = Json::array(), mounts = Json::array();
-  for (const EffectiveOffset& offset : effectiveOffsets(measurements, model, result)) {
+  for (const EffectiveOffset& offset : effectiveOffsets(fitted)) {
     isLearned(offset) ? offsets.push_back({{"joint", offset.joint}, {"value", degrees(offset.value)}})
                       : untold.push_back(offset.joint);
   }
-  for (const Term& term : model.terms()) {
+  for (const Term& term : fitted.model.terms()) {
     if (term.effect.name == "cameraRotation") {
-      const Eigen::Vector3d rotation = result.unknowns.segment<3>(eigenIndex(term.first));
+      const Eigen::Vector3d rotation = fitted.fit.unknowns.segment<3>(eigenIndex(term.first));
       mounts.push_back({{"camera", term.place}, {"rotation", {rotation.x(), rotation.y(), rotation.z()}}});
     }
   }
@@ -109,30 +109,29 @@ Json compensationJson(const Measurements& measurements, const Model& model, cons
 
 } // namespace
 
-Json fitJson(const Json& document, const Dataset& opened, const Measurements& measurements, const Model& model,
-             const CalibrationResult& result) {
+Json fitJson(const Json& document, const Dataset& opened, const FittedModel& fitted) {
   const JsonCursor place{document, "the fit"};
   const VerdictWords words = verdictWords(place);
-  const std::vector<DriverSeries> drivers = collectDrivers(measurements, model, result.unknowns);
-  const TellingPairs telling = findTellingPairs(measurements, model, result, drivers);
-  Json fit{{"usable", result.usable},
-           {"verdict", toString(result.verdict)},
+  const std::vector<DriverSeries> drivers = collectDrivers(fitted.measurements, fitted.model, fitted.fit.unknowns);
+  const TellingPairs telling = findTellingPairs(fitted, drivers);
+  Json fit{{"usable", fitted.fit.usable},
+           {"verdict", toString(fitted.fit.verdict)},
            {"headline", words.headline},
            {"sentence", words.sentence},
-           {"warnings", toSentences(result.warnings)},
-           {"rms", result.rmsPx},
-           {"median", result.medianPx},
-           {"pValue", result.pValue},
-           {"pixelNoise", result.noise.pixel},
-           {"corners", measurements.cornerCount},
-           {"seconds", result.seconds},
+           {"warnings", toSentences(fitted.fit.warnings)},
+           {"rms", fitted.fit.rmsPx},
+           {"median", fitted.fit.medianPx},
+           {"pValue", fitted.fit.pValue},
+           {"pixelNoise", fitted.fit.noise.pixel},
+           {"corners", fitted.measurements.cornerCount},
+           {"seconds", fitted.fit.seconds},
            {"groups", estimatesData(place.at("effects"))},
            {"terms", document["model"]["terms"]},
-           {"compensation", compensationJson(measurements, model, result)}, // [deg], mounts [rad]
+           {"compensation", compensationJson(fitted)}, // [deg], mounts [rad]
            {"facts", Json::array()},
-           {"pictures", picturesJson(opened, measurements, place)},
-           {"drivers", driversJson(drivers, measurements.robot)},
-           {"telling", tellingJson(telling, drivers, measurements.robot)}};
+           {"pictures", picturesJson(opened, fitted.measurements, place)},
+           {"drivers", driversJson(drivers, fitted.measurements.robot)},
+           {"telling", tellingJson(telling, drivers, fitted.measurements.robot)}};
   for (const auto& [figure, sentence] : facts(place, fit["pictures"].size(), std::nullopt)) {
     fit["facts"].push_back({{"figure", figure}, {"sentence", sentence}});
   }

@@ -10,8 +10,7 @@ namespace naocal {
 
 /// A fit as the panel shows it: verdict, estimates, every corner's residual by picture, worst first, and what was
 /// recorded at each picture. Angles in degrees, lengths in millimetres. `document`: as RESULT.json has it.
-nlohmann::json fitJson(const nlohmann::json& document, const Dataset& opened, const Measurements& measurements,
-                       const Model& model, const CalibrationResult& result);
+nlohmann::json fitJson(const nlohmann::json& document, const Dataset& opened, const FittedModel& fitted);
 
 /// The effects that there are: name, what it is, formula, unknowns with what is plausible.
 nlohmann::json effectsJson(const std::vector<Effect>& effects);

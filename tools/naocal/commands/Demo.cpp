@@ -113,7 +113,7 @@ int demo(const DemoCommand& command) {
   }
   const LoadedSets given = loadSets({set}, false);
   const Measurements measurements = buildMeasurements(given.sets, given.robot);
-  const Diagnosis diagnosis = diagnose(given.sets, measurements);
+  const Diagnosis diagnosis = diagnose(measurements);
   const std::string diagnosisFile = (folder / "diagnosis.json").string(),
                     whyFile = (folder / "diagnosis.html").string();
   writeJson(diagnosisJson(diagnosis), diagnosisFile);
@@ -123,9 +123,9 @@ int demo(const DemoCommand& command) {
   const Model model = buildModel(measurements, diagnosis.with);
   const CalibrationResult result = calibrate(measurements, model);
   const std::string resultFile = (folder / "result.json").string(), reportFile = (folder / "report.html").string();
-  writeJson(resultJson(given.sets, measurements, model, result, given.inputs), resultFile);
+  writeJson(resultJson({measurements, model, result}, given.inputs), resultFile);
   fmt::print("\nCalibrated {}:\n", diagnosis.suggested.empty() ? "as it is, nothing added" : "with that added");
-  printCalibration(given.sets, measurements, model, result);
+  printCalibration({measurements, model, result});
   const TrueEffect& hidden = truth.effects.back();
   fmt::print("\nNow the truth is opened. Hidden was {}@{}.\n", hidden.effect, hidden.at);
   const auto [inside, all] = printTruth(truth, model, result);

@@ -23,7 +23,7 @@ struct DiagnoseCommand {
   std::vector<std::string> sets;
   std::string json, model, poses, own;
   std::string definitions = "[]"; // of the model's file
-  bool skipBad = false, full = false;
+  bool skipBad = false, samePlace = false, full = false;
   DiagnosisOptions options;
   NextPosesOptions next;
 };
@@ -42,13 +42,12 @@ void readModel(DiagnoseCommand& command, const Robot& robot) {
 }
 
 /// What to measure next; only what is open where nobody asked for poses.
-NextPoses asked(const DiagnoseCommand& command, const LoadedSets& given, const Measurements& measurements,
-                const Diagnosis& diagnosis) {
+NextPoses asked(const DiagnoseCommand& command, const Measurements& measurements, const Diagnosis& diagnosis) {
   NextPosesOptions options = command.next;
   options.count = command.json.empty() && command.poses.empty() ? 0 : options.count;
   options.seed = command.options.inquiry.seed;
   try {
-    return proposeNextPoses(given.sets, measurements, diagnosis, command.options, options);
+    return proposeNextPoses(measurements, diagnosis, command.options, options);
   } catch (const InputError& error) { // the diagnosis stands all the same
     NextPoses none;
     none.whyNone = error.what();
@@ -77,24 +76,24 @@ nlohmann::json modelWith(const DriverCurve& curve, const DiagnoseCommand& comman
 }
 
 /// Ctrl-C ends it with what it has found so far.
-Diagnosis withProgress(const LoadedSets& given, const Measurements& measurements, DiagnosisOptions options) {
+Diagnosis withProgress(const Measurements& measurements, DiagnosisOptions options) {
   const Progress progress{"models tested (at most)"};
   const std::size_t most = 2 + measurements.poses.size() / 4;
   std::size_t done = 0;
   options.shouldContinue = [&] { return progress(std::min(++done, most - 1), most); };
-  Diagnosis diagnosis = diagnose(given.sets, measurements, options);
+  Diagnosis diagnosis = diagnose(measurements, options);
   progress(most, most);
   return diagnosis;
 }
 
 int diagnose(DiagnoseCommand& command) {
   const LoadedSets given = loadSets(command.sets, command.skipBad);
-  const Measurements measurements = buildMeasurements(given.sets, given.robot, command.next.samePlace);
-  const GivenOptions asIs{command.sets,  command.options.with,   command.options.without,
-                          command.model, command.next.samePlace, command.skipBad};
+  const Measurements measurements = buildMeasurements(given.sets, given.robot, command.samePlace);
+  const GivenOptions asIs{command.sets,  command.options.with, command.options.without,
+                          command.model, command.samePlace,    command.skipBad};
   readModel(command, measurements.robot);
-  const Diagnosis diagnosis = withProgress(given, measurements, command.options);
-  const NextPoses next = asked(command, given, measurements, diagnosis);
+  const Diagnosis diagnosis = withProgress(measurements, command.options);
+  const NextPoses next = asked(command, measurements, diagnosis);
   if (!command.json.empty()) {
     nlohmann::json json = diagnosisJson(diagnosis, command.full ? allOfThem : drawable);
     json["next"] = nextPosesJson(next, given.robot);
@@ -150,7 +149,7 @@ void addDiagnose(CLI::App& app, int& exitCode) {
       ->add_option("--draws", command->options.inquiry.draws, "number of noise simulations behind the false-alarm rate")
       ->check(CLI::Range(19, 100000))
       ->capture_default_str();
-  diagnoser->add_flag("--same-place", command->next.samePlace,
+  diagnoser->add_flag("--same-place", command->samePlace,
                       "boards and stances with the same id have the same placement in all sets");
   diagnoser->add_flag("--skip-bad", command->skipBad,
                       "use the other captures when some cannot be used, and list those");

@@ -99,7 +99,7 @@ ModelRevision ExploreLoop::questioned(ModelRevision rung) {
   DiagnosisOptions options{.with = rung.with, .without = rung.without};
   options.effects = effects(rung);
   options.extend = false;
-  Diagnosis diagnosis = diagnose(given_.sets, measurements_, options);
+  Diagnosis diagnosis = diagnose(measurements_, options);
   if (diagnosis.steps.empty()) {
     throw InputError{diagnosis.sentence};
   }

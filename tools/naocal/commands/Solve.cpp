@@ -42,7 +42,7 @@ int solve(SolveCommand& command) {
   const Measurements measurements = buildMeasurements(given.sets, given.robot, command.samePlace);
   const Model model = askedModel(command, measurements);
   const CalibrationResult result = calibrate(measurements, model, command.options);
-  const auto json = resultJson(given.sets, measurements, model, result, given.inputs);
+  const auto json = resultJson({measurements, model, result}, given.inputs);
   if (!command.output.empty()) {
     writeJson(json, command.output);
   }
@@ -50,7 +50,7 @@ int solve(SolveCommand& command) {
     writeJson(json, command.json);
   }
   if (command.json != "-") {
-    printCalibration(given.sets, measurements, model, result);
+    printCalibration({measurements, model, result});
     if (!command.output.empty()) {
       fmt::print("written to {}\n", command.output);
     }

@@ -37,43 +37,44 @@ void printEstimates(const Model& model, const CalibrationResult& result) {
 
 } // namespace
 
-void printCalibration(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& model,
-                      const CalibrationResult& result) {
+void printCalibration(const FittedModel& fitted) {
   fmt::print("{}: {} corners in {} pictures of {} poses, {} unknowns; {} after {} iterations in {:.1f} ms\n",
-             measurements.robot.model, measurements.cornerCount, measurements.pictures.size(),
-             measurements.poses.size(), model.unknownCount(), result.converged ? "converged" : "NOT converged",
-             result.iterations, 1e3 * result.seconds);
+             fitted.measurements.robot.model, fitted.measurements.cornerCount, fitted.measurements.pictures.size(),
+             fitted.measurements.poses.size(), fitted.model.unknownCount(),
+             fitted.fit.converged ? "converged" : "NOT converged", fitted.fit.iterations, 1e3 * fitted.fit.seconds);
   fmt::print(
       "prediction error {:.2f} px rms (median {:.2f} px); chi2/dof {:.3f}, p {:.2g}\n"
       "noise, 1 sigma ({}): corners {:.3f} px anew in each picture and {:.3f} px alike in all pictures of a rest, "
       "encoders {:.4f}°, joint scatter {:.4f}° from pose to pose{}\n",
-      result.rmsPx, result.medianPx, result.chi2 / std::max(1.0, result.dof), result.pValue, result.noiseSource,
-      result.noise.pixel, result.noise.pixelAlike, degrees(result.noise.encoder), degrees(result.noise.pose),
-      result.noise.stance > 0 ? fmt::format(" and {:.4f}° from stance to stance", degrees(result.noise.stance)) : "");
-  if (result.floorErrorAt2m > 0) {
-    fmt::print("a floor point 2 m ahead will be seen {:.1f} mm off (1 sigma)\n", 1e3 * result.floorErrorAt2m);
+      fitted.fit.rmsPx, fitted.fit.medianPx, fitted.fit.chi2 / std::max(1.0, fitted.fit.dof), fitted.fit.pValue,
+      fitted.fit.noiseSource, fitted.fit.noise.pixel, fitted.fit.noise.pixelAlike, degrees(fitted.fit.noise.encoder),
+      degrees(fitted.fit.noise.pose),
+      fitted.fit.noise.stance > 0 ? fmt::format(" and {:.4f}° from stance to stance", degrees(fitted.fit.noise.stance))
+                                  : "");
+  if (fitted.fit.floorErrorAt2m > 0) {
+    fmt::print("a floor point 2 m ahead will be seen {:.1f} mm off (1 sigma)\n", 1e3 * fitted.fit.floorErrorAt2m);
   }
-  printEstimates(model, result);
-  for (const WeakDirection& weak : result.weak) {
+  printEstimates(fitted.model, fitted.fit);
+  for (const WeakDirection& weak : fitted.fit.weak) {
     fmt::print("\nweak: {}\n", weak.sentence);
   }
-  for (const Outlier& doubt : result.doubts) {
-    const ImageObservation& picture = measurements.pictures[doubt.picture];
-    fmt::print("\ndoubtful: capture {} ({}), board {}: {} {:.1f} px off{}",
-               sets[picture.set].captures[picture.capture].id, sets[picture.set].captures[picture.capture].camera,
-               measurements.targets[picture.sightings[doubt.sighting].view.board()].name,
+  for (const Outlier& doubt : fitted.fit.doubts) {
+    const ImageObservation& picture = fitted.measurements.pictures[doubt.picture];
+    fmt::print("\ndoubtful: capture {} ({}), board {}: {} {:.1f} px off{}", fitted.measurements.captureOf(picture).id,
+               fitted.measurements.captureOf(picture).camera,
+               fitted.measurements.targets[picture.sightings[doubt.sighting].view.board()].name,
                doubt.whole ? fmt::format("{} corners together", doubt.corners.size())
                            : fmt::format("{} corner{}", doubt.corners.size(), doubt.corners.size() == 1 ? "" : "s"),
                doubt.distance, doubt.whole ? ": was the board moved or the robot touched?" : "");
   }
-  for (const std::string& warning : toSentences(result.warnings)) {
+  for (const std::string& warning : toSentences(fitted.fit.warnings)) {
     fmt::print("\nwarning: {}", warning);
   }
-  if (result.restartsTried > 0) {
-    fmt::print("\n{} random restarts {} the answer", result.restartsTried,
-               result.restartsChanged ? "CHANGED" : "did not change");
+  if (fitted.fit.restartsTried > 0) {
+    fmt::print("\n{} random restarts {} the answer", fitted.fit.restartsTried,
+               fitted.fit.restartsChanged ? "CHANGED" : "did not change");
   }
-  fmt::print("\n{}\n", result.sentence);
+  fmt::print("\n{}\n", fitted.fit.sentence);
 }
 
 } // namespace naocal

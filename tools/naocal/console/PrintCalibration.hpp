@@ -7,7 +7,6 @@
 namespace naocal {
 
 /// Tells a calibration to a person: fit, noise, estimates with error bars, what is weak or doubtful, whether to use it.
-void printCalibration(const std::vector<CaptureSet>& sets, const Measurements& measurements, const Model& model,
-                      const CalibrationResult& result);
+void printCalibration(const FittedModel& fitted);
 
 } // namespace naocal

@@ -21,9 +21,13 @@ std::vector<std::size_t> sortByBayes(std::span<const GroupEvidence> groups) {
 
 } // namespace
 
-CandidateTests::CandidateTests(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
-                               const std::vector<Term>& candidates, const CandidateTestOptions& options)
-    : noise_{fit.noise}, wide_{measurements, model, candidates, {fit.state, fit.noise, fit.loss}, options.map},
+CandidateTests::CandidateTests(const FittedModel& fitted, const std::vector<Term>& candidates,
+                               const CandidateTestOptions& options)
+    : noise_{fitted.fit.noise}, wide_{fitted.measurements,
+                                      fitted.model,
+                                      candidates,
+                                      {fitted.fit.state, fitted.fit.noise, fitted.fit.loss},
+                                      options.map},
       evidence_{computeEvidence(wide_.problem(), noise_, options.draws, options.seed)} {}
 
 std::vector<std::size_t> CandidateTests::candidatesByEvidence() const {

@@ -21,8 +21,8 @@ struct CandidateTestOptions {
 /// must not depend on how much was taken for noise without it.
 class CandidateTests {
 public:
-  CandidateTests(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
-                 const std::vector<Term>& candidates, const CandidateTestOptions& options = {});
+  CandidateTests(const FittedModel& fitted, const std::vector<Term>& candidates,
+                 const CandidateTestOptions& options = {});
 
   const std::vector<Term>& candidates() const { return wide_.candidates(); }
   const std::vector<PoseRows>& poses() const { return wide_.poses(); }

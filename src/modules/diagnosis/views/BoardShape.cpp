@@ -31,13 +31,12 @@ BoardShape boardShapeFromField(const ImageField& field, const Measurements& meas
   return shape;
 }
 
-std::vector<BoardShape> estimateBoardShapes(const Measurements& measurements, const Model& model,
-                                            const CalibrationResult& fit) {
-  const MotionFreeResiduals errors{measurements, model, fit};
+std::vector<BoardShape> estimateBoardShapes(const FittedModel& fitted) {
+  const MotionFreeResiduals errors{fitted};
   std::vector<BoardShape> result;
-  for (std::size_t board = 0; board < measurements.targets.size(); ++board) {
-    if (const ImageField field = fitSheetField(errors, measurements, board); field.fit.freedom > 0) {
-      result.push_back(boardShapeFromField(field, measurements));
+  for (std::size_t board = 0; board < fitted.measurements.targets.size(); ++board) {
+    if (const ImageField field = fitSheetField(errors, fitted.measurements, board); field.fit.freedom > 0) {
+      result.push_back(boardShapeFromField(field, fitted.measurements));
     }
   }
   return result;

@@ -26,7 +26,6 @@ struct BoardShape {
 BoardShape boardShapeFromField(const ImageField& field, const Measurements& measurements);
 
 /// Of each board whose pictures tell its shape; smooth, as its sheet.
-std::vector<BoardShape> estimateBoardShapes(const Measurements& measurements, const Model& model,
-                                            const CalibrationResult& fit);
+std::vector<BoardShape> estimateBoardShapes(const FittedModel& fitted);
 
 } // namespace naocal

@@ -107,8 +107,7 @@ void summarizeSignature(const Measurements& measurements, EffectSignature& impri
 
 } // namespace
 
-std::vector<EffectSignature> computeSignatures(const Measurements& measurements, const Model& model,
-                                               const CalibrationResult& fit, const CandidateTests& inquiry,
+std::vector<EffectSignature> computeSignatures(const FittedModel& fitted, const CandidateTests& inquiry,
                                                const std::vector<std::size_t>& candidates) {
   std::vector<EffectSignature> result;
   std::vector<Eigen::VectorXd> refitted;
@@ -118,29 +117,29 @@ std::vector<EffectSignature> computeSignatures(const Measurements& measurements,
     imprint.found = evidence.bayes > 0;
     imprint.size = displaySize(evidence, inquiry.candidates()[candidate].effect);
     const CandidateColumn column{inquiry, candidate, imprint.size, inquiry.noise()};
-    imprint.imitator = termLabel(model, column.like);
-    refitted.push_back(fit.unknowns + column.imitation);
+    imprint.imitator = termLabel(fitted.model, column.like);
+    refitted.push_back(fitted.fit.unknowns + column.imitation);
   }
-  for (std::size_t index : selectOnePerPose(measurements)) {
-    const ImageObservation& picture = measurements.pictures[index];
-    const RobotSample instant = sampleAt(measurements, model, picture, fit.unknowns);
-    const ModelState plain = predictState(measurements, model, picture, fit.unknowns);
-    const Eigen::Matrix2Xd shown = joinCorners(predictBoards(measurements, picture, plain));
+  for (std::size_t index : selectOnePerPose(fitted.measurements)) {
+    const ImageObservation& picture = fitted.measurements.pictures[index];
+    const RobotSample instant = sampleAt(fitted.measurements, fitted.model, picture, fitted.fit.unknowns);
+    const ModelState plain = predictState(fitted.measurements, fitted.model, picture, fitted.fit.unknowns);
+    const Eigen::Matrix2Xd shown = joinCorners(predictBoards(fitted.measurements, picture, plain));
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       const Term& term = inquiry.candidates()[candidates[i]];
       ModelState flawed = plain;
-      for (std::size_t at : sitesOn(term, measurements, picture)) {
+      for (std::size_t at : sitesOn(term, fitted.measurements, picture)) {
         term.effect.correct(flawed, instant, at, {result[i].size.data(), term.effect.unknowns.size()});
       }
-      const ModelState followed = predictState(measurements, model, picture, refitted[i]);
-      if (auto seen = computeShifts(index, joinCorners(predictBoards(measurements, picture, flawed)), shown,
-                                    joinCorners(predictBoards(measurements, picture, followed)))) {
+      const ModelState followed = predictState(fitted.measurements, fitted.model, picture, refitted[i]);
+      if (auto seen = computeShifts(index, joinCorners(predictBoards(fitted.measurements, picture, flawed)), shown,
+                                    joinCorners(predictBoards(fitted.measurements, picture, followed)))) {
         result[i].pictures.push_back(std::move(*seen));
       }
     }
   }
   for (EffectSignature& imprint : result) {
-    summarizeSignature(measurements, imprint);
+    summarizeSignature(fitted.measurements, imprint);
   }
   return result;
 }

@@ -27,8 +27,7 @@ struct EffectSignature {
 
 /// Of each of these candidates of an inquiry into `model` at its `fit`. A candidate that explains something has the
 /// size that was found, another one goes that way as far as is plausible.
-std::vector<EffectSignature> computeSignatures(const Measurements& measurements, const Model& model,
-                                               const CalibrationResult& fit, const CandidateTests& inquiry,
+std::vector<EffectSignature> computeSignatures(const FittedModel& fitted, const CandidateTests& inquiry,
                                                const std::vector<std::size_t>& candidates);
 
 } // namespace naocal

@@ -4,7 +4,7 @@
 
 namespace naocal {
 
-CaptureIndex indexCaptures(const std::vector<CaptureSet>& sets, const Measurements& measurements) {
+CaptureIndex indexCaptures(const Measurements& measurements) {
   CaptureIndex result;
   for (const auto& joint : measurements.robot.joints) {
     result.joints.push_back(joint.name);
@@ -13,9 +13,9 @@ CaptureIndex indexCaptures(const std::vector<CaptureSet>& sets, const Measuremen
     result.boards.push_back(target.name);
   }
   for (const ImageObservation& picture : measurements.pictures) {
-    const Capture& capture = sets[picture.set].captures[picture.capture];
+    const Capture& capture = measurements.captureOf(picture);
     result.pictures.push_back({capture.id, capture.camera});
-    const CameraIntrinsics& lens = sets[picture.set].cameras.at(capture.camera);
+    const CameraIntrinsics& lens = measurements.setOf(picture).cameras.at(capture.camera);
     result.cameras[capture.camera] = {lens.width, lens.height};
   }
   for (const PoseGroup& pose : measurements.poses) {
@@ -26,8 +26,8 @@ CaptureIndex indexCaptures(const std::vector<CaptureSet>& sets, const Measuremen
     std::sort(taken.pictures.begin(), taken.pictures.end(),
               [&](std::size_t a, std::size_t b) { return result.pictures[a].capture < result.pictures[b].capture; });
     const ImageObservation& first = measurements.pictures[taken.pictures.front()];
-    taken.set = sets[first.set].name;
-    taken.name = sets[first.set].captures[first.capture].pose;
+    taken.set = measurements.setOf(first).name;
+    taken.name = measurements.captureOf(first).pose;
   }
   return result;
 }

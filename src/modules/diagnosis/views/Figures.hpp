@@ -32,7 +32,7 @@ struct CaptureIndex {
   std::map<std::string, std::array<int, 2>> cameras; // width and height of their pictures [px]
 };
 
-CaptureIndex indexCaptures(const std::vector<CaptureSet>& sets, const Measurements& measurements);
+CaptureIndex indexCaptures(const Measurements& measurements);
 
 /// What a diagnosis's figures show beside its candidates' own.
 struct Figures {

@@ -97,18 +97,18 @@ Eigen::MatrixXd MotionFreeResidual::removeMotion(const Eigen::MatrixXd& columns)
   return columns - errors->motionRows * motion.solve(weighted.transpose() * columns);
 }
 
-MotionFreeResiduals::MotionFreeResiduals(const Measurements& measurements, const Model& model,
-                                         const CalibrationResult& fit) {
-  const std::vector<std::size_t> poseOf = posesOfPictures(measurements);
+MotionFreeResiduals::MotionFreeResiduals(const FittedModel& fitted) {
+  const std::vector<std::size_t> poseOf = posesOfPictures(fitted.measurements);
   using Repeats = std::array<std::size_t, 3>; // pose, camera, board
   std::map<Repeats, std::vector<std::size_t>> repeats;
   std::map<std::size_t, std::vector<PredictedBoard>> scenes; // by picture
-  for (const BoardResidual& errors : fit.sightings) {
+  for (const BoardResidual& errors : fitted.fit.sightings) {
     if (errors.residual.allFinite() && (errors.weight.array() > counts).count() >= leastCorners) {
-      const ImageObservation& picture = measurements.pictures[errors.picture];
+      const ImageObservation& picture = fitted.measurements.pictures[errors.picture];
       const auto [boards, fresh] = scenes.try_emplace(errors.picture);
       if (fresh) {
-        boards->second = predictBoards(measurements, picture, predictState(measurements, model, picture, fit.unknowns));
+        boards->second = predictBoards(fitted.measurements, picture,
+                                       predictState(fitted.measurements, fitted.model, picture, fitted.fit.unknowns));
       }
       const MotionFreeResidual& added = sightings_.emplace_back(removeMotions(errors, picture, boards->second));
       repeats[{poseOf[errors.picture], added.camera, added.board}].push_back(sightings_.size() - 1);
@@ -248,19 +248,18 @@ ImageField refitField(const ImageField& field, const MotionFreeResiduals& errors
                                              : fitCameraField(errors, measurements, field.at);
 }
 
-std::optional<ImageField> findStrikingField(const Measurements& measurements, const Model& model,
-                                            const CalibrationResult& fit) {
+std::optional<ImageField> findStrikingField(const FittedModel& fitted) {
   constexpr std::size_t fewCorners = 60; // of a board, to be looked at one by one: that takes their cube of time
-  const MotionFreeResiduals errors{measurements, model, fit};
+  const MotionFreeResiduals errors{fitted};
   std::vector<ImageField> fields;
-  for (std::size_t board = 0; board < measurements.targets.size(); ++board) {
-    fields.push_back(fitSheetField(errors, measurements, board));
-    if (measurements.targets[board].board.points.size() <= fewCorners) {
-      fields.push_back(fitCornerField(errors, measurements, board));
+  for (std::size_t board = 0; board < fitted.measurements.targets.size(); ++board) {
+    fields.push_back(fitSheetField(errors, fitted.measurements, board));
+    if (fitted.measurements.targets[board].board.points.size() <= fewCorners) {
+      fields.push_back(fitCornerField(errors, fitted.measurements, board));
     }
   }
-  for (std::size_t camera = 0; camera < measurements.robot.cameras.size(); ++camera) {
-    fields.push_back(fitCameraField(errors, measurements, camera));
+  for (std::size_t camera = 0; camera < fitted.measurements.robot.cameras.size(); ++camera) {
+    fields.push_back(fitCameraField(errors, fitted.measurements, camera));
   }
   const double p = threshold::fieldAlarm / static_cast<double>(fields.size());
   std::erase_if(fields, [&](const ImageField& field) {

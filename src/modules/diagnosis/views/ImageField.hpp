@@ -67,7 +67,7 @@ struct FieldFit {
 /// one measurement, and its noise is what those means leave, not what corners leave.
 class MotionFreeResiduals {
 public:
-  MotionFreeResiduals(const Measurements& measurements, const Model& model, const CalibrationResult& fit);
+  MotionFreeResiduals(const FittedModel& fitted);
   MotionFreeResiduals(const Measurements&, const Model&, CalibrationResult&&) = delete; // they point into it
 
   /// Fits `count` coefficients to the sightings that are `chosen`; `columns`: d(predicted) by the coefficients, two
@@ -102,7 +102,6 @@ ImageField fitCameraField(const MotionFreeResiduals& errors, const Measurements&
 ImageField refitField(const ImageField& field, const MotionFreeResiduals& errors, const Measurements& measurements);
 
 /// The field that explains most, if any does beyond chance and beyond what a lens or a detector is known to [px].
-std::optional<ImageField> findStrikingField(const Measurements& measurements, const Model& model,
-                                            const CalibrationResult& fit);
+std::optional<ImageField> findStrikingField(const FittedModel& fitted);
 
 } // namespace naocal

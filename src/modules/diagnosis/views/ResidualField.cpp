@@ -104,28 +104,27 @@ std::pair<double, double> addCorners(const BoardResidual& sighting, const Eigen:
 
 } // namespace
 
-ResidualField computeResidualField(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                   const Model& model, const CalibrationResult& fit) {
+ResidualField computeResidualField(const FittedModel& fitted) {
   std::map<std::size_t, Sightings> byPicture;
-  for (const BoardResidual& sighting : fit.sightings) {
+  for (const BoardResidual& sighting : fitted.fit.sightings) {
     if (sighting.residual.allFinite()) {
       byPicture[sighting.picture].push_back(&sighting);
     }
   }
   ResidualField result;
-  result.noisePx = fit.noise.pixel;
+  result.noisePx = fitted.fit.noise.pixel;
   std::map<CellPlace, CellSums> cells;
   for (const auto& [index, sightings] : byPicture) {
     const double all = trustedCorners(sightings);
     if (all <= 3) {
       continue;
     }
-    const ImageObservation& picture = measurements.pictures[index];
-    const CaptureSet& set = sets[picture.set];
+    const ImageObservation& picture = fitted.measurements.pictures[index];
+    const CaptureSet& set = fitted.measurements.setOf(picture);
     const CameraIntrinsics& lens = set.cameras.at(set.captures[picture.capture].camera);
     const Eigen::Matrix<double, 6, 1> motion = motionOf(sightings);
-    const std::vector<PredictedBoard> boards =
-        predictBoards(measurements, picture, predictState(measurements, model, picture, fit.unknowns));
+    const std::vector<PredictedBoard> boards = predictBoards(
+        fitted.measurements, picture, predictState(fitted.measurements, fitted.model, picture, fitted.fit.unknowns));
     for (const BoardResidual* sighting : sightings) {
       const auto [count, squares] = addCorners(*sighting, removeMotion(*sighting, motion), picture.camera, lens, cells);
       if (count > 0) { // six of the picture's numbers went into its motion

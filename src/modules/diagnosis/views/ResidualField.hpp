@@ -34,8 +34,7 @@ struct ResidualField {
 /// Takes the rigid motion (omega, v) of the scene before each camera out of a fit's residuals:
 ///
 ///   r - L (L^T W L)^-1 L^T W r,  L = `BoardResidual::motionRows`, W the corners' weights
-ResidualField computeResidualField(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                   const Model& model, const CalibrationResult& fit);
+ResidualField computeResidualField(const FittedModel& fitted);
 
 /// What one picture should show of one board if everything were as believed.
 struct PredictedBoard {

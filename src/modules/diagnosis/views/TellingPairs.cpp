@@ -149,17 +149,18 @@ std::vector<TellingPair> selectDiffering(std::vector<TellingPair> pairs) {
 
 } // namespace
 
-TellingPairs findTellingPairs(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
-                              const std::vector<DriverSeries>& drivers, const TellingOptions& options) {
-  const auto rows = Residuals{measurements, model, fit.noise, fit.loss}.rows(fit.state);
+TellingPairs findTellingPairs(const FittedModel& fitted, const std::vector<DriverSeries>& drivers,
+                              const TellingOptions& options) {
+  const auto rows =
+      Residuals{fitted.measurements, fitted.model, fitted.fit.noise, fitted.fit.loss}.rows(fitted.fit.state);
   if (!rows) {
     return {};
   }
   TellingPairs result;
-  result.joints = computeJointCorrections(measurements, *rows, fit.noise);
-  const std::vector<std::size_t> blocks = blocksOfPictures(measurements);
-  const std::vector<Value> right = cornerErrors(fit, blocks, Error::right),
-                           down = cornerErrors(fit, blocks, Error::down);
+  result.joints = computeJointCorrections(fitted.measurements, *rows, fitted.fit.noise);
+  const std::vector<std::size_t> blocks = blocksOfPictures(fitted.measurements);
+  const std::vector<Value> right = cornerErrors(fitted.fit, blocks, Error::right),
+                           down = cornerErrors(fitted.fit, blocks, Error::down);
   const std::vector<Value> rightOf = averageByPicture(right, blocks.size()),
                            downOf = averageByPicture(down, blocks.size());
   std::vector<std::vector<Value>> joints;

@@ -45,8 +45,8 @@ struct TellingOptions {
 /// each joint would have to be off by, over angles, torques, time, how joints were approached, their temperatures and
 /// speeds, and the place in the picture. What follows its driver beyond chance (`Trend`) is ranked by the share of
 /// all squared errors that goes with the curve: errors in pixels and of joints are measured by the same yardstick.
-TellingPairs findTellingPairs(const Measurements& measurements, const Model& model, const CalibrationResult& fit,
-                              const std::vector<DriverSeries>& drivers, const TellingOptions& options = {});
+TellingPairs findTellingPairs(const FittedModel& fitted, const std::vector<DriverSeries>& drivers,
+                              const TellingOptions& options = {});
 
 /// "the torque on LHipPitch", "the direction from which LHipPitch was approached"
 std::string describeDriver(const DriverSeries& driver, const Robot& robot);

@@ -114,13 +114,14 @@ std::vector<CaptureSet> appendPlannedCaptures(const std::vector<CaptureSet>& set
   return result;
 }
 
-std::vector<ProposedPose> filterFeasible(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                         const Model& model, const Eigen::VectorXd& unknowns,
-                                         const std::vector<LocalScene>& around, std::vector<ProposedPose> poses) {
+std::vector<ProposedPose> filterFeasible(const FittedModel& fitted, const std::vector<LocalScene>& around,
+                                         std::vector<ProposedPose> poses) {
+  const Measurements& measurements = fitted.measurements;
   const Robot& robot = measurements.robot;
   std::map<SupportFoot, PlanningScene> scenes;
   for (const LocalScene& here : around) {
-    scenes.try_emplace(here.supportFoot, robot, here.supportFoot, here.boards, sets.back().cameras, VisibilityLimits{});
+    scenes.try_emplace(here.supportFoot, robot, here.supportFoot, here.boards, measurements.sets->back().cameras,
+                       VisibilityLimits{});
   }
   std::map<std::size_t, ImageObservation> pictures; // per camera in use, the last one: only its angles will change
   for (const ImageObservation& picture : measurements.pictures) {
@@ -136,7 +137,8 @@ std::vector<ProposedPose> filterFeasible(const std::vector<CaptureSet>& sets, co
       picture.instant.q = pose.angles;
       picture.nominal.values.head(pose.angles.size()) = pose.angles;
       ModelState belief = scene.nominalState();
-      belief.values.head(ofRobot) = predictState(measurements, model, picture, unknowns).values.head(ofRobot);
+      belief.values.head(ofRobot) =
+          predictState(measurements, fitted.model, picture, fitted.fit.unknowns).values.head(ofRobot);
       const LinkPoses torsoFromLink = forwardKinematics(robot, belief);
       if (!isBalanced(robot, torsoFromLink, pose.supportFoot, fittedFooting)) {
         break;
@@ -156,13 +158,11 @@ namespace {
 
 /// The fit's unknowns in the order of a model of the same captures and planned ones; the robot stands anew where it
 /// stood last.
-Eigen::VectorXd extendUnknowns(const Measurements& extended, const Model& model, const FittedModel& fit,
+Eigen::VectorXd extendUnknowns(const FittedModel& fitted, const Measurements& extended, const Model& model,
                                const std::vector<LocalScene>& around) {
-  Eigen::VectorXd result = mapParameters(fit.model, fit.unknowns, model);
+  Eigen::VectorXd result = mapParameters(fitted.model, fitted.fit.unknowns, model);
   for (const Term& term : model.terms()) {
-    const auto& fitted = fit.model.terms();
-    if (term.effect.place != EffectSite::stance ||
-        std::any_of(fitted.begin(), fitted.end(), [&](const Term& each) { return each.label() == term.label(); })) {
+    if (term.effect.place != EffectSite::stance || fitted.model.find(term.label())) {
       continue;
     }
     for (const LocalScene& here : around) {
@@ -215,16 +215,16 @@ PoseInformation marginalInformation(PoseSystem pose, const Noise& noise, double 
   return {pose.unknowns, marginalize(pose, noise, jointErrorRoot(pose, noise)).hessian};
 }
 
-PlannedInformation predictInformation(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                      const FittedModel& fit, const ModelAmbiguity& question,
-                                      const std::vector<LocalScene>& around, const std::vector<ProposedPose>& poses,
-                                      bool samePlace) {
-  const Measurements extended =
-      buildMeasurements(appendPlannedCaptures(sets, measurements.robot, poses), measurements.robot, samePlace);
+PlannedInformation predictInformation(const FittedModel& fitted, const ModelAmbiguity& question,
+                                      const std::vector<LocalScene>& around, const std::vector<ProposedPose>& poses) {
+  const Measurements& measurements = fitted.measurements;
+  const Noise& noise = fitted.fit.noise;
+  const Measurements extended = buildMeasurements(appendPlannedCaptures(*measurements.sets, measurements.robot, poses),
+                                                  measurements.robot, measurements.samePlace);
   PlannedInformation result{buildModel(extended, question.with, question.without, question.effects), {}, {}};
   const Model model = addHypotheses(extended, result.own, question);
-  const Residuals residuals{extended, model, fit.noise};
-  const auto linear = residuals.linearise(residuals.startState(extendUnknowns(extended, model, fit, around)));
+  const Residuals residuals{extended, model, noise};
+  const auto linear = residuals.linearise(residuals.startState(extendUnknowns(fitted, extended, model, around)));
   if (!linear) {
     throw InputError{"the fit puts a corner that was seen behind the camera: these captures do not belong together"};
   }
@@ -237,9 +237,9 @@ PlannedInformation predictInformation(const std::vector<CaptureSet>& sets, const
   result.promised.resize(poses.size());
   for (std::size_t pose = 0; pose < linear->poses.size(); ++pose) {
     if (const auto found = planned.find(extended.poses[pose].name); found != planned.end()) {
-      result.promised[found->second] = marginalInformation(linear->poses[pose], fit.noise, samples);
+      result.promised[found->second] = marginalInformation(linear->poses[pose], noise, samples);
     } else {
-      marginalInformation(linear->poses[pose], fit.noise).addTo(result.known);
+      marginalInformation(linear->poses[pose], noise).addTo(result.known);
     }
   }
   return result;
@@ -267,9 +267,9 @@ template <typename Numbers> Placement onFloor(const Numbers& numbers) {
 
 } // namespace
 
-std::vector<LocalScene> findLocalScenes(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                        const Model& model, const Eigen::VectorXd& unknowns) {
-  const std::size_t lastSet = sets.size() - 1;
+std::vector<LocalScene> findLocalScenes(const FittedModel& fitted) {
+  const Measurements& measurements = fitted.measurements;
+  const std::size_t lastSet = measurements.sets->size() - 1;
   std::map<SupportFoot, const ImageObservation*> latest; // per foot
   std::set<std::size_t> seen;
   for (const ImageObservation& picture : measurements.pictures) {
@@ -288,7 +288,7 @@ std::vector<LocalScene> findLocalScenes(const std::vector<CaptureSet>& sets, con
   }
   std::vector<LocalScene> result;
   for (const auto& [foot, picture] : latest) {
-    const ModelState belief = predictState(measurements, model, *picture, unknowns);
+    const ModelState belief = predictState(measurements, fitted.model, *picture, fitted.fit.unknowns);
     LocalScene here{foot, onFloor(belief.worldFromSupport()), {}};
     for (const std::size_t target : seen) {
       Board board = measurements.targets[target].board; // its id as in its set

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "calibration/CalibrationResult.hpp"
 #include "estimation/Model.hpp"
 #include "estimation/Residuals.hpp"
 #include "poses/candidates/PoseSampler.hpp"
@@ -25,8 +26,7 @@ struct LocalScene {
 };
 
 /// One for each foot that the last set stands on (of both feet, the left one); none where no board lies on the floor.
-std::vector<LocalScene> findLocalScenes(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                        const Model& model, const Eigen::VectorXd& unknowns);
+std::vector<LocalScene> findLocalScenes(const FittedModel& fitted);
 
 /// The sets with captures of planned poses behind the last one's, as if they had been taken after it: the boards lie
 /// where they lay, the robot stands anew on each foot; every camera takes one picture a pose, and joints read what they
@@ -45,9 +45,8 @@ int plannedStanceId(const std::vector<CaptureSet>& sets, SupportFoot foot);
 
 /// Those poses in which the robot stands and sees a board when its joints are where the fitted model has them, not
 /// where they were sent; their sights so.
-std::vector<ProposedPose> filterFeasible(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                         const Model& model, const Eigen::VectorXd& unknowns,
-                                         const std::vector<LocalScene>& around, std::vector<ProposedPose> poses);
+std::vector<ProposedPose> filterFeasible(const FittedModel& fitted, const std::vector<LocalScene>& around,
+                                         std::vector<ProposedPose> poses);
 
 /// A pose's information about the unknowns that it depends on, its joints' deflections eliminated.
 struct PoseInformation {
@@ -60,13 +59,6 @@ struct PoseInformation {
 /// `samples`: pictures taken without moving, that is, with the same encoder errors.
 PoseInformation marginalInformation(PoseSystem pose, const Noise& noise, double samples = 1);
 
-/// A model that was fitted to captures.
-struct FittedModel {
-  const Model& model;
-  const Eigen::VectorXd& unknowns;
-  Noise noise;
-};
-
 /// What captures tell about the unknowns, and what planned ones would.
 struct PlannedInformation {
   Model own;                             // the question's model for all of them; the suspects' unknowns come behind
@@ -76,10 +68,8 @@ struct PlannedInformation {
 
 /// The measurement model linearised at the fit, for captures and planned poses (appendPlannedCaptures); suspects
 /// absent.
-PlannedInformation predictInformation(const std::vector<CaptureSet>& sets, const Measurements& measurements,
-                                      const FittedModel& fit, const ModelAmbiguity& question,
-                                      const std::vector<LocalScene>& around, const std::vector<ProposedPose>& poses,
-                                      bool samePlace);
+PlannedInformation predictInformation(const FittedModel& fitted, const ModelAmbiguity& question,
+                                      const std::vector<LocalScene>& around, const std::vector<ProposedPose>& poses);
 
 /// Pictures per pose and camera.
 double samplesPerPose(const Measurements& measurements);
