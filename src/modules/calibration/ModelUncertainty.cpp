@@ -12,20 +12,23 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <utility>
 
 namespace naocal {
 
 namespace {
 
-/// Whether the wide prior is the likelier one. `value`, `variance`: under the narrow one, in units of its sigma.
-///   -2 ln likelihood(w) = ln(1 + w^2 V) - s^2 / (V + w^-2),   V the data's information, s their score at zero
-bool isWide(double value, double variance) {
+/// Whether the wide prior is the likelier one for all of an effect's unknowns together. `values`, `variances`: under
+/// the narrow one, in units of its sigmas.
+///   -2 ln likelihood(w) = sum ln(1 + w^2 V) - s^2 / (V + w^-2),   V the data's information, s their score at zero
+bool isWide(const Eigen::ArrayXd& values, const Eigen::ArrayXd& variances) {
   const auto& [narrow, wide] = plausibleWidths;
-  const double information = std::max(0.0, 1 / variance - 1), score = value / variance;
+  const Eigen::ArrayXd information = (1 / variances - 1).max(0), scores = values / variances;
   const auto cost = [&](const PlausibleWidth& prior) {
     const double square = prior.width * prior.width;
-    return std::log1p(square * information) - score * score / (information + 1 / square) - 2 * std::log(prior.odds);
+    return ((square * information).log1p() - scores.square() / (information + 1 / square)).sum() -
+           2 * std::log(prior.odds);
   };
   return cost(wide) < cost(narrow);
 }
@@ -36,14 +39,15 @@ std::optional<Model> addPriors(const Model& model, const Eigen::VectorXd& unknow
   Model result;
   bool widened = false;
   for (Term term : model.terms()) {
-    const bool added = term.requested && !term.isPlacement && !term.effect.base;
-    for (std::size_t i = 0; added && i < term.effect.unknowns.size(); ++i) {
-      double& sigma = term.effect.unknowns[i].sigma;
-      if (isWide(unknowns[eigenIndex(term.first + i)] / sigma,
-                 variances[eigenIndex(term.first + i)] / (sigma * sigma))) {
-        sigma *= plausibleWidths[1].width;
-        widened = true;
+    const Eigen::ArrayXd sigmas = term.sigmas();
+    const auto first = eigenIndex(term.first), count = sigmas.size();
+    if (term.requested && !term.isPlacement && !term.effect.base &&
+        isWide(unknowns.segment(first, count).array() / sigmas,
+               variances.segment(first, count).array() / sigmas.square())) {
+      for (Unknown& unknown : term.effect.unknowns) {
+        unknown.sigma *= plausibleWidths[1].width;
       }
+      widened = true;
     }
     result.add(std::move(term));
   }
@@ -285,6 +289,42 @@ Explained explain(const Measurements& measurements, const Model& model, const Fi
   return result;
 }
 
+namespace {
+
+/// The window's models by their effects, likeliest first. `added`: effects that were added to the base model.
+std::vector<Explanation> listExplanations(const Explained& explained, const std::vector<Term>& added) {
+  constexpr double worthNaming = 0.01;
+  std::map<std::vector<std::size_t>, double> weights; // by groups, whatever their widths
+  for (const WindowModel& one : explained.window.models) {
+    std::vector<std::size_t> groups;
+    for (const WindowMember& member : one.members) {
+      groups.push_back(member.group);
+    }
+    weights[groups] += one.weight;
+  }
+  std::vector<Explanation> result;
+  for (const auto& [groups, weight] : weights) {
+    if (weight <= worthNaming) {
+      continue;
+    }
+    Explanation explanation{{}, {}, weight};
+    for (const std::size_t group : groups) {
+      explanation.effects.push_back(explained.names[group]);
+    }
+    for (const Term& term : added) {
+      if (std::erase(explanation.effects, term.label()) == 0) {
+        explanation.without.push_back(term.label());
+      }
+    }
+    result.push_back(std::move(explanation));
+  }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const Explanation& a, const Explanation& b) { return a.weight > b.weight; });
+  return result;
+}
+
+} // namespace
+
 void describe(const Explained& explained, const Model& model, CalibrationResult& result) {
   const ModelWindow& window = explained.window;
   const Eigen::VectorXd widening = computeLevelWidening(explained.fit.minimum.linear, model.sigmas(), explained.levels);
@@ -297,23 +337,7 @@ void describe(const Explained& explained, const Model& model, CalibrationResult&
                  .low = mean + (low - mean) * widening[i],
                  .high = mean + (high - mean) * widening[i]};
   }
-  constexpr double worthNaming = 0.01;
-  const std::vector<Term> added = addedEffects(model);
-  for (const WindowModel& one : window.models) {
-    if (one.weight <= worthNaming) {
-      continue;
-    }
-    Explanation explanation{{}, {}, one.weight};
-    for (const WindowMember& member : one.members) {
-      explanation.effects.push_back(explained.names[member.group]);
-    }
-    for (const Term& term : added) {
-      if (std::erase(explanation.effects, term.label()) == 0) {
-        explanation.without.push_back(term.label());
-      }
-    }
-    result.explanations.push_back(std::move(explanation));
-  }
+  result.explanations = listExplanations(explained, addedEffects(model));
   result.misfitLeft = window.misfit;
   result.scatter = explained.levels.scatter;
   result.pValue = explained.pValue;

@@ -10,6 +10,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -44,50 +45,25 @@ public:
     countGroups();
   }
 
-  /// The model with these members; the likelier of the plausible widths.
+  /// The model with these members: its cost is that of all widths together, its estimates are those of the likeliest.
   WindowModel model(const Members& members) {
-    WindowModel result{.members = members};
-    const std::vector<Eigen::Index> columns = columnsOf(members);
-    const auto count = eigenIndex(columns.size());
-    if (count == 0) {
-      result.unknowns = alone0_;
-      result.variances = variances_;
-      result.chi2 = std::max(0.0, chi2OfNone_);
-      result.freedom = std::max(1.0, misfit_.freedom);
-      return result;
+    std::vector<WindowModel> all = modelsOfEveryWidth(members);
+    const auto best = likeliestOf(all);
+    WindowModel result = estimate(std::move(*best));
+    double sum = 0;
+    for (const WindowModel& one : all) {
+      sum += std::exp((best->cost - one.cost) / 2);
     }
-    const Eigen::MatrixXd information = informationOf(members, count);
-    const Eigen::VectorXd score = score_(columns);
-    double best = std::numeric_limits<double>::infinity(), sum = 0;
-    Eigen::VectorXd sizes = Eigen::VectorXd::Zero(count);
-    Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(count, count);
-    for (const auto& [width, odds] : plausibleWidths) {
-      Eigen::MatrixXd posterior = information;
-      posterior.diagonal().array() += 1 / (width * width);
-      const Eigen::LLT<Eigen::MatrixXd> factor{posterior};
-      if (factor.info() != Eigen::Success) { // members that are one to the last digit: a model without weight
-        continue;
-      }
-      const Eigen::VectorXd estimate = factor.solve(score);
-      const double cost = 2 * factor.matrixLLT().diagonal().array().log().sum() +
-                          2 * static_cast<double>(count) * std::log(width) - score.dot(estimate) - 2 * std::log(odds);
-      if (cost < best) {
-        sum = sum * std::exp((cost - best) / 2) + 1;
-        best = cost;
-        sizes = estimate;
-        spread = factor.solve(Eigen::MatrixXd::Identity(count, count));
-      } else {
-        sum += std::exp((best - cost) / 2);
-      }
-    }
-    result.cost = best - 2 * std::log(sum) + priorCost(members);
-    const Eigen::MatrixXd answers = answers_(Eigen::all, columns);
-    result.unknowns = alone0_ - answers * sizes;
-    result.variances = variances_ + (answers * spread).cwiseProduct(answers).rowwise().sum();
-    result.sizes = problem_.plausible(columns).cwiseProduct(sizes);
-    result.chi2 = std::max(0.0, chi2OfNone_ - 2 * score.dot(sizes) + sizes.dot(information * sizes));
-    result.freedom = std::max(1.0, misfit_.freedom - information.cwiseProduct(spread).sum());
+    result.cost -= 2 * std::log(sum);
     return result;
+  }
+  /// The same, one for each choice of its members' plausible widths.
+  std::vector<WindowModel> modelsByWidth(const Members& members) {
+    std::vector<WindowModel> all = modelsOfEveryWidth(members);
+    for (WindowModel& one : all) {
+      one = estimate(std::move(one));
+    }
+    return all;
   }
 
   std::size_t groups() const { return problem_.groups.size(); }
@@ -104,6 +80,62 @@ public:
   double misfitOf(const WindowModel& model) const { return std::max(1.0, model.chi2 / model.freedom); }
 
 private:
+  static std::vector<WindowModel>::iterator likeliestOf(std::vector<WindowModel>& models) {
+    return std::min_element(models.begin(), models.end(),
+                            [](const WindowModel& a, const WindowModel& b) { return a.cost < b.cost; });
+  }
+  /// A posterior precision of the members' sizes, in units of what is plausible: information + 1 / width^2.
+  static Eigen::MatrixXd posteriorPrecision(const WindowModel& model, Eigen::MatrixXd information) {
+    Eigen::Index column = 0;
+    for (std::size_t i = 0; i < model.members.size(); ++i) {
+      for (Eigen::Index k = 0; k < model.members[i].count; ++k, ++column) {
+        information(column, column) += 1 / (model.widths[i] * model.widths[i]);
+      }
+    }
+    return information;
+  }
+  /// Costs alone. Each effect has a width of its own: one that is large in one of its numbers is likely so in the
+  /// others, and nothing follows from it for another effect. Members that are one to the last digit: a model without
+  /// weight.
+  std::vector<WindowModel> modelsOfEveryWidth(const Members& members) {
+    const std::vector<Eigen::Index> columns = columnsOf(members);
+    const Eigen::MatrixXd information = informationOf(members, eigenIndex(columns.size()));
+    const Eigen::VectorXd score = score_(columns);
+    const double prior = priorCost(members);
+    std::vector<WindowModel> result;
+    const std::size_t choices = std::size_t{1} << members.size();
+    static_assert(std::size(plausibleWidths) == 2);
+    for (std::size_t choice = 0; choice < choices; ++choice) {
+      WindowModel& one = result.emplace_back(WindowModel{.members = members, .cost = prior});
+      for (std::size_t i = 0; i < members.size(); ++i) {
+        const PlausibleWidth& width = plausibleWidths[choice >> i & 1];
+        one.widths.push_back(width.width);
+        one.cost += 2 * static_cast<double>(members[i].count) * std::log(width.width) - 2 * std::log(width.odds);
+      }
+      const Eigen::LLT<Eigen::MatrixXd> factor{posteriorPrecision(one, information)};
+      one.cost = factor.info() == Eigen::Success
+                     ? one.cost + 2 * factor.matrixLLT().diagonal().array().log().sum() - score.dot(factor.solve(score))
+                     : std::numeric_limits<double>::max();
+    }
+    return result;
+  }
+  /// Adds estimates and misfit.
+  WindowModel estimate(WindowModel result) {
+    const std::vector<Eigen::Index> columns = columnsOf(result.members);
+    const auto count = eigenIndex(columns.size());
+    const Eigen::MatrixXd information = informationOf(result.members, count);
+    const Eigen::VectorXd score = score_(columns);
+    const Eigen::LDLT<Eigen::MatrixXd> factor{posteriorPrecision(result, information)};
+    const Eigen::VectorXd sizes = factor.solve(score);
+    const Eigen::MatrixXd spread = factor.solve(Eigen::MatrixXd::Identity(count, count));
+    const Eigen::MatrixXd answers = answers_(Eigen::all, columns);
+    result.unknowns = alone0_ - answers * sizes;
+    result.variances = variances_ + (answers * spread).cwiseProduct(answers).rowwise().sum();
+    result.sizes = problem_.plausible(columns).cwiseProduct(sizes);
+    result.chi2 = std::max(0.0, chi2OfNone_ - 2 * score.dot(sizes) + sizes.dot(information * sizes));
+    result.freedom = std::max(1.0, misfit_.freedom - information.cwiseProduct(spread).sum());
+    return result;
+  }
   std::vector<Eigen::Index> columnsOf(const Members& members) const {
     std::vector<Eigen::Index> columns;
     for (const WindowMember& member : members) {
@@ -249,8 +281,8 @@ WindowModel findLikeliest(Window& window) {
   return best;
 }
 
-/// The model and all its neighbours.
-std::vector<WindowModel> neighbours(Window& window, const WindowModel& best) {
+/// The model and all its neighbours, each with every choice of widths.
+std::vector<WindowModel> findNeighbours(Window& window, const WindowModel& best) {
   std::vector<WindowModel> result{best};
   for (std::size_t i = 0; i < best.members.size(); ++i) {
     const Members smaller = removeMember(best.members, i);
@@ -264,7 +296,15 @@ std::vector<WindowModel> neighbours(Window& window, const WindowModel& best) {
   if (best.members.size() < mostMembers) {
     visitAdditions(window, best.members, [&](WindowModel larger) { result.push_back(std::move(larger)); });
   }
-  return result;
+  std::vector<WindowModel> byWidth;
+  const double most = best.cost - 2 * std::log(leastWeight);
+  for (const WindowModel& model : result) {
+    if (model.cost < most) {
+      std::vector<WindowModel> models = window.modelsByWidth(model.members);
+      std::move(models.begin(), models.end(), std::back_inserter(byWidth));
+    }
+  }
+  return byWidth;
 }
 
 } // namespace
@@ -272,7 +312,7 @@ std::vector<WindowModel> neighbours(Window& window, const WindowModel& best) {
 ModelWindow searchModelWindow(const WideModel& wide, const Noise& noise, std::size_t expected) {
   Window window{wide, noise, expected};
   ModelWindow result;
-  result.models = neighbours(window, findLikeliest(window));
+  result.models = findNeighbours(window, findLikeliest(window));
   std::sort(result.models.begin(), result.models.end(),
             [](const WindowModel& a, const WindowModel& b) { return a.cost < b.cost; });
   const WindowModel& best = result.models.front();
