@@ -15,7 +15,7 @@ namespace naocal {
 
 namespace {
 
-/// Fit and noise levels that belong together, and what may be missing.
+/// A fit with consistent noise levels, and the analysis of missing effects.
 struct Answer {
   Fit fit;
   NoiseLevels levels;
@@ -23,7 +23,7 @@ struct Answer {
   std::optional<Explained> explained;
 };
 
-/// The pixels' part of the noise, as far as the captures tell it.
+/// Estimates the pixel noise from repeats, else within images unless configured. Returns whether repeats gave it.
 bool estimatePixelNoise(const Measurements& measurements, const Model& model, const Fit& fit,
                         const CalibrationOptions& options, Noise& noise) {
   const Residuals residuals{measurements, model, fit.noise, fit.loss};
@@ -52,7 +52,7 @@ Fit fitFurther(const Measurements& measurements, const Model& model, const Calib
                         : refit(measurements, model, noise, Loss{}, std::move(from), coarseTolerance);
 }
 
-/// On from a fit: pixel noise, the joints' levels under the widest model, and what may be missing at those levels.
+/// Refines a fit: pixel noise, joint noise levels under the widest model, and missing effects at those levels.
 Answer findAnswer(const Measurements& measurements, const Model& model, const CalibrationOptions& options, Fit fit) {
   Answer answer{fitFurther(measurements, model, options, options.noise, std::move(fit)), {options.noise}, false, {}};
   if (options.estimateNoise) {
@@ -69,13 +69,13 @@ Answer findAnswer(const Measurements& measurements, const Model& model, const Ca
     answer.fit = answer.explained->fit;
   } else {
     const Loss loss = answer.fit.loss;
-    answer.fit = refit(measurements, model, answer.levels.noise, loss, std::move(answer.fit)); // to the last digit
+    answer.fit = refit(measurements, model, answer.levels.noise, loss, std::move(answer.fit)); // converges fully
   }
   return answer;
 }
 
-/// Sets aside, one after the other, sightings whose board moved beyond doubt, whatever explains the rest. Returns the
-/// measurements that are left, if any were set aside.
+/// Excludes, one at a time, sightings whose board was displaced beyond doubt under any explanation. Returns the
+/// remaining measurements, or nothing if none was excluded.
 std::optional<Measurements> excludeMovedBoards(const Measurements& measurements, const Model& model,
                                                const CalibrationOptions& options, Answer& answer) {
   const std::size_t most = Accidents{measurements, {}}.mostSetAside();

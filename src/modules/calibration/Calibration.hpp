@@ -4,8 +4,8 @@
 
 namespace naocal {
 
-/// The straight line from captures to trustworthy numbers: start, fit, noise levels, fit, what may be missing,
-/// uncertainty, doubts, verdict. Throws InputError when there is nothing to fit.
+/// Calibrates the robot: start, fit, noise levels, refit, missing effects, uncertainty, outliers, verdict. Throws
+/// InputError if there is nothing to fit or no start keeps all observed corners in front of the camera.
 CalibrationResult calibrate(const Measurements& measurements, const Model& model,
                             const CalibrationOptions& options = {});
 

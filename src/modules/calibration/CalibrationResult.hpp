@@ -15,41 +15,41 @@
 namespace naocal {
 
 struct CalibrationOptions {
-  Noise noise;               // assumed where the captures cannot tell it
-  bool pixelGiven = false;   // the pixel noise was set by a person: taken as it is where no repeats tell it
-  bool estimateNoise = true; // from repeats, where there are any
-  /// Also asks what may be missing: noise levels from the widest model, offsets averaged over what could be missing,
-  /// and whether the captures show it. Without: noise levels as if nothing could be.
+  Noise noise;               // assumed where the captures do not determine it
+  bool pixelGiven = false;   // `noise.pixel` is user-supplied: kept unless repeats determine it
+  bool estimateNoise = true; // estimates joint noise from repeats, where present
+  /// Tests for missing effects: noise levels from the widest model, offsets averaged over possible explanations, and
+  /// the evidence. If false, noise levels assume a complete model.
   bool question = true;
-  std::vector<Effect> effects = allEffects(); // that may be missing
-  Eigen::Index draws = 199;                   // of pure noise, for the p-value
+  std::vector<Effect> effects = allEffects(); // candidates for missing effects
+  Eigen::Index draws = 199;                   // bootstrap draws of pure noise for the p-value
   std::uint64_t drawSeed = 1;
-  bool robust = true;           // doubtful corners lose their weight (and are listed)
-  bool excludeDisplaced = true; // so are, if robust, sightings whose board moved
-  bool alternate = false;       // the thesis's way: joints and cameras in turns instead of together
-  int restarts = 0;             // further random starts; the lowest cost wins
+  bool robust = true;           // downweights and lists doubtful corners
+  bool excludeDisplaced = true; // if robust, also excludes sightings whose board was displaced
+  bool alternate = false;       // alternates joints and cameras as in the thesis, instead of a joint fit
+  int restarts = 0;             // additional random starts; the lowest cost wins
   std::uint64_t seed = 1;
   std::optional<Eigen::VectorXd>
-      start;                // unknowns to start from, instead of zero with placements found from the pictures
-  std::optional<Loss> loss; // under which `start` was found, where the search shall go on as it ended
+      start;                // initial unknowns; default: zero, with placements initialised from the pictures
+  std::optional<Loss> loss; // loss under which `start` was found; continues that search
 };
 
-/// An unknown's value over everything that could be missing (`ModelWindow`).
+/// An unknown's estimate averaged over possible missing effects (`ModelWindow`).
 struct Averaged {
   double value = 0, sigma = 0;
   double low = 0, high = 0; // 95 % interval
 };
 
-/// One unknown's estimate.
+/// Estimate of one unknown.
 struct Estimate {
-  double value = 0;                      // of the model as it is [the unknown's unit]
-  double sigma = 0;                      // standard error, widened by `sigmaScale`
-  double halfWidth = 0;                  // of the 95 % interval: Student's t where noise levels rest on few poses
-  double freedom = 0;                    // of that t
+  double value = 0;                      // under the model as given [the unknown's unit]
+  double sigma = 0;                      // standard error, already scaled by `sigmaScale`
+  double halfWidth = 0;                  // of the 95 % interval: Student's t if few poses determine the noise levels
+  double freedom = 0;                    // degrees of freedom of that t distribution
   double learned = 0;                    // 1 - posterior sigma / prior sigma, at least 0
-  std::optional<Averaged> averaged = {}; // where the question was asked what may be missing
+  std::optional<Averaged> averaged = {}; // if `CalibrationOptions::question` was set
 
-  /// The answer: over what could be missing where that was asked, else the model's.
+  /// Final value: averaged over possible missing effects if tested, else under the model as given.
   double best() const { return averaged ? averaged->value : value; }
   double bestSigma() const { return averaged ? averaged->sigma : sigma; }
   std::array<double, 2> interval() const {
@@ -57,72 +57,72 @@ struct Estimate {
   }
 };
 
-/// One explanation of the captures: the model with these effects and curves, and without those.
+/// One explanation of the captures: the model plus `effects` and curves, minus `without`.
 struct Explanation {
-  std::vector<std::string> effects; // labels beyond the model's; empty: the model as it is
-  std::vector<std::string> without; // of those that were added to the base: it does without them
-  double weight = 0;                // of 1 for all explanations
+  std::vector<std::string> effects; // labels of additional effects; empty: the model as given
+  std::vector<std::string> without; // user-added effects that this explanation omits
+  double weight = 0;                // posterior weight; all explanations sum to 1
 };
 
-/// A combination of unknowns that the captures hardly tell: a direction of unit length, and the standard error along
-/// it. In radians where all that takes part are angles, else counted in units of the priors' sigmas.
+/// A combination of unknowns that the captures hardly determine: a unit direction and the standard error along it, in
+/// radians if all parts are angles, else in units of the prior sigmas.
 struct WeakDirection {
-  std::vector<std::pair<std::string, double>> parts; // unknown, share
+  std::vector<std::pair<std::string, double>> parts; // (unknown, component)
   double sigma = 0;
   std::string unit; // "rad" or "prior sigmas"
   std::string sentence;
 };
 
-/// A corner or a whole sighting that does not fit the rest. It is kept and listed, never dropped in silence.
+/// A corner or a whole sighting that disagrees with the rest. Outliers are kept and always listed.
 struct Outlier {
   std::size_t picture = 0, sighting = 0;
-  std::vector<int> corners; // ids; all of the sighting's when `whole`
-  bool whole = false;       // most of the sighting does not fit: the board or the robot was moved
-  double distance = 0;      // rms of what does not fit [px]
+  std::vector<int> corners; // corner ids; all ids of the sighting if `whole`
+  bool whole = false;       // most of the sighting disagrees: the board or robot was moved
+  double distance = 0;      // rms residual of the outlying corners [px]
 };
 
-/// Why a result should be used with care, and what to do.
+/// A reason for caution, with advice.
 struct Warning {
   enum class About { fit, offset, floor };
   About about;
   std::string sentence;
 };
 
-/// What a result is worth.
+/// Overall quality of a result.
 enum class ResultVerdict {
   good,         // the model explains the captures
-  causeMissing, // usable, but something is missing: find it
+  causeMissing, // usable, but an effect is missing and should be identified
   doNotUse
 };
 
 struct CalibrationResult {
   bool converged = false;
   ResultVerdict verdict = ResultVerdict::good;
-  bool usable = false;  // not `doNotUse`
-  std::string sentence; // the verdict in words, the same on every screen
+  bool usable = false;  // verdict is not `doNotUse`
+  std::string sentence; // the verdict as a sentence, identical on all surfaces
   std::vector<Warning> warnings;
   Eigen::VectorXd unknowns;
-  std::vector<Estimate> estimates; // per unknown
-  Eigen::MatrixXd covariance;      // of the unknowns
+  std::vector<Estimate> estimates; // one per unknown
+  Eigen::MatrixXd covariance;      // of the unknowns, scaled by `misfit`
   Residuals::State state;
-  std::vector<BoardResidual> sightings;          // at the estimate, the joints' deflections included
-  std::vector<BoardResidual> withReportedAngles; // the same sightings with the joints' readings as they are
-  Noise noise;                                   // before any scaling by `sigmaScale`
+  std::vector<BoardResidual> sightings;          // at the estimate, including the joints' deflections
+  std::vector<BoardResidual> withReportedAngles; // the same sightings, with joint angles as read
+  Noise noise;                                   // before scaling by `sigmaScale`
   std::string noiseSource;                       // "repeats" or "configured"
   Loss loss;
-  double rmsPx = 0, medianPx = 0; // of all corners' distances without their poses' deflections [px]
-  double noiseFloorPx = 0;        // rms distance that noise alone would leave [px]
+  double rmsPx = 0, medianPx = 0; // corner distances, joint angles as read [px]
+  double noiseFloorPx = 0;        // expected rms distance under noise alone [px]
   double chi2 = 0, dof = 0;
-  double pValue = 1;                     // how often pure noise would show as striking a sign that something is missing
-  bool matters = false;                  // what shows moves corners by more than a lens is known to
-  double sigmaScale = 1;                 // sqrt(`misfit`): how far error bars are widened
-  double misfit = 1;                     // from pose to pose, chi2 / freedom of the model as it is, where above 1
-  double misfitLeft = 1;                 // the same of the likeliest explanation
-  double scatter = 0;                    // fall of -2 ln likelihood from no pose noise to the level found
-  std::vector<Explanation> explanations; // likeliest first; those that weigh more than a hundredth
+  double pValue = 1;                     // probability that pure noise shows evidence this strong for a missing effect
+  bool matters = false;                  // the missing effect moves corners by more than `threshold::negligiblePx`
+  double sigmaScale = 1;                 // sqrt(`misfit`): scale factor of the standard errors
+  double misfit = 1;                     // chi2 / freedom between poses of the model as given, at least 1
+  double misfitLeft = 1;                 // the same for the likeliest explanation
+  double scatter = 0;                    // decrease of -2 ln likelihood from zero to the estimated pose noise
+  std::vector<Explanation> explanations; // by decreasing weight; weights above 0.01
   std::vector<WeakDirection> weak;
   std::vector<Outlier> doubts;
-  double floorErrorAt2m = 0; // predicted error of a floor point 2 m ahead, 1 sigma, scaled [m]; 0 without floor boards
+  double floorErrorAt2m = 0; // 1-sigma error of a floor point 2 m ahead [m], times `sigmaScale`; 0 without floor boards
   int iterations = 0;
   int restartsTried = 0;
   bool restartsChanged = false;

@@ -12,7 +12,7 @@ namespace naocal {
 
 namespace {
 
-/// A sum over pictures of drawn - believed, and its gradient.
+/// Sum over pictures of nominal - predicted angle [rad], and its gradient by the unknowns.
 struct Sum {
   double value = 0;
   Eigen::VectorXd gradient;

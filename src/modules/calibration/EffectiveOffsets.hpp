@@ -7,19 +7,19 @@
 
 namespace naocal {
 
-/// What a joint's encoder shows too much with its gear where load and motion leave it: o with the corrections of
-/// the model's other effects, the mean over the pictures in which it lies between board and camera. That much a
-/// constant angle can compensate.
+/// Mean excess of a joint's encoder reading over the modelled angle: offset o plus the corrections of the model's other
+/// effects, averaged over the pictures in which the joint lies between board and camera. A constant offset can
+/// compensate this much.
 struct EffectiveOffset {
   std::string joint;
-  double value = 0, sigma = 0; // [rad]
-  double learned = 0;          // about o: 1 - posterior sigma / prior sigma
+  double value = 0, sigma = 0; // mean and standard error [rad]
+  double learned = 0;          // of o: 1 - posterior sigma / prior sigma
 };
 
-/// Of every measured joint.
+/// One entry per measured joint whose offset is in the model.
 std::vector<EffectiveOffset> effectiveOffsets(const FittedModel& fitted);
 
-/// Whether the captures tell it: else a robot had better keep what it has.
+/// Whether the captures determine the offset (learned >= 0.5). If not, the robot should keep its present value.
 bool isLearned(const EffectiveOffset& offset);
 
 } // namespace naocal

@@ -14,7 +14,8 @@ namespace naocal {
 
 namespace {
 
-/// Joints and cameras in turns, placements along with both, until a whole round changes nothing (the thesis's way).
+/// Alternates joints and cameras, each with the placements, until a full round changes nothing (the method of the
+/// thesis).
 std::optional<FitMinimum> alternate(Residuals& residuals, Residuals::State state) {
   const auto ofJoint = [](const Term& term) {
     return term.effect.place == EffectSite::motor || term.effect.place == EffectSite::joint;
@@ -51,7 +52,7 @@ std::optional<FitMinimum> alternate(Residuals& residuals, Residuals::State state
   return minimum;
 }
 
-/// Physics drawn from its priors (never beyond two sigma), placements found anew from the pictures.
+/// Random start: physical unknowns uniform within one prior sigma, placements initialised from the pictures.
 Eigen::VectorXd randomStart(const Measurements& measurements, const Model& model, std::mt19937_64& random) {
   Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.unknownCount()));
   std::uniform_real_distribution<double> uniform{-1, 1};
@@ -63,13 +64,13 @@ Eigen::VectorXd randomStart(const Measurements& measurements, const Model& model
   return alignBoards(measurements, model, unknowns);
 }
 
-/// Which part of all corners lies within `distance` noise levels of its prediction, where all are good (Rayleigh).
+/// Share of good corners within `distance` noise levels of their prediction (Rayleigh distribution).
 struct Quantile {
   double share, distance;
 };
 constexpr Quantile medianCorner{0.5, 1.17741}, farCorner{0.9, 2.14597};
 
-/// Noise per axis of which this part of all corners would lie as near as it does [px].
+/// Noise per axis [px] at which `quantile.share` of all corners lies within the observed quantile.
 double spreadOf(const std::vector<BoardResidual>& sightings, const Quantile& quantile) {
   std::vector<double> distances;
   for (const BoardResidual& sighting : sightings) {
@@ -85,11 +86,11 @@ double spreadOf(const std::vector<BoardResidual>& sightings, const Quantile& qua
 }
 
 double lossScale(const std::vector<BoardResidual>& sightings, double pixelNoise) {
-  constexpr double harmless = 0.3; // [px]: what corners of printed boards scatter by; however small the noise is here
+  constexpr double harmless = 0.3; // [px]: scatter of corners of printed boards; lower bound of the loss scale
   return std::max({1.0, spreadOf(sightings, medianCorner) / pixelNoise, harmless / pixelNoise});
 }
 
-/// rms distance of all corners from where the joints' readings put them [px].
+/// rms distance of all corners from their prediction at the joint angles as read [px].
 double rmsAsReported(const Measurements& measurements, const Model& model, const Fit& fit) {
   const Residuals residuals{measurements, model, fit.noise, fit.loss};
   double squares = 0, count = 0;
@@ -100,8 +101,8 @@ double rmsAsReported(const Measurements& measurements, const Model& model, const
   return std::sqrt(squares / count);
 }
 
-/// By how much a corner lies off where the joints' readings put it beyond what noise does: a variance per axis [px^2],
-/// of all but the farthest tenth. 0: within a fifth of the noise. Absent where one lies behind its camera.
+/// Misfit variance per axis [px^2] beyond the noise floor, joint angles as read, from the 90 % quantile of the
+/// distances. 0 if the distances are below 1.2 times the noise floor. Absent if a corner lies behind its camera.
 std::optional<double> assessMisfit(const Residuals& residuals, const Residuals::State& state) {
   constexpr double sound = 1.2;
   const double spread = spreadOf(residuals.boardResiduals(residuals.startState(state.unknowns)), farCorner);
@@ -112,8 +113,8 @@ std::optional<double> assessMisfit(const Residuals& residuals, const Residuals::
   return spread < sound * floor ? 0 : spread * spread - floor * floor;
 }
 
-/// The same unknowns under another noise and loss; deflections come to rest there. Absent where that puts a corner
-/// behind its camera.
+/// The same unknowns under other noise and loss, with deflections re-optimised. Absent if a corner comes to lie behind
+/// its camera.
 std::optional<Fit> restart(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss,
                            const Fit& from) {
   Residuals residuals{measurements, model, noise, loss};
@@ -183,14 +184,14 @@ Fit refit(const Measurements& measurements, const Model& model, const Noise& noi
       from.noise.reapproach == noise.reapproach) {
     start.deflections = from.minimum.state.deflections;
   } else {
-    // deflections are counted in units of their spread: find them anew, by one quadratic step from the same unknowns
+    // deflections are in units of their sigma, which has changed: one quadratic step at the same unknowns
     const Residuals quadratic{measurements, model, noise};
     if (const auto linear = quadratic.linearise(start)) {
       start = quadratic.applyStep(start, *linear, Eigen::VectorXd::Zero(from.minimum.state.unknowns.size()));
     }
   }
   auto minimum = levenbergMarquardt(residuals, std::move(start), {.minCostDecrease = smallestFall});
-  if (!minimum) { // the quadratic step went astray where the old minimum was possible: start from no deflection
+  if (!minimum) { // the quadratic step made the start infeasible: restart from zero deflections
     minimum = levenbergMarquardt(residuals, residuals.startState(from.minimum.state.unknowns),
                                  {.minCostDecrease = smallestFall});
   }
@@ -204,7 +205,7 @@ Fit refit(const Measurements& measurements, const Model& model, const Noise& noi
 Fit fitNearly(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss,
               const Eigen::VectorXd& unknowns) {
   Fit from{
-      Noise{.pixel = noise.pixel, .encoder = -1, .pose = -1}, loss, {}}; // other levels: deflections are found anew
+      Noise{.pixel = noise.pixel, .encoder = -1, .pose = -1}, loss, {}}; // differs from `noise`: forces new deflections
   from.minimum.state.unknowns = unknowns;
   return refit(measurements, model, noise, loss, std::move(from), nearly);
 }
@@ -240,7 +241,7 @@ Fit fitFully(const Measurements& measurements, const Model& model, Fit from) {
 
 Fit weighByMisfit(const Measurements& measurements, const Model& model, const Fit& from) {
   constexpr int rounds = 2;
-  constexpr double nearer = 0.9; // of the error: else the weights that are right for noise stay
+  constexpr double nearer = 0.9; // ratio of rms errors; above it the original weights stay
   Fit fit = from;
   for (int round = 0; round < rounds; ++round) {
     const std::optional<double> misfit = assessMisfit({measurements, model, fit.noise, fit.loss}, fit.minimum.state);
@@ -249,7 +250,7 @@ Fit weighByMisfit(const Measurements& measurements, const Model& model, const Fi
     }
     Noise wide = fit.noise;
     wide.pixel = std::hypot(fit.noise.pixel, std::sqrt(*misfit));
-    const Loss same{fit.loss.scale * fit.noise.pixel / wide.pixel}; // [px]
+    const Loss same{fit.loss.scale * fit.noise.pixel / wide.pixel}; // keeps the loss scale constant in pixels
     auto there = restart(measurements, model, fit.noise, fit.loss, refit(measurements, model, wide, same, fit));
     if (!there) {
       break;

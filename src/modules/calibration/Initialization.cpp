@@ -23,13 +23,14 @@
 
 namespace naocal {
 
-/// A gentler problem than that of the corners, for the way from far away: every board's pose in the camera, as its
-/// corners alone show it, against where the chain puts it. It knows no horizon and no "behind the camera".
+/// Board-pose alignment: a problem better conditioned far from the minimum than that of the corners. Compares each
+/// board's pose in the camera, estimated from its corners alone, with that of the kinematic chain; valid even beyond
+/// the horizon or behind the camera.
 ///
 ///   residual = (log(R_chain R_seen^T), c_chain - c_seen), c the middle of the corners,
 ///
-/// weighted by how well the corners tell it, but never better than 0.1 rad and a tenth of the depth, with a Huber loss.
-/// A problem for `levenbergMarquardt`; of each pose the first reading in every stance takes part.
+/// weighted by the information of the corners, limited to 0.1 rad and a tenth of the depth, with a Huber loss.
+/// A problem for `levenbergMarquardt`. Uses the first reading of each pose in each stance.
 class BoardAlignment {
 public:
   BoardAlignment(const Measurements& measurements, const Model& model);
@@ -44,9 +45,9 @@ public:
     return unknowns + step;
   }
   const Eigen::VectorXd& scales() const { return sigmas_; }
-  /// Boards whose pose in the camera could be told.
+  /// Number of sightings whose board pose could be estimated.
   std::size_t size() const { return seen_.size(); }
-  /// Whether one of them is this target.
+  /// Whether one of them shows this target.
   bool includes(std::size_t target) const;
 
 private:
@@ -55,8 +56,8 @@ private:
     const BoardObservation* sighting;
     std::vector<StateDerivative> slopes;
     RigidTransform opticalFromBoard;
-    Eigen::Vector3d middle;             // of the corners, in the board's frame [m]
-    Eigen::Matrix<double, 6, 6> weight; // of the residual: an inverse covariance
+    Eigen::Vector3d middle;             // of the corners, in the board frame [m]
+    Eigen::Matrix<double, 6, 6> weight; // inverse covariance of the residual
   };
   void addReading(const EncoderSample& reading);
   void addSeen(const ImageObservation& picture, const BoardObservation& sighting,
@@ -72,9 +73,9 @@ private:
 namespace {
 
 constexpr double angleScale = 0.1;    // [rad]
-constexpr double distanceScale = 0.1; // of the depth
-constexpr double huber = 2;           // in units of those
-constexpr double cornerNoise = 1;     // [px]: generous, false corners and a wrong lens included
+constexpr double distanceScale = 0.1; // relative to the depth
+constexpr double huber = 2;           // in units of the residual's standard deviation
+constexpr double cornerNoise = 1;     // [px]: generous, covers outliers and lens errors
 
 Eigen::Vector3d rotationVector(const Eigen::Matrix3d& rotation) {
   const Eigen::AngleAxisd turn{rotation};
@@ -91,8 +92,8 @@ Eigen::Vector3d middleOf(const CornerBlocks& corners) {
   return total / count;
 }
 
-/// A board's pose in the camera improved on its corners (Gauss-Newton), and the information that they hold about its
-/// motion (omega, v). Absent where the corners do not fit any pose.
+/// A board's pose in the camera, refined on its corners by Gauss-Newton, and the information of its motion (omega, v).
+/// Absent if no pose fits the corners.
 struct SeenPose {
   RigidTransform opticalFromBoard;
   Eigen::Matrix<double, 6, 6> information;
@@ -218,7 +219,7 @@ bool BoardAlignment::linearise(const Eigen::VectorXd& unknowns, Linear& sums) co
 
 namespace {
 
-/// A frame on the floor: x, y [m], yaw [rad] in its parent.
+/// A pose on the floor: x, y [m], yaw [rad] in the parent frame.
 using OnFloor = Eigen::Vector3d;
 
 OnFloor compose(const OnFloor& a, const OnFloor& b) {
@@ -231,7 +232,7 @@ OnFloor invert(const OnFloor& a) {
   return {-c * a.x() - s * a.y(), s * a.x() - c * a.y(), -a.z()};
 }
 
-/// The member nearest to all others: robust against a few wild ones.
+/// Medoid: the member with the smallest total distance to all others, robust against a few outliers.
 OnFloor medoid(const std::vector<OnFloor>& all) {
   const auto distance = [](const OnFloor& a, const OnFloor& b) {
     return (a - b).head<2>().norm() + 0.5 * std::abs(wrapAngle(a.z() - b.z()));
@@ -249,8 +250,8 @@ OnFloor medoid(const std::vector<OnFloor>& all) {
   return best;
 }
 
-/// Where a sighting puts its board in the support sole's frame: by the board's pose in the camera, or, with too few
-/// corners for one, where the ray through the first corner meets the floor (unturned, at most 2 m away).
+/// A board's placement in the support sole's frame: from its pose in the camera, or, with too few corners, from the
+/// floor intersection of the first corner's ray (zero yaw, at most 2 m away).
 OnFloor soleFromBoard(const Measurements& measurements, const ModelState& belief, const BoardObservation& sighting) {
   LinkPoses torsoFromLink;
   forwardKinematics(measurements.robot, belief, sighting.view.links(), torsoFromLink);
@@ -265,7 +266,7 @@ OnFloor soleFromBoard(const Measurements& measurements, const ModelState& belief
   const auto lens = belief.lens();
   const Eigen::Vector3d ray = soleFromOptical.rotation *
                               Eigen::Vector3d{(corner.u[0] - lens[2]) / lens[0], (corner.v[0] - lens[3]) / lens[1], 1};
-  const double down = -ray.z() / soleFromOptical.translation.z(); // 1 / (how far along the ray the floor is)
+  const double down = -ray.z() / soleFromOptical.translation.z(); // 1 / (distance along the ray to the floor)
   const double reach = std::min(1 / std::max(down, 1e-9), farthest / ray.head<2>().norm());
   const Eigen::Vector3d hit = soleFromOptical.translation + reach * ray;
   return {hit.x() - corner.x[0], hit.y() - corner.y[0], 0};
@@ -273,8 +274,8 @@ OnFloor soleFromBoard(const Measurements& measurements, const ModelState& belief
 
 using Placements = std::vector<std::optional<OnFloor>>;
 
-/// Carries placements along the sightings until nothing new is reached. A group of stances and boards that touches
-/// nothing known starts at its first stance.
+/// Propagates placements along the sightings until all are reached. A connected component without a known placement is
+/// anchored at its first stance.
 void spread(const std::map<std::pair<std::size_t, std::size_t>, OnFloor>& seen, Placements& boards,
             Placements& stances) {
   for (bool all = false; !all;) {
@@ -303,7 +304,7 @@ void spread(const std::map<std::pair<std::size_t, std::size_t>, OnFloor>& seen, 
 
 Eigen::VectorXd initializePlacements(const Measurements& measurements, const Model& model,
                                      const Eigen::VectorXd& unknowns) {
-  std::map<std::pair<std::size_t, std::size_t>, std::vector<OnFloor>> sightings, glimpses; // by (stance, board)
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<OnFloor>> sightings, glimpses; // keyed by (stance, board)
   Placements boards(measurements.targets.size()), stances(measurements.stances.size());
   std::optional<ModelState> any;
   for (const ImageObservation& picture : measurements.pictures) {
@@ -322,7 +323,7 @@ Eigen::VectorXd initializePlacements(const Measurements& measurements, const Mod
     }
   }
   std::map<std::pair<std::size_t, std::size_t>, OnFloor> seen;
-  sightings.merge(glimpses); // what was seen well at least once is not asked from glimpses
+  sightings.merge(glimpses); // uses glimpses only for pairs without a good sighting
   for (const auto& [key, placements] : sightings) {
     seen[key] = medoid(placements);
   }
@@ -341,13 +342,13 @@ Eigen::VectorXd initializePlacements(const Measurements& measurements, const Mod
     }
     const bool isBoard = term.effect.place == EffectSite::board;
     if (isBoard && (!measurements.targets[term.site].onFloor || measurements.targets[term.site].board.hasGuess)) {
-      continue; // starts at its guess
+      continue; // starts from its guess
     }
     const auto& placement = isBoard ? boards[term.site] : stances[term.site];
     if (!placement) {
       continue;
     }
-    result.segment<3>(static_cast<Eigen::Index>(term.first)) = *placement; // unknowns x, y, yaw from a start at zero
+    result.segment<3>(static_cast<Eigen::Index>(term.first)) = *placement; // start is zero
   }
   return result;
 }

@@ -7,15 +7,15 @@
 
 namespace naocal {
 
-/// Where the search starts: the given unknowns, with the unknown floor placements of boards and stances found from the
-/// pictures. A board's pose in the camera comes from its corners alone (homography); the joints only say where that
-/// camera stands, so even joints that are off by many degrees put the board within decimetres. Placements are then
-/// carried from what is known from stance to board to stance.
+/// Start of the search: the given unknowns, with unknown floor placements of boards and stances initialised from the
+/// pictures. A board's pose in the camera comes from its corners alone (homography), and the camera's pose from the
+/// joints; even joint errors of many degrees misplace a board by only a few decimetres. Known placements then propagate
+/// between stances and boards.
 Eigen::VectorXd initializePlacements(const Measurements& measurements, const Model& model,
                                      const Eigen::VectorXd& unknowns);
 
-/// From there on all unknowns together, until boards' poses as seen and as the chain puts them agree (BoardAlignment):
-/// near enough for the corners' problem to have one minimum.
+/// Refines all unknowns from there until board poses in the camera agree with the kinematic chain (BoardAlignment);
+/// close enough for the corner problem to have a single minimum.
 Eigen::VectorXd alignBoards(const Measurements& measurements, const Model& model, const Eigen::VectorXd& unknowns);
 
 } // namespace naocal

@@ -19,8 +19,8 @@ namespace naocal {
 
 namespace {
 
-/// Whether the wide prior is the likelier one for all of an effect's unknowns together. `values`, `variances`: under
-/// the narrow one, in units of its sigmas.
+/// Whether the wide prior is more likely for all of an effect's unknowns together. `values`, `variances`: posterior
+/// under the narrow prior, in units of its sigmas.
 ///   -2 ln likelihood(w) = sum ln(1 + w^2 V) - s^2 / (V + w^-2),   V the data's information, s their score at zero
 bool isWide(const Eigen::ArrayXd& values, const Eigen::ArrayXd& variances) {
   const auto& [narrow, wide] = plausibleWidths;
@@ -60,7 +60,7 @@ FittedPoint pointOf(const Fit& fit) {
   return {fit.minimum.state, fit.noise, fit.loss};
 }
 
-/// The effects of an explanation that have a name.
+/// The named effects of an explanation.
 std::vector<Term> namedEffects(const WideModel& wide, const WindowModel& explanation) {
   std::vector<Term> result;
   for (const WindowMember& member : explanation.members) {
@@ -72,7 +72,7 @@ std::vector<Term> namedEffects(const WideModel& wide, const WindowModel& explana
   return result;
 }
 
-/// It deflects a joint, as noise does.
+/// Whether the effect acts on a joint angle, as joint noise does.
 bool isOfJoint(const Term& term) {
   return term.effect.place == EffectSite::motor || term.effect.place == EffectSite::joint;
 }
@@ -82,7 +82,7 @@ bool areSame(const std::vector<Term>& a, const std::vector<Term>& b) {
                     [](const Term& one, const Term& other) { return one.label() == other.label(); });
 }
 
-/// `first`, then those candidates that are not among them: so that a model's effects are the first candidates.
+/// `first`, followed by the other candidates, so that a model's effects come first.
 std::vector<Term> putInFront(const std::vector<Term>& first, const std::vector<Term>& candidates) {
   std::vector<Term> result = first;
   for (const Term& term : candidates) {
@@ -93,7 +93,7 @@ std::vector<Term> putInFront(const std::vector<Term>& first, const std::vector<T
   return result;
 }
 
-/// The effects that a person added to the base model: another one may be there in their place.
+/// Effects that the user added to the base model; explanations may replace them.
 std::vector<Term> addedEffects(const Model& model) {
   std::vector<Term> result;
   std::copy_if(model.terms().begin(), model.terms().end(), std::back_inserter(result),
@@ -112,7 +112,7 @@ Model without(const Model& model, const std::vector<Term>& effects) {
   return result;
 }
 
-/// Places of a model's unknowns among another's, of those that it has: (place in `model`, place in `other`).
+/// Unknowns that both models have: (index in `model`, index in `other`).
 std::vector<std::pair<Eigen::Index, Eigen::Index>> sharedUnknowns(const Model& model, const Model& other) {
   std::vector<std::pair<Eigen::Index, Eigen::Index>> result;
   for (const Term& own : model.terms()) {
@@ -125,8 +125,8 @@ std::vector<std::pair<Eigen::Index, Eigen::Index>> sharedUnknowns(const Model& m
   return result;
 }
 
-/// What a linear explanation, of `own` and effects, says of a larger model's unknowns: a start for its fit. `along`:
-/// the larger model without the effects.
+/// Start for the fit of a larger model, from a linear explanation in terms of `own` and effects. `along`: the larger
+/// model without the effects.
 Eigen::VectorXd startOf(const Model& larger, const Model& own, const Model& along, const WideModel& wide,
                         const WindowModel& explanation, const std::vector<Term>& effects) {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(eigenIndex(larger.unknownCount()));
@@ -145,7 +145,7 @@ Eigen::VectorXd startOf(const Model& larger, const Model& own, const Model& alon
   return result;
 }
 
-/// What a group of columns is called: "elasticity@LKneePitch", or of a curve "LKneePitch over q".
+/// Name of a group of columns: "elasticity@LKneePitch", or for a curve "LKneePitch over q".
 std::string formatGroup(const WideModel& wide, std::size_t group) {
   if (group < wide.candidates().size()) {
     return wide.candidates()[group].label();
@@ -158,7 +158,7 @@ std::string formatGroup(const WideModel& wide, std::size_t group) {
   return wide.jointName(cell.motor) + " over " + expressionName(wide.map().drivers[cell.driver], cell.motor);
 }
 
-/// The search of the likeliest explanation.
+/// Searches for the likeliest explanation.
 class Search {
 public:
   Search(const Measurements& measurements, const Model& model, const std::optional<RepeatInfo>& repeats,
@@ -169,7 +169,7 @@ public:
   const std::vector<Term>& added() const { return added_; }
   const Model& base() const { return base_; }
 
-  /// The joints' levels under the widest model about a fit of `own` and these effects.
+  /// Joint noise levels under the widest model, linearised at a fit of `own` with these effects.
   NoiseLevels levelsAt(const Model& own, const std::vector<Term>& effects, const Fit& fit, const Noise& noise) const {
     if (!repeats_) {
       return {noise, {}};
@@ -177,13 +177,13 @@ public:
     const WideModel wide{measurements_, own, putInFront(effects, candidates_), pointOf(fit), false};
     return estimateNoiseLevels(wide.problem(), noise, *repeats_);
   }
-  /// Near enough to linearise at.
+  /// Fit accurate enough to linearise at.
   Fit refineNearly(const Model& model, const Noise& noise, Fit from) const {
     const Loss loss = from.loss;
     return options_.robust ? fitRobustly(measurements_, model, noise, std::move(from))
                            : refit(measurements_, model, noise, loss, std::move(from), coarseTolerance);
   }
-  /// To the last digit.
+  /// Fully converged fit.
   Fit refineFully(const Model& model, const Noise& noise, Fit from) const {
     from = refineNearly(model, noise, std::move(from));
     const Loss loss = from.loss;
@@ -199,8 +199,8 @@ public:
     explained.matters = evidence.matters;
   }
 
-  /// One step: the effects of the window's likeliest explanation, fitted. False: they are those already in the fit, or
-  /// from far the linear explanation leads astray.
+  /// One step: fits the effects of the window's likeliest explanation. Returns false if they equal those already fitted
+  /// or the linear explanation is infeasible.
   bool extend(const WideModel& wide, const Model& own, Explained& explained) const {
     const WindowModel& likeliest = explained.window.models.front();
     const std::vector<Term> effects = namedEffects(wide, likeliest);
@@ -225,7 +225,7 @@ public:
     return true;
   }
 
-  /// The model as it was asked for, with what was added behind the rest, and its fit.
+  /// Starts from the requested model, with user-added effects moved to the end, and its fit.
   void startAt(const Model& model, const Fit& fit, Explained& explained) const {
     explained.effects = added_;
     explained.larger = with(withWeighingOffsets(measurements_, base_, added_), added_);
@@ -244,7 +244,7 @@ private:
 
   const Measurements& measurements_;
   std::vector<Term> added_;
-  Model base_; // without them
+  Model base_; // without `added_`
   const std::optional<RepeatInfo>& repeats_;
   const CalibrationOptions& options_;
   std::vector<Term> candidates_;
@@ -276,7 +276,7 @@ Explained explain(const Measurements& measurements, const Model& model, const Fi
       break;
     }
   }
-  if (!areSame(result.effects, search.added())) { // something is missing, and levels have changed
+  if (!areSame(result.effects, search.added())) { // an effect is missing, and the noise levels have changed
     result.fit = fitFully(measurements, model, search.refineFully(model, result.levels.noise, std::move(result.fit)));
     const bool scatters = result.levels.noise.pose >= suspectScatter;
     if (!scatters && std::any_of(result.effects.begin(), result.effects.end(), std::not_fn(isOfJoint))) {

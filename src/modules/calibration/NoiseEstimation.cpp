@@ -10,7 +10,7 @@ namespace naocal {
 
 namespace {
 
-/// Squares of `residual` (u0, v0, u1, ...) left after the motion in `rows` is fitted, and their degrees of freedom.
+/// Sum of squares of `residual` (u0, v0, u1, ...) after fitting the motion in `rows`, and its degrees of freedom.
 struct Scatter {
   double squares = 0, freedom = 0;
   void add(const Eigen::VectorXd& residual, const Eigen::MatrixXd& rows, double share) {
@@ -26,10 +26,10 @@ struct Scatter {
   }
 };
 
-/// Pictures of one pose, camera, board and, at rest, of one encoder error: corners lie alike in all of them.
+/// Pictures of one pose, camera and board: corners lie at the same place in all of them.
 using Cell = std::vector<const BoardResidual*>;
 
-/// What a homography and a lens do to corners at `places`, per axis: columns of a picture's residual (u0, v0, u1, ...).
+/// Columns of a homography's and a lens's displacement fields at `places` (u0, v0, u1, ... by 12).
 Eigen::MatrixXd smoothFields(const Eigen::Matrix2Xd& places, const Eigen::Vector2d& middle) {
   const double reach = std::max(1.0, middle.maxCoeff());
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(2 * places.cols(), 12);
@@ -41,7 +41,7 @@ Eigen::MatrixXd smoothFields(const Eigen::Matrix2Xd& places, const Eigen::Vector
   return rows;
 }
 
-/// Sums over cells.
+/// Sums of squares over cells, as in a one-way analysis of variance.
 struct Components {
   double within = 0, withinFreedom = 0, between = 0, betweenFreedom = 0, cells = 0, repeats = 0;
 
@@ -117,7 +117,7 @@ std::optional<PixelNoise> estimatePixelNoiseFromRepeats(const Measurements& meas
   }
   const double anew2 = sums.within / sums.withinFreedom, repeats = sums.repeats / sums.cells;
   const double alike2 = rested ? (sums.between / sums.betweenFreedom - anew2) / repeats : 0;
-  constexpr double finest = 0.002; // [px]: of rounded coordinates
+  constexpr double finest = 0.002; // [px]: rounding of coordinates
   return PixelNoise{std::max(finest, std::sqrt(anew2)),
                     std::clamp(std::sqrt(std::max(0.0, alike2)), 0.0, PixelNoise::mostAlike)};
 }

@@ -50,7 +50,7 @@ namespace {
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// Fills the statistic and the distance of one sighting. `deflections`: its pose's, of whose state the sums are [rad].
+/// Computes statistic and distance of one sighting. `deflections` [rad]: of its pose, where `motion` was summed.
 void test(BoardDisplacement& move, const BoardMotionSums& motion, const PoseSystem& pose, const MarginalSystem& part,
           const JointErrorRoot& root, const Eigen::VectorXd& deflections, double pixelNoise,
           const Eigen::LLT<Eigen::MatrixXd>& hessian) {
@@ -74,7 +74,7 @@ void test(BoardDisplacement& move, const BoardMotionSums& motion, const PoseSyst
   }
   hessian.matrixL().solveInPlace(scattered);
   kept -= scattered.transpose() * scattered;
-  constexpr double absorbed = 1e-6; // share of its information that a motion keeps where the fit absorbs it
+  constexpr double absorbed = 1e-6; // share of its information that a motion keeps when the fit absorbs it; regularises
   kept.diagonal() += absorbed * information * motion.gram.diagonal();
   const Vector6 best = kept.ldlt().solve(score);
   move.chi2 = score.dot(best);

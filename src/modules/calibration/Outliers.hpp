@@ -8,10 +8,10 @@
 
 namespace naocal {
 
-/// Corners whose weight the loss took away, and sightings that lost most of their corners that way.
+/// Lists corners downweighted by the loss, and sightings that lost most of their corners that way.
 std::vector<Outlier> findOutliers(const Measurements& measurements, const CalibrationResult& result);
 
-/// Boards in pictures that do not lie where all others put them, of all boards in pictures.
+/// Number of displaced boards among all sightings.
 struct Accidents {
   std::size_t moved = 0, all = 0;
 
@@ -19,39 +19,38 @@ struct Accidents {
   Accidents(const Measurements& measurements, const std::vector<Outlier>& doubts);
 
   bool any() const { return moved > 0; }
-  /// More than a picture or two in a set: worth a word.
+  /// More than 5 % of the sightings: reported.
   bool areMany() const { return isMore(0.05); }
-  /// More than accidents move: the model is wrong, and must see them.
+  /// More than 20 %: not accidents but a wrong model, which must keep these sightings.
   bool areTooMany() const { return isMore(0.2); }
-  /// How many may be set aside as accidents.
+  /// Maximum number that may be excluded as accidents: 10 % of the sightings, rounded up.
   std::size_t mostSetAside() const;
 
 private:
   bool isMore(double share) const { return static_cast<double>(moved) > share * static_cast<double>(all); }
 };
 
-/// How much a sighting asks that its board, in this one picture, lay elsewhere (or the robot stood differently).
+/// Evidence that the board was displaced in this one picture (or the robot stood differently).
 struct BoardDisplacement {
   std::size_t picture = 0, sighting = 0;
-  double chi2 = 0;     // fall of chi2 if the board were free: chi2 with six degrees of freedom where nothing moved
-  double distance = 0; // rms of how far its corners would go [px]
+  double chi2 = 0;     // decrease of chi2 with a free board; chi2 with six degrees of freedom under the null
+  double distance = 0; // rms displacement of its corners [px]
 };
 
-/// Score test of a free rigid motion of each sighting's board, against a fit that holds it in place:
+/// Score test of a free rigid motion of each sighting's board against a fit that holds it in place:
 ///
 ///   chi2 = g^T V^-1 g,   g = L^T Sigma^-1 r,   V = L^T (Sigma^-1 - Sigma^-1 J H^-1 J^T Sigma^-1) L
 ///
-/// (Cox, Hinkley: Theoretical statistics, 1974, section 9.3). It sees what the corners' own loss cannot: where many
-/// corners moved together it costs less to bend the joints, against their noise, than to give up every corner.
+/// (Cox, Hinkley: Theoretical statistics, 1974, section 9.3). The robust loss misses such displacements: where many
+/// corners move together, deflecting the joints costs less than rejecting every corner.
 std::vector<BoardDisplacement> testDisplacements(const Measurements& measurements, const Model& model, const Fit& fit);
 
-/// The sighting that moved most, if any did beyond doubt (once in a million sets of captures in which nothing moved)
-/// and by more than a detector's own bias. `misfit`: what the model misses everywhere, in chi2 per freedom; a move must
-/// stand out from that.
+/// The most displaced sighting, if significant (false-alarm rate `threshold::movedBoardAlarm` per set of captures) and
+/// displaced by at least `threshold::negligiblePx`. `misfit`: overall chi2 / freedom; the statistic is divided by it.
 std::optional<BoardDisplacement> findDisplacedBoard(const Measurements& measurements, const Model& model,
                                                     const Fit& fit, double misfit = 1);
 
-/// The same measurements without the corners of a sighting: it stays in the lists, but counts nothing.
+/// Removes a sighting's corners from the measurements. The sighting keeps its place in the lists.
 void excludeObservation(Measurements& measurements, const BoardDisplacement& move);
 
 } // namespace naocal

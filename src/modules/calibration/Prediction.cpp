@@ -13,7 +13,7 @@ namespace naocal {
 
 namespace {
 
-/// As they are seen: nothing of them is put down to the joints.
+/// Residuals with joint angles as read: no deflections are fitted.
 std::vector<BoardResidual> plainResiduals(const Measurements& measurements, const Prediction& prediction) {
   Residuals residuals{measurements, prediction.model, Noise{.pixel = 0.3, .encoder = 0, .pose = 0}};
   return residuals.boardResiduals(predict(residuals, prediction).state);
@@ -83,9 +83,9 @@ double weightedError(const StoredResult& result, const std::vector<CaptureSet>& 
   const Measurements measurements = buildMeasurements(sets, robot, samePlace);
   const Prediction from = preparePrediction(result, measurements, samePlace);
   Residuals quadratic{measurements, from.model, noise}, robust{measurements, from.model, noise, Loss{.scale = 1}};
-  // where the joints rest is found first: before that, all corners of a pose look false
+  // first fits the deflections: without them all corners of a pose look like outliers
   const FitMinimum minimum = predict(robust, from, predict(quadratic, from).state);
-  double chi2 = 0; // without what the result's own numbers cost
+  double chi2 = 0; // without the prior cost of the result's unknowns
   for (const MarginalSystem& pose : minimum.linear.eliminated) {
     chi2 += 2 * pose.cost;
   }
@@ -116,7 +116,7 @@ nlohmann::json comparisonJson(const Comparison& comparison) {
 
 namespace {
 
-/// The model of a result on other captures: its terms as far as they are touched there, and the placements.
+/// The model of a result on other captures: its terms as far as they apply, and the placements.
 Model modelFromResult(const StoredResult& result, const Measurements& measurements, std::vector<std::string>& ignored) {
   const std::vector<Effect> effects =
       parseEffects(nlohmann::json::parse(result.definitions), "model.define", measurements.robot);
@@ -136,14 +136,14 @@ Model modelFromResult(const StoredResult& result, const Measurements& measuremen
     }
   }
   Model model = buildModel(measurements, with, without, effects);
-  std::erase_if(ignored, [&](const std::string& label) { // offsets that come along with effects of weight
+  std::erase_if(ignored, [&](const std::string& label) { // offsets added along with load-dependent effects
     return std::any_of(model.terms().begin(), model.terms().end(),
                        [&](const Term& term) { return term.label() == label; });
   });
   return model;
 }
 
-/// A placement's unknowns, so that start + unknowns = `placement`.
+/// Sets a placement's unknowns such that start + unknowns = `placement`.
 void placeAt(const Term& term, const Eigen::Matrix<double, 6, 1>& start, const Placement& placement,
              Eigen::VectorXd& unknowns) {
   const std::map<std::string, std::pair<int, double>> numbers{

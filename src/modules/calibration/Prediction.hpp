@@ -16,40 +16,41 @@ struct ResidualSummary {
   std::size_t corners = 0;
 };
 
-/// How well a result predicts captures it has not seen.
+/// How well a result predicts unseen captures.
 struct Comparison {
-  ResidualSummary all, nominal; // nominal: the same captures with the drawing as it is
+  ResidualSummary all, nominal; // nominal: the same captures under the nominal model
   std::map<std::string, ResidualSummary> byBoard, byCamera, byPose;
-  std::vector<std::string> ignored; // terms of the result that these captures do not touch
+  std::vector<std::string> ignored; // terms of the result that do not apply to these captures
 };
 
-/// Predicts the corners of `sets` with a result's estimates. Placements of targets fixed to the robot are the result's;
-/// those of floor boards and stances are estimated anew unless `samePlace`.
+/// Predicts the corners of `sets` from a result's estimates. Takes placements of targets fixed to the robot from the
+/// result; re-estimates those of floor boards and stances unless `samePlace`.
 Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot, bool samePlace);
 
-/// rms error per corner [px] with the joints' random deflections of `noise` allowed for:
+/// rms error per corner [px], accounting for the joints' random deflections at `noise`:
 ///
-///   noise.pixel * sqrt(chi2 / corners),   chi2 = r^T (pixel^2 I + J_t S J_t^T)^-1 r,   false corners left out
+///   noise.pixel * sqrt(chi2 / corners),   chi2 = r^T (pixel^2 I + J_t S J_t^T)^-1 r,   outliers downweighted
 ///
-/// Two results compared at the same noise differ by what they predict alone, not by how the joints happened to rest.
+/// Two results compared at the same noise then differ only by their predictions, not by the joints' random deflections.
 double weightedError(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot,
                      bool samePlace, const Noise& noise);
 
 nlohmann::json comparisonJson(const Comparison& comparison);
 
-/// A result's numbers on captures that it has not seen.
+/// A result's estimates transferred to unseen captures.
 struct Prediction {
-  Model model; // the result's terms as far as these captures touch them, and the placements
+  Model model; // the result's terms that apply to these captures, and the placements
   Eigen::VectorXd unknowns;
-  std::vector<bool> free;           // floor placements, unless the boards lie where they lay
-  std::vector<std::string> ignored; // terms of the result that these captures do not touch
+  std::vector<bool> free;           // true for floor placements, unless `samePlace`
+  std::vector<std::string> ignored; // terms of the result that do not apply to these captures
 };
+/// Builds the model for the new captures and takes the unknowns from the result.
 Prediction preparePrediction(const StoredResult& result, const Measurements& measurements, bool samePlace);
-/// On a model that is there already.
+/// With an existing model.
 Prediction preparePrediction(const Model& model, const StoredResult& result, const Measurements& measurements,
                              bool samePlace);
 
-/// The least cost over what is free. Throws InputError where the captures cannot be predicted at all.
+/// Minimum cost over the free unknowns. Throws InputError if the captures cannot be predicted at all.
 FitMinimum predict(Residuals& residuals, const Prediction& prediction);
 FitMinimum predict(Residuals& residuals, const Prediction& prediction, const Residuals::State& start);
 

@@ -20,14 +20,13 @@ void ResultSources::add(const std::filesystem::path& folder) {
   sha256.push_back(naocal::sha256(readFile(folder / "captures.json")));
 }
 
-/// What of the captures does not fit the rest: set, capture, board, corners and how far off [px].
+/// Outliers: set, capture, board, corners and distance [px].
 nlohmann::json outliersJson(const Measurements& measurements, const CalibrationResult& result);
 
-/// Every corner: measured; predicted with the joints' readings as they are; fitted, where the readings are moved as
-/// far as their noise allows; and how far it counted.
+/// Every corner: measured; predicted at the joint angles as read; fitted, with the joints' deflections; and its weight.
 nlohmann::json residualsJson(const Measurements& measurements, const CalibrationResult& result);
 
-/// The cameras' image sizes, by set and name.
+/// Image sizes of the cameras, by set and name.
 nlohmann::json camerasJson(const std::vector<CaptureSet>& sets);
 
 using nlohmann::json;
@@ -158,7 +157,7 @@ using nlohmann::json;
 
 namespace {
 
-/// "LKneePitch" for jointOffset@LKneePitch.o; everything else keeps its full name.
+/// "LKneePitch" for jointOffset@LKneePitch.o; other unknowns keep their full name.
 std::string shortName(const std::string& unknown) {
   constexpr std::string_view offset = "jointOffset@";
   return unknown.starts_with(offset) ? unknown.substr(offset.size(), unknown.rfind('.') - offset.size()) : unknown;
@@ -212,7 +211,7 @@ json placementsJson(const FittedModel& fitted) {
   return {{"boards", std::move(boards)}, {"stances", std::move(stances)}};
 }
 
-/// Standard errors of the estimated placements, by "boardPlacement@A".
+/// Standard errors of the estimated placements, keyed by "boardPlacement@A".
 json placementSigmasJson(const Model& model, const CalibrationResult& result) {
   json sigmas = json::object();
   for (const Term& term : model.terms()) {
@@ -238,7 +237,7 @@ json weakJson(const CalibrationResult& result) {
   return weak;
 }
 
-/// What could be missing, and how likely each explanation is.
+/// Possible explanations and their weights.
 json explanationsJson(const CalibrationResult& result) {
   json list = json::array();
   for (const Explanation& explanation : result.explanations) {
@@ -250,7 +249,7 @@ json explanationsJson(const CalibrationResult& result) {
   return list;
 }
 
-/// Of the encoders in use, the root mean square [rad].
+/// Root mean square of the encoder jitter over the joints in use [rad].
 double jitterOf(const Measurements& measurements) {
   double squares = 0;
   for (const std::size_t joint : measurements.joints) {
@@ -259,7 +258,7 @@ double jitterOf(const Measurements& measurements) {
   return std::sqrt(squares / std::max<double>(1, static_cast<double>(measurements.joints.size())));
 }
 
-/// The person's own effects in the model, each once, so that whoever reads the result can predict with them.
+/// The user-defined effects of the model, without duplicates, so that readers of the result can predict with it.
 json definitions(const Model& model) {
   json list = json::array();
   for (const Term& term : model.terms()) {

@@ -10,31 +10,30 @@
 
 namespace naocal {
 
-/// Where a result came from.
+/// Input files of a result.
 struct ResultSources {
   std::vector<std::string> sets;   // folders
-  std::vector<std::string> sha256; // of their captures.json
+  std::vector<std::string> sha256; // of each set's captures.json
 
-  /// Adds a capture set's folder, named so that it is found from anywhere. Throws InputError where it holds no
-  /// captures.json.
+  /// Adds a capture set's folder as an absolute path. Throws InputError if it contains no captures.json.
   void add(const std::filesystem::path& folder);
 };
 
-/// RESULT.json: estimates with their uncertainty, what was assumed, and every corner's prediction for reports.
+/// RESULT.json: estimates with uncertainty, assumptions, and the prediction of every corner for reports.
 nlohmann::json resultJson(const FittedModel& fitted, const ResultSources& inputs);
 
-/// What a result file says about robot and scene, without its uncertainty.
+/// Robot and scene as read from a result file, without uncertainties.
 struct StoredResult {
   std::vector<std::string> terms;           // "jointOffset@LKneePitch"
   std::map<std::string, double> values;     // "jointOffset@LKneePitch.o" -> value [the unknown's unit]
   std::map<std::string, Placement> boards;  // by name
   std::map<std::string, Placement> stances; // by name
-  std::string definitions = "[]";           // the person's own effects among them: a list of JSON
-  Noise noise;                              // that it was found with
+  std::string definitions = "[]";           // user-defined effects: a JSON list
+  Noise noise;                              // noise levels of the fit
   bool usable = false;
 };
 
-/// Reads a result file. Throws InputError with file, place, what was expected and found.
+/// Reads a result file. Throws InputError with file, location, expected and found.
 StoredResult readResult(const std::filesystem::path& file);
 
 } // namespace naocal

@@ -19,7 +19,7 @@ namespace naocal {
 
 namespace {
 
-/// The error with the legs as in one picture; absent where it sees no floor board or the point lies behind.
+/// Error with the legs as in one picture [m]; absent if it shows no floor board or the point lies behind the camera.
 std::optional<double> predictErrorIn(const ImageObservation& picture, const FittedModel& fitted) {
   const auto sighting =
       std::find_if(picture.sightings.begin(), picture.sightings.end(),
@@ -63,7 +63,7 @@ std::optional<double> predictErrorIn(const ImageObservation& picture, const Fitt
   for (std::size_t i = 0; i < physical.size(); ++i) {
     const Eigen::Vector3d omega = columns.col(eigenIndex(i)).head<3>();
     const Eigen::Vector3d motion = omega.cross(point) + columns.col(eigenIndex(i)).tail<3>();
-    // the ray stays, the floor moved: where it meets the floor now, in the floor's own axes
+    // the ray is fixed and the floor moves: shift of their intersection, in the floor's axes
     const Eigen::Vector3d shift = point * (motion.dot(normal) / point.dot(normal)) - motion;
     slip.col(eigenIndex(physical[i].unknown)) +=
         physical[i].value * (attitude.opticalFromWorld.rotation.transpose() * shift).head<2>();
@@ -93,13 +93,13 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd& information) {
   return information.ldlt().solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
 }
 
-/// Each unknown's variance, averaged over the noise levels that are possible, and how far it varies over them.
+/// Variance of each unknown averaged over the possible noise levels, and its spread over them.
 struct Spread {
-  Eigen::VectorXd variance;       // mean over levels of the variance there and of the estimate's own move
+  Eigen::VectorXd variance;       // mean over levels of the variance plus the squared shift of the estimate
   Eigen::VectorXd relativeSpread; // Var(variance) / variance^2
 };
 
-/// `moves`: whether the estimate's own move counts.
+/// `moves`: whether to include the shift of the estimate.
 Spread spreadOver(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& sigmas,
                   const std::vector<NoiseLevels::Level>& levels, double misfit, bool moves) {
   Spread result{Eigen::VectorXd::Zero(sigmas.size()), Eigen::VectorXd::Zero(sigmas.size())};
@@ -120,7 +120,7 @@ std::vector<NoiseLevels::Level> levelsOf(const NoiseLevels& levels) {
   return levels.levels.empty() ? std::vector<NoiseLevels::Level>{{levels.noise, 1}} : levels.levels;
 }
 
-/// A normal distribution of uncertain variance, as the Student's t of the same variance and kurtosis:
+/// A normal distribution of uncertain variance, as the Student's t of equal variance and kurtosis:
 /// nu = 4 + 2 / (relative variance of the variance).
 Estimate estimate(double value, double variance, double relativeSpread, double priorSigma) {
   const double freedom = std::min(4 + 2 / std::max(relativeSpread, 1e-9), 1e6);
@@ -132,7 +132,7 @@ Estimate estimate(double value, double variance, double relativeSpread, double p
           .learned = std::max(0.0, 1 - sigma / priorSigma)};
 }
 
-/// Distances of corners from where the joints' readings put them, with no deflection taken out.
+/// Corner distances from the prediction at the joint angles as read, without deflections.
 void measureDistances(const Residuals& residuals, const Fit& fit, CalibrationResult& result) {
   std::vector<double> distances;
   double squares = 0;
@@ -143,7 +143,7 @@ void measureDistances(const Residuals& residuals, const Fit& fit, CalibrationRes
       squares += sighting.residual.col(i).squaredNorm();
     }
   }
-  if (!std::isfinite(squares)) { // deflected as fitted, none was
+  if (!std::isfinite(squares)) { // the fit's deflections were feasible, zero deflections are not
     throw behindCameraError();
   }
   result.rmsPx = std::sqrt(squares / static_cast<double>(distances.size()));
@@ -176,7 +176,7 @@ CalibrationResult estimateUncertainty(const Measurements& measurements, const Mo
   result.dof = numbers - (1 - result.covariance.diagonal().cwiseQuotient(sigmas.cwiseAbs2()).array()).sum();
   const DriverColumns none{.blocks = std::vector<std::vector<DriverColumns::Block>>(linear.poses.size())};
   const Residuals residuals{measurements, model, fit.noise, fit.loss};
-  const std::vector<PoseRows> rows = residuals.rows(fit.minimum.state).value(); // as it was linearised there
+  const std::vector<PoseRows> rows = residuals.rows(fit.minimum.state).value(); // at the fit's linearisation point
   const PoseMisfit misfit = testPoseMisfit({rows, none, result.unknowns, sigmas, 0}, fit.noise);
   result.misfit = std::max({1.0, misfit.chi2 / misfit.freedom, result.chi2 / std::max(1.0, result.dof)});
   result.sigmaScale = std::sqrt(result.misfit);
@@ -222,8 +222,8 @@ LinearMinimum solveLinearized(const Residuals::Linear& linear, const Eigen::Vect
 }
 
 std::vector<WeakDirection> findWeakDirections(const Model& model, const CalibrationResult& result) {
-  constexpr double wide = 0.3;   // of the prior's sigma
-  constexpr double shared = 0.4; // smallest share worth naming, of the largest
+  constexpr double wide = 0.3;   // in prior sigmas; a direction with a larger posterior sigma is weak
+  constexpr double shared = 0.4; // relative to the largest component; smaller ones are not named
   std::vector<std::size_t> physical;
   std::vector<std::string> spoken;
   for (const Term& term : model.terms()) {

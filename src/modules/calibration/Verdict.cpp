@@ -15,9 +15,9 @@ namespace naocal {
 
 namespace {
 
-/// Whether what the captures show is explained, and where it is not, whether the offsets hold all the same.
+/// Whether the model explains the captures, and if not, whether the offsets remain reliable.
 ResultVerdict judgeExplained(const Model& model, const CalibrationResult& result, bool missing) {
-  constexpr double widest = radians(0.5); // [rad]: half of an offset's 95 % interval
+  constexpr double widest = radians(0.5); // [rad]: limit of half an offset's 95 % interval
   const bool fits = result.misfitLeft < threshold::misfit || result.rmsPx < result.noiseFloorPx;
   if (!missing && fits && result.noise.pose < suspectScatter) {
     return ResultVerdict::good;
@@ -37,7 +37,7 @@ std::string words(const Accidents& accidents) {
                      accidents.moved == 1 ? "does" : "do", accidents.moved == 1 ? "it" : "them");
 }
 
-/// Of all corners but those of boards that moved [px].
+/// rms distance of all corners except those of displaced boards [px].
 double rmsWithoutMoved(const CalibrationResult& result) {
   double squares = 0, corners = 0;
   for (const BoardResidual& sighting : result.withReportedAngles) {
@@ -52,7 +52,7 @@ double rmsWithoutMoved(const CalibrationResult& result) {
   return std::sqrt(squares / std::max(1.0, corners));
 }
 
-/// "the error is 4.49 px, the noise floor 0.65 px"
+/// For example "the error is 4.49 px, the noise floor 0.65 px".
 std::string formatSizes(const CalibrationResult& result, const Accidents& accidents) {
   return fmt::format("{}the error is {:.2f} px, the noise floor {:.2f} px",
                      accidents.any() ? words(accidents) + "; without " + (accidents.moved == 1 ? "it " : "them ")
@@ -118,7 +118,7 @@ void assess(const Measurements& measurements, const Model& model, CalibrationRes
                         fmt::join(likeliest.effects, " and "), likeliest.without.empty() ? "" : " instead of ",
                         fmt::join(likeliest.without, " and "), 100 * likeliest.weight);
   }
-  // what is missing comes first: that offsets are not known well enough follows from it
+  // reports a missing effect first: it implies that the offsets are uncertain
   const std::string firm =
       result.usable || (missing && result.converged) ? std::string{} : result.warnings.front().sentence;
   result.verdict =

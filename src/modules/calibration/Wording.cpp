@@ -36,7 +36,7 @@ std::string joint(const std::string& name) {
   return "the " + splitCamelCase(name);
 }
 
-/// What an unknown of this name is about x, y and z, in the axes of cameras and of the floor.
+/// Direction in words of an unknown's name, in camera or floor axes: "roll" for "rx", "forward" for "x".
 std::string direction(const std::string& unknown) {
   static const std::map<std::string, std::string> words{{"rx", "roll"},   {"ry", "pitch"},   {"rz", "yaw"},
                                                         {"x", "forward"}, {"y", "sideways"}, {"z", "up"}};

@@ -7,7 +7,7 @@
 
 namespace naocal {
 
-/// An unknown as a person would say it: "the left hip pitch" for jointOffset@LHipPitch.o, "the top camera's pitch" for
+/// An unknown in words: "the left hip pitch" for jointOffset@LHipPitch.o, "the top camera's pitch" for
 /// cameraRotation@top.ry, "board A's bow" for boardBow@A.h.
 std::string describeUnknown(const Term& term, std::size_t unknown);
 

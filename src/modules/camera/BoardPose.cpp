@@ -9,7 +9,7 @@ namespace naocal {
 
 namespace {
 
-/// (X/Z, Y/Z) that the lens maps to a pixel, by fixed-point iteration on the distortion.
+/// (X/Z, Y/Z) that the lens maps to the pixel (u, v), by fixed-point iteration on the distortion.
 Eigen::Vector2d undistort(double u, double v, const Eigen::Matrix<double, 9, 1>& lens) {
   const Eigen::Vector2d seen{(u - lens[2]) / lens[0], (v - lens[3]) / lens[1]};
   Eigen::Vector2d ray = seen;
@@ -59,7 +59,7 @@ std::optional<RigidTransform> estimateBoardPose(const CornerBlocks& corners, con
     system.row(row + 1) << 0, 0, 0, p.transpose(), -rays[i].y() * p.transpose();
   }
   const Eigen::VectorXd h = symmetricEigen(system.transpose() * system).vectors.col(0);
-  Eigen::Matrix3d homography; // rays = homography * (point - centre) / size: its columns are r1 size, r2 size, t
+  Eigen::Matrix3d homography; // rays = homography * (point - centre) / size; columns: r1 size, r2 size, t
   homography << h[0], h[1], h[2], h[3], h[4], h[5], h[6], h[7], h[8];
   homography *= (homography(2, 2) < 0 ? -2 : 2) / (homography.col(0).norm() + homography.col(1).norm());
   Eigen::Matrix3d axes;

@@ -9,9 +9,9 @@
 namespace naocal {
 
 /// opticalFromBoard of a flat board from its corners alone, by the homography between board and undistorted picture
-/// (direct linear transformation; Hartley and Zisserman, Multiple View Geometry, 2nd ed., algorithm 4.2 and
-/// section 8.1.1). A start for a search, not an estimate. Absent for fewer than four corners, corners on one line, or a
-/// board behind.
+/// (direct linear transformation; Hartley and Zisserman, Multiple View Geometry, 2nd ed., algorithm 4.2 and section
+/// 8.1.1). An initial value, not an estimate. Absent for fewer than four corners, collinear corners, or a board behind
+/// the camera.
 std::optional<RigidTransform> estimateBoardPose(const CornerBlocks& corners, const Eigen::Matrix<double, 9, 1>& lens);
 
 } // namespace naocal

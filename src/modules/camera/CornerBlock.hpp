@@ -7,16 +7,16 @@
 
 namespace naocal {
 
-/// Corners of one board, four to a block, padded by copies of the first one that count nothing (`present` = 0).
+/// Corners of one board in blocks of four, padded by copies of the first one without weight (`present` = 0).
 struct CornerBlock {
   Double4 x, y, z; // pointInBoard as designed [m]
-  Double4 bulge;   // 1 - (r / r_max)^2: how much of the board's bow is there [1]
+  Double4 bulge;   // 1 - (r / r_max)^2: share of the board's bow at the corner [1]
   Double4 u, v;    // measured [px]
   Double4 present; // 1, or 0 for padding
 };
 using CornerBlocks = std::vector<CornerBlock>;
 
-/// The corners that a capture shows of a board, ready for the inner loop.
+/// Packs a capture's corners of a board for the inner loop.
 CornerBlocks packCorners(const Board& board, const BoardCorners& corners);
 
 } // namespace naocal

@@ -57,7 +57,7 @@ CameraFrames ObservationChain::cameraFrames(const Robot& robot, const ModelState
 
 bool ObservationChain::project(const CameraFrames& attitude, const ModelState& belief, const CornerBlocks& corners,
                                ProjectedBlocks& projected) const {
-  constexpr double nearest = 1e-3; // [m]: closer than that, or behind, nothing is seen
+  constexpr double nearest = 1e-3; // [m]: depth below which a corner has no projection
   const Eigen::Matrix3d r = attitude.opticalFromBoard.rotation;
   const Eigen::Vector3d t = attitude.opticalFromBoard.translation;
   const Eigen::Matrix<double, 9, 1> lens = belief.lens();
@@ -98,7 +98,7 @@ bool ObservationChain::project(const CameraFrames& attitude, const ModelState& b
       Double4* rows[2] = {out.rowsU, out.rowsV};
       for (int axis = 0; axis < 2; ++axis) {
         const Double4 a = slopes[axis][0], b = slopes[axis][1], c = -(a * x + b * y);
-        Double4* row = rows[axis]; // the gradient in X, Y, Z is (a, b, c) / Z; the first three are p x gradient
+        Double4* row = rows[axis]; // the gradient by X, Y, Z is (a, b, c) / Z; the first three rows are p x gradient
         row[0] = y * c - b;
         row[1] = a - x * c;
         row[2] = x * b - y * a;
@@ -164,7 +164,7 @@ void ObservationChain::fillExtraRows(std::size_t extra, const CameraFrames& atti
     break;
   }
   const Eigen::Matrix3d& r = attitude.opticalFromBoard.rotation;
-  Double4 mx = corners.x, my = corners.y, mz = corners.z; // the point's motion in the board's frame
+  Double4 mx = corners.x, my = corners.y, mz = corners.z; // motion of the point in the board frame
   if (extra == boardBowExtra) {
     mx = my = Double4{};
     mz = corners.bulge;
@@ -200,7 +200,8 @@ inline Twist twistAbout(const Eigen::Vector3d& axisInOptical, const Eigen::Vecto
   return twist;
 }
 
-/// A frame placed by (x, y, z, roll, pitch, yaw) moves, and what is fixed in it, by the placement's n-th number.
+/// Motion of points fixed in a frame placed by (x, y, z, roll, pitch, yaw), per unit of the placement's component
+/// `number`.
 Twist placementMotion(const RigidTransform& opticalFromParent, const Twist& placement, std::size_t number) {
   Twist twist = Twist::Zero();
   if (number < 3) {
@@ -217,7 +218,7 @@ Twist placementMotion(const RigidTransform& opticalFromParent, const Twist& plac
 
 } // namespace
 
-/// Angles, axes and lengths: what lies beyond the link moves; a link that carries the camera moves the scene backwards.
+/// Angles, axes and lengths move what lies beyond the link; a link that carries the camera moves the scene backwards.
 ObservationChain::Twist ObservationChain::linkMotion(const Robot& robot, const CameraFrames& attitude,
                                                      const ModelState& belief, const LinkPoses& torsoFromLink,
                                                      std::size_t quantity) const {
@@ -244,7 +245,7 @@ ObservationChain::Twist ObservationChain::linkMotion(const Robot& robot, const C
   const RigidTransform& torsoFromThis = torsoFromLink[link];
   Eigen::Vector3d turn = belief.axis(joint);
   if (!isAngle) {
-    // exp([a q]x) with a -> a + da turns by J_l(a q) q da; seen from behind the rotation, by its transpose.
+    // exp([a q]x) with a -> a + da rotates by J_l(a q) q da; seen from behind the rotation, by its transpose.
     const auto component = static_cast<Eigen::Index>((quantity - quantities_.axis(0)) % 3);
     const double angle = belief.angle(joint);
     turn = angle * leftJacobian(belief.axis(joint) * angle).row(component).transpose();
@@ -254,7 +255,7 @@ ObservationChain::Twist ObservationChain::linkMotion(const Robot& robot, const C
                     attitude.opticalFromTorso * torsoFromThis.translation);
 }
 
-/// The camera itself moves in its link: the scene moves the other way.
+/// A motion of the camera in its link moves the scene in the opposite direction.
 ObservationChain::Twist ObservationChain::mountMotion(const Robot& robot, const ModelState& belief,
                                                       std::size_t number) const {
   const CameraMount& mount = robot.cameras[*camera_];
@@ -304,7 +305,7 @@ void ObservationChain::fillMotionColumns(const Robot& robot, const CameraFrames&
       column[6 + (row - extras.begin())] = 1;
     } else if (quantity >= quantities_.worldFromSupport() && quantity < quantities_.worldFromSupport() + 6 &&
                onFloor_) {
-      // the sole moves in the world, hence the world backwards in the sole
+      // the sole moves in the world, so the world moves backwards in the sole
       column.head<6>() = -placementMotion(attitude.opticalFromWorld, belief.worldFromSupport(),
                                           quantity - quantities_.worldFromSupport());
     } else if (camera_ && quantity >= quantities_.board(board_) && quantity < quantities_.board(board_) + 6) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr Range positiveAngleRange{1e-9, 2 * std::numbers::pi, "radians"};
 
-/// Which keys a placement must have; a single mark has no direction.
+/// Required keys of a placement; a single mark has no orientation.
 enum class Required { all, position, none };
 
 Placement readPlacement(const JsonCursor& place, bool onFloor, Required required, Range lengths, Range angles) {
@@ -105,7 +105,7 @@ Board readBoard(const JsonCursor& place) {
 
 namespace {
 
-/// A sheet has a marker in every white square.
+/// Number of markers of a sheet: one per white square.
 int markers(const CharucoPattern& pattern) {
   return pattern.squaresX * pattern.squaresY / 2;
 }

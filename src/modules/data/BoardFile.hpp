@@ -13,7 +13,7 @@ inline constexpr Range lengthRange{-1000, 1000, "m"};
 inline constexpr Range positiveLengthRange{1e-6, 1000, "m"};
 inline constexpr Range angleRange{-2 * std::numbers::pi, 2 * std::numbers::pi, "radians"};
 
-/// A key of a placement; on the floor only those that keep a sheet flat on it are used.
+/// A key of a placement; on the floor only the keys that keep a sheet flat are used.
 struct PlacementKey {
   const char* key;
   double Placement::*value;
@@ -28,16 +28,16 @@ inline constexpr std::array<PlacementKey, 6> placementKeys{{
     {"yaw", &Placement::yaw, true, true},
 }};
 
-/// Where a frame lies on the floor: x, y and yaw, all given.
+/// Reads the placement of a frame on the floor: x, y and yaw, all required.
 Placement readFloorPlacement(const JsonCursor& place);
 
-/// An entry of a capture set's `boards`.
+/// Reads an entry of a capture set's `boards`.
 Board readBoard(const JsonCursor& place);
 
-/// The ChArUco keys of a board; those not given keep the defaults of CharucoPattern. Refuses what cannot be printed.
+/// Reads the ChArUco keys of a board; absent keys keep the defaults of CharucoPattern. Refuses unprintable patterns.
 CharucoPattern readPattern(const JsonCursor& board);
 
-/// Refuses markers that two boards share: they could not be told apart in a picture.
+/// Refuses markers shared by two boards, since a picture cannot distinguish them.
 void requireDistinctMarkers(const std::vector<Board>& boards, const JsonCursor& place);
 
 } // namespace naocal

@@ -25,33 +25,34 @@ struct CameraIntrinsics {
 
 enum class SupportFoot { left, right, both, none };
 
-/// One way of standing: all captures of a stance share the placement of the support foot's sole.
+/// One set-up of the robot: all captures of a stance share the placement of the support sole.
 struct Stance {
   int id = 0;
   SupportFoot supportFoot = SupportFoot::left;
-  std::optional<Placement> placement; // worldFromSole, surveyed; absent: to be estimated
+  std::optional<Placement> placement; // surveyed worldFromSole; absent: to be estimated
 };
 
+/// Kind of a repeat: at rest, after a re-approach, or after the robot was put down anew.
 enum class RepeatKind { rest, reapproach, restand };
 
-/// What the robot reported at a capture, each list in the order of `CaptureSet::jointNames` or empty.
+/// Joint data of a capture; each list in the order of `CaptureSet::jointNames`, or empty.
 struct JointReadings {
-  std::vector<double> measured;    // RAW encoder angles [rad]; NaN where not recorded
-  std::vector<double> commanded;   // raw space [rad]
+  std::vector<double> measured;    // raw encoder angles [rad]; NaN where not recorded
+  std::vector<double> commanded;   // raw, without calibration [rad]
   std::vector<double> velocity;    // [rad/s]
   std::vector<double> approach;    // -1, 0, +1: direction of the last motion
   std::vector<double> temperature; // [degC]
   std::vector<double> current;     // [A]
 };
 
-/// The corners of one board in one picture.
+/// Corners of one board in one picture.
 struct BoardCorners {
   std::string board;
   std::vector<int> ids;
   std::vector<Eigen::Vector2d> uv; // [px] in the distorted image
 };
 
-/// One still instant seen by one camera.
+/// One picture of a still robot by one camera.
 struct Capture {
   int id = 0;
   std::string pose;
@@ -63,22 +64,22 @@ struct Capture {
   int stance = 0;
   JointReadings joints;
   std::optional<Eigen::Vector2d> imu;               // angleX, angleY [rad]
-  std::optional<std::array<double, 8>> fsr;         // left FL, FR, RL, RR, then right [kg]
-  std::string image;                                // relative to the set's folder; empty: none kept
-  std::optional<std::vector<BoardCorners>> corners; // absent: not looked for yet; empty: nothing seen
-  std::shared_ptr<const nlohmann::json> source;     // as read: keeps keys that are unknown here
+  std::optional<std::array<double, 8>> fsr;         // force sensors: left FL, FR, RL, RR, then right [kg]
+  std::string image;                                // relative to the set's folder; empty: not stored
+  std::optional<std::vector<BoardCorners>> corners; // absent: not detected yet; empty: nothing found
+  std::shared_ptr<const nlohmann::json> source;     // as read; preserves unknown keys
 };
 
-/// A folder of captures of one robot: the one exchange format (captures.json).
+/// A folder of captures of one robot: the exchange format (captures.json).
 struct CaptureSet {
-  std::string name; // the folder's name
+  std::string name; // name of the folder
   std::string model = "V6", bodyId, headId;
   std::vector<std::string> jointNames;
   std::map<std::string, CameraIntrinsics> cameras;
   std::vector<Board> boards;
   std::vector<Stance> stances;
   std::vector<Capture> captures;
-  std::shared_ptr<const nlohmann::json> source; // as read: keeps keys that are unknown here
+  std::shared_ptr<const nlohmann::json> source; // as read; preserves unknown keys
 };
 
 } // namespace naocal

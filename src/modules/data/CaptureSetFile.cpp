@@ -18,7 +18,7 @@
 
 namespace naocal {
 
-/// A list under `joints`, and what its numbers can be.
+/// A list under `joints`, with the range of its values.
 struct JointList {
   const char* key;
   std::vector<double> JointReadings::*values;
@@ -33,18 +33,19 @@ constexpr std::array<JointList, 6> jointLists{{
     {"current", &JointReadings::current, {-100, 100, "A"}},
 }};
 
-/// An entry of `captures`, against the joints, cameras, boards and stances of its set.
+/// Reads an entry of `captures`, checked against the joints, cameras, boards and stances of its set.
 Capture readCapture(const JsonCursor& place, const CaptureSet& set);
 
-/// A capture as an entry of `captures`; `read` is the entry it came from, null when there was none.
+/// Formats a capture as an entry of `captures`. `read`: the entry it was read from, or null.
 nlohmann::ordered_json captureJson(const Capture& capture, const nlohmann::json& read);
 
 namespace {
 
-/// One motor has one angle: both names may differ by the rounding of a log, at most by about an encoder step (1.5e-3).
+/// Both names belong to one motor: values may differ by the rounding of a log, at most about one encoder step (1.5e-3).
 constexpr double hipYawPitchTolerance = 2e-3; // [rad]
 
-/// A corner is measured inside the image; noise and gross errors may carry it this far out, another resolution further.
+/// Corners are measured inside the image. Noise and gross errors may exceed it by this much; more indicates another
+/// resolution.
 constexpr double imageMargin = 20; // [px]
 
 void requireOneHipYawPitch(const std::vector<double>& measured, const CaptureSet& set, const JsonCursor& place) {
@@ -71,7 +72,7 @@ JointReadings readJoints(const JsonCursor& place, const CaptureSet& set) {
     auto& values = joints.*list.values;
     values = given->numbers(set.jointNames.size(), list.range, "one per name in jointNames", true);
     for (std::size_t i = 0; i < values.size(); ++i) {
-      if (std::isnan(values[i]) && !std::isnan(joints.measured[i])) { // null is for joints that were not recorded
+      if (std::isnan(values[i]) && !std::isnan(joints.measured[i])) { // null stands for joints that were not recorded
         given->elements()[i].number(list.range);
       }
     }
@@ -245,7 +246,7 @@ Stance readStance(const JsonCursor& place) {
   return stance;
 }
 
-/// The entries of a list, whose ids must differ.
+/// Reads a list of entries with distinct ids.
 template <typename Entry> std::vector<Entry> readList(const JsonCursor& place, Entry (*read)(const JsonCursor&)) {
   std::vector<Entry> entries;
   for (const JsonCursor& element : place.elements()) {
@@ -258,7 +259,7 @@ template <typename Entry> std::vector<Entry> readList(const JsonCursor& place, E
   return entries;
 }
 
-/// A capture's place with the name it is refused by.
+/// The capture's place, described by id and pose for messages.
 JsonCursor nameCapture(const JsonCursor& place) {
   const auto id = place.find("id"), pose = place.find("pose");
   std::string name = id && id->value().is_number() ? "capture " + id->value().dump() : "capture without id";
@@ -421,7 +422,7 @@ Written setJson(const CaptureSet& set, const json& read) {
                           read);
 }
 
-/// One line per camera, board, stance and capture: a person can read it and a version control compare it.
+/// One line per camera, board, stance and capture: readable, and suitable for line-based diffs.
 std::string formatLines(const Written& value) {
   const bool isList = value.is_array();
   std::string text{isList ? '[' : '{'};
@@ -464,7 +465,7 @@ namespace {
 using nlohmann::json;
 using Written = nlohmann::ordered_json;
 
-/// NaN, a joint that was not recorded, is null in JSON.
+/// Writes NaN (joint not recorded) as null.
 Written numbersJson(const std::vector<double>& numbers, bool whole) {
   Written list = Written::array();
   for (const double number : numbers) {

@@ -24,19 +24,19 @@
 
 namespace naocal {
 
-/// Adds one board's corners and findings to `detection`. The corners are believed when at least six were found, half of
-/// the markers that were read agree with them, and the markers beside them are printed as the pattern says.
-/// `markers`: those that were read of this board; `board` has a pattern.
+/// Adds one board's corners and issues to `detection`. Accepts corners if at least six were found (fewer on a small
+/// board), half of the markers read agree with them, and the print beside them matches the pattern. `markers`: those of
+/// this board. Requires `board.pattern`.
 void detectBoard(const Board& board, const std::vector<Marker>& markers, const SmoothImage& picture,
                  const LensDistortion& lens, Detection& detection);
 
 namespace {
 
-constexpr std::size_t fewestCorners = 6;       // fewer cannot check each other
-constexpr std::size_t fewestForHomography = 4; // of a board that has no more
-constexpr double leastLikeness = 0.55;         // 0.7 at the limit of sight, below 0.5 where half the markers are others
+constexpr std::size_t fewestCorners = 6;       // required corners; fewer cannot check each other
+constexpr std::size_t fewestForHomography = 4; // for boards with fewer corners
+constexpr double leastLikeness = 0.55; // correlation; 0.7 at the limit of visibility, below 0.5 with half wrong markers
 
-/// Whether too few of the markers that were read agree with the board's description.
+/// Whether at least three markers were read and fewer than half of them agree with the board's description.
 bool isContradicted(std::size_t agreeing, std::size_t read) {
   return read >= 3 && 2 * agreeing < read;
 }
@@ -46,7 +46,7 @@ public:
   BoardDetection(const Board& board, const SmoothImage& picture, const LensDistortion& lens, Detection& detection)
       : board_{board}, pattern_{*board.pattern}, picture_{picture}, lens_{lens}, detection_{detection} {}
 
-  /// `markers`: the board's own.
+  /// `markers`: those of this board.
   void run(const std::vector<Marker>& markers) {
     if (markers.empty()) {
       return;
@@ -70,17 +70,17 @@ public:
 private:
   struct Candidate {
     BoardSearchResult board;
-    double likeness = 0; // of the markers' print
+    double likeness = 0; // correlation with the markers' print
   };
 
   std::size_t requiredCorners() const {
     return std::clamp(std::size_t(cornerCount(pattern_)), fewestForHomography, fewestCorners);
   }
 
-  /// The board's corners if it is printed in `pattern` and enough of it is seen.
+  /// Searches the board in layout `pattern`; absent if too little of it is visible.
   std::optional<Candidate> search(std::vector<Marker> markers, const CharucoPattern& pattern) const {
     const std::size_t read = markers.size();
-    // A marker misread in the floor's texture may come first; the board itself is among the others then.
+    // A marker misread in the floor texture may come first; the board is then found among the others.
     while (!markers.empty()) {
       const MarkerAgreement agreement = findAgreeingMarkers(markers, pattern, lens_);
       if (agreement.agreeing.empty() || isContradicted(agreement.agreeing.size(), read)) {
@@ -146,7 +146,7 @@ void detectBoard(const Board& board, const std::vector<Marker>& markers, const S
 
 namespace {
 
-constexpr double smoothing = 0.8; // [px] before corners are fitted
+constexpr double smoothing = 0.8; // [px] sigma of the blur before corner refinement
 
 bool isOn(const CharucoPattern& pattern, int id) {
   return id >= pattern.firstMarkerId && id < pattern.firstMarkerId + markerCount(pattern);
@@ -227,7 +227,7 @@ std::string toString(IssueKind kind) {
 
 namespace {
 
-/// What was found in one picture; neither: it was not reached.
+/// Result of one picture; empty if it was not reached.
 struct Outcome {
   std::optional<Detection> detection;
   std::string unreadable;
@@ -248,7 +248,7 @@ Outcome detectInCapture(const Capture& capture, const CaptureSet& set, const std
   }
 }
 
-/// The corners that stay: those of targets that cannot be found in pictures.
+/// Corners to keep: those of targets without a pattern, which cannot be detected.
 std::vector<BoardCorners> keepOtherCorners(const Capture& capture, const CaptureSet& set) {
   std::vector<BoardCorners> result;
   for (const BoardCorners& corners : capture.corners.value_or(std::vector<BoardCorners>{})) {
@@ -271,12 +271,12 @@ SetDetection detectInSet(CaptureSet& set, const std::filesystem::path& folder, u
       withImage.push_back(i);
     }
   }
-  cv::setNumThreads(1); // pictures are what is done in parallel
+  cv::setNumThreads(1); // parallel over pictures instead
   std::vector<Outcome> outcomes(withImage.size());
   std::atomic<std::size_t> next = 0;
   std::atomic<bool> goOn = true;
   std::size_t done = 0;
-  std::mutex mutex; // of `done` and `progress`
+  std::mutex mutex; // guards `done` and `progress`
   const auto work = [&] {
     for (std::size_t i = next++; i < withImage.size() && goOn; i = next++) {
       outcomes[i] = detectInCapture(set.captures[withImage[i]], set, folder);

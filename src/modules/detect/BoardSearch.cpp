@@ -16,13 +16,13 @@ namespace naocal {
 
 namespace {
 
-constexpr double tightest = 0.3, loosest = 0.7; // [px] how far a corner may lie from where the others put it,
-constexpr double timesMedian = 6;               // and by how much further than half of them do
-constexpr double walkingDistance = 1.5;         // [squares] from what is known to what is looked for
-constexpr double longestMove = 2.0;             // [px] from prediction to fit, at least
+constexpr double tightest = 0.3, loosest = 0.7; // [px] bounds of the largest distance from the predicted position
+constexpr double timesMedian = 6;               // largest distance relative to the median
+constexpr double walkingDistance = 1.5;         // [squares] from known points to a searched corner
+constexpr double longestMove = 2.0;             // [px] from prediction to refined position, lower bound
 constexpr double longestMoveInSquares = 0.1;
-constexpr double leastContrast = 10;   // [grey level]
-constexpr double mostAsymmetry = 0.03; // 0.001 to 0.01 where nothing lies in the window
+constexpr double leastContrast = 10;   // [grey level] below it there is no corner
+constexpr double mostAsymmetry = 0.03; // above it there is no corner; 0.001 to 0.01 for an unobstructed window
 
 class Walk {
 public:
@@ -54,7 +54,7 @@ private:
 
   Eigen::Vector2d onBoard(int id) const { return cornerOnBoard(pattern_, id); }
 
-  /// What is known but for corner `id`.
+  /// All known points except corner `id`.
   std::vector<PointMatch> others(int id) const {
     std::vector<PointMatch> sightings = markerCorners_;
     for (const auto& [foundId, corner] : found_) {
@@ -69,7 +69,7 @@ private:
     return lens_.distort((homography * place.homogeneous()).hnormalized());
   }
 
-  /// Fits corner `id` from where `homography` puts it; absent where no crossing as printed is seen.
+  /// Refines corner `id` from its prediction by `homography`; absent without a crossing as printed.
   std::optional<CornerFit> fitCornerAt(int id, const Eigen::Matrix3d& homography) const {
     const int column = id % (pattern_.squaresX - 1), row = id / (pattern_.squaresX - 1);
     const auto map = [&](const Eigen::Vector2d& place) { return pixel(homography, place); };
@@ -89,7 +89,7 @@ private:
     refused_.erase(id);
   }
 
-  /// Whether enough is known around a corner to look for it.
+  /// Whether a known point lies close enough to a corner to search for it.
   bool isNear(int id) const {
     const auto sightings = others(id);
     return std::any_of(sightings.begin(), sightings.end(),
@@ -114,7 +114,7 @@ private:
     }
   }
 
-  /// Fits all anew, now that the board's perspective is known well.
+  /// Refines all corners again, now with an accurate local homography.
   void refine() {
     for (auto& [id, corner] : std::map{found_}) {
       const auto homography = fitLocalHomography(others(id), onBoard(id));
@@ -126,16 +126,16 @@ private:
     }
   }
 
-  /// Takes a misplaced corner out.
+  /// Rejects a misplaced corner.
   void refuse(int id, double distance) {
     refused_[id] = {id, found_.at(id).pixel, true,
                     fmt::format("lies {:.1f} px from where its neighbours put it", distance)};
     found_.erase(id);
   }
 
-  /// How far a corner that was found lies from where the board has it [px]: the geometric mean of its distances from
-  /// two predictions, one with and one without itself. In least squares it scatters equally for all corners, those in
-  /// the middle and those that the others hardly determine.
+  /// Distance of a corner from its expected position [px]: geometric mean of the distances from two predictions, one
+  /// with and one without the corner. In least squares it has the same scatter for all corners, whether central or
+  /// barely determined by the others.
   double misplacement(int id) const {
     const auto distance = [&](const std::vector<PointMatch>& sightings) {
       return (found_.at(id).pixel - pixel(*fitLocalHomography(sightings, onBoard(id)), onBoard(id))).norm();
@@ -148,7 +148,7 @@ private:
 
   void removeMisplaced() {
     for (;;) {
-      std::vector<std::pair<double, int>> misplacements; // with the corner's id
+      std::vector<std::pair<double, int>> misplacements; // (distance, corner id)
       for (const auto& [id, corner] : found_) {
         misplacements.emplace_back(misplacement(id), id);
       }
@@ -165,7 +165,7 @@ private:
     }
   }
 
-  /// A second chance for corners that were looked for when little was known.
+  /// Second pass over corners that were searched when little was known.
   void retryMissing() {
     for (int id = 0; id < cornerCount(pattern_); ++id) {
       const auto homography = fitLocalHomography(others(id), onBoard(id));
@@ -205,7 +205,7 @@ namespace {
 
 constexpr double leastTolerance = 3; // [px]
 constexpr double toleranceInSides = 0.1;
-constexpr double markerWeight = 0.04; // a marker's corner is about five times as far off as a fitted board's corner
+constexpr double markerWeight = 0.04; // relative to a refined corner: a marker corner is about five times less accurate
 
 std::vector<PointMatch> matchMarker(const Marker& marker, const CharucoPattern& pattern, const LensDistortion& lens) {
   const auto onBoard = *markerOnBoard(pattern, marker.id);

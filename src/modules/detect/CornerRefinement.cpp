@@ -15,7 +15,7 @@ namespace {
 constexpr int iterations = 20;
 constexpr double longestStep = 0.7, negligibleStep = 1e-3; // [px]
 
-/// One Gauss-Newton step from `place`; absent at the picture's edge or without texture.
+/// One Gauss-Newton step from `place`; absent at the edge of the picture or without texture.
 std::optional<Eigen::Vector2d> step(const SmoothImage& picture, const std::vector<SymmetricPair>& pairs,
                                     const Eigen::Vector2d& place) {
   Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
@@ -75,9 +75,9 @@ std::optional<CornerFit> fitCorner(const SmoothImage& picture, const std::vector
 namespace {
 
 constexpr double scope = 2;         // [squares]
-constexpr double perspective = 0.1; // how much nearer the next square typically is: tames four noisy corners
+constexpr double perspective = 0.1; // prior of the perspective change per square; stabilises four noisy corners
 
-/// Moves the sightings' weighted mean to zero and their spread to about one.
+/// Similarity that centres the matches and scales their spread to about one.
 Eigen::Matrix3d normalisation(const std::vector<PointMatch>& sightings) {
   double sum = 0;
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
@@ -129,12 +129,12 @@ std::optional<Eigen::Matrix3d> fitLocalHomography(const std::vector<PointMatch>&
 namespace {
 
 constexpr double narrowest = 2.0, widest = 7.0; // half the window [px]
-constexpr double spacing = 0.7;                 // of the places [px]
+constexpr double spacing = 0.7;                 // of the sample points [px]
 
-/// Half the window in one direction of the board.
+/// Half extent of the window in one direction of the board.
 struct Half {
   double squares = 0;
-  int places = 0; // on either side of the corner
+  int places = 0; // sample points on either side of the corner
 };
 
 Half half(double pixelsPerSquare, double reach) {
@@ -166,7 +166,7 @@ std::vector<SymmetricPair> symmetricPairs(const std::function<Eigen::Vector2d(co
 
 namespace {
 
-/// Weights of the pixels at -1, 0, 1, 2 for a place at `t` in [0, 1), and their derivatives by `t`.
+/// Catmull-Rom weights of the pixels at -1, 0, 1, 2 for a position `t` in [0, 1), and their derivatives by `t`.
 struct CubicWeights {
   explicit CubicWeights(double t)
       : value{0.5 * t * (-1 + t * (2 - t)), 1 + 0.5 * t * t * (-5 + 3 * t), 0.5 * t * (1 + t * (4 - 3 * t)),
@@ -180,7 +180,7 @@ struct CubicWeights {
 
 SmoothImage::SmoothImage(const GreyPicture& picture, double blur)
     : width_{picture.width}, height_{picture.height}, pixels_(picture.pixels.size()) {
-  // OpenCV wants a mutable pointer but only reads.
+  // OpenCV requires a mutable pointer but only reads.
   const cv::Mat sharp(height_, width_, CV_8U, const_cast<std::uint8_t*>(picture.pixels.data()));
   cv::Mat1f smooth(height_, width_, pixels_.data());
   sharp.convertTo(smooth, CV_32F);

@@ -6,7 +6,7 @@
 
 namespace naocal {
 
-/// Pixels as a lens without distortion would show them, and back: straight lines are straight in between.
+/// Conversion between distorted and undistorted pixels; straight lines are straight in the latter.
 class LensDistortion {
 public:
   explicit LensDistortion(const CameraIntrinsics& intrinsics) : intrinsics_{intrinsics} {}

@@ -57,7 +57,7 @@ cv::aruco::Dictionary findDictionary(const std::string& name) {
 } // namespace
 
 std::vector<Marker> detectMarkers(const GreyPicture& picture, const std::string& dictionary) {
-  // OpenCV wants a mutable pointer but only reads.
+  // OpenCV requires a mutable pointer but only reads.
   const cv::Mat image(picture.height, picture.width, CV_8U, const_cast<std::uint8_t*>(picture.pixels.data()));
   std::vector<std::vector<cv::Point2f>> corners;
   std::vector<int> ids;

@@ -11,9 +11,9 @@
 namespace naocal {
 namespace {
 
-constexpr double beside = 0.8; // [squares] from a found corner to a marker's centre: half a square's diagonal and a bit
+constexpr double beside = 0.8; // [squares] from a corner to a marker's centre: just over half a square's diagonal
 
-/// The grey at the centres of a marker's inner cells, in the order of the rows; empty where it leaves the picture.
+/// Grey at the centres of a marker's inner cells, row by row; empty if it leaves the picture.
 Eigen::ArrayXd seenCells(const SmoothImage& picture, const LensDistortion& lens, const Eigen::Matrix3d& homography,
                          const std::array<Eigen::Vector2d, 4>& marker, Eigen::Index cells) {
   Eigen::ArrayXd seen((cells - 2) * (cells - 2));

@@ -9,10 +9,10 @@
 
 namespace naocal {
 
-/// How well the picture agrees with what should be printed in the markers beside the corners that were found: the
-/// correlation, over all these markers' inner cells, of the grey at their centres with the print (1: as printed, about
-/// 0: something else is printed there). A chessboard looks the same two squares further on, its markers do not: this
-/// finds a walk that began at a misread marker, and a board in the other pattern. `corners`: at least four, by id [px].
+/// Correlation between the picture and the expected print of the markers beside the detected corners: grey at the
+/// centres of all their inner cells against the pattern (1: as printed, about 0: another print). Detects region growing
+/// from a misread marker and the other layout: the chessboard repeats every two squares, the markers do not. `corners`:
+/// at least four, by id [px].
 double printCorrelation(const SmoothImage& picture, const LensDistortion& lens, const CharucoPattern& pattern,
                         const std::map<int, Eigen::Vector2d>& corners);
 

@@ -18,8 +18,8 @@ namespace naocal {
 
 namespace {
 
-/// An effect's first unknown by a fit with it: far from zero the linearised estimate is short of it. Absent where there
-/// is no such fit.
+/// First unknown of an effect, refitted: far from zero the linearised estimate is too small. Absent if no fit is
+/// possible.
 std::optional<double> estimateTerm(const Term& term, const Measurements& measurements) {
   try {
     const Model model = buildModel(measurements, {term.label()});
@@ -30,7 +30,7 @@ std::optional<double> estimateTerm(const Term& term, const Measurements& measure
   }
 }
 
-/// rms distance of corners with the likeliest effect in the model [px]. A gain is left out: a sign is one of -2.
+/// rms distance of corners with the likeliest effect in the model [px]. Excludes gains: a wrong sign is a gain of -2.
 double rmsBesideLikeliest(const CandidateTests& inquiry, const Measurements& measurements, const Model& model) {
   for (const std::size_t candidate : inquiry.candidatesByEvidence()) {
     const Term& term = inquiry.candidates()[candidate];
@@ -48,7 +48,7 @@ double rmsBesideLikeliest(const CandidateTests& inquiry, const Measurements& mea
   return std::numeric_limits<double>::infinity();
 }
 
-/// An effect of a size that no robot has but a wrong set-up does.
+/// A set-up error: an effect of a size that only a wrong set-up explains.
 std::optional<DataAnomaly> findSetUp(const CandidateTests& inquiry, const Measurements& measurements) {
   constexpr double boardScale = 0.03, mirrored = -1.5;
   std::size_t best = 0;
@@ -80,7 +80,7 @@ std::optional<DataAnomaly> findSetUp(const CandidateTests& inquiry, const Measur
   return std::nullopt;
 }
 
-/// Mirrored, a joint's gain is off by -2, of which the linearised estimate shows a good part.
+/// Whether a joint may have the wrong sign: a gain of -2, of which the linearised estimate shows a good part.
 bool mayBeMirrored(const CandidateTests& inquiry, std::size_t motor) {
   constexpr double notable = -0.3;
   for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
@@ -150,15 +150,15 @@ std::vector<DataAnomaly> findDisplacedBoards(const Measurements& measurements, c
 
 namespace {
 
-constexpr std::size_t mostApproaches = 6, mostPoses = 3; // that are worth a look
+constexpr std::size_t mostApproaches = 6, mostPoses = 3; // upper limits of the candidates
 
-/// Pictures that were taken together.
+/// Pictures of one approach or pose.
 struct Together {
   std::size_t set = 0;
   std::string pose;
   std::set<double> times;
   std::vector<int> captures; // ids
-  double squares = 0;        // of corners' common errors, times the corners [px^2]
+  double squares = 0;        // sum over pictures of the corners' mean error squared, times the number of corners [px^2]
   double corners = 0;
 
   double error() const { return corners > 0 ? squares / corners : 0; }
@@ -173,7 +173,7 @@ struct Together {
   }
 };
 
-/// Placement of the floor under the robot, at these moments only: x, y, z [m], roll, pitch, yaw [rad].
+/// Displacement of the floor under the robot at these times only: x, y, z [m], roll, pitch, yaw [rad].
 Effect makeDisplacement(std::size_t set, std::set<double> times) {
   constexpr double distance = 0.02, angle = 0.03;
   Effect effect{.name = "wrongAngles",
@@ -206,7 +206,7 @@ Together alone(const ImageObservation& picture, const Capture& capture, const st
   return together;
 }
 
-/// Those with the largest errors, the worst first.
+/// The `most` groups with the largest errors, largest first.
 std::vector<Together> selectWorst(std::vector<Together> all, std::size_t most) {
   std::stable_sort(all.begin(), all.end(), [](const Together& a, const Together& b) { return a.error() > b.error(); });
   all.resize(std::min(most, all.size()));
@@ -225,7 +225,7 @@ std::vector<TransientEvent> enumerateWrongAngles(const Measurements& measurement
   }
   std::vector<Together> poses, approaches;
   for (const PoseGroup& pose : measurements.poses) {
-    std::map<std::vector<std::size_t>, Together> rests; // readings with the same errors are of one approach
+    std::map<std::vector<std::size_t>, Together> rests; // readings with equal encoder errors belong to one approach
     for (const EncoderSample& reading : pose.readings) {
       for (const std::size_t index : reading.pictures) {
         const ImageObservation& picture = measurements.pictures[index];

@@ -7,20 +7,19 @@
 
 namespace naocal {
 
-/// What looks like an accident or a wrong set-up rather than physics: a board that was kicked or a robot that slipped
-/// at some moment, one bad capture, a board of another size, a joint of swapped sign, cameras of swapped names. Named
-/// only where that explains far more than any effect does.
+/// Finds accidents and set-up errors: a displaced board or robot, a bad capture, a wrong board size, a joint of
+/// inverted sign, swapped camera names. Reports one only if it explains the captures far better than any effect.
 std::vector<DataAnomaly> findAnomalies(const FittedModel& fitted, const CandidateTests& inquiry);
 
-/// Of these only what happened once: an effect that was added may have hidden it.
+/// Only one-off events, which an added effect may have hidden before.
 std::vector<DataAnomaly> findTransientAnomalies(const FittedModel& fitted, const CandidateTests& inquiry);
 
-/// Sightings most of whose corners fit nothing.
+/// Sightings with mostly outlying corners.
 std::vector<DataAnomaly> findDisplacedBoards(const Measurements& measurements, const CalibrationResult& fit);
 
-/// Approaches and whole poses whose angles may be wrong, as candidates: somebody touched the robot, a joint gave way.
-/// Between floor and head the robot is then moved as one body, for both cameras. Only the few whose corners lie
-/// farthest from their predictions together; of those that saw boards on the floor.
+/// Candidates for wrong joint angles during a whole approach or pose (somebody touched the robot, a joint gave way):
+/// the robot between floor and head moves as a rigid body, for both cameras alike. Only the few with the largest common
+/// error of their corners, among those that saw boards on the floor.
 std::vector<TransientEvent> enumerateWrongAngles(const Measurements& measurements, const CalibrationResult& fit);
 
 } // namespace naocal

@@ -19,21 +19,21 @@
 
 namespace naocal {
 
-/// A model that was questioned, its fit, and what was found.
+/// A model, its fit, and its candidate tests.
 struct DiagnosedModel {
   FittedModel fitted;
   const CandidateTests& inquiry;
 };
 
-/// Adds to a finished diagnosis what its figures show: which captures belong to each pose, how much alike the first
-/// candidates are, what they would look like, and what the models leave over. `given`: the model as given.
+/// Adds the figures to a finished diagnosis: captures per pose, correlations of the first candidates, their signatures,
+/// and the residuals of both models. `given`: the model as given.
 void assembleFigures(const DiagnosedModel& given, const DiagnosedModel& last, Diagnosis& diagnosis);
 
 namespace {
 
-/// A curve of the map explains the misfit better than `candidate` and than any other effect that has a name, those
-/// aside that pass with time: what does not foretell is not called the cause. The larger the evidence, the further a
-/// curve must be ahead: being free it follows several effects at once, each of which is then named in turn.
+/// Whether a curve of the map explains the misfit better than `candidate` and than any other named effect, transient
+/// effects aside (they do not predict). The required lead grows with the evidence: a free curve mimics several effects
+/// at once, which are then named one by one.
 bool isUnknown(const CandidateTests& inquiry, std::optional<std::size_t> candidate) {
   const GroupEvidence& best = inquiry.curveEvidence(inquiry.curvesByEvidence().front());
   const double curve = best.matters() ? best.bayes : 0;
@@ -44,8 +44,8 @@ bool isUnknown(const CandidateTests& inquiry, std::optional<std::size_t> candida
   return curve > 0 && curve - named > std::max(threshold::unnamed, named * named / threshold::unnamedGrowth);
 }
 
-/// The captures show so much more of a named effect that what they show within pictures may be its consequence, or
-/// stand beside it and be looked at once it is added.
+/// Whether a named effect elsewhere has so much evidence (more than twice the field's) that the field may be its
+/// consequence, or can wait until the effect is added.
 bool explains(const CandidateTests& inquiry, std::optional<std::size_t> candidate, const ImageField& field) {
   if (!candidate) {
     return false;
@@ -56,13 +56,14 @@ bool explains(const CandidateTests& inquiry, std::optional<std::size_t> candidat
   return !samePlace && inquiry.candidateEvidence(*candidate).bayes > 2 * field.fit.bayes;
 }
 
-/// The field, unless it is what little an effect leaves that follows its shape but roughly. `most`: of all so far.
+/// The field, unless it is the weak remainder of a field already explained. `most`: largest evidence of all fields so
+/// far.
 std::optional<ImageField> noteworthyField(const std::optional<ImageField>& field, double& most) {
   most = std::max(most, field ? field->fit.bayes : 0);
   return field && field->fit.bayes < threshold::fieldRemainder * most ? std::nullopt : field;
 }
 
-/// `missing`: an effect that has a name explains the misfit. `unknown`: nothing that has a name does, but a curve.
+/// `missing`: a named effect explains the misfit. `unknown`: only an unnamed curve does.
 Verdict verdictOf(const Diagnosis& diagnosis, double misfitLeft, bool missing, bool unknown) {
   if (!diagnosis.anomalies.empty()) {
     return Verdict::badCaptures;
@@ -73,7 +74,7 @@ Verdict verdictOf(const Diagnosis& diagnosis, double misfitLeft, bool missing, b
   if (missing) {
     return Verdict::effectMissing;
   }
-  // corners of precise pictures err together by less than matters: a lens that is not quite round, a detector's bias
+  // sharp corners share errors below the noise floor: lens distortion that the model lacks, detector bias
   const bool matters = diagnosis.rmsPx > diagnosis.lackOfFit.noiseFloorPx;
   if (diagnosis.unexplained || (misfitLeft > threshold::misfit && matters)) {
     return Verdict::inconclusive;
@@ -81,7 +82,7 @@ Verdict verdictOf(const Diagnosis& diagnosis, double misfitLeft, bool missing, b
   return diagnosis.fit.scatter > threshold::scatterRatio ? Verdict::scatter : Verdict::adequate;
 }
 
-/// Of captures that nothing was said of yet.
+/// Appends anomalies of captures without an earlier anomaly.
 void addNew(const std::vector<DataAnomaly>& further, std::vector<DataAnomaly>& suspicious) {
   const std::vector<DataAnomaly> before = suspicious;
   std::copy_if(further.begin(), further.end(), std::back_inserter(suspicious), [&](const DataAnomaly& one) {
@@ -90,7 +91,7 @@ void addNew(const std::vector<DataAnomaly>& further, std::vector<DataAnomaly>& s
   });
 }
 
-/// What is left to say where no search can start.
+/// Diagnosis of captures without a feasible fit.
 Diagnosis withoutFit(const Measurements& measurements, const InputError& error) {
   Diagnosis result;
   result.verdict = Verdict::badCaptures;
@@ -100,15 +101,15 @@ Diagnosis withoutFit(const Measurements& measurements, const InputError& error) 
   return result;
 }
 
-/// The loop: question the model, add what is missing, until the alarm falls silent.
+/// Main loop: tests the model and adds missing effects until the alarm stops.
 Diagnosis questionModel(const Measurements& measurements, const Model& asked, const DiagnosisOptions& options) {
   Diagnosis result;
   StepwiseSelection ladder{measurements, asked, options};
   result.fit = ladder.fit();
   result.rmsPx = result.fit.rmsPx;
   bool unknown = false;
-  double most = 0;                     // that was striking within pictures
-  std::list<CandidateTests> inquiries; // the first of the model as given, and the latest
+  double most = 0;                     // largest evidence of a field within pictures so far
+  std::list<CandidateTests> inquiries; // tests of the model as given, and of the latest model
   while (true) {
     if (inquiries.size() > 1) {
       inquiries.pop_back();
@@ -147,7 +148,7 @@ Diagnosis questionModel(const Measurements& measurements, const Model& asked, co
         result.driverCurves.insert(result.driverCurves.begin(), curveFromField(*field, measurements));
       }
       result.scatter = ladder.fit().noise.pose;
-      const bool lasting = !result.anomalies.empty() && !result.anomalies.front().capture; // else all would seem moved
+      const bool lasting = !result.anomalies.empty() && !result.anomalies.front().capture; // else all seem displaced
       if (!unknown && !lasting && (result.suggested.empty() || !striking)) {
         addNew(findDisplacedBoards(measurements, ladder.refitWithoutDisplacedBoards()), result.anomalies);
       }
@@ -176,12 +177,12 @@ Diagnosis questionModel(const Measurements& measurements, const Model& asked, co
   return result;
 }
 
-/// Whether an accident is said to have spoiled these captures, and no more than those.
+/// Whether an accident spoiled specific captures only.
 bool isSpoiled(const DataAnomaly& suspicion) {
   return suspicion.capture && suspicion.odds;
 }
 
-/// Without what these captures show.
+/// Removes the corners of these captures.
 Measurements excludeSuspicious(const std::vector<DataAnomaly>& suspicious, Measurements measurements) {
   for (std::size_t index = 0; index < measurements.pictures.size(); ++index) {
     const ImageObservation& picture = measurements.pictures[index];
@@ -196,7 +197,8 @@ Measurements excludeSuspicious(const std::vector<DataAnomaly>& suspicious, Measu
   return measurements;
 }
 
-/// What all captures show of candidates beside the model as given, whatever was set aside later.
+/// Takes the evidence of each candidate beside the model as given from the diagnosis of all captures, spoiled ones
+/// included.
 void takeLoneEvidence(const std::vector<CandidateFinding>& all, std::vector<CandidateFinding>& left) {
   for (CandidateFinding& finding : left) {
     const auto same = std::find_if(all.begin(), all.end(), [&](const CandidateFinding& other) {
@@ -209,7 +211,7 @@ void takeLoneEvidence(const std::vector<CandidateFinding>& all, std::vector<Cand
   }
 }
 
-/// Questioned again without captures that an accident spoiled: what is missing beside them is told as well.
+/// Repeats the diagnosis without captures spoiled by an accident, to find other missing effects.
 Diagnosis questionWithoutSpoiled(const Measurements& measurements, const Model& asked,
                                  const DiagnosisOptions& options) {
   constexpr int most = 4; // accidents

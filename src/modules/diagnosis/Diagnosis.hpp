@@ -4,8 +4,8 @@
 
 namespace naocal {
 
-/// Compares the model with the measurements, sees where it fails, learns which effects are missing, adds them as long
-/// as the alarm stands, and says what remains.
+/// Diagnoses the model: tests it against the captures, adds missing effects while the alarm persists, and reports the
+/// verdict.
 Diagnosis diagnose(const Measurements& measurements, const DiagnosisOptions& options = {});
 
 } // namespace naocal

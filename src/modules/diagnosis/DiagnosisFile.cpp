@@ -18,18 +18,18 @@
 
 namespace naocal {
 
-/// What the diagnosis file holds for figures: numbers with as many digits as a figure can show.
+/// Figures of the diagnosis file, with as many digits as a figure can show.
 ///
-/// `mostPoints`: of the points of one figure; where there are more, "of" says how many.
+/// `mostPoints`: upper limit per figure; if exceeded, "of" gives the full number.
 ///
-/// Adds poses, pictures and cameras, and how much alike candidates are, with each pair that the captures cannot tell
-/// apart how many times as much data could.
+/// Adds poses, pictures, cameras and the correlations of candidates; for each pair that the captures cannot
+/// distinguish, the factor of additional data that could.
 void addFiguresJson(const Diagnosis& diagnosis, std::size_t mostPoints, nlohmann::json& file);
-/// Adds a candidate's figures.
+/// Adds the figures of a candidate.
 void addFiguresJson(const CandidateFinding& finding, std::size_t mostPoints, nlohmann::json& entry);
 
-/// Adds what was recorded at every picture, and what the models leave over: "asGiven" and, where something was added,
-/// "withSuggested". `mostPoints` as of `addFiguresJson`.
+/// Adds the recorded drivers of every picture and the residuals of the models: "asGiven" and, after additions,
+/// "withSuggested". `mostPoints` as in `addFiguresJson`.
 void addResidualViewsJson(const Figures& figures, std::size_t mostPoints, nlohmann::json& file);
 
 using Json = nlohmann::json;
@@ -284,7 +284,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// What was recorded at every picture and varied; four digits of what it varied by.
+/// Recorded drivers with any variation, rounded to four digits of their range.
 Json recordedJson(const Figures& figures) {
   Json result = Json::array();
   for (const DriverSeries& driver : figures.recorded) {
@@ -319,7 +319,7 @@ Json jointCorrectionsJson(const Figures& figures, const Figures::Left& left, std
   return result;
 }
 
-/// Three numbers [m] to the micrometre.
+/// Three lengths [m], rounded to the micrometre.
 Json micrometres(const Eigen::Vector3d& metres) {
   Json result = Json::array();
   for (const double value : metres) {

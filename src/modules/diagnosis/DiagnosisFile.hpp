@@ -7,8 +7,8 @@
 
 namespace naocal {
 
-/// DIAGNOSIS.json: verdict, lack of fit, ranking, ladder, curves, suspicious captures; of each figure at most so many
-/// points.
+/// DIAGNOSIS.json: verdict, lack of fit, ranking, steps, curves, anomalies, figures. `mostPoints`: upper limit per
+/// figure.
 nlohmann::json diagnosisJson(const Diagnosis& diagnosis, std::size_t mostPoints = drawable);
 
 } // namespace naocal

@@ -19,62 +19,64 @@
 
 namespace naocal {
 
+/// Verdict of a diagnosis: the model is adequate; a named effect is missing; only an unnamed curve explains the misfit;
+/// significant joint scatter; undecided; the captures contain an accident or a set-up error.
 enum class Verdict { adequate, effectMissing, unknownEffect, scatter, inconclusive, badCaptures };
 
-/// What these captures say about one candidate.
+/// The state of one candidate given these captures.
 enum class CandidateState {
-  present,      // the misfit needs it
-  aliased,      // it would explain the misfit as well, but one that explains it as well was taken
-  trivial,      // there, but smaller than matters
-  absent,       // it would have been seen were it as large as it plausibly is
-  inconclusive, // it might be there and not be seen
-  absorbed,     // these poses cannot test it: other unknowns imitate it
-  noData        // what drives it was not recorded
+  present,      // the misfit requires it
+  aliased,      // explains the misfit equally well as an effect already in the model
+  trivial,      // significant, but too small to matter
+  absent,       // would have been detected at its plausible size
+  inconclusive, // may be present below the detection limit
+  absorbed,     // not testable: other unknowns mimic it in these poses
+  noData        // not testable: its driver was not recorded
 };
 
-/// An effect at a place, and what the captures say about it.
+/// Result for an effect at one place.
 struct CandidateFinding {
   Term term;
   CandidateState state = CandidateState::inconclusive;
-  std::string why;                       // of noData: "no temperatures were recorded"
-  GroupEvidence evidence;                // where it was strongest: alone, or after others were added
-  GroupEvidence alone;                   // beside the model as given
-  std::size_t step = 0;                  // after how many additions that was
-  double power = 0;                      // chance to be noticed were any one of its unknowns as large as plausible
-  std::vector<double> minimalDetectable; // per unknown: noticed in 9 of 10 cases [the unknown's unit]
-  std::optional<double> chi2Drop;        // after refitting, where that was done
-  std::optional<double> heldOutBefore, heldOutAfter; // [px]
-  bool plausible = true;                             // within three of its sigmas
-  std::vector<std::string> equivalent;               // labels of effects that these captures cannot tell from it
-  std::optional<AddedVariable> addedVariable;        // of the first few
-  std::optional<EffectSignature> imprint;            // of the first few, in the model as given
+  std::string why;                       // reason for `noData`: "no temperatures were recorded"
+  GroupEvidence evidence;                // strongest evidence: beside the model as given or after later additions
+  GroupEvidence alone;                   // evidence beside the model as given
+  std::size_t step = 0;                  // number of additions before `evidence`
+  double power = 0;                      // detection probability if any one of its unknowns has its plausible size
+  std::vector<double> minimalDetectable; // per unknown: size detected with 90 % power [the unknown's unit]
+  std::optional<double> chi2Drop;        // decrease of chi2 after refitting, where refitted
+  std::optional<double> heldOutBefore, heldOutAfter; // held-out error without and with it [px]
+  bool plausible = true;                             // estimates within three prior sigmas
+  std::vector<std::string> equivalent;               // labels of effects that these captures cannot distinguish from it
+  std::optional<AddedVariable> addedVariable;        // for the first few candidates only
+  std::optional<EffectSignature> imprint;            // for the first few candidates only, in the model as given
 };
 
-/// A capture, board or setting that looks wrong.
+/// A suspicious capture, board or setting.
 struct DataAnomaly {
-  std::optional<int> capture; // its id
+  std::optional<int> capture; // id of the capture, if one is concerned
   std::string why;
-  std::size_t set = 0;             // the capture's
-  std::optional<double> odds = {}; // to 1 against the best effect or curve, where they were compared
-  std::optional<Moment> when = {}; // of what happened between two captures
+  std::size_t set = 0;             // set of the capture
+  std::optional<double> odds = {}; // odds (x to 1) against the best effect or curve, where compared
+  std::optional<Moment> when = {}; // moment of an event between two captures
 };
 
-/// One rung of the ladder: the model with one more effect.
+/// One step of the selection: the model with one more effect.
 struct SelectionStep {
-  std::string added;                // its label; empty for the model as it was given
+  std::string added;                // label; empty for the model as given
   std::vector<std::string> dropped; // labels of earlier additions that it made superfluous
   double rmsPx = 0, noiseFloorPx = 0;
-  std::optional<double> heldOutPx; // on poses that neither the fit nor the choice of effects has seen; not of one pose
+  std::optional<double> heldOutPx; // held-out error, with effects chosen anew in each fold; absent with a single pose
   std::optional<double> nextPx;    // the same with the effect that would be chosen next
   double chi2 = 0, dof = 0;
-  double alarm = 1; // family-wise p-value that something is missing here
+  double alarm = 1; // family-wise p-value of the model being complete
 };
 
-/// A curve that no effect of the catalogue follows, as an effect of a person's own that lowers the held-out error.
+/// A curve outside the catalogue, as a user-defined effect that lowers the held-out error.
 struct OwnEffect {
   std::string label;      // "found_LKneePitch_over_q@LKneePitch"
   std::string definition; // JSON, as in a model file's `define`
-  SelectionStep step;     // the rung with it; its expression was chosen on all poses, its sizes in each fold
+  SelectionStep step;     // the step that adds it; expression chosen on all poses, coefficients fitted per fold
 };
 
 struct Diagnosis {
@@ -83,31 +85,30 @@ struct Diagnosis {
   LackOfFit lackOfFit; // of the model as given
   double rmsPx = 0;
   double alarm = 1;                      // of the model as given
-  bool unexplained = false;              // the alarm stands, but nothing is likely enough to be added
+  bool unexplained = false;              // the alarm persists, but no candidate is likely enough to add
   double scatter = 0;                    // pose noise of the last model [rad]
-  std::vector<CandidateFinding> ranking; // best first
-  std::vector<std::string> suggested;    // labels, in the order they were added; that of `own` last
-  std::optional<OwnEffect> own;          // beyond the catalogue, on top of the last model
-  std::vector<SelectionStep> steps;      // the ladder
-  std::vector<DriverCurve> driverCurves; // on the last model, best first
-  std::vector<DriverScore> driverScores; // on the last model
+  std::vector<CandidateFinding> ranking; // all candidates, best first
+  std::vector<std::string> suggested;    // labels in order of addition; `own` last
+  std::optional<OwnEffect> own;          // user-defined effect beyond the catalogue, on top of the last model
+  std::vector<SelectionStep> steps;      // selection steps, starting with the model as given
+  std::vector<DriverCurve> driverCurves; // for the last model, best first
+  std::vector<DriverScore> driverScores; // for the last model
   std::vector<DataAnomaly> anomalies;
   Figures figures;
   CalibrationResult fit;         // of the model as given
-  CalibrationResult lastFit;     // with everything suggested that the catalogue has
-  std::vector<std::string> with; // what that last model has beyond the base
+  CalibrationResult lastFit;     // of the last model: with all suggested catalogue effects
+  std::vector<std::string> with; // effects of the last model beyond the base model
   double seconds = 0;
 };
 
 struct DiagnosisOptions {
   CalibrationOptions calibration;
   CandidateTestOptions inquiry;
-  std::vector<std::string> with, without; // the model to question: the base with and without these
+  std::vector<std::string> with, without; // model to diagnose: the base model with and without these effects
   std::vector<Effect> effects = allEffects();
-  double alarm = threshold::alarm; // family-wise rate of false alarms
-  bool extend = true;              // add what is missing; else only question the model as it is
-  std::function<bool()>
-      shouldContinue; // asked before each addition; false: the diagnosis says what it has found so far
+  double alarm = threshold::alarm;      // family-wise false-alarm rate
+  bool extend = true;                   // adds missing effects; false: tests the given model only
+  std::function<bool()> shouldContinue; // called before each addition; false stops and returns the findings so far
 };
 
 } // namespace naocal

@@ -44,7 +44,7 @@ std::string formatMissing(const Diagnosis& diagnosis) {
   return text;
 }
 
-/// The alarm stands, but its best candidate is no likelier there than not.
+/// Sentence for an alarm whose best candidate is not likely enough to add.
 std::string formatHardlyLikely(const Diagnosis& diagnosis) {
   const CandidateFinding& first = diagnosis.ranking.front();
   return fmt::format(
@@ -53,7 +53,7 @@ std::string formatHardlyLikely(const Diagnosis& diagnosis) {
       percent(diagnosis.alarm), first.term.label(), formatSizes(first));
 }
 
-/// "LKneePitch", and how far: "±0.30°".
+/// Place and amplitude: "LKneePitch", "±0.30°".
 std::pair<std::string, std::string> formatPlaceAndAmplitude(const DriverCurve& curve) {
   if (curve.unit == "m") {
     return {
@@ -75,7 +75,7 @@ std::pair<std::string, std::string> formatPlaceAndAmplitude(const DriverCurve& c
 std::string formatUnknown(const Diagnosis& diagnosis) {
   const DriverCurve& curve = diagnosis.driverCurves.front();
   const auto [where, howFar] = formatPlaceAndAmplitude(curve);
-  std::vector<std::string> named = diagnosis.suggested; // in the catalogue
+  std::vector<std::string> named = diagnosis.suggested; // effects of the catalogue
   std::string own;
   if (diagnosis.own) {
     named.pop_back();

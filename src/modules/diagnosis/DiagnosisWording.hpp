@@ -6,23 +6,23 @@
 
 namespace naocal {
 
-/// "effect-missing", ... as in diagnosis files.
+/// File value: "effect-missing", ...
 std::string toString(Verdict verdict);
-/// "present", ..., "no-data".
+/// File value: "present", ..., "no-data".
 std::string toString(CandidateState state);
-/// The state as people read it: "needed", "could explain", "ruled out", ...
+/// Display text of a state: "needed", "could explain", "ruled out", ...
 std::string describeState(CandidateState state);
 
-/// The diagnosis in a sentence or two for people.
+/// The diagnosis as one or two sentences.
 std::string summarize(const Diagnosis& diagnosis);
 
-/// How far a curve deflects: "±0.30°".
+/// Amplitude of a curve: "±0.30°".
 std::string formatAmplitude(const DriverCurve& curve);
 
-/// Whether captures tell an unknown of a finding at all: to ten of its plausible sizes.
+/// Whether the captures determine an unknown of a finding: standard error at most ten prior sigmas.
 bool isTold(const CandidateFinding& finding, std::size_t unknown);
 
-/// "c = 0.34 ± 0.02°/Nm, t undetermined": a finding's sizes.
+/// Estimates of a finding: "c = 0.34 ± 0.02°/Nm, t undetermined".
 std::string formatSizes(const CandidateFinding& finding);
 
 } // namespace naocal

@@ -21,7 +21,7 @@ namespace naocal {
 
 namespace {
 
-/// First with all corners in full: what has moved has lost its weight.
+/// Fits first without downweighting, since displaced corners have lost their weight.
 FitMinimum fitFrom(const Eigen::VectorXd& start, const FittedModel& fitted) {
   Fit full = fitNearly(fitted.measurements, fitted.model, fitted.fit.noise, Loss{}, start);
   return refit(fitted.measurements, fitted.model, fitted.fit.noise, fitted.fit.loss, std::move(full), nearly).minimum;
@@ -41,7 +41,7 @@ std::vector<std::optional<EventFit>> fitEvents(const std::vector<TransientEvent>
       const Term& term = larger.terms().back();
       result[i] = {2 * (without - minimum.linear.cost),
                    minimum.state.unknowns.segment(static_cast<Eigen::Index>(term.first), term.sigmas().size())};
-    } catch (const InputError&) { // nothing explains corners behind the camera
+    } catch (const InputError&) { // a corner behind the camera: no fit for this event
     }
   });
   return result;
@@ -49,14 +49,14 @@ std::vector<std::optional<EventFit>> fitEvents(const std::vector<TransientEvent>
 
 namespace {
 
-constexpr double millimetres = 1000; // in a metre
+constexpr double millimetres = 1000; // per metre
 
-/// Sets follow each other in the order in which they were given.
+/// Sets are in chronological order.
 bool isAfter(const RobotSample& instant, const Moment& moment) {
   return instant.set > moment.set || (instant.set == moment.set && instant.time.count() > moment.time);
 }
 
-/// From a moment on a floor placement (x, y, yaw) is another one.
+/// Displacement of a floor placement (x, y, yaw) from a moment on.
 Effect makeMove(EffectSite place, const Moment& moment) {
   Effect effect{.name = place == EffectSite::board ? "boardMoved" : "robotMoved",
                 .what = {},
@@ -76,7 +76,7 @@ Effect makeMove(EffectSite place, const Moment& moment) {
   return effect;
 }
 
-/// At these instants a camera looks elsewhere than it should.
+/// Camera rotation at the selected instants.
 Effect makeTurn(std::string name, std::function<bool(const RobotSample&)> when) {
   return {.name = std::move(name),
           .what = {},
@@ -101,7 +101,7 @@ Effect makeKnock(const Moment& moment) {
   return makeTurn("cameraKnocked", [moment](const RobotSample& instant) { return isAfter(instant, moment); });
 }
 
-/// From a moment on a joint reads more than before: a gear slipped, or its encoder.
+/// Step of a joint reading from a moment on: slipped gear or encoder.
 Effect makeStep(const Moment& moment) {
   return {.name = "jointStepped",
           .what = {},
@@ -116,16 +116,16 @@ Effect makeStep(const Moment& moment) {
           }};
 }
 
-/// When boards, stances or cameras were seen, by set and number.
+/// Observation times of boards, stances or cameras, by (set, index).
 using Times = std::map<std::pair<std::size_t, std::size_t>, std::set<double>>;
 
-/// A moment in a gap between two times.
+/// The moment at `time`, bounded by the neighbouring observation times.
 Moment momentIn(std::size_t set, const std::set<double>& times, double time) {
   const auto after = times.upper_bound(time);
   return {set, time, *std::prev(after), *after};
 }
 
-/// What a moment is worth beforehand: in 2 ln of its gap's length, against the mean of `count` gaps in these times.
+/// Prior of a moment: 2 ln of its gap's length relative to the mean of `count` gaps in these times.
 double priorOf(const Moment& moment, const std::set<double>& times, std::size_t count) {
   const double share = (moment.until - moment.since) / (*times.rbegin() - *times.begin());
   return 2 * std::log(static_cast<double>(count) * share);
@@ -136,13 +136,13 @@ std::string formatSet(std::size_t set, const Measurements& measurements) {
   return sets.size() > 1 ? " of " + sets[set].name : std::string{};
 }
 
-/// Whether there are several of them in the set.
+/// Whether the set contains several of them.
 bool hasSeveral(std::size_t set, const Times& times) {
   const auto ofSet = [set](const auto& entry) { return entry.first.first == set; };
   return std::count_if(times.begin(), times.end(), ofSet) > 1;
 }
 
-/// Boards, stances, cameras and joints' zeros, each moved at this many moments at most.
+/// Displacements of boards, stances, cameras and joint zeros, at up to `most` moments each.
 std::vector<TransientEvent> movesAt(std::size_t most, const Measurements& measurements) {
   std::vector<TransientEvent> result;
   Times boards, stances, cameras, joints;
@@ -177,7 +177,7 @@ std::vector<TransientEvent> movesAt(std::size_t most, const Measurements& measur
     }
   };
   Times movable = boards, knockable = cameras;
-  // of one board alone it is the robot that moves, of one camera alone it may as well be the head
+  // with a single board, a move is attributed to the robot; with a single camera, to the head
   std::erase_if(movable, [&](const auto& entry) { return !hasSeveral(entry.first.first, boards); });
   std::erase_if(knockable, [&](const auto& entry) { return !hasSeveral(entry.first.first, cameras); });
   addMoves(
@@ -191,7 +191,7 @@ std::vector<TransientEvent> movesAt(std::size_t most, const Measurements& measur
   return result;
 }
 
-/// Pictures in which something was seen; of more than `most` those with the largest errors.
+/// Pictures with corners; at most `most`, those with the largest errors.
 std::vector<std::size_t> worstPictures(std::size_t most, const Measurements& measurements,
                                        const CalibrationResult& fit) {
   std::vector<double> squares(measurements.pictures.size(), 0), corners = squares;

@@ -20,9 +20,10 @@ namespace naocal {
 
 namespace {
 
-/// A single bad pose makes all of few poses seem to scatter: without it they would scatter less.
+/// Noise levels to try: the given one and, with few poses, lower ones, since a single bad pose inflates the scatter of
+/// all.
 std::vector<Noise> lowerLevels(const Noise& noise, std::size_t poses) {
-  constexpr std::size_t few = 128; // one of more that stands out by ten times their scatter still does by seven
+  constexpr std::size_t few = 128; // above, one at ten times their scatter still stands out by seven
   std::vector<Noise> result{noise};
   if (noise.pose + noise.reapproach > 0 && poses < few) {
     for (const double part : {0.0, 0.25, 0.5}) {
@@ -34,8 +35,8 @@ std::vector<Noise> lowerLevels(const Noise& noise, std::size_t poses) {
   return result;
 }
 
-/// Per group, its Bayes factor where the level of noise suits it best, against the model at the first level, of which
-/// the evidence is known.
+/// Best Bayes factor of each group over the noise levels, relative to the model at the first level, whose evidence is
+/// already computed.
 std::vector<double> findBestAtAnyLevel(const CandidateTests& inquiry, const std::vector<Noise>& levels) {
   const ScoreProblem& problem = inquiry.problem();
   const PoseResiduals measured = measuredResiduals(*problem.poses);
@@ -58,10 +59,10 @@ std::vector<double> findBestAtAnyLevel(const CandidateTests& inquiry, const std:
   return result;
 }
 
-/// The best evidence of what an event competes with, at any level. A step at a moment is an event itself here.
+/// Strongest evidence of competing explanations, at any noise level. Steps over time count as events, not as rivals.
 struct Rivals {
-  double lasting = 0; // an effect that is always there
-  double passing = 0; // one that comes and goes, or a curve without a name
+  double lasting = 0; // a permanent effect
+  double passing = 0; // a transient effect, or an unnamed curve
 
   double best() const { return std::max(lasting, passing); }
 };
@@ -82,12 +83,12 @@ Rivals findRivals(const CandidateTests& inquiry, const std::vector<Noise>& level
   return result;
 }
 
-/// Events, and what the captures say of each.
+/// Candidate events with their evidence.
 struct Asked {
   std::vector<TransientEvent> events;
-  std::vector<double> bayes;           // at any level, their priors included
-  std::vector<GroupEvidence> evidence; // at the fit's
-  std::vector<std::size_t> order = {}; // the likeliest first
+  std::vector<double> bayes;           // at the best noise level, prior included
+  std::vector<GroupEvidence> evidence; // at the noise level of the fit
+  std::vector<std::size_t> order = {}; // by decreasing evidence
 
   const TransientEvent& event(std::size_t place) const { return events[order[place]]; }
 };
@@ -109,13 +110,13 @@ Asked askEvents(std::vector<TransientEvent> events, const FittedModel& fitted, c
   return result;
 }
 
-/// What chance shows at some of so many events.
+/// Evidence that the best of so many events may reach by chance.
 double expectedByChance(const Asked& events, const Measurements& measurements) {
-  const std::size_t possible = std::max(events.events.size(), measurements.pictures.size()); // also what is not asked
+  const std::size_t possible = std::max(events.events.size(), measurements.pictures.size()); // or untested
   return threshold::veryStrong + 2 * std::log(static_cast<double>(possible));
 }
 
-/// Whether the likeliest is ahead of its rivals, and large enough to matter.
+/// Whether the likeliest event leads its rivals and is large enough to matter.
 bool isConvincing(const Asked& events, const Rivals& rivals) {
   const std::size_t first = events.order.front();
   const GroupEvidence& evidence = events.evidence[first];
@@ -123,7 +124,7 @@ bool isConvincing(const Asked& events, const Rivals& rivals) {
          (events.events[first].from ? evidence.movedPx > threshold::negligiblePx : evidence.matters());
 }
 
-/// The likeliest few, those that moved at all moments.
+/// The likeliest few events; those with a moment at all possible moments.
 std::vector<TransientEvent> expandMoments(const Asked& coarse, const Measurements& measurements) {
   constexpr std::size_t most = 8;
   std::vector<TransientEvent> things;
@@ -140,14 +141,14 @@ std::vector<TransientEvent> expandMoments(const Asked& coarse, const Measurement
   return result;
 }
 
-/// An event that was fitted.
+/// A fitted event.
 struct Tried {
   TransientEvent event;
-  double bayes = 0; // its evidence, with the fall of chi2 that the fit found
+  double bayes = 0; // evidence, corrected by the chi2 decrease of the fit
   Eigen::VectorXd values;
 };
 
-/// Fits of the likeliest, of each thing that may have moved at its best three moments; the best first.
+/// Fits the likeliest events, each object at its best three moments; best first.
 std::vector<Tried> tryLikeliest(const Asked& events, const FittedModel& fitted) {
   constexpr std::size_t most = 12, moments = 3;
   std::vector<std::size_t> chosen;
@@ -173,7 +174,7 @@ std::vector<Tried> tryLikeliest(const Asked& events, const FittedModel& fitted) 
   return result;
 }
 
-/// An event with all the moments at which it would be hardly less likely.
+/// Widens an event's bounds to all moments that are almost as likely.
 TransientEvent widenEvent(TransientEvent event, const Asked& fine) {
   double best = -std::numeric_limits<double>::infinity();
   const auto ofThis = [&](const auto& look) {
@@ -193,7 +194,7 @@ TransientEvent widenEvent(TransientEvent event, const Asked& fine) {
   return event;
 }
 
-/// ", unless it was board B (1 to 3)": each other thing that is hardly less likely.
+/// Alternatives that are almost as likely: ", unless it was board B (1 to 3)".
 std::string formatAlternatives(const std::vector<Tried>& tried) {
   std::string text;
   std::vector<const TransientEvent*> told{&tried.front().event};
@@ -211,7 +212,7 @@ std::string formatAlternatives(const std::vector<Tried>& tried) {
   return text;
 }
 
-/// With all corners in full, whichever board they seem to be on. Absent where that puts one behind its camera.
+/// Fit with full weight for all corners. Absent if it puts one behind its camera.
 std::optional<CalibrationResult> calibrateWithAllCorners(const FittedModel& fitted) {
   CalibrationOptions options;
   options.noise = fitted.fit.noise;

@@ -9,16 +9,17 @@
 
 namespace naocal {
 
-/// An event that explains the captures, and how much likelier it is than the best effect or curve, at most 1e12 to 1.
+/// An event that explains the captures, with its odds against the best effect or curve, at most 1e12 to 1.
 struct LikelyEvent {
   TransientEvent event;
   double odds = 1;
-  std::string sentence; // what happened, by how much, when, and what else it could have been
+  std::string sentence; // the event, its size and time, and alternative explanations
 };
 
-/// The event that explains the misfit best, where it does so far better than chance and than any candidate effect or
-/// curve. The evidence of all is linearised at the fit; the best few are fitted, and those fits choose what moved and
-/// when. Where the fit gave no weight to whole boards they count in full: they may be all that was seen afterwards.
+/// The event that explains the misfit best, if far better than chance and than any candidate effect or curve. All
+/// events are ranked by evidence linearised at the fit; the best few are fitted to determine object and moment. If the
+/// fit downweighted whole boards, refits with all corners at full weight: they may be all that was seen after the
+/// event.
 std::optional<LikelyEvent> findLikeliestEvent(const FittedModel& fitted, const CandidateTests& inquiry);
 
 } // namespace naocal

@@ -26,7 +26,7 @@ nlohmann::json curveAsUserEffect(const DriverCurve& curve) {
 std::optional<OwnEffect> fitOwnEffect(const DriverCurve& curve, const Measurements& measurements,
                                       const StepwiseSelection& ladder, const Diagnosis& diagnosis,
                                       const CandidateTestOptions& options) {
-  const bool passes = curve.driver == "t" || curve.driver == "T"; // explains, but does not predict
+  const bool passes = curve.driver == "t" || curve.driver == "T"; // transient: explains, but does not predict
   if (curve.coefficients.empty() || passes) {
     return std::nullopt;
   }

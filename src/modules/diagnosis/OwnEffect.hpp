@@ -7,12 +7,11 @@
 
 namespace naocal {
 
-/// A joint's curve as a person's own effect, as model files define it (`effects/UserEffect.hpp`); the curve must have
-/// an expression. Every sigma is twice what was found, so that captures decide.
+/// A joint's curve as a user-defined effect, as in model files (`effects/UserEffect.hpp`). Requires a curve with an
+/// expression. Each prior sigma is twice the estimate, so that the captures decide.
 nlohmann::json curveAsUserEffect(const DriverCurve& curve);
 
-/// The curve as an effect to add: where an expression follows it, and where that lowers the error on poses that its
-/// sizes were not fitted to.
+/// The curve as an effect to add, if it has an expression that lowers the held-out error.
 std::optional<OwnEffect> fitOwnEffect(const DriverCurve& curve, const Measurements& measurements,
                                       const StepwiseSelection& ladder, const Diagnosis& diagnosis,
                                       const CandidateTestOptions& options);

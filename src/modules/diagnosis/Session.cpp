@@ -46,11 +46,11 @@ bool isKnown(const std::optional<JsonCursor>& place) {
   return place && !place->value().is_null();
 }
 
-/// `before`: how many rungs stand before it.
+/// `before`: number of preceding revisions.
 ModelRevision readRevision(const JsonCursor& place, int before) {
   ModelRevision rung{.with = readTexts(place.at("with")), .without = readTexts(place.find("without"))};
   if (const auto define = place.find("define")) {
-    define->elements(); // a list; what stands in it is checked with the robot's drawing
+    define->elements(); // a list; its elements are checked later, against the robot description
     rung.definitions = define->value().dump();
   }
   if (const auto step = place.find("step"); step && step->value() != "") {

@@ -12,56 +12,57 @@
 
 namespace naocal {
 
-/// A model that a person tried: the base with and without some effects, and how well it did.
+/// A model that a user tried: the base model with and without some effects, and its quality.
 struct ModelRevision {
   std::vector<std::string> with, without;  // "E@P"
-  std::string definitions = "[]";          // the person's own effects: a list of JSON
-  std::string step;                        // what was done: "+ elasticity@LKneePitch"; empty for the first
-  std::optional<std::size_t> from;         // which rung before it was changed
+  std::string definitions = "[]";          // user-defined effects: a JSON list
+  std::string step;                        // the change: "+ elasticity@LKneePitch"; empty for the first revision
+  std::optional<std::size_t> from;         // index of the revision that it derives from
   double rmsPx = 0;                        // of the fit
-  std::optional<SelectionStep> questioned; // once it was put to the question
+  std::optional<SelectionStep> questioned; // set once the model has been tested
 };
 
-/// A person's work with captures, from which it goes on another day, in the terminal or in the panel. Every model that
-/// was tried stays: a changed one comes last, whichever model it was made from.
+/// A user's analysis of captures, resumable in the terminal or the panel. Keeps every model tried; a new revision is
+/// always appended, whichever revision it derives from.
 struct Session {
   std::vector<ModelRevision> ladder;
-  std::size_t at = 0;   // the rung that one stands on
-  ResultSources inputs; // the captures
+  std::size_t at = 0;   // index of the current revision
+  ResultSources inputs; // source captures
 
   ModelRevision& current() { return ladder.at(at); }
   const ModelRevision& current() const { return ladder.at(at); }
 
-  /// Labels of the current model's terms (`termLabels`); called where they matter, as a model may name what there is
-  /// not.
+  /// Labels of the current model's terms (`termLabels`). Evaluated lazily, since a model may name terms that do not
+  /// exist.
   using Terms = std::function<std::vector<std::string>()>;
 
-  /// The current model with another effect, or with one of the base model that was taken out. Throws InputError where
-  /// the effect is in the model.
+  /// Appends the current model with another effect, or with a removed effect of the base model restored. Throws
+  /// InputError if the model already contains it.
   void add(const std::string& label, const Terms& terms);
-  /// The current model without one of its effects, of the base model's too. Throws InputError where it has no such one.
+  /// Appends the current model without one of its effects, base effects included. Throws InputError if it has no such
+  /// effect.
   void drop(const std::string& label, const Terms& terms);
-  /// The current model as changed otherwise; `step` says how.
+  /// Appends a revision with other changes; `step` describes them.
   void revise(ModelRevision changed, const std::string& step);
-  /// Back to the model that the current one was made from. Throws InputError where there is none.
+  /// Returns to the revision that the current one derives from. Throws InputError if there is none.
   void undo();
-  /// To any model that was tried. Throws InputError where there is none of that number.
+  /// Goes to any revision. Throws InputError if there is none of that number.
   void goTo(std::size_t number);
 };
 
-/// The labels of a model's terms that were asked for, placements aside.
+/// Labels of a model's requested terms, placements excluded.
 std::vector<std::string> termLabels(const Model& model);
 
 /// {"format": "naocal-session", "version": 1, "sets": [folders], "sha256": [of their captures.json], "at": 1, "ladder":
 /// [{"with": ["E@P"], "without": [], "define": [user effects], "step": "+ E@P", "from": 0, "rmsPx": 0.52, "heldOutPx":
-/// 0.55, "noiseFloorPx": 0.31, "alarm": 0.005}, ..]}; the last three are absent, or the error on unseen poses null,
-/// where they are not known.
+/// 0.55, "noiseFloorPx": 0.31, "alarm": 0.005}, ..]}; the last three are absent, or the held-out error null, if
+/// unknown.
 nlohmann::json sessionJson(const Session& session);
 
-/// Throws InputError with file, place, what was expected and found.
+/// Throws InputError with file, location, expected and found.
 Session readSession(const std::filesystem::path& file);
 
-/// Throws InputError where the session is of other captures than these.
+/// Throws InputError if the session's captures differ from these.
 void requireSameCaptures(const Session& session, const ResultSources& inputs, const std::filesystem::path& file);
 
 } // namespace naocal

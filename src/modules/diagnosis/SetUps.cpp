@@ -21,10 +21,10 @@ namespace naocal {
 
 namespace {
 
-constexpr double mostOffset = radians(15); // of a robot that still stands
-constexpr double some = 0.1;               // of all corners: more than a few pictures that belong elsewhere
+constexpr double mostOffset = radians(15); // no robot with a larger offset can stand
+constexpr double some = 0.1;               // share of all corners; more than a few misplaced pictures
 
-/// rms distance of corners when these sets are fitted [px]; absent when they cannot be.
+/// rms distance of corners after fitting these sets [px]; absent if no fit is possible.
 std::optional<double> computeMisfit(std::vector<CaptureSet> sets, const Measurements& asTheyAre) {
   try {
     const Measurements measurements = buildMeasurements(std::move(sets), asTheyAre.robot, asTheyAre.samePlace);
@@ -59,12 +59,12 @@ std::vector<CaptureSet> swapCameras(std::vector<CaptureSet> sets) {
   return sets;
 }
 
-/// What a person may have moved far between two captures.
+/// An object that may have been moved far between two captures.
 struct MovedThing {
   std::string who, how;   // "board B", "was put elsewhere"
-  std::set<double> times; // when it was seen, as its set has it [s]
+  std::set<double> times; // observation times within its set [s]
   std::size_t set = 0;
-  std::function<void(CaptureSet&, double time)> separate; // from then on it is another one
+  std::function<void(CaptureSet&, double time)> separate; // splits it into two objects at this time
 };
 
 void startNewStance(CaptureSet& set, int stance, double time) {
@@ -99,7 +99,7 @@ void moveBoard(CaptureSet& set, const std::string& board, double time) {
   set.boards.push_back(std::move(other));
 }
 
-/// Stances that captures share, and boards on the floor, of which there are two or more.
+/// Stances shared by several captures, and boards on the floor if there are at least two.
 std::vector<MovedThing> listMovedThings(const std::vector<CaptureSet>& sets) {
   std::vector<MovedThing> result;
   for (std::size_t number = 0; number < sets.size(); ++number) {
@@ -132,7 +132,7 @@ Seconds firstTime(const CaptureSet& set) {
       ->time;
 }
 
-/// The moment of a thing's move that leaves the least: one of sixteen, then the best near it.
+/// Moment of a move with the smallest remaining misfit: coarse search over 16, then refined.
 struct BestMoment {
   Moment moment;
   double left = std::numeric_limits<double>::infinity(); // rms distance of corners [px]
@@ -166,7 +166,7 @@ BestMoment findBestMoment(const MovedThing& thing, const Measurements& measureme
   return best;
 }
 
-/// What was moved so far that no linearised event shows it.
+/// A move too large for the linearised events.
 std::optional<DataAnomaly> findMovedFar(const Measurements& measurements, double least) {
   const std::vector<CaptureSet>& sets = *measurements.sets;
   constexpr double asGood = 1.05; // of the least misfit: the captures cannot tell which of them it was

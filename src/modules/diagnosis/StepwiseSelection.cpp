@@ -20,7 +20,7 @@
 #include <limits>
 #include <utility>
 
-// How the ladder goes on: what is added, what becomes superfluous.
+// Stepwise selection: which effect to add, which to drop.
 
 namespace naocal {
 
@@ -31,14 +31,14 @@ CandidateFinding& findingOf(std::vector<CandidateFinding>& findings, const Term&
                        [&](const CandidateFinding& finding) { return finding.term.label() == term.label(); });
 }
 
-/// What these captures notice of a candidate, from its part in `evidence`.
+/// Detection power and limits of a candidate, from its part of the evidence.
 void senseFrom(const GroupEvidence& evidence, double criticalP, CandidateFinding& finding) {
   const Sensitivity sensed = computeSensitivity(evidence, finding.term.sigmas(), criticalP);
   finding.power = sensed.power;
   finding.minimalDetectable = sensed.detectable;
 }
 
-/// Nothing of a plausible size would be noticed.
+/// Whether no size up to three prior sigmas would be detected.
 bool isBlind(const CandidateFinding& finding) {
   const Eigen::VectorXd sigmas = finding.term.sigmas();
   for (Eigen::Index k = 0; k < sigmas.size(); ++k) {
@@ -49,13 +49,13 @@ bool isBlind(const CandidateFinding& finding) {
   return true;
 }
 
-/// A candidate that the model does not have.
+/// Judges a candidate that the model lacks.
 void judgeLeftOut(const GroupEvidence& evidence, double criticalP, CandidateFinding& finding) {
   senseFrom(evidence, criticalP, finding);
   if (finding.state == CandidateState::inconclusive) {
     const bool untestable = evidence.freedom < 1 || isBlind(finding);
-    const bool taken = finding.evidence.bayes > evidence.bayes + 2; // by what was added since
-    const bool striking = evidence.pValue < criticalP;              // but it may be less likely there than not
+    const bool taken = finding.evidence.bayes > evidence.bayes + 2; // explained by later additions
+    const bool striking = evidence.pValue < criticalP;              // but the null may still be likelier
     finding.state = untestable && taken ? CandidateState::aliased
                     : untestable        ? CandidateState::absorbed
                     : striking && evidence.bayes > 0
@@ -65,7 +65,7 @@ void judgeLeftOut(const GroupEvidence& evidence, double criticalP, CandidateFind
   }
 }
 
-/// A candidate that the model has: its size is what the last fit says.
+/// Judges a candidate in the model; takes its size from the last fit.
 void judgeAdded(const Term& term, const CalibrationResult& fit, double criticalP, CandidateFinding& finding) {
   senseFrom(finding.evidence, criticalP, finding);
   for (std::size_t k = 0; k < term.effect.unknowns.size(); ++k) {
@@ -77,7 +77,7 @@ void judgeAdded(const Term& term, const CalibrationResult& fit, double criticalP
   finding.plausible = isPlausible(finding.evidence, finding.term.sigmas());
 }
 
-/// The first few of those left out that explain something: what they cannot be told from.
+/// Names the equivalents of the first few remaining candidates with evidence.
 void nameEquivalents(const CandidateTests& last, std::vector<CandidateFinding>& findings) {
   constexpr std::size_t few = 10;
   const std::vector<std::size_t> order = last.candidatesByRank();
@@ -110,7 +110,7 @@ std::vector<CandidateFinding> judgeCandidates(std::vector<CandidateFinding> find
     }
   }
   nameEquivalents(last, findings);
-  const auto tier = [&](const CandidateFinding& finding) { // the first addition leads; what cannot be tested comes last
+  const auto tier = [&](const CandidateFinding& finding) { // first addition first, untestable candidates last
     const bool leads = !suggested.empty() && finding.term.label() == suggested.front();
     const bool shown = finding.state != CandidateState::noData &&
                        (finding.state != CandidateState::absorbed || finding.evidence.bayes > 2);
@@ -124,8 +124,8 @@ std::vector<CandidateFinding> judgeCandidates(std::vector<CandidateFinding> find
 
 namespace {
 
-/// A calibration; of captures of which an accident leads the search astray, with joints held to their readings and
-/// every corner in full.
+/// Calibration with a fallback: if an accident makes the search infeasible, fixes joints to their readings and keeps
+/// all corners at full weight.
 CalibrationResult calibrateOrHold(const Measurements& measurements, const Model& model, CalibrationOptions options) {
   try {
     return calibrate(measurements, model, options);
@@ -154,8 +154,8 @@ StepwiseSelection::StepwiseSelection(const Measurements& measurements, const Mod
   }
 }
 
-/// No sighting is set aside: what a missing effect does to a board must not be taken for an accident. Noise levels are
-/// those of the first rung, found under the widest model: all rungs are compared at the same.
+/// Keeps all sightings, since a missing effect can resemble an accident. Uses the noise levels of the first step,
+/// estimated under the widest model, so that all steps are comparable.
 CalibrationResult StepwiseSelection::calibrateFrom(const Model& model, std::optional<Eigen::VectorXd> start) const {
   CalibrationOptions options = options_.calibration;
   options.start = std::move(start);
@@ -164,7 +164,7 @@ CalibrationResult StepwiseSelection::calibrateFrom(const Model& model, std::opti
     options.noise = *levels_;
     options.estimateNoise = options.question = false;
     if (std::none_of(fit_.doubts.begin(), fit_.doubts.end(), std::mem_fn(&Outlier::whole))) {
-      options.loss = fit_.loss; // else boards that had no weight get it back first
+      options.loss = fit_.loss; // otherwise downweighted boards first regain their weight
     }
   }
   CalibrationResult result = calibrateOrHold(measurements_, model, options);
@@ -175,7 +175,7 @@ CalibrationResult StepwiseSelection::calibrateFrom(const Model& model, std::opti
   const auto many = [&](std::size_t corners) {
     return static_cast<double>(corners) > threshold::manyCorners * static_cast<double>(measurements_.cornerCount);
   };
-  if (many(doubted) || many(elsewhere / 2)) { // so many are not false: the model is, and must see them
+  if (many(doubted) || many(elsewhere / 2)) { // too many for outliers: the model is wrong and must fit them
     options.robust = false;
     result = calibrate(measurements_, model, options);
   }
@@ -216,7 +216,7 @@ void StepwiseSelection::recordStep(const CandidateTests& inquiry, Diagnosis& dia
   }
   std::vector<std::size_t> order = inquiry.candidatesByRank();
   order.resize(std::min<std::size_t>(order.size(), 10));
-  std::vector<std::vector<std::size_t>> asked; // each alone, then by two
+  std::vector<std::vector<std::size_t>> asked; // each candidate alone, then all pairs
   for (const std::size_t candidate : order) {
     asked.push_back({candidate});
   }
@@ -230,7 +230,7 @@ void StepwiseSelection::recordStep(const CandidateTests& inquiry, Diagnosis& dia
   byTwo_.clear();
   for (std::size_t i = 0; i < order.size(); ++i) {
     CandidateFinding& finding = findingOf(inquiry.candidates()[order[i]]);
-    if (held && held->afterPx[i] >= held->beforePx) { // of two that are missing one alone may not help
+    if (held && held->afterPx[i] >= held->beforePx) { // one of two missing effects may not help alone
       bool helps = false;
       for (std::size_t k = order.size(); k < asked.size(); ++k) {
         const bool isAmong = std::find(asked[k].begin(), asked[k].end(), order[i]) != asked[k].end();
@@ -260,7 +260,7 @@ void StepwiseSelection::recordStep(const CandidateTests& inquiry, Diagnosis& dia
   }
   if (diagnosis.steps.empty()) {
     diagnosis.lackOfFit = misfit;
-  } else { // an effect that was chosen on all poses is as good as its choice
+  } else { // held-out errors of the step: the effect was chosen on all poses, so selection is part of the error
     step.added = added_.back();
     CandidateFinding& added = findingOf(step.added);
     added.heldOutBefore = diagnosis.steps.back().heldOutPx;
@@ -271,14 +271,14 @@ void StepwiseSelection::recordStep(const CandidateTests& inquiry, Diagnosis& dia
 
 namespace {
 
-/// Where `whole` becomes `part`, if it does.
+/// The limit in which `whole` becomes `part`, or null.
 const Limit* findLimit(const Effect& part, const Effect& whole) {
   const auto found = std::find_if(whole.limits.begin(), whole.limits.end(),
                                   [&](const Limit& limit) { return limit.effect == part.name; });
   return found == whole.limits.end() ? nullptr : &*found;
 }
 
-/// Its unknowns differ from zero by more than so many of their errors (Wald).
+/// Wald test: whether chi2 exceeds leastZ^2 per unknown.
 bool isNeeded(const Term& term, const CalibrationResult& fit, double leastZ = 2) {
   const auto first = static_cast<Eigen::Index>(term.first), count = term.sigmas().size();
   const Eigen::VectorXd values = fit.unknowns.segment(first, count);
@@ -302,7 +302,7 @@ Model StepwiseSelection::addTerm(const Term& term) const {
 Model StepwiseSelection::addSizedTerm(const CandidateTests& inquiry, std::size_t candidate) const {
   const Model model = addTerm(inquiry.candidates()[candidate]);
   const Term* const term = model.find(inquiry.candidates()[candidate].label());
-  if (!term) { // a person left it out
+  if (!term) { // excluded by the user
     return model;
   }
   const GroupEvidence& evidence = inquiry.candidateEvidence(candidate);
@@ -346,7 +346,7 @@ std::optional<StepwiseSelection::Choice> StepwiseSelection::chooseNext(const Can
   std::vector<std::size_t> order, likely = inquiry.candidatesByEvidence();
   const double floor = leastEvidence(inquiry);
   std::erase_if(likely, [&](std::size_t candidate) { return inquiry.candidateEvidence(candidate).bayes <= floor; });
-  // one that is sure and negligible does not stand before one that matters
+  // significant but negligible candidates rank behind those that matter
   std::stable_partition(likely.begin(), likely.end(), [&](std::size_t candidate) {
     return !inquiry.evidence().matters || inquiry.candidateEvidence(candidate).matters();
   });
@@ -369,7 +369,7 @@ std::optional<StepwiseSelection::Choice> StepwiseSelection::chooseNext(const Can
   if (order.empty()) {
     return std::nullopt;
   }
-  std::vector<Nearly> fits(order.size() + 1); // the last without any of them
+  std::vector<Nearly> fits(order.size() + 1); // last entry: the model without any candidate
   parallelFor(fits.size(), [&](std::size_t i) {
     const Model model = i < order.size() ? addSizedTerm(inquiry, order[i]) : model_;
     fits[i] = fitModelNearly(model, mapParameters(model_, fit_.unknowns, model));
@@ -380,11 +380,11 @@ std::optional<StepwiseSelection::Choice> StepwiseSelection::chooseNext(const Can
     const GroupEvidence& evidence = inquiry.candidateEvidence(order[i]);
     const double drop = 2 * (fits.back().cost - fits[i].cost);
     CandidateFinding& finding = findingOf(inquiry.candidates()[order[i]]);
-    if (finding.evidence.bayes == evidence.bayes) { // it is this rung that its predicted fall is of
+    if (finding.evidence.bayes == evidence.bayes) { // the recorded evidence is of this step
       finding.chi2Drop = drop;
     }
     const double bayes =
-        evidence.bayes * drop / evidence.likelihoodRatio; // in the share of its predicted fall that comes true
+        evidence.bayes * drop / evidence.likelihoodRatio; // scaled by the achieved share of the predicted decrease
     if (bayes > bestBayes) {
       bestBayes = bayes;
       best = Choice{order[i], fits[i].unknowns};
@@ -416,7 +416,7 @@ void StepwiseSelection::compareLimits(const Term& chosen) {
     std::vector<std::string> labels = added_;
     std::replace(labels.begin(), labels.end(), chosen.label(), other.label());
     const Model instead = buildModel(measurements_, labels, options_.without, options_.effects);
-    if (!model_.find(chosen.label()) || !instead.find(other.label())) { // a person left it out
+    if (!model_.find(chosen.label()) || !instead.find(other.label())) { // excluded by the user
       continue;
     }
     const double cost = fitModelNearly(instead, startWithInstead(chosen, other, instead)).cost;
@@ -488,7 +488,7 @@ bool StepwiseSelection::takeBack(Diagnosis& diagnosis) {
   findings_ = std::move(before_->findings);
   dropped_.clear();
   diagnosis.suggested = std::move(before_->suggested);
-  diagnosis.steps.resize(before_->steps - 1); // its rung is looked at once more
+  diagnosis.steps.resize(before_->steps - 1); // the step is recorded again
   takenBack_.push_back(before_->label);
   before_.reset();
   return true;
@@ -527,7 +527,7 @@ void StepwiseSelection::dropSuperfluous(std::vector<std::string>& suggested) {
     }
   }
   for (CandidateFinding& finding : findings_) {
-    if (finding.state == CandidateState::aliased) { // by what is no longer there
+    if (finding.state == CandidateState::aliased) { // alias of a dropped effect
       for (const std::string& label : dropped_) {
         std::erase(finding.equivalent, label);
       }

@@ -10,85 +10,85 @@
 
 namespace naocal {
 
-/// The last word on each candidate when the ladder ends, best first: its state, what the captures could have noticed of
-/// it, and which others they cannot tell from it. `last`: the question to the last `model` and its `fit`; `suggested`:
-/// labels in the order in which they were added.
+/// Final assessment of each candidate, best first: state, detection power, and equivalent candidates. `last`: tests of
+/// the last `model` at its `fit`; `suggested`: labels in order of addition.
 std::vector<CandidateFinding> judgeCandidates(std::vector<CandidateFinding> findings, const CandidateTests& last,
                                               const Model& model, const CalibrationResult& fit,
                                               const std::vector<std::string>& suggested);
 
-/// Whether an effect comes and goes: it varies with time or temperature.
+/// Whether an effect is transient: driven by time or temperature.
 bool isTransient(const Effect& effect);
 
-/// The model that grows by one effect after the other, and what was found about each candidate on the way.
+/// Forward selection with removal: extends the model effect by effect and records the findings on each candidate.
 class StepwiseSelection {
 public:
   StepwiseSelection(const Measurements& measurements, const Model& model, const DiagnosisOptions& options);
 
   const Model& model() const { return model_; }
   const CalibrationResult& fit() const { return fit_; }
-  /// Candidates whose drivers were recorded and that are not in the model.
+  /// Candidates whose drivers were recorded and that the model lacks.
   std::vector<Term> testableTerms() const;
 
-  /// Writes down the model's rung and what each candidate would explain.
+  /// Records the model's step and the evidence of each candidate.
   void recordStep(const CandidateTests& inquiry, Diagnosis& diagnosis);
-  /// A candidate to add, and nearly the least of the model with it.
+  /// A candidate to add, and the approximate minimum of the model with it.
   struct Choice {
     std::size_t candidate = 0;
     Eigen::VectorXd start;
   };
-  /// What to add next: the likeliest, by a fit of each of the first few, of those that lower the held-out error and,
-  /// where they drift, predict the last poses and beat every step; absent when none beats the model.
+  /// Next effect to add: the likeliest, judged by fits of the first few candidates that lower the held-out error;
+  /// transient ones must also predict the last poses and beat every step over time. Absent if none improves the model.
   std::optional<Choice> chooseNext(const CandidateTests& inquiry);
-  /// Adds it, fits, and drops what it has made superfluous. False: the ladder is as long as these captures bear.
+  /// Adds an effect, refits, and drops effects it made superfluous. False: the limit of a quarter of the poses is
+  /// reached.
   bool add(const CandidateTests& inquiry, const Choice& choice, Diagnosis& diagnosis);
-  /// Where the ladder ends: effects that were added since one that only helps beside another, and that all together do
-  /// not lower the held-out error, are taken back. False: there are none, or they do.
+  /// Final check: removes the effects added since one that only helps in combination, unless together they lowered the
+  /// held-out error. False: nothing to remove.
   bool takeBack(Diagnosis& diagnosis);
-  /// Whether a field within pictures is still there, at least half of it, whichever of the likeliest is added.
+  /// Whether a field within pictures keeps at least half of its evidence, whichever of the likeliest effects is added.
   bool fieldPersists(const ImageField& field, const CandidateTests& inquiry) const;
-  /// The model's fit once more, now with boards set aside that moved for a moment: its doubts name them.
+  /// Refits the model with displaced boards excluded; its outliers name them.
   CalibrationResult refitWithoutDisplacedBoards() const;
-  /// A fit of a model that has this one's unknowns, and starts from them.
+  /// Fits a model that contains this one's unknowns, starting from them.
   CalibrationResult fitLarger(const Model& larger) const;
-  /// What was found about each candidate.
+  /// Findings on each candidate.
   const std::vector<CandidateFinding>& findings() const { return findings_; }
-  /// Labels of what the model has beyond the base.
+  /// Labels of the model's effects beyond the base model.
   const std::vector<std::string>& added() const { return added_; }
 
 private:
   CandidateFinding& findingOf(const std::string& label);
   CandidateFinding& findingOf(const Term& term) { return findingOf(term.label()); }
-  /// These captures cannot tell them apart.
+  /// Marks two effects as indistinguishable in these captures.
   void markEquivalent(const Term& chosen, const Term& other);
-  /// Effects of which the chosen one is a limit, or that are one of it: they are equivalent where a fit with them in
-  /// its place is hardly worse. Linearised at no size they show nothing of it.
+  /// Compares the chosen effect with effects of which it is a limit, or that are a limit of it: equivalent if a refit
+  /// with the other in its place is hardly worse. At zero size the linearisation cannot show this.
   void compareLimits(const Term& chosen);
   Eigen::VectorXd startWithInstead(const Term& chosen, const Term& other, const Model& instead) const;
-  /// Both are needed: neither stands for the other.
+  /// Both effects are needed: neither substitutes the other.
   void unmarkEquivalent(const std::string& one, const std::string& other);
-  /// The model with what was added, from `start`, else from where the present one's unknowns are.
+  /// Refits with the added effects, from `start` or from the present unknowns.
   void refit(const std::optional<Eigen::VectorXd>& start = {});
   /// The model with one more effect.
   Model addTerm(const Term& term) const;
-  /// The same with a candidate, its priors as wide as the evidence of its size asks for.
+  /// The model with a candidate, its priors widened to the estimated size.
   Model addSizedTerm(const CandidateTests& inquiry, std::size_t candidate) const;
-  /// Earlier additions that the last one has made superfluous.
+  /// Drops earlier additions that the last one made superfluous.
   void dropSuperfluous(std::vector<std::string>& suggested);
-  /// 2 ln(Bayes factor) that a candidate must exceed. The alarm alone guards the first addition. A later one must outweigh
-  /// the number K of candidates that it was chosen from: 2 ln K, even odds beforehand that one of them is there. On 200
-  /// simulated robots with two effects, half of the later additions below that were wrong.
+  /// 2 ln(Bayes factor) that a candidate must exceed. The alarm alone guards the first addition. A later one must
+  /// outweigh the number K of candidates that it was chosen from: 2 ln K, even odds beforehand that one of them is
+  /// there. On 200 simulated robots with two effects, half of the later additions below that were wrong.
   double leastEvidence(const CandidateTests& inquiry) const;
-  /// Whether it foretells poses that it was not fitted to: of the first few only.
+  /// Whether the candidate predicts poses that it was not fitted to.
   bool predictsFurtherPoses(const CandidateTests& inquiry, std::size_t candidate) const;
-  /// A model's least cost at the rung's levels of noise, to a hundredth, and where it lies.
+  /// Approximate minimum (cost to 0.01) at the noise levels of this step.
   struct Nearly {
     double cost = 0;
     Eigen::VectorXd unknowns;
   };
   Nearly fitModelNearly(const Model& model, const Eigen::VectorXd& start) const;
 
-  /// The ladder before an effect was added that only helps beside another.
+  /// State before adding an effect that only helps in combination.
   struct Before {
     std::vector<std::string> added;
     Model model;
@@ -97,7 +97,7 @@ private:
     std::vector<std::string> suggested;
     std::size_t steps;
     double heldOutPx;
-    std::string label; // of that effect
+    std::string label; // label of that effect
   };
 
   CalibrationResult calibrateFrom(const Model& model, std::optional<Eigen::VectorXd> start) const;
@@ -106,15 +106,15 @@ private:
   const DiagnosisOptions& options_;
   std::vector<Term> candidates_;
   std::vector<std::string> added_;
-  std::vector<std::string> dropped_; // by the last addition
+  std::vector<std::string> dropped_; // labels dropped by the last addition
   Model model_;
-  std::optional<Noise> levels_;         // of the first rung
-  std::vector<std::string> misleading_; // labels of candidates that raise the held-out error of this rung,
-  std::vector<std::string> byTwo_;      // and that lower it only beside another one
+  std::optional<Noise> levels_;         // noise levels of the first step
+  std::vector<std::string> misleading_; // labels of candidates that raise the held-out error at this step
+  std::vector<std::string> byTwo_;      // labels of candidates that lower it only in combination
   std::vector<std::string> takenBack_;
   std::optional<Before> before_;
   CalibrationResult fit_;
-  std::vector<CandidateFinding> findings_; // as the candidates
+  std::vector<CandidateFinding> findings_; // one per candidate
 };
 
 } // namespace naocal

@@ -14,7 +14,7 @@ Effect timeDrift();
 Effect backlash();
 Effect hysteresis();
 Effect gearPlay();
-constexpr double gearFriction = 0.2; // where the unknown t of gearPlay counts from [Nm]
+constexpr double gearFriction = 0.2; // [Nm], offset of the unknown t of gearPlay
 Effect elasticity();
 Effect timeOffset();
 Effect axisTilt();
@@ -33,8 +33,7 @@ Effect boardScale();
 Effect boardBow();
 Effect boardTilt();
 
-/// Every effect, in the order in which causes act: encoders, gears, links, soles, the inertial unit, mounts, lenses,
-/// boards.
+/// All effects in causal order: encoders, gears, links, soles, IMU, mounts, lenses, boards.
 const std::vector<Effect>& allEffects();
 
 } // namespace naocal

@@ -14,19 +14,19 @@
 
 namespace naocal {
 
-/// A number to be estimated.
+/// An unknown of an effect.
 struct Unknown {
   std::string name; // as in result files: "o"
   std::string unit; // SI: "rad", "m", "1", "px"
   double sigma =
-      0; // how far from zero it plausibly lies: prior, solver's scale, step of differences, yardstick of learning
+      0; // plausible size: prior standard deviation, solver scale, step of differences, reference of `learned`
 };
 
-/// What an effect can sit at. A motor drives one joint, or both hip yaw-pitch joints. (Stances are places of unknown
+/// Kind of site of an effect. A motor drives one joint, or both hip yaw-pitch joints. (Stances are sites of unknown
 /// placements only.)
 enum class EffectSite { motor, joint, camera, board, sole, length, all, stance };
 
-/// As the place of a board's effect: one set of unknowns for all boards.
+/// Site of a shared board effect: one set of unknowns for all boards.
 constexpr std::size_t allSites = std::numeric_limits<std::size_t>::max();
 
 /// A driver at a joint other than the effect's own.
@@ -35,33 +35,32 @@ struct RemoteDriver {
   std::size_t joint;
 };
 
-/// Another effect, which an effect becomes where one of its unknowns has this value.
+/// Another effect that an effect turns into when one of its unknowns has this value.
 struct Limit {
   std::string effect, unknown;
   double value = 0;
 };
 
-/// A physical cause of a difference between drawing and picture.
+/// A physical cause of a difference between nominal model and picture.
 ///
-/// `correct` changes what is believed at an instant. It is called once per joint that the motor drives for
-/// EffectSite::motor, once per board for a board's effect that sits everywhere, and on pictures of that camera, board
-/// or stance, or on that sole, only for the others.
+/// `correct` modifies the model state at an instant. Called once per joint of the motor for EffectSite::motor, once per
+/// board for a shared board effect, and otherwise only for pictures of that camera, board or stance, or on that sole.
 struct Effect {
   std::string name;       // "jointOffset"
-  std::string alias = ""; // another name that is accepted for it
-  std::string what;       // one plain sentence for people
-  std::string formula;    // for people: "q_true = q_measured - o"
+  std::string alias = ""; // alternative accepted name
+  std::string what;       // one plain sentence for users
+  std::string formula;    // for users: "q_true = q_measured - o"
   EffectSite place = EffectSite::motor;
   std::vector<Unknown> unknowns;
-  std::vector<Driver> needs = {};           // at the joint that is corrected
-  std::vector<RemoteDriver> elsewhere = {}; // and at others
-  std::vector<Limit> limits = {};           // at the ends of its unknowns' plausible range, if it has other names there
-  bool linear = true;                       // the correction is linear in the unknowns
-  bool kink = false;                        // not smooth in what drives it
-  bool base = false;                        // in every model that is not asked to leave it out
-  bool shared = false;                      // a board's effect that may be one for all boards
-  std::optional<std::size_t> only = std::nullopt; // a user's effect at one joint: its motor
-  std::string definition = "";                    // a user's effect: its JSON
+  std::vector<Driver> needs = {};                 // drivers at the corrected joint
+  std::vector<RemoteDriver> elsewhere = {};       // drivers at other joints
+  std::vector<Limit> limits = {};                 // other effects at the ends of the plausible range of its unknowns
+  bool linear = true;                             // correction is linear in the unknowns
+  bool kink = false;                              // correction is not smooth in its drivers
+  bool base = false;                              // part of every model unless excluded
+  bool shared = false;                            // board effect that may be common to all boards
+  std::optional<std::size_t> only = std::nullopt; // user-defined effect at one joint: its motor
+  std::string definition = "";                    // user-defined effect: its JSON
   std::function<void(ModelState&, const RobotSample&, std::size_t at, std::span<const double> values)> correct;
 };
 

@@ -48,10 +48,10 @@ ExpressionError translateError(const mu::Parser::exception_type& error, const st
 
 } // namespace
 
-/// muParser's evaluation is not safe for several threads: each has its own.
+/// Parser of one thread, since evaluation by muParser is not thread-safe.
 struct Expression::Parsed {
   mu::Parser parser;
-  std::vector<double> values; // of the names
+  std::vector<double> values; // values of the names
   std::weak_ptr<const char> identity;
 };
 

@@ -18,7 +18,7 @@ namespace {
 
 using Names = std::map<std::string, ExpressionSymbol>;
 
-/// All names that a correction may use, but for its unknowns.
+/// All names that a correction may use, except its unknowns.
 Names namesOf(const Robot& robot) {
   using Kind = ExpressionSymbol::Kind;
   Names names{{"q", {Kind::own, Driver::angle}},       {"tau", {Kind::own, Driver::torque}},
@@ -42,7 +42,8 @@ std::vector<std::string> listNames(const Names& names) {
   return result;
 }
 
-/// Letters, digits and '_', no digit first: what can be named in an expression, on the command line and in files.
+/// Requires a valid name in expressions, on the command line and in files: letters, digits and '_', not starting with a
+/// digit.
 void requireName(const JsonCursor& place, const std::string& name) {
   const auto good = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
   if (name.empty() || !std::all_of(name.begin(), name.end(), good) ||
@@ -71,7 +72,7 @@ std::vector<Unknown> readUnknowns(const JsonCursor& place, Names& names) {
   return unknowns;
 }
 
-/// Refuses, and tells where in the text.
+/// Refuses the text at a position.
 [[noreturn]] void refuseAt(std::size_t letter, const JsonCursor& place, std::string_view expected,
                            const std::string& found) {
   try {
@@ -81,7 +82,7 @@ std::vector<Unknown> readUnknowns(const JsonCursor& place, Names& names) {
   }
 }
 
-/// Where a name first stands in a text by itself.
+/// Position of the first occurrence of a name as a whole word.
 std::size_t placeOf(const std::string& name, const std::string& text) {
   const auto inName = [&](std::size_t i) {
     return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_');
@@ -111,7 +112,7 @@ Expression expressionOf(const JsonCursor& place, const Names& names) {
   }
 }
 
-/// Without its cause nothing is corrected.
+/// Requires that the correction is zero where all unknowns are zero.
 void requireNothingAtZero(const JsonCursor& place, const Expression& expression, const Effect& effect,
                           const Robot& robot) {
   RobotSample instant;
@@ -155,7 +156,7 @@ Effect parseUserEffect(const JsonCursor& definition, const Robot& robot) {
       effect.needs.push_back(name.driver);
     }
   }
-  std::sort(effect.needs.begin(), effect.needs.end()); // com_x and com_y are one driver
+  std::sort(effect.needs.begin(), effect.needs.end()); // com_x and com_y share one driver
   effect.needs.erase(std::unique(effect.needs.begin(), effect.needs.end()), effect.needs.end());
   const auto what = definition.find("what");
   effect.what = what ? what->text() : "an effect of your own";

@@ -9,7 +9,7 @@ namespace naocal {
 
 namespace {
 
-/// Whether an effect of the model looks at one of these.
+/// Whether an effect of the model uses one of these drivers.
 bool dependsOn(const Model& model, std::initializer_list<Driver> drivers) {
   const auto isOne = [&](Driver driver) { return std::find(drivers.begin(), drivers.end(), driver) != drivers.end(); };
   return std::any_of(model.terms().begin(), model.terms().end(), [&](const Term& term) {
@@ -28,7 +28,7 @@ bool carries(const Robot& robot, std::size_t joint, std::size_t link) {
   return false;
 }
 
-/// Of every leg joint the mean of both feet's, weighted by what each of them carries.
+/// Per leg joint, the mean over both feet, weighted by their loads; writes it to `left`.
 void shareLegLoad(const Robot& robot, const GravityLoad& right, double leftLoad, GravityLoad& left) {
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     if (isOnLeg(robot, joint)) {
@@ -71,7 +71,7 @@ GravityLoad computeLoad(const Robot& robot, const ModelState& belief, const Robo
   return hanging;
 }
 
-/// `loaded`, `growth`: whether torques and the centre of mass, and how torques' growth follows the offsets, are wanted.
+/// `loaded`: computes torques and centre of mass; `growth`: also the derivatives of torqueGrowth by the offsets.
 DriverState driveState(const Measurements& measurements, const Model& model, const ImageObservation& picture,
                        const Eigen::VectorXd& unknowns, bool loaded, bool growth) {
   const Robot& robot = measurements.robot;

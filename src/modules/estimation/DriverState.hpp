@@ -6,30 +6,28 @@
 
 namespace naocal {
 
-/// What drives effects at an instant, and how that follows the joint offsets: one column per offset of the model.
+/// Drivers of the effects at an instant and their derivatives by the joint offsets: one column per offset of the model.
 struct DriverState {
   RobotSample instant;
-  Eigen::MatrixXd angleByOffset;  // row per joint: -1 or 0
-  Eigen::MatrixXd torqueByOffset; // row per joint [Nm/rad]
-  Eigen::MatrixXd growthByOffset; // the same of torqueGrowth, where the model looks at it [Nm/rad^2]
-  Eigen::MatrixXd comByOffset;    // x, y [m/rad]
+  Eigen::MatrixXd angleByOffset;  // one row per joint: -1 or 0
+  Eigen::MatrixXd torqueByOffset; // one row per joint [Nm/rad]
+  Eigen::MatrixXd growthByOffset; // derivative of torqueGrowth, if the model uses it [Nm/rad^2]
+  Eigen::MatrixXd comByOffset;    // centre of mass x, y [m/rad]
 };
 
-/// At given unknowns: q = measured - o; torque and centre of mass of the drawn robot at those angles, the support
-/// foot's sole held still and level (both: each leg joint's two values weighted by the feet's loads, everything else
-/// with the left sole held; none: the torso held, upright). Where no effect of the model looks at the load, torque and
-/// centre of mass are left as they are: it is most of the work.
+/// Drivers at the given unknowns: q = measured - o; torque and centre of mass of the nominal robot at those angles,
+/// with the support sole fixed and level (both feet: per leg joint, the mean of both values weighted by the feet's
+/// loads, all else with the left sole fixed; none: torso fixed and upright). Leaves torque and centre of mass unchanged
+/// if no effect of the model uses them, since they dominate the cost.
 DriverState computeDrivers(const Measurements& measurements, const Model& model, const ImageObservation& picture,
                            const Eigen::VectorXd& unknowns);
 
-/// What drives effects at a picture's instant, given the unknowns: q = measured - o; torque and centre of mass of the
-/// drawn robot at those angles, the support foot's sole held still and level (both: each leg joint's two values
-/// weighted by the feet's loads, all else with the left sole held; none: the torso held, upright).
+/// Drivers at a picture's instant as in `computeDrivers`, torque and centre of mass always included.
 RobotSample sampleAt(const Measurements& measurements, const Model& model, const ImageObservation& picture,
                      const Eigen::VectorXd& unknowns);
 
-/// What is believed at a picture's instant given the unknowns. Every correction is evaluated at the instant; none sees
-/// another's.
+/// Predicted model state at a picture's instant. All corrections are evaluated at the recorded instant, independently
+/// of each other.
 ModelState predictState(const Measurements& measurements, const Model& model, const ImageObservation& picture,
                         const Eigen::VectorXd& unknowns);
 

@@ -11,7 +11,7 @@ namespace naocal {
 
 namespace {
 
-/// What a correction looks at and that follows the offsets.
+/// Drivers of a correction that depend on the offsets.
 std::vector<RemoteDriver> drivers(const Effect& effect, std::size_t place) {
   std::vector<RemoteDriver> looks = effect.elsewhere, result;
   for (const Driver driver : effect.needs) {
@@ -28,7 +28,7 @@ std::vector<RemoteDriver> drivers(const Effect& effect, std::size_t place) {
   return result;
 }
 
-/// Drivers in general position, so that no correction vanishes by accident.
+/// Generic driver values, at which no correction vanishes by coincidence.
 RobotSample makeGenericSample(const RobotSample& recorded) {
   RobotSample result = recorded;
   result.q = Eigen::VectorXd::LinSpaced(recorded.q.size(), 0.2, 0.4);
@@ -38,7 +38,7 @@ RobotSample makeGenericSample(const RobotSample& recorded) {
   return result;
 }
 
-/// The first place from `first` on where the two differ; their size where there is none.
+/// Index of the first difference from `first` on; the size if there is none.
 Eigen::Index firstDifference(const Eigen::VectorXd& one, const Eigen::VectorXd& other, Eigen::Index first) {
   constexpr Eigen::Index atOnce = 16;
   while (first + atOnce <= one.size() &&
@@ -48,7 +48,7 @@ Eigen::Index firstDifference(const Eigen::VectorXd& one, const Eigen::VectorXd& 
   return std::mismatch(one.data() + first, one.data() + one.size(), other.data() + first).first - one.data();
 }
 
-/// Whether a quantity moves something that the picture shows.
+/// Whether a quantity affects something visible in the picture.
 class Visible {
 public:
   Visible(const Measurements& measurements, const ImageObservation& picture)
@@ -59,7 +59,7 @@ public:
   }
   bool operator()(std::size_t quantity) const {
     if (quantity < quantities_.axis(0)) {
-      return joints_[quantity] != 0; // an angle has its joint's number
+      return joints_[quantity] != 0; // angle quantities have their joint's index
     }
     if (quantity < quantities_.length(0)) {
       return joints_[(quantity - quantities_.axis(0)) / 3] != 0;
@@ -82,7 +82,7 @@ private:
 
 EffectJacobian::EffectJacobian(const Measurements& measurements, const Model& model, const ImageObservation& picture) {
   const Visible visible{measurements, picture};
-  std::optional<RobotSample> inGeneral; // made where a term varies
+  std::optional<RobotSample> inGeneral; // created on demand
   ModelState belief = picture.nominal;
   std::vector<Varying> varying;
   for (std::size_t term = 0; term < model.terms().size(); ++term) {
@@ -100,14 +100,14 @@ EffectJacobian::EffectJacobian(const Measurements& measurements, const Model& mo
   }
 }
 
-/// Lists the slopes of a correction that is fixed; of one that varies, tells what it moves.
+/// Lists the slopes of a fixed correction; for a varying one, returns the quantities it corrects.
 EffectJacobian::Varying EffectJacobian::correction(const Model& model, const ImageObservation& picture,
                                                    std::size_t term, std::size_t place, ModelState& belief,
                                                    std::optional<RobotSample>& inGeneral) {
   const Effect& effect = model.terms()[term].effect;
   Varying result{term, place, {}, drivers(effect, place), {}};
   const bool fixed = effect.linear && result.drivers.empty();
-  if (!effect.definition.empty()) { // a user's effect turns its joint, be it nowhere but beyond a dead band
+  if (!effect.definition.empty()) { // user-defined: corrects its joint, even if zero within a dead band
     result.quantities.push_back(picture.nominal.layout().angle(place));
     return result;
   }
@@ -210,12 +210,12 @@ double derivativeByOffset(const DriverState& driven, const RemoteDriver& which, 
   }
 }
 
-/// Steps of central differences; the third derivative of tanh(tau / 0.03 Nm) asks for small ones.
+/// Steps of the central differences; small, because of the third derivative of tanh(tau / 0.03 Nm).
 double stepOf(Driver driver) {
   return driver == Driver::torque ? 3e-6 : driver == Driver::com ? 1e-5 : 1e-4; // [Nm], [m], [rad]
 }
 
-/// One correction by itself: at given values and drivers, how far it moves each of its quantities.
+/// Evaluates one correction: the change of each of its quantities at given values and drivers.
 class Correction {
 public:
   Correction(const Effect& effect, std::size_t place, const std::vector<std::size_t>& quantities,

@@ -19,7 +19,7 @@ JointErrorRoot jointErrorRoot(const PosePart& pose, const Noise& noise) {
     while (first + size < count && pose.joints[first + size] == pose.joints[first]) {
       ++size;
     }
-    if (size == 1) { // nearly always
+    if (size == 1) { // the usual case
       root.startVec(first);
       root.insertBack(first, first) =
           std::hypot(std::hypot(noise.encoder * pose.errorScales[first], noise.reapproach), noise.pose, noise.stance);
@@ -72,7 +72,7 @@ void marginalize(const PoseSystem& pose, const Noise& noise, const JointErrorRoo
   if (joints == 0) {
     return;
   }
-  result.half.resize(joints, unknowns + 1); // the residual goes along as one more unknown
+  result.half.resize(joints, unknowns + 1); // the residual is appended as one more column
   result.half.leftCols(unknowns) = root.transpose() * pose.jointErrorCross.transpose();
   result.half.col(unknowns) = root.transpose() * pose.jointErrorGradient;
   result.half *= information;
@@ -90,8 +90,8 @@ void marginalize(const PoseSystem& pose, const Noise& noise, const JointErrorRoo
 
 namespace {
 
-/// U with U^T U = `gram` and U^T r = `gradient`, r behind it as one more column: a Cholesky factorisation with pivots.
-/// What is left is taken for rounding where no direction has more than `rounding` of its own information.
+/// U with U^T U = `gram` and U^T r = `gradient`, r appended as one more column: Cholesky factorisation with pivoting.
+/// Stops when every direction retains less than `rounding` of its own information.
 Eigen::MatrixXd factorOf(const ImageNormalEquations::Square& gram, const ImageNormalEquations::Column& gradient) {
   constexpr double rounding = 1e-13;
   const Eigen::Index width = gram.rows();
@@ -146,7 +146,7 @@ void RowEquations::takeRows(const Eigen::VectorXd& deflections, PoseRows& rows) 
     all.middleRows(next, part.rows()) = part;
     next += part.rows();
   }
-  if (count > columns_ + 1) { // a pose of many pictures
+  if (count > columns_ + 1) { // many pictures: compress the rows
     const Eigen::HouseholderQR<Eigen::MatrixXd> turned{all};
     all = turned.matrixQR().topRows(columns_ + 1).triangularView<Eigen::Upper>();
   }

@@ -12,24 +12,23 @@ namespace naocal {
 
 struct Noise;
 
-/// One pose's part of a linearised problem: what its residuals r depend on, in pixels and radians and before any noise
-/// level is applied.
+/// The part of a linearised problem that belongs to one pose, in pixels and radians, before any noise level is applied.
 ///
-/// Columns: the unknowns x that the pose depends on, and the deflections t of its joints (encoder errors and whatever
-/// else moves the true angle away from the reading: one per joint and distinct encoder error), linearised at t = 0.
+/// Columns: the unknowns x that the pose depends on, and its joint deflections t (encoder error and anything else
+/// between the true angle and the reading; one per joint and distinct encoder error), linearised at t = 0.
 struct PosePart {
-  std::vector<std::size_t> unknowns; // which ones, ascending
-  std::vector<std::size_t> joints;   // per deflection: its joint; deflections of one joint stand together
-  std::vector<std::size_t> errors;   // per deflection: which of its pose's encoder errors it has
-  std::vector<double> errorScales;   // per deflection: its encoder error's size against the noise level
-  std::vector<std::size_t> stances;  // per deflection: where the robot stood
-  double squares = 0;                // sum of w r^2, w the loss's weight times `cornerShare`  [px^2]
-  double loss = 0;                   // sum of rho, and of what else the pose's pictures cost
-  double numbers = 0; // that count: two shares per corner with a weight above zero, three per sole on the floor
-  double freedom = 0; // mean of squares / pixel^2 were there nothing but pixel noise
+  std::vector<std::size_t> unknowns; // indices, ascending
+  std::vector<std::size_t> joints;   // joint of each deflection; deflections of one joint are adjacent
+  std::vector<std::size_t> errors;   // encoder error of each deflection, as an index into its pose's
+  std::vector<double> errorScales;   // size of that encoder error relative to the noise level
+  std::vector<std::size_t> stances;  // stance of each deflection
+  double squares = 0;                // sum of w r^2, w the loss weight times `cornerShare`  [px^2]
+  double loss = 0;                   // sum of rho, plus the cost of the pose's other measurements
+  double numbers = 0; // scalar measurements: two shares per corner with weight > 0, three per sole, two per IMU reading
+  double freedom = 0; // expectation of squares / pixel^2 under pixel noise alone
 };
 
-/// The same with its normal equations.
+/// A pose's part as normal equations.
 struct PoseSystem : PosePart {
   Eigen::MatrixXd unknownGram;        // sum of w J_x^T J_x      [px^2 / unknown^2]
   Eigen::MatrixXd jointErrorCross;    // sum of w J_x^T J_t
@@ -38,14 +37,15 @@ struct PoseSystem : PosePart {
   Eigen::VectorXd jointErrorGradient; // sum of w J_t^T r
 };
 
-/// The same as rows: their products are those of all the pose's weighted corners, of which there are many more. A
-/// picture has a handful of rows however many unknowns there are, so memory does not grow with their square.
+/// A pose's part as rows with the same products as all its weighted corners. A picture reduces to a handful of rows for
+/// any number of unknowns, so memory does not grow quadratically.
 struct PoseRows : PosePart {
   Eigen::MatrixXd byUnknowns;    // J_x  [px / unknown]
   Eigen::MatrixXd byDeflections; // J_t  [px / rad]
   Eigen::VectorXd residual;      // r    [px]
 };
 
+/// Normal equations of the rows.
 PoseSystem systemOf(const PoseRows& rows);
 
 /// t = root * z with z of unit covariance: root root^T = encoder^2 diag(scales^2) + reapproach^2 1 + pose^2 1 1^T
@@ -53,17 +53,17 @@ PoseSystem systemOf(const PoseRows& rows);
 using JointErrorRoot = Eigen::SparseMatrix<double>;
 JointErrorRoot jointErrorRoot(const PosePart& pose, const Noise& noise);
 
-/// The rows of one pose (`PoseRows`): for each of its pictures' groups as many as its corners tell numbers apart.
+/// Accumulates the rows of one pose (`PoseRows`): per group of a picture, as many rows as its gram has rank.
 class RowEquations {
 public:
   void clear(Eigen::Index columns);
 
-  /// Adds sums over L, the derivative by the picture's motion (and extras): the rows are U C with U^T U = `gram`,
-  /// C = motion * (the group's shares of the slopes' values), and their residuals U^-T `gradient`.
+  /// Adds sums over L, the derivative by the picture's motion (and extras): the rows are U C with U^T U = `gram`, C =
+  /// motion * (the group's shares of the slopes' values), and their residuals U^-T `gradient`.
   void add(const ImageNormalEquations::Square& gram, const ImageNormalEquations::Column& gradient,
            const Eigen::MatrixXd& motion, const PreparedImage::Group& group, const double* slopeValues);
 
-  /// Into `rows`, whose unknowns and joints are known: those columns, expressed at zero deflection.
+  /// Moves the rows into `rows`, whose unknowns and joints are set, re-expressed at zero deflection.
   void takeRows(const Eigen::VectorXd& deflections, PoseRows& rows) const;
 
 private:
@@ -71,7 +71,8 @@ private:
   std::vector<Eigen::MatrixXd> parts_; // per group: its columns, then the residual
 };
 
-/// A pose's deflections integrated out: Sigma = pixel^2 I + J_t S J_t^T by Woodbury on the deflections.
+/// A pose with its deflections marginalised: Sigma = pixel^2 I + J_t S J_t^T, by the Woodbury identity on the
+/// deflections.
 struct MarginalSystem {
   Eigen::LLT<Eigen::MatrixXd> inner; // I + root^T jointErrorGram root / pixel^2 = L L^T
   Eigen::MatrixXd half;              // L^-1 root^T J_t^T [J_x r] / pixel^2
@@ -80,7 +81,7 @@ struct MarginalSystem {
   double cost = 0;                   // r^T Sigma^-1 r / 2
 };
 MarginalSystem marginalize(const PoseSystem& pose, const Noise& noise, const JointErrorRoot& root);
-/// The same into `result`, whose memory is used again.
+/// As above, reusing the memory of `result`.
 void marginalize(const PoseSystem& pose, const Noise& noise, const JointErrorRoot& root, MarginalSystem& result);
 
 } // namespace naocal

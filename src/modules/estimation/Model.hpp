@@ -11,40 +11,41 @@
 
 namespace naocal {
 
-/// An effect at a place, with its share of the vector of unknowns.
+/// An effect at a site, with its range in the vector of unknowns.
 struct Term {
   Effect effect;
-  std::size_t site = 0;     // the motor's joint, joint, camera, target, sole, length or standing; 0 for Place::all
-  std::string place;        // its name
-  std::size_t first = 0;    // its first unknown
-  bool isPlacement = false; // where a board or a stance lies: not physics, but unknown as well
-  bool requested = true;    // false: an offset that is along only because torques depend on it
+  std::size_t site = 0;  // index of motor's joint, joint, camera, target, sole, length or stance; 0 for EffectSite::all
+  std::string place;     // name of the site
+  std::size_t first = 0; // index of its first unknown
+  bool isPlacement = false; // placement of a board or stance: an unknown, but not physical
+  bool requested = true;    // false: an offset added only because torques depend on it
 
   std::string label() const { return effect.name + "@" + place; }
   std::span<const double> values(const Eigen::VectorXd& unknowns) const {
     return {unknowns.data() + first, effect.unknowns.size()};
   }
-  /// How large its unknowns plausibly are.
+  /// Prior standard deviations of its unknowns.
   Eigen::VectorXd sigmas() const;
 };
 
-/// What is to be estimated: effects at places, then the unknown placements.
+/// The unknowns to estimate: effects at sites, then placements.
 class Model {
 public:
   void add(Term term);
 
   const std::vector<Term>& terms() const { return terms_; }
-  /// The term with this label; null where there is none.
+  /// The term with this label, or null.
   const Term* find(const std::string& label) const;
-  /// Which terms are joint offsets: on them depend angles, torques and the centre of mass that drive other effects.
+  /// Indices of the joint offset terms. Angles, torques and the centre of mass, which drive other effects, depend on
+  /// them.
   const std::vector<std::size_t>& offsets() const { return offsets_; }
   std::size_t unknownCount() const { return unknownCount_; }
 
-  /// sigma of each unknown: its prior about zero.
+  /// Standard deviation of each unknown's zero-mean prior.
   Eigen::VectorXd sigmas() const;
-  /// "jointOffset@LKneePitch.o" of each unknown.
+  /// Full name of each unknown: "jointOffset@LKneePitch.o".
   std::vector<std::string> names() const;
-  /// "rad", "m", ... of each unknown.
+  /// Unit of each unknown: "rad", "m", ...
   std::vector<std::string> units() const;
 
 private:
@@ -53,21 +54,21 @@ private:
   std::size_t unknownCount_ = 0;
 };
 
-/// The label of a motor's effect that may be given by other names: the effect's alias, and the right hip yaw-pitch,
-/// which has no motor of its own and stands for the left one.
+/// Canonical label of a motor's effect, resolving aliases of the effect and the right hip yaw-pitch, which shares the
+/// motor of the left one.
 std::string labelFor(const std::string& given, const Robot& robot);
 
 /// Whether a joint lies between the torso and a sole.
 bool isOnLeg(const Robot& robot, std::size_t joint);
 
-/// Whether a foot's stance frame is this sole: on both feet it is the left one.
+/// Whether a stance is attached to this sole; with both feet on the floor, to the left one.
 bool isStanceSole(const Sole& sole, SupportFoot foot);
 
-/// Where a term corrects on a picture: each joint that its motor drives, each board if it sits everywhere, or just its
-/// place; nowhere if the picture has nothing to do with it.
+/// Sites that a term corrects in a picture: each joint driven by its motor, each board for a shared effect, or its
+/// single site. Empty if the picture does not involve it.
 std::vector<std::size_t> sitesOn(const Term& term, const Measurements& measurements, const ImageObservation& picture);
 
-/// Unknowns of one model in the order of another, by their names; new ones at zero.
+/// Transfers unknowns to another model by name; new unknowns are zero.
 Eigen::VectorXd mapParameters(const Model& from, const Eigen::VectorXd& unknowns, const Model& to);
 
 } // namespace naocal

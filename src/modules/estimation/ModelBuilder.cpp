@@ -14,16 +14,15 @@
 
 namespace naocal {
 
-/// Adds where boards lie and feet stand, as far as pictures depend on it and no survey says it. On the floor: x, y,
-/// yaw; on a link: all six, or three for a single mark. Their widths: the set's own (`placementSigma`), else
-/// "anywhere".
+/// Adds unknown placements of boards and stances that the pictures depend on. On the floor: x, y, yaw; on a link: all
+/// six, or three for a single mark. Prior sigma: the set's own (`placementSigma`), else practically unconstrained.
 void addPlacementTerms(const Measurements& measurements, Model& model);
 
 namespace {
 
 using NamedPlaces = std::vector<std::pair<std::size_t, std::string>>;
 
-/// What the pictures with corners touch.
+/// Sites involved in pictures with corners.
 struct Touched {
   std::set<std::size_t> motors, joints, cameras, boards, soles, lengths;
 };
@@ -103,7 +102,7 @@ NamedPlaces candidateSites(const Effect& effect, const Measurements& measurement
   return {};
 }
 
-/// What an instant does not tell at a joint, in words; nothing where it does.
+/// Name of a driver that an instant lacks at a joint; null if it is available.
 const char* missingInput(const RobotSample& instant, Driver driver, std::size_t joint, const Robot& robot) {
   const auto at = static_cast<Eigen::Index>(joint);
   switch (driver) {
@@ -181,7 +180,7 @@ std::optional<std::string> untestableReason(const Effect& effect, std::size_t at
   if (concerned == 0) {
     return effect.place == EffectSite::sole ? "no picture was taken on one foot" : "no picture shows it";
   }
-  const bool whereRecorded = effect.name == "imuTilt"; // each reading is one measurement more
+  const bool whereRecorded = effect.name == "imuTilt"; // each reading is a separate measurement
   if (without == 0 || (whereRecorded && without < concerned)) {
     return std::nullopt;
   }
@@ -213,7 +212,7 @@ std::vector<Term> testableTerms(const Measurements& measurements, const Model& m
 
 namespace {
 
-/// Whether `text` fits `pattern`, where '*' stands for any run of characters.
+/// Whether `text` matches `pattern`, where '*' stands for any run of characters.
 bool matches(std::string_view pattern, std::string_view text) {
   if (pattern.empty()) {
     return text.empty();
@@ -226,7 +225,7 @@ bool matches(std::string_view pattern, std::string_view text) {
 
 [[noreturn]] void refuse(const std::string& wanted, const std::vector<std::string>& known) {
   const std::string_view effect = std::string_view{wanted}.substr(0, wanted.find('@'));
-  std::vector<std::string> places; // of that effect
+  std::vector<std::string> places; // sites of that effect
   std::copy_if(known.begin(), known.end(), std::back_inserter(places),
                [&](const std::string& label) { return std::string_view{label}.substr(0, label.find('@')) == effect; });
   if (places.empty()) {
@@ -242,13 +241,13 @@ bool matches(std::string_view pattern, std::string_view text) {
                                fmt::join(closestNames(wanted, places), ", "))};
 }
 
-/// "E@P" with '*', and whether it has named anything yet.
+/// A pattern "E@P" with '*', and whether it has matched.
 struct Pattern {
   std::string given;
   bool used = false;
-  std::string undriven = ""; // why not, where all that it names lacks its drivers
+  std::string undriven = ""; // reason, if all its matches lack their drivers
 
-  /// A motor's effect may be named at either of its joints; '*' does not stand for "all".
+  /// A motor's effect matches under either of its joints; '*' does not match "all".
   bool names(const Term& term, const Robot& robot) const {
     const std::string motors = term.effect.place == EffectSite::motor ? labelFor(given, robot) : given;
     const bool onePlace = term.effect.place == EffectSite::board && term.site == allSites;
@@ -257,13 +256,13 @@ struct Pattern {
   }
 };
 
-/// Whether some pattern names the term.
+/// Whether any pattern names the term.
 bool anyNames(const std::vector<Pattern>& patterns, const Term& term, const Robot& robot) {
   return std::any_of(patterns.begin(), patterns.end(),
                      [&](const Pattern& pattern) { return pattern.names(term, robot); });
 }
 
-/// Marks the patterns that name the term: used, or why it cannot be.
+/// Marks matching patterns as used, or records why the term cannot be used.
 void mark(std::vector<Pattern>& patterns, const Term& term, const Robot& robot,
           const std::optional<std::string>& undriven = std::nullopt) {
   for (Pattern& pattern : patterns) {
@@ -290,7 +289,7 @@ bool looksAtWeight(const Term& term) {
                      [&](const RemoteDriver& other) { return weighs(other.driver); });
 }
 
-/// The offsets of recorded joints that move nothing but mass: torques near zero depend on them.
+/// Offsets of recorded joints outside all observation chains: they move only mass, but affect the torques of others.
 std::vector<Term> weighingOffsets(const Measurements& measurements) {
   std::vector<Term> result;
   for (const std::size_t motor : measurements.recordedMotors) {
@@ -378,7 +377,7 @@ Model buildModel(const Measurements& measurements, const std::vector<std::string
 
 namespace {
 
-/// linkFromBoard or worldFromSole is off from its start by `unknowns`, named by the numbers of a placement.
+/// Additive correction of linkFromBoard or worldFromSole; unknowns are named after the placement's components.
 Effect placementEffect(EffectSite place, const std::vector<std::size_t>& numbers, const std::vector<double>& sigmas) {
   static const std::vector<Unknown> all{{"x", "m", 0},      {"y", "m", 0},       {"z", "m", 0},
                                         {"roll", "rad", 0}, {"pitch", "rad", 0}, {"yaw", "rad", 0}};
@@ -402,7 +401,7 @@ Effect placementEffect(EffectSite place, const std::vector<std::size_t>& numbers
   return effect;
 }
 
-constexpr double anywhere = 10;     // [m]: a floor placement without a guess
+constexpr double anywhere = 10;     // [m]: floor placement without a guess
 constexpr double anyDirection = 10; // [rad]
 
 void addBoardPlacement(const Measurements& measurements, std::size_t index, Model& model) {

@@ -9,23 +9,22 @@
 
 namespace naocal {
 
-/// A model as people write it down: effects at places to add and to leave out, and effects of their own.
+/// A model in file form: effects to add and to remove, and user-defined effects.
 struct ModelFile {
   std::vector<std::string> with, without; // "E@P"
-  std::string definitions = "[]";         // effects of their own: a list of JSON
-  std::vector<Effect> effects;            // the built-in ones, then those
+  std::string definitions = "[]";         // user-defined effects: a JSON list
+  std::vector<Effect> effects;            // built-in effects, then user-defined ones
 };
 
-/// Reads {"format": "naocal-model", "version": 1, "with": ["E@P"], "without": [], "define": [user effects]}.
-/// Throws InputError with file, place, what was expected and found.
+/// Reads {"format": "naocal-model", "version": 1, "with": ["E@P"], "without": [], "define": [user effects]}. Throws
+/// InputError with file, location, expected and found.
 ModelFile readModelFile(const std::filesystem::path& file, const Robot& robot);
 
-/// What `readModelFile` reads. `define`: a list of a person's own effects.
+/// The JSON that `readModelFile` reads. `define`: list of user-defined effects.
 nlohmann::json modelFileJson(const std::vector<std::string>& with, const std::vector<std::string>& without,
                              nlohmann::json define);
 
-/// The built-in effects and those defined in a list of JSON (`effects/UserEffect.hpp`); `file` stands for it in
-/// messages.
+/// The built-in effects and those defined in a JSON list (`effects/UserEffect.hpp`). `file` names the list in messages.
 std::vector<Effect> parseEffects(const nlohmann::json& definitions, const std::string& file, const Robot& robot);
 
 } // namespace naocal

@@ -18,7 +18,7 @@ void NormalEquations::add(const ImageNormalEquations::Square& gram, const ImageN
   }
 }
 
-/// `Rows` of the motion: six where there are no extras.
+/// `Rows`: rows of the motion, six without extras.
 template <int Rows>
 void NormalEquations::addRows(const ImageNormalEquations::Square& gram, const ImageNormalEquations::Column& gradient,
                               const Eigen::MatrixXd& motion, const PreparedImage::Group& group,
@@ -70,7 +70,7 @@ void NormalEquations::addRows(const ImageNormalEquations::Square& gram, const Im
 
 namespace {
 
-/// The loss of four corners and its slope, their weight, where the loss is not quadratic.
+/// Loss of four corners and its derivative, their weight, for a non-quadratic loss.
 void weigh(const Double4& squaredDistance, const Loss& loss, Double4& rho, Double4& weight) {
   for (int i = 0; i < 4; ++i) {
     const auto [value, slope] = loss(squaredDistance[i]);
@@ -163,7 +163,7 @@ ImageNormalEquations::Column ImageNormalEquations::gradient() const {
 
 namespace {
 
-/// Numbers below `end`, each once, ascending.
+/// Set of numbers below `end`, listed in ascending order.
 class Numbers {
 public:
   explicit Numbers(std::size_t end) : has_(end, 0) {}
@@ -187,11 +187,11 @@ private:
   std::vector<char> has_;
 };
 
-/// A list of numbers below `end`, each once, in the order they came.
+/// Ordered set of numbers below `end`, in order of insertion.
 template <typename Number> class Listed {
 public:
   Listed(std::size_t end, std::vector<Number>& list) : known_(end, -1), list_{list} {}
-  /// Where it stands in the list, to which it is added where it is new.
+  /// Index of `number` in the list; appends it if new.
   Eigen::Index indexOf(Number number) {
     Eigen::Index& place = known_[static_cast<std::size_t>(number)];
     if (place < 0) {
@@ -206,13 +206,13 @@ private:
   std::vector<Number>& list_;
 };
 
-/// The board whose placement or shape a quantity is, if it is one.
+/// Index of the board whose placement or shape a quantity is, if any.
 std::optional<std::size_t> boardOf(const StateLayout& quantities, std::size_t quantity) {
   const std::size_t first = quantities.board(0);
   return quantity >= first ? std::optional{(quantity - first) / (quantities.board(1) - first)} : std::nullopt;
 }
 
-/// What moves the corners that `view` sees.
+/// Quantities and columns that affect the corners seen by `view`.
 PreparedImage::Group groupOf(const ObservationChain& view, const StateLayout& quantities,
                              const std::vector<std::size_t>& unknowns, const PreparedImage& prepared) {
   PreparedImage::Group group;
@@ -281,7 +281,7 @@ void prepareImage(const Measurements& measurements, const ImageObservation& pict
   if (prepared.torso) {
     links.add(prepared.torso->links());
     prepared.imu = groupOf(*prepared.torso, measurements.quantities, unknowns, prepared);
-    prepared.imu.extras = {extraCount, extraCount + 1}; // roll and pitch of the unit
+    prepared.imu.extras = {extraCount, extraCount + 1}; // roll and pitch of the IMU
   }
   prepared.links = links.list();
 }

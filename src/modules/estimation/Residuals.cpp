@@ -14,11 +14,9 @@
 #include <map>
 #include <utility>
 
-// What the residuals' sums are over: each pose's unknowns and deflections, known before any sum is taken.
-
 namespace naocal {
 
-/// What an evaluation works on. Each thread keeps its own: to allocate it anew takes as long as to project the corners.
+/// Thread-local buffers of an evaluation: allocating them takes as long as projecting the corners.
 struct Residuals::Workspace {
   static Workspace& threadWorkspace(const Measurements& measurements) {
     static thread_local Workspace work;
@@ -28,7 +26,7 @@ struct Residuals::Workspace {
     return work;
   }
 
-  /// Most boards lie still from picture to picture.
+  /// Cached, since most boards keep their placement from picture to picture.
   const RigidTransform& linkFromBoard(std::size_t board) {
     if (boards[board].placement != belief.boardPlacement(board)) {
       boards[board] = {belief.boardPlacement(board), transformFromPlacement(belief.boardPlacement(board))};
@@ -36,7 +34,7 @@ struct Residuals::Workspace {
     return boards[board].linkFromBoard;
   }
 
-  /// Pictures of one reading share angles, torques and centre of mass.
+  /// Cached, since pictures of one reading share angles, torques and centre of mass.
   void drive(const Measurements& measurements, const Model& model, const ImageObservation& picture,
              const Eigen::VectorXd& unknowns) {
     const ImageObservation* const last = std::exchange(drivenPicture, &picture);
@@ -74,19 +72,19 @@ struct Residuals::Workspace {
   std::vector<ExtraRow> extraRows;
   ImageNormalEquations corners;
   Eigen::MatrixXd motion;
-  NormalEquations sums; // of a pose,
-  RowEquations rows;    // or these
+  NormalEquations sums; // of a pose, or
+  RowEquations rows;    // of a pose
   bool wantsRows = false;
   double cost = 0; // sum of rho
   DriverState driven;
-  const ImageObservation* drivenPicture = nullptr; // the one that `driven` is of
+  const ImageObservation* drivenPicture = nullptr; // the picture that `driven` belongs to
   EffectJacobian::Scratch scratch;
   std::vector<double> varyingSlopes;
-  const double* slopes = nullptr; // values of the picture's slopes
+  const double* slopes = nullptr; // slope values of the picture
 };
 
-/// The other sole's height over the floor and its tilt are zero but for `FloorContact`; in units of pixels, as all sums
-/// are.
+/// Floor contact: height and tilt of the other sole over the floor are zero with sigmas `FloorContact`. In units of
+/// pixels, as all sums.
 void Residuals::addFloorContact(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
                                 PosePart& part) const {
   const ObservationChain& sole = *picture.otherSole;
@@ -107,9 +105,9 @@ void Residuals::addFloorContact(const ImageObservation& picture, const PreparedI
   part.freedom += 3;
 }
 
-/// The floor's normal in the torso is what the inertial unit says, but for `ImuNoise`:
+/// IMU: the floor normal in the torso equals the one measured, with sigma `ImuNoise::angle`:
 ///   n_imu = (Ry(angleY) Rx(angleX) Ry(pitch) Rx(roll))^T z, roll and pitch the unit's tilt
-/// Its two level components count; d(n) = omega x n.
+/// Uses the two horizontal components; d(n) = omega x n.
 void Residuals::addImuReading(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
                               PosePart& part) const {
   const ObservationChain& torso = *prepared.torso;
@@ -118,7 +116,7 @@ void Residuals::addImuReading(const ImageObservation& picture, const PreparedIma
   const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
   const double roll = work.belief.imuTilt()[0], pitch = work.belief.imuTilt()[1];
   const Eigen::Vector2d reading = picture.instant.imu;
-  const Eigen::Vector3d byUnit = (rotationY(reading.y()) * rotationX(reading.x())).row(2); // in the unit's frame
+  const Eigen::Vector3d byUnit = (rotationY(reading.y()) * rotationX(reading.x())).row(2); // in the IMU frame
   const Eigen::Vector3d pitched = rotationY(-pitch) * byUnit, told = rotationX(-roll) * pitched;
   const double scale = noise_.pixel / ImuNoise::angle;
 
@@ -145,7 +143,7 @@ void Residuals::addImuReading(const ImageObservation& picture, const PreparedIma
 
 namespace {
 
-/// How the torso sees the floor, where the inertial unit's tilt is an unknown and its reading was recorded.
+/// The chain from the torso to the floor, if the IMU tilt is an unknown and a reading was recorded.
 std::optional<ObservationChain> torsoOverFloor(const Measurements& measurements, const Model& model,
                                                const ImageObservation& picture) {
   const bool wanted = std::any_of(model.terms().begin(), model.terms().end(),
@@ -183,11 +181,11 @@ Residuals::Residuals(const Measurements& measurements, const Model& model, const
   });
 }
 
-/// The unknowns that a pose depends on, and a deflection per joint on its paths and encoder error.
+/// Unknowns that a pose depends on, and one deflection per joint on its paths and encoder error.
 PosePart Residuals::listColumns(const PoseGroup& pose) {
   PosePart part;
   std::vector<bool> moves(model_.unknownCount(), false);
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> deflections; // of motor and encoder error
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> deflections; // keyed by (motor, encoder error)
   const bool latent = noise_.encoder > 0 || noise_.pose > 0 || noise_.stance > 0 || noise_.reapproach > 0;
   for (const EncoderSample& reading : pose.readings) {
     for (std::size_t index : reading.pictures) {
@@ -228,7 +226,7 @@ PosePart Residuals::listColumns(const PoseGroup& pose) {
 
 namespace {
 
-/// Takes a pose's normal equations apart, expressed at zero deflection.
+/// Splits a pose's normal equations into blocks, re-expressed at zero deflection.
 void takeSums(const NormalEquations& sums, const Eigen::VectorXd& deflections, PoseSystem& system) {
   const Eigen::Index unknowns = eigenIndex(system.unknowns.size()), joints = deflections.size();
   const Eigen::MatrixXd& gram = sums.gram();
@@ -246,7 +244,7 @@ void takeSums(const NormalEquations& sums, const Eigen::VectorXd& deflections, P
   system.unknownGradient -= system.jointErrorCross * deflections;
 }
 
-/// Where a pose's deflections would rest if everything were linear, its unknowns moved `along`.
+/// Minimising deflections of a pose in the linearised problem, with its unknowns moved by `along`.
 Eigen::VectorXd restingDeflections(const MarginalSystem& part, const Eigen::VectorXd& along = {}) {
   Eigen::VectorXd result = -part.half.rightCols<1>();
   result.noalias() -= part.half.leftCols(along.size()) * along;
@@ -256,7 +254,7 @@ Eigen::VectorXd restingDeflections(const MarginalSystem& part, const Eigen::Vect
 
 } // namespace
 
-/// What is believed at the picture's instant, and the values of its slopes there.
+/// Predicts the state at the picture's instant and evaluates its slopes.
 void Residuals::predictImageState(const ImageObservation& picture, const PreparedImage& prepared,
                                   const Eigen::VectorXd& unknowns, const Eigen::VectorXd& deflections,
                                   Workspace& work) const {
@@ -275,7 +273,7 @@ void Residuals::predictImageState(const ImageObservation& picture, const Prepare
   }
 }
 
-/// Adds the sums over a picture's corners to those of its pose. False: a corner is nowhere.
+/// Adds the sums over a picture's corners to those of its pose. False if a corner has no projection.
 bool Residuals::addPicture(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
                            PosePart& part) const {
   forwardKinematics(measurements_.robot, work.belief, prepared.links, work.torsoFromLink);
@@ -289,7 +287,7 @@ bool Residuals::addPicture(const ImageObservation& picture, const PreparedImage&
                      [&](const PreparedImage::Group& group) { return addGroup(picture, group, work, part); });
 }
 
-/// Adds the corners of a sighting to the workspace's sums over corners. False: one of them is nowhere.
+/// Adds the corners of a sighting to the workspace's sums over corners. False if one has no projection.
 bool Residuals::addCorners(const BoardObservation& sighting, const std::vector<std::size_t>& extras,
                            CameraFrames& attitude, Workspace& work) const {
   sighting.view.placeBoard(work.linkFromBoard(sighting.view.board()), attitude);
@@ -341,7 +339,7 @@ Residuals::State Residuals::startState(const Eigen::VectorXd& unknowns) const {
   return state;
 }
 
-/// Adds all of a pose's pictures to the workspace's sums. False: a corner is nowhere.
+/// Adds all pictures of a pose to the workspace's sums. False if a corner has no projection.
 bool Residuals::addPose(std::size_t pose, const State& state, const Eigen::VectorXd& deflections, Workspace& work,
                         PosePart& part) const {
   part.squares = part.numbers = part.freedom = 0;
@@ -359,7 +357,7 @@ bool Residuals::addPose(std::size_t pose, const State& state, const Eigen::Vecto
   return true;
 }
 
-/// A pose's sums at these deflections, which are then eliminated. False: one of its corners is nowhere.
+/// Sums a pose at these deflections and marginalises them. False if a corner has no projection.
 bool Residuals::lineariseAt(std::size_t pose, const State& state, const Eigen::VectorXd& inSigmas, PoseSystem& system,
                             MarginalSystem& part) const {
   Workspace& work = Workspace::threadWorkspace(measurements_);
@@ -374,10 +372,10 @@ bool Residuals::lineariseAt(std::size_t pose, const State& state, const Eigen::V
   return true;
 }
 
-/// Goes on from a pose's sums to where its deflections rest.
+/// Iterates from a pose's sums until its deflections converge.
 void Residuals::settleDeflections(std::size_t pose, State& state, PoseSystem& system, MarginalSystem& part) const {
   constexpr int most = 20;
-  constexpr double little = 1e-4; // of the cost, which a step would gain
+  constexpr double little = 1e-4; // cost decrease per step
   Eigen::VectorXd& here = state.deflections[pose];
   for (int step = 0; step < most; ++step) {
     Eigen::VectorXd there = restingDeflections(part);
@@ -416,7 +414,7 @@ std::optional<std::vector<PoseRows>> Residuals::rows(const State& state) const {
   return possible ? std::optional{std::move(result)} : std::nullopt;
 }
 
-/// Poses side by side. False: one of them is impossible.
+/// Linearises poses in parallel. False if one is infeasible.
 template <class AtPose> bool Residuals::linearisePoses(Linear& result, const AtPose& atPose) const {
   if (result.poses.empty()) {
     for (const PosePart& columns : columns_) {
@@ -433,7 +431,7 @@ template <class AtPose> bool Residuals::linearisePoses(Linear& result, const AtP
   return possible;
 }
 
-/// Poses in their order, and the priors.
+/// Sums the poses in order, and adds the priors.
 void Residuals::addUp(const State& state, Linear& result) const {
   const Eigen::VectorXd inPrior = state.unknowns.cwiseQuotient(sigmas_);
   result.cost = 0.5 * inPrior.squaredNorm();
@@ -528,7 +526,7 @@ std::optional<std::vector<BoardMotionSums>> Residuals::boardMotions(const State&
   return result;
 }
 
-/// Fills in a sighting's sums. False: a corner is nowhere.
+/// Computes a sighting's motion sums. False if a corner has no projection.
 bool Residuals::addMotion(const BoardObservation& sighting, const PreparedImage::Group& group, Workspace& work,
                           BoardMotionSums& motion) const {
   CameraFrames attitude = sighting.view.pathFrames(measurements_.robot, work.belief, work.torsoFromLink);

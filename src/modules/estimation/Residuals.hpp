@@ -13,17 +13,18 @@
 
 namespace naocal {
 
-/// Measurement minus prediction of one sighting's corners, and how far each counts.
+/// Residuals of one sighting's corners, with their weights.
 struct BoardResidual {
   std::size_t picture = 0, sighting = 0;
   Eigen::Matrix2Xd predicted; // [px]
   Eigen::Matrix2Xd residual;  // measured - predicted [px]
-  Eigen::VectorXd weight;     // of the loss, 0..1
-  Eigen::MatrixXd motionRows; // d(predicted) by (omega, v) of the board in the optical frame: u0, v0, u1, ... times 6
+  Eigen::VectorXd weight;     // loss weight, 0..1
+  Eigen::MatrixXd
+      motionRows; // d(predicted) by (omega, v) of the board in the optical frame; rows u0, v0, ..., 6 columns
 };
 
-/// What a sighting alone tells about a rigid motion of its board in the optical frame (omega, v), beside the unknowns
-/// and deflections of its pose. L: `motionRows`, W: the corners' weights; before any noise level is applied.
+/// Sums of a single sighting by a rigid motion of its board in the optical frame (omega, v), with cross terms to the
+/// unknowns and deflections of its pose. L: `motionRows`, W: the corners' weights; before any noise level is applied.
 struct BoardMotionSums {
   std::size_t picture = 0, sighting = 0, pose = 0;
   Eigen::Matrix<double, 6, 6> gram;               // L^T W L   [px^2 / (rad or m)^2]
@@ -31,8 +32,8 @@ struct BoardMotionSums {
   Eigen::Matrix<double, 6, Eigen::Dynamic> cross; // L^T W [J_x J_t]: the pose's unknowns, then its deflections
 };
 
-/// All residuals of a model, whitened, with their derivative: the one place where the model meets the measurements.
-/// A problem for `levenbergMarquardt`.
+/// The whitened least-squares problem of a model and its measurements: residuals, derivatives and cost. A problem for
+/// `levenbergMarquardt`. Keeps references to measurements and model.
 class Residuals {
 public:
   Residuals(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss = {});
@@ -42,7 +43,7 @@ public:
     Eigen::VectorXd unknowns;
     std::vector<Eigen::VectorXd> deflections;
   };
-  /// Cost (half of chi2, priors and loss included), its gradient and Gauss-Newton Hessian, deflections eliminated.
+  /// Cost (chi2 / 2, with priors and loss), its gradient and Gauss-Newton Hessian, deflections marginalised.
   struct Linear {
     double cost = 0;
     Eigen::VectorXd gradient;
@@ -51,25 +52,27 @@ public:
     std::vector<MarginalSystem> eliminated;
   };
 
+  /// State with zero deflections.
   State startState(const Eigen::VectorXd& unknowns) const;
-  /// Absent: the state is impossible. Poses side by side on all cores, summed in their order.
+  /// Absent if the state is infeasible (a corner without projection). Poses run in parallel and are summed in order.
   std::optional<Linear> linearise(const State& state) const;
-  /// The same where deflections have come to rest at the state's unknowns (variable projection: Golub and Pereyra,
-  /// Inverse Problems 19 (2003) R1), so that the cost follows the unknowns alone: where corners lose their weight the
-  /// gradient by the unknowns tells nothing of what deflections would still gain. False: the state is impossible.
-  /// `result` is empty or was filled by this function before: its memory is used again.
+  /// As above, with deflections optimised at the state's unknowns (variable projection: Golub and Pereyra, Inverse
+  /// Problems 19 (2003) R1), so that the cost depends on the unknowns alone: where corners lose weight, the gradient by
+  /// the unknowns ignores what deflections would still gain. False if the state is infeasible. `result` must be empty
+  /// or filled by an earlier call; its memory is reused.
   bool linearise(State& state, Linear& result) const;
-  /// The same as rows, for a model with many unknowns. Absent: the state is impossible.
+  /// The same as rows, for models with many unknowns. Absent if the state is infeasible.
   std::optional<std::vector<PoseRows>> rows(const State& state) const;
+  /// State after a step of the unknowns, with deflections at their minimum according to `linear`.
   State applyStep(const State& state, const Linear& linear, const Eigen::VectorXd& step) const;
   const Eigen::VectorXd& scales() const { return sigmas_; }
 
-  /// Per sighting what is seen against what was measured at a state.
+  /// Measured and predicted corners per sighting at a state.
   std::vector<BoardResidual> boardResiduals(const State& state) const;
-  /// The same sightings, in an order of their own, against motions of their boards. Absent: the state is impossible.
+  /// Motion sums of the same sightings, in pose order. Absent if the state is infeasible.
   std::optional<std::vector<BoardMotionSums>> boardMotions(const State& state) const;
 
-  /// Only these unknowns are free; the others stay where they are (all free by default).
+  /// Selects the free unknowns; others stay fixed. All are free by default.
   void setFree(const std::vector<bool>& free) { free_ = free; }
 
   const Measurements& measurements() const { return measurements_; }
@@ -109,7 +112,7 @@ private:
   Eigen::VectorXd sigmas_;
   std::vector<bool> free_;
   std::vector<PreparedImage> prepared_; // per picture
-  std::vector<PosePart> columns_;       // per pose: nothing summed up
+  std::vector<PosePart> columns_;       // structure per pose, without sums
   std::vector<JointErrorRoot> roots_;   // per pose
 };
 

@@ -109,7 +109,7 @@ std::vector<double> midpointsBetween(const std::set<double>& times, std::size_t 
 
 namespace {
 
-/// A motor's deflections of one pose: where they stand, and the pictures that each of them bends.
+/// A motor's deflections in one pose: index of the first one, and the pictures that each affects.
 struct Bent {
   Eigen::Index first = 0;
   std::vector<std::vector<std::size_t>> pictures;
@@ -134,7 +134,7 @@ Bent findBent(std::size_t motor, const PoseGroup& pose, const PosePart& part) {
   return result;
 }
 
-/// A driver at each of a motor's deflections, all poses one after the other.
+/// Driver value at each deflection of a motor, pose by pose.
 std::vector<double> valuesAt(const std::vector<Bent>& bent, const DriverSeries& driver) {
   std::vector<double> result;
   for (const Bent& pose : bent) {
@@ -145,7 +145,7 @@ std::vector<double> valuesAt(const std::vector<Bent>& bent, const DriverSeries& 
   return result;
 }
 
-/// All that a motor's deflection may follow over one driver.
+/// All shapes that a motor's deflection may follow over one driver.
 std::vector<DriverBasis> allShapes(const DriverSeries& driver, std::size_t motor, const std::set<double>& distinct) {
   constexpr Eigen::Index degree = 4;
   std::vector<DriverBasis> result{polynomialBasis(distinct, degree)};
@@ -163,7 +163,7 @@ std::vector<DriverBasis> allShapes(const DriverSeries& driver, std::size_t motor
   return result;
 }
 
-/// The columns of those cells that `shapesOf(driver, motor, distinct values)` makes.
+/// Columns of the cells returned by `shapesOf(driver, motor, distinct values)`.
 template <typename ShapesOf>
 DriverColumns buildColumns(const Measurements& measurements, std::vector<DriverSeries> drivers,
                            const std::vector<PoseRows>& poses, const ShapesOf& shapesOf) {
@@ -175,7 +175,7 @@ DriverColumns buildColumns(const Measurements& measurements, std::vector<DriverS
     }
     const Eigen::Index firstColumn = result.count;
     const std::size_t firstCell = result.cells.size();
-    std::vector<std::vector<double>> valuesOf; // per cell: of its driver
+    std::vector<std::vector<double>> valuesOf; // driver values per cell
     for (std::size_t driver = 0; driver < result.drivers.size(); ++driver) {
       if (result.drivers[driver].motor.value_or(motor) != motor) {
         continue;
@@ -245,7 +245,7 @@ DriverColumns buildProportionalColumns(const Measurements& measurements, std::ve
 
 namespace {
 
-/// Adds a driver unless it was not recorded or is the same everywhere.
+/// Adds a driver unless a value is missing or all values are equal.
 void add(std::vector<DriverSeries>& drivers, DriverSeries driver, const std::vector<RobotSample>& instants,
          const std::function<double(const RobotSample&)>& value) {
   for (const RobotSample& instant : instants) {
@@ -311,7 +311,7 @@ namespace {
 
 constexpr Eigen::Index mostPolynomials = 2;
 
-/// Whether this joint turns the head, and the camera with it.
+/// Whether this joint is an ancestor of the camera in the kinematic tree.
 bool carries(const Robot& robot, std::size_t joint, std::size_t camera) {
   std::optional<std::size_t> link = robot.cameras[camera].link;
   while (link && robot.links[*link].joint != joint) {

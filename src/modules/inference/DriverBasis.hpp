@@ -12,74 +12,77 @@
 
 namespace naocal {
 
-/// How large a curve's coefficients plausibly are [rad]: some tenths of a degree.
+/// Prior standard deviation of a curve's coefficients [rad], about 0.3 degrees.
 constexpr double curvePriorSigma = 0.005;
 
 /// Legendre polynomials P_1 .. P_count at x in [-1, 1].
 Eigen::RowVectorXd legendre(double x, Eigen::Index count);
 
-/// A curve over one driver x, of a joint's deflection or a mount's turning: `count` columns.
+/// Basis of a curve over one driver x, for a joint's deflection or the rotation of a camera mount: `count` columns.
 struct DriverBasis {
   enum class Shape {
     smooth, // Legendre polynomials of degrees 1 to `count` at (x - middle) / half
-    wave,   // sin(waves x), cos(waves x): a gear's or an encoder's ripple
-    step,   // sign(x - middle): something slipped
-    root    // sign(x) sqrt(|x| / half): a spring that stiffens
+    wave,   // sin(waves x), cos(waves x): gear or encoder ripple
+    step,   // sign(x - middle): a sudden slip
+    root    // sign(x) sqrt(|x| / half): a stiffening spring
   };
   Shape shape = Shape::smooth;
-  std::size_t motor = 0;  // the joint that deflects
-  std::size_t driver = 0; // into the drivers that it was made from
-  Eigen::Index first = 0, count = 0;
-  double least = 0, most = 0; // of the driver, where it was seen
+  std::size_t motor = 0;             // index of the deflecting joint
+  std::size_t driver = 0;            // index into `DriverColumns::drivers`, or the drivers passed in
+  Eigen::Index first = 0, count = 0; // first column and number of columns
+  double least = 0, most = 0;        // observed range of the driver
   double middle = 0, half = 1;
-  int waves = 0;           // per turn of the driver
-  std::size_t choices = 1; // cells of this shape, of which at most one is true
+  int waves = 0;           // periods per turn of the driver
+  std::size_t choices = 1; // number of cells of this shape, at most one of which is true
 
-  /// Its columns at a value of the driver.
+  /// The basis functions at driver value x: 1 x `count`.
   Eigen::RowVectorXd basisAt(double x) const;
 };
 
-/// How much a driver must change to have changed, in its unit: less is a sum's rounding.
+/// Smallest difference between two driver values, in the driver's unit; smaller ones are rounding errors.
 constexpr double leastChange = 1e-9;
 
-/// A driver's values, each once: those that differ by rounding only are one.
+/// The distinct values of a driver; values closer than `leastChange` count as one.
 std::set<double> distinctValues(const std::vector<double>& values);
-/// Polynomials up to a degree over a driver's distinct values, of which there are two or more; as many as those allow.
+/// Polynomials over a driver's distinct values, up to `degree` or as many as the values allow. Requires at least two
+/// values.
 DriverBasis polynomialBasis(const std::set<double>& distinct, Eigen::Index degree);
-/// Ripples of two and more periods per turn: one per turn is an effect with a name.
+/// Ripples of 2 to 8 periods per turn. One period per turn is a named effect.
 std::vector<DriverBasis> rippleBases();
-/// Steps at moments between these times.
+/// Steps over time, at the midpoints of `midpointsBetween(times, 24)`.
 std::vector<DriverBasis> stepBases(const std::set<double>& times);
-/// The root of a driver with these values.
+/// Square-root basis over a driver with these values.
 DriverBasis rootBasis(const std::set<double>& distinct);
 
-/// The middles of gaps between neighbouring times, at most `most`: all times in so many parts, the widest gap of each.
-/// What happens once happens while nothing is recorded, and the likelier the longer that lasts.
+/// Midpoints of at most `most` gaps between neighbouring times: the gaps are divided into `most` runs of about equal
+/// number, and each run contributes its widest gap. A one-off event falls between captures, most likely into the
+/// longest gap.
 std::vector<double> midpointsBetween(const std::set<double>& times, std::size_t most);
 
-/// Something that was known at every capture and that a joint's deflection may vary with.
+/// A quantity known at every capture that a joint's deflection may depend on.
 struct DriverSeries {
   Driver kind = Driver::time;
-  std::size_t joint = 0;                 // whose
+  std::size_t joint = 0;                 // joint that the quantity belongs to
   std::string name;                      // as in expressions: "LHipPitch", "tau_LHipPitch", "t", "approach", "T", "qd"
-  std::string unit, what;                // "rad", "the angle of LHipPitch"
-  std::optional<std::size_t> motor = {}; // the only joint whose curve it can drive
-  std::vector<double> atPicture = {};    // its value, per picture
+  std::string unit, what;                // unit and description: "rad", "the angle of LHipPitch"
+  std::optional<std::size_t> motor = {}; // the only joint whose curve it may drive; empty: any joint
+  std::vector<double> atPicture = {};    // value per picture
 
+  /// Mean over these pictures.
   double mean(const std::vector<std::size_t>& pictures) const;
 };
 
-/// The columns of the joint x driver map: every joint's deflection as a curve over every driver.
+/// Columns of the joint x driver map: each joint's deflection as a curve over each driver.
 ///
 /// Smooth cells have degrees 1 to 4 over the driver's range (the constant is the joint's offset), as many as its
-/// distinct values allow. Beside them stand the shapes that no polynomial follows: ripples of the joint's own angle, a
-/// step at a moment, the root of its own torque.
+/// distinct values allow. Further shapes cover what no polynomial follows: ripples of the joint's own angle, a step
+/// over time, the square root of its own torque.
 struct DriverColumns {
   std::vector<DriverSeries> drivers;
-  std::vector<DriverBasis> cells; // of one motor side by side
-  Eigen::Index count = 0;         // of all columns
+  std::vector<DriverBasis> cells; // cells of one motor are adjacent
+  Eigen::Index count = 0;         // total number of columns
 
-  /// A motor's part of a pose: its deflections, one row each, by its columns.
+  /// A motor's block of a pose: one row per deflection, one column per column of that motor.
   struct Block {
     Eigen::Index firstDeflection = 0, firstColumn = 0;
     Eigen::MatrixXd values;
@@ -87,34 +90,35 @@ struct DriverColumns {
   std::vector<std::vector<Block>> blocks; // per pose
 };
 
-/// The map of each joint in `measurements.joints` over each of `drivers`. `poses`: as the residuals make them, for the
-/// places of their deflections.
+/// The map of each joint in `measurements.joints` over each of `drivers`. `poses` are the rows of the residuals; they
+/// give the indices of the deflections.
 DriverColumns buildDriverColumns(const Measurements& measurements, std::vector<DriverSeries> drivers,
                                  const std::vector<PoseRows>& poses);
 
-/// Only deflections in proportion to each of `drivers`.
+/// As `buildDriverColumns`, with only a deflection proportional to each driver.
 DriverColumns buildProportionalColumns(const Measurements& measurements, std::vector<DriverSeries> drivers,
                                        const std::vector<PoseRows>& poses);
 
-/// Everything that joints' deflections may vary with: angles and torques of all joints in use, time; and of each joint
-/// itself how it was approached, its temperature and its speed. What was recorded nowhere or never changed is left out.
+/// All quantities that joint deflections may depend on: angles and torques of all joints in use, and time; per joint
+/// also its approach direction, temperature and speed. Omits quantities that are missing from a capture or never
+/// change.
 std::vector<DriverSeries> collectDrivers(const Measurements& measurements, const Model& model,
                                          const Eigen::VectorXd& unknowns);
 
-/// A driver's name in the expression of an effect at `motor`: "q" and "tau" for its own.
+/// Name of a driver in the expression of an effect at `motor`: "q" and "tau" for the motor's own angle and torque.
 std::string expressionName(const DriverSeries& driver, std::size_t motor);
 
-/// A camera's mount turning as time passes or the head moves: a rotation vector in the mount's axes, each component a
-/// curve over one driver. The curves' constants are `cameraRotation`.
+/// Rotation of a camera mount over time or head angle: a rotation vector in the mount's axes, each component a curve
+/// over one driver. The constant part is `cameraRotation`.
 struct MountCurve {
-  Term term;        // coefficients of the first column about x, y, z, then those of the second [rad]
-  DriverBasis cell; // columns of each component
+  Term term;        // coefficients of the first column about x, y, z, then of the second [rad]
+  DriverBasis cell; // basis of each component
 
   std::size_t camera() const { return term.site; }
 };
 
-/// The cameras' part of the map: every mount over time and over the angles of the joints that carry it. Two polynomials
-/// suffice: a mount has no gear.
+/// The cameras' part of the map: every mount over time and over the angles of the joints that carry it. At most two
+/// polynomial degrees, since a mount has no gear.
 std::vector<MountCurve> buildMountCurves(const Measurements& measurements, const std::vector<DriverSeries>& drivers);
 
 } // namespace naocal

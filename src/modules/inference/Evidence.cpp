@@ -19,7 +19,7 @@ double tail(double fall, Eigen::Index freedom) {
 }
 
 double smallestP(const ScoreProblem& problem, const ScoreTest& tests, const Eigen::VectorXd& ratio) {
-  std::map<std::pair<bool, Eigen::Index>, double> largest; // of groups that are named or not, by their freedom
+  std::map<std::pair<bool, Eigen::Index>, double> largest; // largest ratio by (named, degrees of freedom)
   for (std::size_t i = 0; i < problem.groups.size(); ++i) {
     double& most = largest[{i < problem.named, tests.degreesOfFreedom(i)}];
     most = std::max(most, ratio[eigenIndex(i)]);
@@ -31,13 +31,13 @@ double smallestP(const ScoreProblem& problem, const ScoreTest& tests, const Eige
   return result;
 }
 
-/// At most how often pure noise shows a `smallestP` as small, if no two groups told the same (Bonferroni).
+/// Upper bound (Bonferroni) on the probability that pure noise shows a `smallestP` this small.
 double boundChance(const ScoreProblem& problem, double smallest) {
   const auto named = static_cast<double>(problem.named), all = static_cast<double>(problem.groups.size());
   return smallest * (named + (all - named) / threshold::curveRarity);
 }
 
-/// Of a group; where its first few coefficients may suffice, all degrees as likely: the mean of their Bayes factors.
+/// 2 ln(Bayes factor) of a group. For a smooth curve, the mean over its degrees, all equally likely a priori.
 double groupBayesFactor(const ColumnGroup& group, const Eigen::MatrixXd& information, const Eigen::VectorXd& score) {
   const Eigen::Index part = group.part > 0 ? group.part : group.count;
   std::vector<double> degrees;
@@ -52,13 +52,13 @@ double groupBayesFactor(const ColumnGroup& group, const Eigen::MatrixXd& informa
   return most + 2 * std::log(mean) - 2 * std::log(static_cast<double>(group.choices));
 }
 
-/// How far chi2 falls further when an effect is added beside another one.
+/// Further decrease of chi2 when `added` joins `other`.
 double fallBeside(const ScoreProblem& problem, const ScoreTest& tests, const Eigen::VectorXd& scores,
                   const ColumnGroup& added, const ColumnGroup& other) {
   const auto fall = [&](const std::vector<Eigen::Index>& columns) {
     const Eigen::VectorXd plausible = problem.plausible(columns), score = plausible.cwiseProduct(scores(columns));
     Eigen::MatrixXd scaled = plausible.asDiagonal() * tests.information()(columns, columns) * plausible.asDiagonal();
-    scaled.diagonal().array() += 1e-4; // directions that the own unknowns absorb
+    scaled.diagonal().array() += 1e-4; // regularises directions that the own unknowns absorb
     return score.dot(scaled.ldlt().solve(score));
   };
   std::vector<Eigen::Index> columns(static_cast<std::size_t>(other.count));
@@ -70,7 +70,7 @@ double fallBeside(const ScoreProblem& problem, const ScoreTest& tests, const Eig
   return fall(columns) - alone;
 }
 
-/// Estimates and Bayes factors of the measurements' groups.
+/// Estimate and Bayes factor of group `i`.
 GroupEvidence describeGroup(const ScoreProblem& problem, const ScoreTest& tests, std::size_t i,
                             const Eigen::VectorXd& scores) {
   const ColumnGroup& columns = problem.groups[i];
@@ -79,7 +79,7 @@ GroupEvidence describeGroup(const ScoreProblem& problem, const ScoreTest& tests,
   const Eigen::VectorXd scaledScore = plausible.cwiseProduct(scores.segment(columns.first, columns.count));
   GroupEvidence group;
   group.bayes = groupBayesFactor(columns, scaled, scaledScore);
-  scaled.diagonal().array() += 1e-4; // a wide prior instead of none: absorbed directions stay where they are
+  scaled.diagonal().array() += 1e-4; // wide prior; keeps absorbed directions at zero
   const Eigen::LDLT<Eigen::MatrixXd> wide{scaled};
   group.keptFraction = tests.keptFraction(i);
   group.freedom = tests.degreesOfFreedom(i);
@@ -137,7 +137,7 @@ Evidence computeEvidence(const ScoreProblem& problem, const Noise& noise, Eigen:
     result.matters = likeliest->bayes <= 0 || likeliest->matters();
     const auto first = static_cast<std::size_t>(likeliest - result.groups.begin());
     for (std::size_t i = 0; i < problem.named && first < problem.named && !result.matters; ++i) {
-      const GroupEvidence& group = result.groups[i]; // beside one that is sure and negligible
+      const GroupEvidence& group = result.groups[i]; // tested beside the likeliest one, which is negligible
       const bool likely = i != first && group.bayes > 2 * std::log(static_cast<double>(problem.named));
       result.matters =
           likely && group.matters() &&
@@ -160,7 +160,7 @@ Evidence computeEvidence(const ScoreProblem& problem, const Noise& noise, Eigen:
   const double seen = smallestP(problem, tests, ratio);
   const auto as = std::upper_bound(smallest.begin(), smallest.end(), seen) - smallest.begin();
   result.pValue = (1 + static_cast<double>(as)) / (1 + static_cast<double>(draws));
-  if (as == 0) { // beyond all that was drawn
+  if (as == 0) { // more extreme than every draw
     result.pValue = std::min(result.pValue, boundChance(problem, seen));
   }
   result.criticalP = smallest[smallest.size() / 20];

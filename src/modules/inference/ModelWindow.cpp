@@ -23,12 +23,12 @@ namespace naocal {
 namespace {
 
 constexpr std::size_t mostMembers = 4;
-constexpr double leastWeight = 1e-3; // relative to the likeliest
+constexpr double leastWeight = 1e-3; // relative to the likeliest model
 
 using Members = std::vector<WindowMember>;
 
-/// The linearised problem at one level of noise: everything that a model's cost and estimates are made of. Sizes and
-/// scores are in units of what is plausible, and about zero sizes.
+/// The linearised problem at one noise level, as needed for the cost and the estimates of any model. Coefficients and
+/// scores are in units of `plausible`, linearised about zero coefficients.
 class Window {
 public:
   Window(const WideModel& wide, const Noise& noise, std::size_t expected)
@@ -45,7 +45,7 @@ public:
     countGroups();
   }
 
-  /// The model with these members: its cost is that of all widths together, its estimates are those of the likeliest.
+  /// Evaluates a model: cost mixed over all choices of plausible widths, estimates at the likeliest choice.
   WindowModel model(const Members& members) {
     std::vector<WindowModel> all = modelsOfEveryWidth(members);
     const auto best = likeliestOf(all);
@@ -67,7 +67,7 @@ public:
   }
 
   std::size_t groups() const { return problem_.groups.size(); }
-  /// Of how many columns a group may be made of: one choice, or for a smooth curve one per degree.
+  /// Admissible column counts of a group: all columns, or one choice per degree of a smooth curve.
   std::vector<WindowMember> choices(std::size_t group) const {
     const ColumnGroup& columns = problem_.groups[group];
     std::vector<WindowMember> result;
@@ -145,7 +145,8 @@ private:
     }
     return columns;
   }
-  /// Of a model's columns; only those of all members but the last one are ever looked up among all columns.
+  /// Information of a model's first `count` columns. Only members other than the last need the full information of
+  /// their columns.
   Eigen::MatrixXd informationOf(const Members& members, Eigen::Index count) {
     Eigen::MatrixXd result(count, count);
     Eigen::Index column = 0;
@@ -169,7 +170,7 @@ private:
     }
     return result;
   }
-  /// Information of all columns with a member's.
+  /// Information of all columns (rows) with a member's columns, cached per group.
   Eigen::Ref<const Eigen::MatrixXd> informationWith(const WindowMember& member) {
     auto [entry, isNew] = known_.try_emplace(member.group);
     if (isNew) {
@@ -179,7 +180,7 @@ private:
     }
     return entry->second.leftCols(member.count);
   }
-  /// The problem as if linearised at no candidate's size.
+  /// Moves the linearisation to zero coefficients of all candidates.
   void moveToZero(const Eigen::VectorXd& sizes) {
     chi2OfNone_ = misfit_.chi2;
     for (std::size_t group = 0; group < problem_.named; ++group) {
@@ -200,7 +201,7 @@ private:
     named_ = std::max<double>(1, static_cast<double>(problem_.named));
     curves_ = std::max<double>(1, static_cast<double>(problem_.groups.size() - problem_.named));
   }
-  /// 2 ln of how unlikely these members are beforehand.
+  /// -2 ln(prior probability) of these members.
   double priorCost(const Members& members) const {
     double cost = 0;
     std::size_t named = 0;
@@ -221,7 +222,7 @@ private:
   ScoreTest tests_;
   PoseMisfit misfit_;
   Eigen::VectorXd score_, alone0_, variances_;
-  Eigen::MatrixXd answers_; // how the own unknowns give way, negative, per column
+  Eigen::MatrixXd answers_; // L^-1 times the cross information: minus the response of the own unknowns, per column
   double chi2OfNone_ = 0, named_ = 1, curves_ = 1;
   std::map<std::size_t, Eigen::MatrixXd> known_;
 };
@@ -235,7 +236,7 @@ Members removeMember(Members members, std::size_t place) {
   return members;
 }
 
-/// Each group that `members` lacks, added in the degree that suits it best.
+/// Visits each extension of `members` by one group, at the degree of lowest cost.
 template <class Visit> void visitAdditions(Window& window, const Members& members, const Visit& visit) {
   for (std::size_t group = 0; group < window.groups(); ++group) {
     if (hasGroup(members, group)) {
@@ -254,7 +255,7 @@ template <class Visit> void visitAdditions(Window& window, const Members& member
   }
 }
 
-/// Adds what lowers the cost most, then drops what does not raise it.
+/// Stepwise search: adds the group that lowers the cost most, then drops members whose removal does not raise it.
 WindowModel findLikeliest(Window& window) {
   WindowModel best = window.model({});
   while (best.members.size() < mostMembers) {
@@ -281,7 +282,7 @@ WindowModel findLikeliest(Window& window) {
   return best;
 }
 
-/// The model and all its neighbours, each with every choice of widths.
+/// The model and all its neighbours (removals, swaps and additions), each with every choice of widths.
 std::vector<WindowModel> findNeighbours(Window& window, const WindowModel& best) {
   std::vector<WindowModel> result{best};
   for (std::size_t i = 0; i < best.members.size(); ++i) {
@@ -357,7 +358,7 @@ std::array<double, 2> ModelWindow::interval(Eigen::Index unknown) const {
       }
       return below - (sign < 0 ? 0.025 : 0.975);
     };
-    if (excess(least) >= 0 || excess(most) <= 0) { // a single model
+    if (excess(least) >= 0 || excess(most) <= 0) { // a single model, or identical bounds
       return excess(least) >= 0 ? least : most;
     }
     std::uintmax_t steps = 50;

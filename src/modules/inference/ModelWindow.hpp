@@ -8,14 +8,13 @@
 
 namespace naocal {
 
-/// A group of columns in a model: all of an effect's, or of a curve as many as its degree needs.
+/// A group of columns in a model: all columns of an effect, or the first `count` of a smooth curve.
 struct WindowMember {
   std::size_t group = 0;
   Eigen::Index count = 0;
 };
 
-/// One explanation of the captures: the model's own unknowns and these effects and curves, each about as large as
-/// plausible or beyond.
+/// One explanation of the captures: the model's own unknowns plus some effects and curves, each with a prior width.
 struct WindowModel {
   std::vector<WindowMember> members;
   std::vector<double> widths; // of each member's prior, in units of what is plausible (`plausibleWidths`)
@@ -23,33 +22,35 @@ struct WindowModel {
   double weight = 0;          // its share among the window's models
   double chi2 = 0;            // from pose to pose: beyond what is left when every joint may deflect anew in every pose
   double freedom = 0;
-  Eigen::VectorXd unknowns;  // the own ones, its members refitted
-  Eigen::VectorXd variances; // of these
-  Eigen::VectorXd sizes;     // of its members' columns, one after the other [the columns' units]
+  Eigen::VectorXd unknowns;  // own unknowns, refitted with the members
+  Eigen::VectorXd variances; // variances of `unknowns`
+  Eigen::VectorXd sizes;     // coefficients of the members' columns, concatenated [the columns' units]
 };
 
-/// What the captures say of the own unknowns if this or that may be missing: an average over a window of models.
+/// Posterior of the own unknowns under model uncertainty: Bayesian model averaging over a window of models.
 ///
-/// The cost of a model m, D_m = -2 ln B_m + 2 ln K per effect (K: effects to choose from; for a curve: curves, times
-/// four degrees) with B_m as in `computeBayesFactor`, but a width of its own for each member: where one number of an
-/// effect is beyond plausible, another one that the captures do not tell may be, too. Each choice of widths is a model.
-/// From the model alone, the group that lowers D most is added until none does, then what does not raise D by its
-/// removal is dropped (a twin leaves when the truth joins). The window is that model, every removal, every swap of one
-/// member, and every addition (Madigan and Raftery, JASA 89 (1994) 1535; Hoeting et al., Statistical Science 14 (1999)
-/// 382), weighted by exp(-D_m / (2 misfit)) (quasi-likelihood: Burnham and Anderson, Model selection, 2002, section
-/// 2.5):
+/// The cost of a model m is D_m = -2 ln B_m + 2 ln K per effect (K: number of candidate effects; for a curve: number of
+/// curves times degrees, plus `threshold::unnamed`), with B_m as in `computeBayesFactor`, except that each member has a
+/// width of its own: where one unknown of an effect is beyond plausible, another that the captures do not determine may
+/// be, too. Each choice of widths counts as a model. Starting without members, the search adds the group that lowers D
+/// most until none does. After each addition it drops members whose removal does not raise D (an alias leaves when the
+/// true effect joins). The window is the model found, every removal, every swap of one member, and every addition
+/// (Madigan and Raftery, JASA 89 (1994) 1535; Hoeting et al., Statistical Science 14 (1999) 382), weighted by
+/// exp(-D_m / (2 misfit)) (quasi-likelihood: Burnham and Anderson, Model selection, 2002, section 2.5):
 ///   mean = sum w_m unknowns_m,   variance = sum w_m [misfit C_m + (unknowns_m - mean)^2].
-/// Of `expected` effects it is known that they are there, but not which they are: they cost no 2 ln K.
+/// The first `expected` effects are known to be present without their identity being known; they cost no 2 ln K.
 struct ModelWindow {
-  std::vector<WindowModel> models;  // likeliest first; those with a weight worth the name
-  double misfit = 1;                // chi2 / freedom of the likeliest where above 1: what no model explains
-  double freedom = 0;               // that of the likeliest
-  Eigen::VectorXd mean, variance;   // of the own unknowns
-  std::vector<double> groupWeights; // per group of the problem: of the models that have it
+  std::vector<WindowModel> models;  // by decreasing weight; relative weights below 0.001 are dropped
+  double misfit = 1;                // chi2 / freedom of the likeliest model, at least 1: misfit that no model explains
+  double freedom = 0;               // degrees of freedom of the likeliest model
+  Eigen::VectorXd mean, variance;   // posterior of the own unknowns
+  std::vector<double> groupWeights; // posterior inclusion probability per group of the problem
 
-  /// The 95 % interval of an own unknown's posterior, a mixture of Student's t about each model's value: [low, high].
+  /// 95 % credible interval [low, high] of an own unknown: a mixture of Student's t distributions centred on each
+  /// model's value.
   std::array<double, 2> interval(Eigen::Index unknown) const;
 };
+/// Searches the window at one noise level. Models have at most four members.
 ModelWindow searchModelWindow(const WideModel& wide, const Noise& noise, std::size_t expected = 0);
 
 } // namespace naocal

@@ -25,15 +25,15 @@ double noiseFloorPx(const std::vector<PoseRows>& poses, const Noise& noise) {
 namespace {
 
 constexpr double usualScatter = radians(0.02);
-constexpr double unbound = 0.05; // [rad]: a pose noise that lets every joint go where it likes
+constexpr double unbound = 0.05; // [rad]: pose noise that leaves every joint practically unconstrained
 
-/// Score and information of the candidate effects in units of what is plausible.
+/// Score and information of the candidate effects, in units of `plausible`.
 struct Candidates {
   Eigen::VectorXd score;
   Eigen::MatrixXd information;
 };
 
-/// -2 ln likelihood of candidates ~ N(0, kappa^2), against none.
+/// -2 ln likelihood of candidates ~ N(0, kappa^2), relative to no candidates.
 double computeDeviance(const Candidates& all, double kappa) {
   Eigen::MatrixXd posterior = all.information;
   posterior.diagonal().array() += 1 / (kappa * kappa);
@@ -42,7 +42,7 @@ double computeDeviance(const Candidates& all, double kappa) {
          2 * static_cast<double>(all.score.size()) * std::log(kappa) - all.score.dot(factor.solve(all.score));
 }
 
-/// D(level) of the widest model.
+/// D(level) of the widest model (`estimateNoiseLevels`).
 double wideDeviance(const ScoreProblem& problem, const Noise& noise) {
   constexpr std::array kappas{0.1, 0.2, 0.4, 0.7, 1.0, 1.5, 2.5};
   const PoseResiduals measured = measuredResiduals(*problem.poses);
@@ -50,7 +50,7 @@ double wideDeviance(const ScoreProblem& problem, const Noise& noise) {
   const NullModel::Outcome outcome = alone(measured, problem.priorScore());
   const ScoreTest tests{alone};
   const ColumnGroup last = problem.named > 0 ? problem.groups[problem.named - 1] : ColumnGroup{};
-  const Eigen::Index count = last.first + last.count; // curves stay out: they would take scatter for a shape
+  const Eigen::Index count = last.first + last.count; // without curves, which would fit scatter
   const Eigen::VectorXd plausible = problem.plausible.head(count);
   const Candidates all{plausible.cwiseProduct(tests.projectedScores(measured, outcome.own).col(0).head(count)),
                        plausible.asDiagonal() * tests.information().topLeftCorner(count, count) *
@@ -62,7 +62,7 @@ double wideDeviance(const ScoreProblem& problem, const Noise& noise) {
   return outcome.deviance[0] + least;
 }
 
-/// A curve of deviances over a level, the other levels as in `noise`.
+/// Deviance over one noise level, the other levels fixed as in `noise`.
 struct LevelCurve {
   std::vector<double> levels, deviances;
 
@@ -70,7 +70,7 @@ struct LevelCurve {
     add(problem, noise, level, penalised,
         {0, radians(0.01), radians(0.02), radians(0.03), radians(0.045), radians(0.065), radians(0.09), radians(0.12),
          mostScatter});
-    const std::size_t best = lowest(); // and a closer look around it
+    const std::size_t best = lowest(); // refines the grid around the minimum
     const double before = levels[best > 0 ? best - 1 : 0], here = levels[best],
                  after = levels[std::min(best + 1, levels.size() - 1)];
     std::vector<double> closer;
@@ -85,7 +85,7 @@ struct LevelCurve {
   std::size_t lowest() const {
     return static_cast<std::size_t>(std::min_element(deviances.begin(), deviances.end()) - deviances.begin());
   }
-  /// Where the parabola through the lowest level and its neighbours is lowest.
+  /// Minimum of the parabola through the lowest level and its neighbours.
   double peak() const {
     const std::size_t best = lowest();
     if (best == 0 || best + 1 == levels.size()) {
@@ -100,7 +100,7 @@ struct LevelCurve {
     return std::clamp(levels[best] + 0.5 * (fall * right - rise * left) / (fall + rise), levels[best - 1],
                       levels[best + 1]);
   }
-  /// Posterior probability of each level: its likelihood times the width of its cell.
+  /// Posterior probability of each level: likelihood times the width of its grid cell.
   std::vector<double> weights() const {
     const double least = deviances[lowest()];
     std::vector<double> result;
@@ -147,10 +147,10 @@ NoiseLevels estimateNoiseLevels(const ScoreProblem& wide, const Noise& noise, co
   problem.map = &none;
   NoiseLevels result{noise, {}};
   result.noise.reapproach = result.noise.stance = 0;
-  Noise within = result.noise; // only differences within poses count
+  Noise within = result.noise; // uses only differences within poses
   within.pose = unbound;
   if (repeated.reapproached) {
-    within.stance = repeated.restood ? unbound : 0; // and of those only what differs within a stance
+    within.stance = repeated.restood ? unbound : 0; // with new stances: only differences within a stance
     within.reapproach = LevelCurve{problem, within, &Noise::reapproach, false}.peak();
   }
   if (repeated.restood) {

@@ -8,14 +8,14 @@ namespace naocal {
 
 namespace {
 
-constexpr double everything = 0.05; // [rad]: a pose noise that lets every joint go where it likes
+constexpr double everything = 0.05; // [rad]: pose noise that leaves every joint practically unconstrained
 
 Eigen::MatrixXd deflectionCovariance(const PosePart& pose, const Noise& noise) {
   const JointErrorRoot root = jointErrorRoot(pose, noise);
   return Eigen::MatrixXd{root * JointErrorRoot{root.transpose()}};
 }
 
-/// chi2 of the model alone at its minimum, its unknowns' priors included.
+/// chi2 of the model without candidates at its minimum, including the priors of its unknowns.
 double computeChi2(const NullModel& alone) {
   const ScoreProblem& problem = alone.problem();
   double squares = 0;

@@ -15,7 +15,7 @@ namespace naocal {
 
 namespace {
 
-/// A pose's first moment: its set, and the time there.
+/// Start of a pose: its set, and the time within that set.
 std::pair<std::size_t, double> momentOf(const PoseGroup& pose, const Measurements& measurements) {
   std::pair<std::size_t, double> first{std::numeric_limits<std::size_t>::max(), 0};
   for (const EncoderSample& reading : pose.readings) {
@@ -27,12 +27,12 @@ std::pair<std::size_t, double> momentOf(const PoseGroup& pose, const Measurement
   return first;
 }
 
-/// What is left with one group added, from pose to pose, and how likely that group is.
+/// Misfit between poses with one group added, and that group's 2 ln(Bayes factor).
 struct Outcome {
   double bayes, chi2, freedom;
 };
 
-/// Of some poses only.
+/// Evaluates `group` on some of the poses only.
 Outcome evaluateOutcome(const ScoreProblem& problem, const Noise& noise, const std::vector<std::size_t>& poses,
                         std::size_t group) {
   std::vector<PoseRows> rows;
@@ -70,7 +70,7 @@ Prequential scorePrequentially(const ScoreProblem& problem, const Noise& noise, 
   const Outcome all = evaluateOutcome(problem, noise, order, group),
                 before = evaluateOutcome(problem, noise, {order.begin(), order.begin() + first}, group);
   const double freedom = std::max(1.0, all.freedom - before.freedom);
-  const double usual = std::max(1.0, before.chi2 / before.freedom); // what other effects leave everywhere
+  const double usual = std::max(1.0, before.chi2 / before.freedom); // misfit that other effects cause everywhere
   return {.gain = all.bayes - before.bayes,
           .tail = fTail(std::max(0.0, all.chi2 - before.chi2) / freedom / usual, freedom, before.freedom)};
 }

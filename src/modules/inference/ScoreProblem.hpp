@@ -11,66 +11,65 @@
 
 namespace naocal {
 
-/// The sum of rows^T rows over many poses, each with columns of its own: taken together by the hundred, since a tall
-/// matrix is multiplied faster than many flat ones.
+/// Accumulates the sum of rows^T rows over many poses with different columns. Batches 128 rows per product: one tall
+/// product is faster than many flat ones.
 class GramSum {
 public:
   explicit GramSum(Eigen::Index columns);
 
-  /// `columns`: which one each of the rows' columns is.
+  /// `columns`: index of each column of `rows` within the sum.
   void add(const std::vector<std::size_t>& columns, const Eigen::MatrixXd& rows);
-  /// Symmetric; what was added so far.
+  /// The symmetric sum of all rows added so far.
   Eigen::MatrixXd sum();
 
 private:
   void multiply();
 
-  Eigen::MatrixXd sum_;     // its lower half
-  Eigen::MatrixXd waiting_; // rows
-  Eigen::Index count_ = 0;  // of rows that wait
+  Eigen::MatrixXd sum_;     // lower half only
+  Eigen::MatrixXd waiting_; // rows not yet multiplied
+  Eigen::Index count_ = 0;  // number of waiting rows
 };
 
-/// Per pose its residuals [px], one row per row of `PoseRows`, one column per draw.
+/// Residuals per pose [px]: one row per row of `PoseRows`, one column per draw.
 using PoseResiduals = std::vector<Eigen::MatrixXd>;
 
-/// Those of the measurements themselves, where `poses` was linearised.
+/// Residuals of the measurements at the linearisation point of `poses`.
 PoseResiduals measuredResiduals(const std::vector<PoseRows>& poses);
 
-/// `draws` sets of residuals that are nothing but noise: r ~ N(0, pixel^2 I + J_t S J_t^T). The same seed gives the
-/// same draws.
+/// Draws `draws` sets of pure noise, r ~ N(0, pixel^2 I + J_t S J_t^T), reproducible by `seed`.
 PoseResiduals drawResiduals(const std::vector<PoseRows>& poses, const Noise& noise, Eigen::Index draws,
                             std::uint64_t seed);
 
-/// Columns that stand or fall together: an effect's unknowns, or a curve of the map's.
+/// Columns that enter a model together: the unknowns of an effect, or a curve of the driver map.
 struct ColumnGroup {
-  Eigen::Index first = 0, count = 0; // among the candidates' columns
-  Eigen::Index part = 0;             // of a smooth curve: columns per degree; the first few may suffice
-  std::size_t choices = 1;           // groups of which at most one is true: a priori it is this one as often as another
+  Eigen::Index first = 0, count = 0; // range among the candidates' columns
+  Eigen::Index part = 0;   // columns per degree of a smooth curve (its first degrees may suffice); 0: no degrees
+  std::size_t choices = 1; // size of its set of groups, at most one of which is true (equal prior odds)
 };
 
-/// What score tests are about. `poses` have the model's own unknowns first, then the candidates' columns: those of
-/// candidate effects and of the mounts' curves; behind them come the joints' curves, the columns of `map`.
+/// The linearised problem of the score tests. Columns of `poses`: first the model's own unknowns, then candidate
+/// effects, then the mounts' curves. The joints' curves follow as columns of `map`.
 struct ScoreProblem {
   ScoreProblem() = default;
-  /// Without any groups.
+  /// Creates a problem without groups.
   ScoreProblem(const std::vector<PoseRows>& poses, const DriverColumns& map, Eigen::VectorXd unknowns,
                Eigen::VectorXd sigmas, Eigen::Index candidates);
 
   const std::vector<PoseRows>* poses = nullptr;
   const DriverColumns* map = nullptr;
   Eigen::MatrixXd gram;            // J_x^T J_x of all poses, own unknowns and candidates [px^2 / unknown^2]
-  Eigen::VectorXd unknowns;        // the own unknowns where `poses` were linearised
-  Eigen::VectorXd sigmas;          // their priors
+  Eigen::VectorXd unknowns;        // own unknowns at the linearisation point of `poses`
+  Eigen::VectorXd sigmas;          // prior standard deviations of the own unknowns
   std::vector<ColumnGroup> groups; // candidate effects, the mounts' curves, then the map's cells
-  std::size_t named = 0;           // how many of the groups are candidate effects
-  Eigen::Index candidates = 0;     // columns that `poses` have beyond the own unknowns
-  Eigen::VectorXd plausible;       // per column of a group: how large its coefficient plausibly is
+  std::size_t named = 0;           // number of groups that are candidate effects
+  Eigen::Index candidates = 0;     // number of columns of `poses` beyond the own unknowns
+  Eigen::VectorXd plausible;       // prior scale of each candidate column's coefficient
 
   Eigen::Index ownCount() const { return sigmas.size(); }
-  /// How many of a pose's unknowns are the model's own: the first of them; and these.
+  /// Own unknowns among a pose's unknowns (they come first): their number, and their indices.
   Eigen::Index ownCountIn(const PosePart& pose) const;
   std::vector<std::size_t> ownUnknownsIn(const PosePart& pose) const;
-  /// -2 ln of the own unknowns' prior: half of its gradient where `poses` were linearised.
+  /// Half the gradient of -2 ln prior of the own unknowns, at the linearisation point of `poses`.
   Eigen::VectorXd priorScore() const { return unknowns.cwiseQuotient(sigmas.cwiseAbs2()); }
 };
 

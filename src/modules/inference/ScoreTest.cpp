@@ -12,7 +12,7 @@ namespace naocal {
 
 namespace {
 
-/// What has the same product with itself, and no more rows than columns.
+/// A factor with the same product half^T half and at most as many rows as columns.
 Eigen::MatrixXd compressRows(const Eigen::MatrixXd& half) {
   if (half.rows() <= half.cols()) {
     return half;
@@ -84,10 +84,10 @@ NullModel::Outcome NullModel::operator()(const PoseResiduals& residuals, const E
 
 namespace {
 
-/// Less than this part of a direction's information left: the model's own unknowns absorb it.
+/// Remaining share of a direction's information below which the own unknowns absorb it.
 constexpr double absorbed = 1e-4;
 
-/// W with |W s|^2 = s^T block^-1 s over those directions that are not absorbed.
+/// W with |W s|^2 = s^T block^-1 s over the directions that are not absorbed.
 Eigen::MatrixXd computeWhitening(const Eigen::MatrixXd& block, const Eigen::MatrixXd& whole) {
   const Eigen::VectorXd scale = whole.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   const SymmetricEigen eigen = symmetricEigen(scale.asDiagonal() * block * scale.asDiagonal());
@@ -193,7 +193,6 @@ void ScoreTest::project(const Columns& columns) {
   }
 }
 
-/// Scores of all columns, downhill.
 Eigen::MatrixXd ScoreTest::projectedScores(const PoseResiduals& residuals, const Eigen::MatrixXd& own) const {
   const ScoreProblem& problem = alone_.problem();
   const double information = 1 / (noise().pixel * noise().pixel);
@@ -225,7 +224,7 @@ Eigen::MatrixXd ScoreTest::projectedScores(const PoseResiduals& residuals, const
   return result;
 }
 
-/// What a group's first few columns do to a pose's residuals.
+/// The first `count` columns of a group in a pose's residuals.
 Eigen::MatrixXd ScoreTest::columnsOfGroup(std::size_t group, Eigen::Index count, std::size_t pose) const {
   const ScoreProblem& problem = alone_.problem();
   const PoseRows& rows = (*problem.poses)[pose];
@@ -266,7 +265,7 @@ double ScoreTest::movedPx(std::size_t group, const Eigen::VectorXd& coefficients
   for (const PoseRows& rows : *problem.poses) {
     numbers += rows.numbers;
   }
-  if (first < problem.candidates) { // |J_o o + G c|^2 by the sums of all poses
+  if (first < problem.candidates) { // |J_o o + G c|^2 from sums over all poses
     const Eigen::Index column = problem.ownCount() + first;
     squares = own.dot(problem.gram.topLeftCorner(own.size(), own.size()) * own) +
               2 * own.dot(problem.gram.block(0, column, own.size(), count) * coefficients) +

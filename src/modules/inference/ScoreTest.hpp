@@ -8,34 +8,35 @@
 
 namespace naocal {
 
-/// The model without any candidate at one level of noise: how likely residuals are under it.
+/// Likelihood of residuals under the model without candidates, at one noise level. Keeps a reference to `problem`.
 class NullModel {
 public:
   NullModel(const ScoreProblem& problem, const Noise& noise);
 
-  /// Of each set of residuals (column): -2 ln of the model's restricted likelihood up to a constant, and chi2 up to a
-  /// constant; both constants are the same at all levels.
+  /// Per set of residuals (column): -2 ln restricted likelihood and chi2, each up to a constant that is the same at all
+  /// levels.
   struct Outcome {
     Eigen::RowVectorXd deviance, chi2;
     Eigen::MatrixXd own; // L^-1 times the scores of the own unknowns
   };
+  /// Evaluates sets of residuals. `priorScore`: as `ScoreProblem::priorScore`, or zero for draws from the model.
   Outcome operator()(const PoseResiduals& residuals, const Eigen::VectorXd& priorScore) const;
 
-  /// Of a pose whose deflections have the covariance R R^T:
+  /// Whitening of a pose whose deflections have covariance R R^T:
   ///   J^T Sigma^-1 J = (J^T J - (B J)^T (B J)) / pixel^2,   B = L^-1 M^T, M = J_t R / pixel, L L^T = I + M^T M.
-  /// A half, for the product B^T B loses the digits that sharp corners and loose joints need.
+  /// Stores the factor B, since the product B^T B loses digits for sharp corners and loose joints.
   struct Whitener {
-    Eigen::MatrixXd half;     // B, or what has as few rows as J and the same product
-    Eigen::MatrixXd unknowns; // B J_x / pixel, of the unknowns and candidates
+    Eigen::MatrixXd half;     // B, or a factor with the same product B^T B and at most as many rows as columns
+    Eigen::MatrixXd unknowns; // B J_x / pixel of unknowns and candidates
   };
   const Whitener& whitener(std::size_t pose) const { return whiteners_[pose]; }
-  /// Of the own unknowns' information, priors included: L L^T.
+  /// Cholesky factor of the own unknowns' information, priors included: L L^T.
   const Eigen::LLT<Eigen::MatrixXd>& factor() const { return factor_; }
   const ScoreProblem& problem() const { return problem_; }
   const Noise& noise() const { return noise_; }
 
 private:
-  /// What deflections take of the own unknowns' information.
+  /// Information that the deflections take from the own unknowns.
   struct Taken {
     Eigen::MatrixXd information;
     double logDeterminant = 0;
@@ -57,38 +58,37 @@ public:
   /// `alone` must outlive the tests.
   explicit ScoreTest(const NullModel& alone);
 
-  /// How far each group (row) lowers chi2 of each set of residuals (column); `own`: the model's own part of their
-  /// scores, as in `NullModel::Outcome`.
+  /// Decrease of chi2 per group (row) and set of residuals (column). `own`: as in `NullModel::Outcome`.
   Eigen::MatrixXd chi2Decreases(const PoseResiduals& residuals, const Eigen::MatrixXd& own) const;
 
-  /// Scores of all columns, downhill, projected: one row per column, as `ScoreProblem::groups` counts them.
+  /// Projected scores, negative gradient: one row per column of `ScoreProblem::groups`, one column per set of
+  /// residuals.
   Eigen::MatrixXd projectedScores(const PoseResiduals& residuals, const Eigen::MatrixXd& own) const;
-  /// Projected information of all columns (rows) with the first `count` ones of a group's.
+  /// Projected information between all columns (rows) and the first `count` columns of a group.
   Eigen::MatrixXd informationWith(std::size_t group, Eigen::Index count) const;
-  /// How far a group's coefficients move predicted corners, the own unknowns refitted and joints as they were read:
-  /// rms [px].
+  /// Displacement of predicted corners by a group's coefficients, rms [px]; own unknowns refitted, joints as read.
   double movedPx(std::size_t group, const Eigen::VectorXd& coefficients) const;
   /// Projected information of a group's own columns.
   const Eigen::MatrixXd& informationOf(std::size_t group) const { return blocks_[group]; }
-  /// L^-1 H_og of all columns g, L of `NullModel::factor`: the own unknowns answer one unit of a column by -L^-T of
-  /// it.
+  /// L^-1 H_og of all columns g, with L of `NullModel::factor`. The own unknowns respond to one unit of column g by
+  /// -L^-T times this.
   const Eigen::MatrixXd& explainedInformation() const { return explained_; }
 
-  /// Projected information of the candidates' columns (not of the map's).
+  /// Projected information of the candidates' columns, without those of the map.
   const Eigen::MatrixXd& information() const { return information_; }
-  /// The part of a group's information that the own unknowns do not absorb.
+  /// Share of a group's information that the own unknowns do not absorb, in [0, 1].
   double keptFraction(std::size_t group) const { return kept_[group]; }
-  /// Of a group's chi2: columns that are not absorbed.
+  /// Degrees of freedom of a group's chi2: directions that are not absorbed.
   Eigen::Index degreesOfFreedom(std::size_t group) const { return whitening_[group].rows(); }
   const Noise& noise() const { return alone_.noise(); }
 
 private:
-  struct Columns {                      // of all poses, whitened, before projection
+  struct Columns {                      // summed over poses, whitened, before projection
     Eigen::MatrixXd cross;              // own unknowns x candidates and map columns
     Eigen::MatrixXd candidates;         // candidates x candidates
     std::vector<Eigen::MatrixXd> cells; // per cell of the map
 
-    Columns& operator+=(const Columns& other); // without the candidates
+    Columns& operator+=(const Columns& other); // does not add `candidates`
   };
   static Columns makeEmptyColumns(const ScoreProblem& problem);
   void addCurves(std::size_t pose, Columns& columns);

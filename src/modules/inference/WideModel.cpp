@@ -13,8 +13,8 @@ namespace naocal {
 
 namespace {
 
-/// The model's priors; of effects beyond the base wide enough for what was found of them: else a curve of the same
-/// shape, which may be larger, would be evident because it relieves them.
+/// Prior sigmas of the model. Those of effects beyond the base model are widened to their estimates; otherwise a curve
+/// of the same shape with a larger prior would appear significant by relieving them.
 Eigen::VectorXd priorsOf(const Model& model, const Eigen::VectorXd& unknowns) {
   Eigen::VectorXd sigmas = model.sigmas();
   for (const Term& term : model.terms()) {
@@ -27,7 +27,7 @@ Eigen::VectorXd priorsOf(const Model& model, const Eigen::VectorXd& unknowns) {
   return sigmas;
 }
 
-/// The rows of a model at its fit; unknowns beyond the state's are zero.
+/// Rows of a model at its fit; unknowns beyond the state's are zero.
 std::vector<PoseRows> linearisedRows(const Measurements& measurements, const Model& model, const FittedPoint& point) {
   const Residuals residuals{measurements, model, point.noise, point.loss};
   Residuals::State state = point.state;

@@ -10,20 +10,21 @@
 
 namespace naocal {
 
-/// Where a model is linearised: at a fit.
+/// Linearisation point of a model: a fit.
 struct FittedPoint {
-  Residuals::State state; // the model's unknowns, then those of the first few candidates where they are not zero
-  Noise noise;            // the levels it was fitted with
+  Residuals::State state; // the model's unknowns, then those of the first candidates where nonzero
+  Noise noise;            // noise levels of the fit
   Loss loss;
 };
 
-/// A model with every candidate effect in it, and with every curve of a joint or a camera mount over what was recorded:
-/// the widest explanation that these captures allow, linearised at a fit.
+/// A model with every candidate effect and every curve of a joint or camera mount over the recorded drivers: the widest
+/// explanation that the captures allow, linearised at a fit.
 class WideModel {
 public:
-  WideModel(const WideModel&) = delete; // its problem points into it
+  WideModel(const WideModel&) = delete; // problem_ points into this object
   WideModel& operator=(const WideModel&) = delete;
-  /// `curves`: with the curves. Throws InputError where the fit is impossible.
+  /// `curves`: whether to include curves. Keeps a reference to `measurements`. Throws InputError if the fit puts an
+  /// observed corner behind the camera.
   WideModel(const Measurements& measurements, const Model& model, std::vector<Term> candidates,
             const FittedPoint& point, bool curves);
 
@@ -33,7 +34,7 @@ public:
   const DriverColumns& map() const { return map_; }
   const ScoreProblem& problem() const { return problem_; }
   const std::string& jointName(std::size_t joint) const { return measurements_.robot.joints[joint].name; }
-  /// The sizes of all columns where it was linearised: zero but for the candidates' that were given.
+  /// Coefficients of all columns at the linearisation point: zero except for the given candidates.
   const Eigen::VectorXd& sizes() const { return sizes_; }
 
 private:

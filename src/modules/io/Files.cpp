@@ -23,7 +23,7 @@ namespace {
   throw InputError{fmt::format("{}: cannot be written: {}; choose another place", file.string(), reason)};
 }
 
-/// An open file that is closed when it goes out of scope; failures are told by `errno`.
+/// RAII file descriptor; failures are reported in `errno`.
 class Descriptor {
 public:
   Descriptor(const std::filesystem::path& file, int flags) : number_{::open(file.c_str(), flags | O_CLOEXEC, 0666)} {}
@@ -72,14 +72,14 @@ std::string readFile(const std::filesystem::path& file) {
 }
 
 void writeAtomically(const std::filesystem::path& file, std::string_view content) {
-  std::error_code ignored; // a link stays: what it points to is replaced
+  std::error_code ignored; // follows symbolic links: replaces their target
   const auto target = std::filesystem::weakly_canonical(std::filesystem::absolute(file, ignored), ignored);
   struct stat existing {};
   const bool exists = ::stat(target.c_str(), &existing) == 0;
   if (exists && S_ISDIR(existing.st_mode)) {
     refuseWriting(file, "it is a folder");
   }
-  if (exists && !S_ISREG(existing.st_mode)) { // a pipe or device has no content to replace
+  if (exists && !S_ISREG(existing.st_mode)) { // pipes and devices have no content to replace
     if (const Descriptor device{target, O_WRONLY}; !device.isOpen() || !device.write(content)) {
       refuseWriting(file, std::strerror(errno));
     }
@@ -99,7 +99,7 @@ void writeAtomically(const std::filesystem::path& file, std::string_view content
     refuseWriting(file, reason);
   }
   if (const Descriptor directory{folder, O_RDONLY | O_DIRECTORY}; directory.isOpen()) {
-    directory.sync(); // the new name survives a power cut; where folders cannot be synced the file is whole anyway
+    directory.sync(); // makes the new name durable; without it the file is still complete
   }
 }
 

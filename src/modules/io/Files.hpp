@@ -6,16 +6,16 @@
 
 namespace naocal {
 
-/// The whole content of a file. Throws InputError that names the file and the reason.
+/// Reads a whole file. Throws InputError with the file and the reason.
 std::string readFile(const std::filesystem::path& file);
 
-/// Writes a file whole or not at all: temporary file beside it, fsync, rename. Throws InputError with the reason.
+/// Writes a file atomically: temporary file in the same folder, fsync, rename. Throws InputError with the reason.
 void writeAtomically(const std::filesystem::path& file, std::string_view content);
 
 /// Lower-case hexadecimal SHA-256.
 std::string sha256(std::string_view content);
 
-/// RAII temporary directory, mode 0700. Throws InputError where none can be made.
+/// RAII temporary directory, mode 0700. Throws InputError if it cannot be created.
 class TemporaryDirectory {
 public:
   explicit TemporaryDirectory(const std::filesystem::path& parent = std::filesystem::temp_directory_path());

@@ -18,25 +18,24 @@ struct GreyPicture {
   std::uint8_t grey(int x, int y) const { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };
 
-/// The grey level of red, green and blue: Y, as JPEG and cameras define it (ITU-R BT.601-7, 2.5.1).
+/// Luma Y of red, green and blue, as in JPEG and cameras (ITU-R BT.601-7, 2.5.1).
 inline std::uint8_t luma(const std::uint8_t* rgb) {
   return static_cast<std::uint8_t>((299 * rgb[0] + 587 * rgb[1] + 114 * rgb[2] + 500) / 1000);
 }
 
-/// A picture file's grey levels; colours become their luma, what is transparent white. Throws
-/// InputError, with what the picture is called, where it is neither PNG nor JPEG, is cut off or has more than 64
-/// million pixels.
+/// Decodes the grey levels of a PNG or JPEG; converts colours to luma and transparent pixels to white. Throws
+/// InputError naming the picture if the format is unknown, the content is truncated, or it exceeds 64 million pixels.
 GreyPicture decodeImage(std::string_view content, const std::string& name);
 GreyPicture readImage(const std::filesystem::path& file);
 
-/// As a PNG: every grey level is kept.
+/// Encodes as PNG (lossless).
 std::string encodePng(const GreyPicture& picture);
 
-/// As a JPEG. `pixels`: row by row, width * height of them, one byte each or three (red, green, blue); `quality` 1 to
+/// Encodes as JPEG. `pixels`: width * height, row by row, one byte each or three (red, green, blue); `quality`: 1 to
 /// 100.
 std::string encodeJpeg(std::span<const std::uint8_t> pixels, int width, int height, int quality);
 
-/// Writes a PNG or JPEG, as the file's name ends (.png, .jpg), at once or not at all. Throws InputError.
+/// Writes a PNG or JPEG atomically, according to the extension (.png, .jpg). Throws InputError.
 void writeImage(const GreyPicture& picture, const std::filesystem::path& file);
 
 } // namespace naocal

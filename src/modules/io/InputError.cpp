@@ -8,7 +8,7 @@ namespace naocal {
 
 namespace {
 
-/// Levenshtein's distance: letters to insert, remove or replace.
+/// Levenshtein distance: number of insertions, deletions and substitutions.
 std::size_t distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});

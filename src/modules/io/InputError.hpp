@@ -6,14 +6,14 @@
 
 namespace naocal {
 
-/// Bad input from outside (a file, an option): one sentence that says where, what was expected and what was found.
-/// Caught in `main`, which prints it and ends with exit code 2.
+/// Invalid external input (a file, an option): one sentence with location, expected and found. Caught in `main`, which
+/// prints it and exits with code 2.
 class InputError : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// Of the known names those that differ from `text` in the fewest letters, best first, for people who mistyped.
+/// Known names with the smallest edit distance to `text`, best first, as suggestions for misspelt names.
 std::vector<std::string> closestNames(const std::string& text, const std::vector<std::string>& known,
                                       std::size_t most = 5);
 

@@ -25,12 +25,12 @@ std::string description(const json& value) {
   case json::value_t::object:
     return "an object";
   default:
-    const std::string text = value.dump(-1, ' ', true); // ASCII: it may be cut anywhere
+    const std::string text = value.dump(-1, ' ', true); // ASCII: may be cut at any byte
     return text.size() <= 60 ? text : text.substr(0, 60) + "...";
   }
 }
 
-/// The number, or NaN when there is none within the range.
+/// The number, or NaN if it is missing or out of range.
 double numberWithin(const Range& range, const json& value) {
   const double number = value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
   return number >= range.lowest && number <= range.highest ? number : std::numeric_limits<double>::quiet_NaN();
@@ -166,9 +166,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t deepest = 100; // far deeper than any file of ours; an open bracket repeated forever ends here
+constexpr std::size_t deepest = 100; // nesting limit: far above any valid file, stops endless open brackets
 
-/// Watches a document while it is parsed: no object holds a key twice, nothing is nested endlessly.
+/// Parser callback: refuses duplicate keys and excessive nesting.
 class Watch {
 public:
   explicit Watch(const std::string& file) : file_{file} {}
@@ -230,7 +230,7 @@ private:
   std::vector<Level> open_;
 };
 
-/// The text with the number literals that JSON does not know quoted; empty when there are none.
+/// The text with the non-JSON number literals quoted; empty if there are none.
 std::string quoteLiterals(std::string_view text) {
   std::string quoted;
   std::size_t copied = 0;
@@ -268,7 +268,7 @@ json parseJson(const std::string& text, const std::string& file) {
       try {
         return parse(quoted);
       } catch (const json::exception&) {
-        // The text has other errors, too: its first one is reported.
+        // The text has other errors, too: reports the first one.
       }
     }
     const std::string_view message = error.what(); // "[json.exception.parse_error.101] parse error at line 1, ..."

@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-/// Writing JSON again without losing what was read beside the known keys. (Heavy: include in .cpp files only.)
+/// Writes JSON while preserving unknown keys that were read. (Heavy: include in .cpp files only.)
 
 namespace naocal {
 
-/// Finer than any figure shows, and a file that stays small.
+/// Rounds to significant digits. Five exceed the resolution of any figure and keep files small.
 inline double roundToDigits(double value, int digits = 5) {
   assert(std::isfinite(value));
   if (value == 0) {
@@ -19,17 +19,16 @@ inline double roundToDigits(double value, int digits = 5) {
   return std::round(value * scale) / scale;
 }
 
-/// What was read under a key; null when nothing was.
+/// The value read under a key, or null.
 const nlohmann::json& childOrNull(const nlohmann::json& read, const std::string& key);
 
-/// The entry of a list that was read whose `key` has this value; null when there is none.
+/// The entry of a list whose `key` has this value, or null.
 const nlohmann::json& entryOrNull(const std::string& key, const nlohmann::json& value, const nlohmann::json& list);
 
-/// An object as it is written: of the keys in `known` those that are not null, in their order, then those keys that
-/// were read and are not in `known`.
+/// Merges an object for writing: non-null keys of `known` in their order, then keys of `read` that are not in `known`.
 nlohmann::ordered_json mergeUnknownKeys(const nlohmann::ordered_json& known, const nlohmann::json& read);
 
-/// The value on one line. Numbers keep every digit; bytes that are not UTF-8 are replaced.
+/// Formats the value on one line, with all digits of numbers; replaces invalid UTF-8.
 std::string compactText(const nlohmann::ordered_json& value);
 
 } // namespace naocal

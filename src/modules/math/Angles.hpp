@@ -12,7 +12,7 @@ constexpr double degrees(double radians) {
   return radians * 180 / std::numbers::pi;
 }
 
-/// Sine and cosine; no work where the angle is exactly zero, as most angles of mounts and placements are.
+/// Sine and cosine; skips the computation for angle 0, the most frequent one of mounts and placements.
 struct SineCosine {
   explicit SineCosine(double angle) {
     if (angle != 0) {
@@ -23,7 +23,7 @@ struct SineCosine {
   double sine = 0, cosine = 1;
 };
 
-/// The same direction in (-pi, pi] [rad].
+/// The equivalent angle in [-pi, pi] [rad].
 inline double wrapAngle(double angle) {
   return std::remainder(angle, 2 * std::numbers::pi);
 }

@@ -13,15 +13,15 @@ struct LevenbergMarquardtOptions {
   int maxIterations = 300;
   double initialDamping = 1e-3; // in units of 1 / scale^2
   double minCostDecrease =
-      1e-9; // stop when the quadratic model predicts a smaller fall of the cost [1 = half a chi2 unit]
+      1e-9; // stops when the quadratic model predicts a smaller decrease of the cost [1 = half a chi2 unit]
   double stalledDecrease =
-      1e-3; // a fall over the last ten iterations below which a search that could not go on has arrived
+      1e-3; // a stalled search counts as converged if the last ten iterations decreased the cost by less
 };
 
-/// Where the search ended.
+/// End of the search.
 template <typename State, typename Linear> struct Minimum {
   State state;
-  Linear linear; // cost, gradient and Hessian there
+  Linear linear; // cost, gradient and Hessian at `state`
   int iterations = 0;
   bool converged = false;
 };
@@ -29,15 +29,15 @@ template <typename State, typename Linear> struct Minimum {
 /// Levenberg-Marquardt with Nielsen's damping (Madsen, Nielsen, Tingleff: Methods for non-linear least squares
 /// problems, 2nd ed. 2004, algorithm 3.16), damping scaled by the Hessian's diagonal.
 ///
-/// A problem knows its state and offers
+/// A problem has a state type and provides
 ///   struct Linear                                      with .cost, .gradient, .hessian (J^T J)
-///   bool linearise(const State&, Linear&)              false: that state is impossible
-///   State moved(const State&, const Linear&, const Eigen::VectorXd& step)
-///   const Eigen::VectorXd& scales()                    how far each number plausibly moves
-/// `linearise` gets one of two `Linear`s, filled before by itself or empty, so that it may use their memory again.
-/// Where the cost has a kink or a narrow bent valley (a gear's gap), steps never bring what is predicted: such a search
-/// has converged when it hardly fell any more.
-/// An impossible state is never rewarded: the step that led there is refused. Absent: already the start is impossible.
+///   bool linearise(State&, Linear&)                    false: the state is infeasible
+///   State applyStep(const State&, const Linear&, const Eigen::VectorXd& step)
+///   const Eigen::VectorXd& scales()                    plausible change of each unknown
+/// `linearise` receives one of two `Linear`s, empty or filled by an earlier call, whose memory it may reuse.
+/// If the cost has a kink or a narrow curved valley (a gear's gap), steps never achieve the predicted decrease; such a
+/// search counts as converged once its cost hardly decreases.
+/// Refuses steps to infeasible states. Absent if the start is infeasible.
 template <typename Problem, typename State>
 auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarquardtOptions& options = {})
     -> std::optional<Minimum<State, typename Problem::Linear>> {
@@ -47,7 +47,7 @@ auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarq
   }
   typename Problem::Linear there;
   double damping = options.initialDamping, growth = 2;
-  bool arrived = false; // by a step, not by the start
+  bool arrived = false; // by a step, not just at the start
   std::vector<double> costs;
   while (minimum.iterations < options.maxIterations && !minimum.converged) {
     ++minimum.iterations;
@@ -60,7 +60,8 @@ auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarq
       return minimum;
     }
     costs.push_back(here.cost);
-    // A step whose predicted fall is nothing, or drowns in the cost's rounding, ends the search, taken or not.
+    // A predicted decrease below the tolerance or the rounding of the cost ends the search, whether the step is taken
+    // or not.
     minimum.converged = predictedFall < options.minCostDecrease + 1e-12 * here.cost && damping < 1e3;
     if (minimum.converged && arrived) {
       break;

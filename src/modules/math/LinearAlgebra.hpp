@@ -3,12 +3,11 @@
 #include <Eigen/Core>
 #include <cstddef>
 
-/// What Eigen's solver for symmetric matrices finds, compiled once: everywhere else it would take seconds of each
-/// build.
+/// Eigen's solver for symmetric matrices, compiled once; in every user it would add seconds to the build.
 
 namespace naocal {
 
-/// A place in a standard container as Eigen counts places.
+/// Converts a container index to Eigen's index type.
 inline Eigen::Index eigenIndex(std::size_t i) {
   return static_cast<Eigen::Index>(i);
 }
@@ -16,10 +15,10 @@ inline Eigen::Index eigenIndex(std::size_t i) {
 /// A = vectors diag(values) vectors^T.
 struct SymmetricEigen {
   Eigen::VectorXd values;  // ascending
-  Eigen::MatrixXd vectors; // in columns, orthonormal
+  Eigen::MatrixXd vectors; // orthonormal columns
 };
 
-/// Reads the lower triangle of `matrix` alone.
+/// Uses only the lower triangle of `matrix`.
 SymmetricEigen symmetricEigen(const Eigen::MatrixXd& matrix);
 Eigen::VectorXd symmetricEigenvalues(const Eigen::MatrixXd& matrix);
 

@@ -16,11 +16,11 @@
 
 namespace naocal {
 
-/// body(i) for i = 0 .. count - 1 on all cores, in any order; returns when all are done. May be called by a body. What
-/// a body throws is thrown here.
+/// Runs body(i) for i = 0 .. count - 1 on all cores, in any order, and returns when all are done. Calls may be nested.
+/// Propagates exceptions of `body`.
 ///
-/// Under the thread sanitizer by two threads of its own, which must not throw: it cannot see how a library's threads
-/// take turns, so that it would either accuse every body or have to overlook whatever they do.
+/// Under the thread sanitizer uses two threads of its own, in which `body` must not throw: the sanitizer cannot see the
+/// synchronisation inside the TBB library and would report false races.
 template <class Body> void parallelFor(std::size_t count, const Body& body) {
 #ifdef NAOCAL_OWN_THREADS
   std::atomic<std::size_t> next{0};
@@ -36,8 +36,8 @@ template <class Body> void parallelFor(std::size_t count, const Body& body) {
 #endif
 }
 
-/// What body(i, part) gathers over i = 0 .. count - 1, in a few parts side by side, each of which `make` has begun. How
-/// many there are does not depend on the machine: summed in their order they are the same everywhere, to the last bit.
+/// Gathers body(i, part) over i = 0 .. count - 1 in up to four parallel parts, each initialised by `make`. The number
+/// of parts does not depend on the machine, so sums over them in order are bitwise reproducible.
 template <class Make, class Body> auto gatherInParts(std::size_t count, const Make& make, const Body& body) {
   constexpr std::size_t most = 4;
   const std::size_t parts = std::max<std::size_t>(1, std::min(most, count));
@@ -53,9 +53,8 @@ template <class Make, class Body> auto gatherInParts(std::size_t count, const Ma
   return result;
 }
 
-/// For the beginning of a program that fits models: matrices come and go by the megabyte, and their memory is kept
-/// instead of given back to the system and asked for again, which would take as long as the arithmetic and would be
-/// waited for by all threads.
+/// Tunes malloc for programs that fit models; call at start. Keeps freed memory of matrices (megabytes each) instead of
+/// returning it to the system, which would take as long as the arithmetic and block all threads.
 inline void tuneAllocator() {
   mallopt(M_MMAP_THRESHOLD, 1 << 25);
   mallopt(M_TRIM_THRESHOLD, 1 << 30);

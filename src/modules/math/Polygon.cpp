@@ -36,8 +36,7 @@ ConvexPolygon convexHull(const ConvexPolygon& points) {
 }
 
 bool hullContains(const ConvexPolygon& points, const Eigen::Vector2d& point) {
-  // Seen from the point, all others lie in a wedge from `right` to `left` narrower than half a turn, unless it is
-  // within.
+  // Outside the hull, all points lie in a wedge from `right` to `left` of less than 180 degrees, seen from `point`.
   const auto turn = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); };
   Eigen::Vector2d right = points.front() - point, left = right;
   for (const Eigen::Vector2d& other : points) {

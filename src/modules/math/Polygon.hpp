@@ -5,22 +5,22 @@
 
 namespace naocal {
 
-/// The corners of a convex area on the floor, counter-clockwise [m].
+/// Vertices of a convex area on the floor, counter-clockwise [m].
 using ConvexPolygon = std::vector<Eigen::Vector2d>;
 
-/// How deep a point lies inside: its distance to the nearest side's line, negative outside [m].
+/// Depth of a point inside: distance to the nearest side's line, negative outside [m].
 double insideDepth(const ConvexPolygon& outline, const Eigen::Vector2d& point);
 
-/// The convex outline around some points, corners on a side left out.
+/// Convex hull of some points, without collinear vertices.
 ConvexPolygon convexHull(const ConvexPolygon& points);
 
-/// The mean of its corners.
+/// Mean of the vertices.
 Eigen::Vector2d vertexMean(const ConvexPolygon& outline);
 
-/// Whether a point lies within the convex outline around some points.
+/// Whether a point lies within the convex hull of some points.
 bool hullContains(const ConvexPolygon& points, const Eigen::Vector2d& point);
 
-/// Whether a side of one of the two has the whole other one beyond it.
+/// Whether a side of one polygon separates it from the other.
 bool areSeparated(const ConvexPolygon& a, const ConvexPolygon& b);
 
 } // namespace naocal

@@ -27,7 +27,7 @@ Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v) {
 
 namespace {
 
-/// sin(t)/t, (1 - cos t)/t^2 and (t - sin t)/t^3, by their series where the quotients lose digits.
+/// sin(t)/t, (1 - cos t)/t^2 and (t - sin t)/t^3; by series for small t, where the quotients lose digits.
 struct RodriguesTerms {
   explicit RodriguesTerms(double squaredAngle) {
     if (squaredAngle < 1e-4) {

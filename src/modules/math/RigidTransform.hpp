@@ -6,8 +6,7 @@ namespace naocal {
 
 /// A change of frame: pointInDestination = destinationFromSource * pointInSource.
 ///
-/// Named `destinationFromSource`; equal names meet across `*`:
-/// `headFromBoard = headFromCamera * cameraFromBoard`.
+/// Named `destinationFromSource`; equal names meet across `*`: `headFromBoard = headFromCamera * cameraFromBoard`.
 struct RigidTransform {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Eigen::Vector3d translation = Eigen::Vector3d::Zero(); // [m]
@@ -27,7 +26,7 @@ Eigen::Matrix3d rotationZ(double angle);
 /// exp([v]x): the rotation about `rotationVector` by its length [rad] (Rodrigues).
 Eigen::Matrix3d rotationAbout(const Eigen::Vector3d& rotationVector);
 
-/// J with exp([v + dv]x) = exp([J dv]x) exp([v]x) to first order: how the rotation turns when its vector changes.
+/// J with exp([v + dv]x) = exp([J dv]x) exp([v]x) to first order: left Jacobian of the rotation vector.
 /// J = sin(t)/t I + (1 - cos t)/t^2 [v]x + (t - sin t)/t^3 v v^T, t = |v|.
 Eigen::Matrix3d leftJacobian(const Eigen::Vector3d& rotationVector);
 

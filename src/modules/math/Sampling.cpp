@@ -23,7 +23,7 @@ private:
   std::mt19937_64 random_;
 };
 
-/// Shifted by a random vector modulo 1, so that a seed matters.
+/// Sobol sequence with a random shift modulo 1, determined by the seed.
 class SobolPoints : public UnitCubeSampler {
 public:
   SobolPoints(std::uint64_t seed, std::size_t dimensions, std::size_t first) : sobol_{dimensions}, shift_(dimensions) {
@@ -45,7 +45,7 @@ private:
 class GridPoints : public UnitCubeSampler {
 public:
   GridPoints(std::size_t dimensions, std::size_t count, std::size_t first) : cells_(dimensions, 1), index_{first} {
-    for (std::size_t product = 1, i = 0;; i = (i + 1) % dimensions) { // one more cell along each dimension in turn
+    for (std::size_t product = 1, i = 0;; i = (i + 1) % dimensions) { // adds a cell along each dimension in turn
       product = product / cells_[i] * (cells_[i] + 1);
       if (product > count) {
         break;

@@ -2,9 +2,9 @@
 
 namespace naocal {
 
-/// Four numbers at once: the inner loops treat corners in fours, which every processor since SSE2 does in parallel.
-/// Arithmetic and comparison work on all four, [i] on one of them. (A member, never a template's argument: that would
-/// lose its alignment.)
+/// Four doubles at once (SIMD): inner loops process corners in blocks of four, in parallel on any processor since SSE2.
+/// Arithmetic and comparison work element-wise, [i] selects one. (Use as a member, not as a template argument, which
+/// would lose its alignment.)
 using Double4 [[gnu::vector_size(4 * sizeof(double)), gnu::aligned(4 * sizeof(double))]] = double;
 
 inline double sum(const Double4& lane) {
@@ -17,8 +17,8 @@ template <typename Work> [[gnu::target("avx2,fma")]] void runWithAvx2(const Work
 }
 #endif
 
-/// Calls `work`, of whose code there are two: for any processor, and for those with AVX2 and fused multiply-add. `work`
-/// must be an always_inline lambda. The two differ in rounding only.
+/// Runs `work`, compiled twice: for any processor, and for AVX2 with fused multiply-add. `work` must be an
+/// always_inline lambda. The two versions differ only in rounding.
 template <typename Work> void dispatchSimd(const Work& work) {
 #ifdef __x86_64__
   static const bool wide = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");

@@ -8,7 +8,7 @@ namespace naocal {
 
 namespace {
 
-/// Double precision is plenty for a chance, and several times faster than long double.
+/// Double precision suffices for probabilities and is several times faster than long double.
 using Plain = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 using ChiSquared = boost::math::chi_squared_distribution<double, Plain>;
 using Fisher = boost::math::fisher_f_distribution<double, Plain>;

@@ -11,7 +11,7 @@ namespace naocal {
 
 namespace {
 
-/// The one that, with `rest`, is judged best, none of the chosen; the first one where none can be judged.
+/// The candidate not yet chosen with the lowest objective together with `rest`; the first one if none is finite.
 std::size_t findBestBeside(const Eigen::MatrixXd& rest, const Objective& judge,
                            const std::vector<Eigen::MatrixXd>& candidates, const std::vector<std::size_t>& chosen) {
   std::vector<double> values(candidates.size());

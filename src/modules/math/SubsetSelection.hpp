@@ -7,19 +7,19 @@
 
 namespace naocal {
 
-/// The value to make small, by a sum of pieces of information.
+/// Objective to minimise, as a function of the summed information.
 using Objective = std::function<double(const Eigen::MatrixXd& sum)>;
 
-/// Picks `count` (at most all) of the candidates, each once: greedily, always the one that with `known` and those
-/// before it is judged best. Indices in the order of picking.
+/// Selects `count` (at most all) distinct candidates greedily: each step adds the one with the lowest objective
+/// together with `known` and the earlier ones. Returns indices in order of selection.
 std::vector<std::size_t> selectGreedily(const Objective& judge, Eigen::MatrixXd known,
                                         const std::vector<Eigen::MatrixXd>& candidates, std::size_t count);
 
-/// Exchanges one of the chosen for another candidate as long as that helps (Fedorov 1972).
+/// Exchanges chosen candidates for others as long as the objective improves (Fedorov 1972).
 void improveByExchange(const Objective& judge, const Eigen::MatrixXd& known,
                        const std::vector<Eigen::MatrixXd>& candidates, std::vector<std::size_t>& chosen);
 
-/// Greedily the largest determinant, that is, the smallest volume of uncertainty (D-optimal).
+/// Greedy selection for the largest determinant, the smallest confidence volume (D-optimal).
 std::vector<std::size_t> selectDOptimal(const Eigen::MatrixXd& prior, const std::vector<Eigen::MatrixXd>& candidates,
                                         std::size_t count);
 

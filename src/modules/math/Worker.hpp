@@ -8,10 +8,10 @@
 
 namespace naocal {
 
-/// A thread that does one task after another, so that whoever has them done need not wait. Tasks must not throw.
+/// Background thread that runs tasks in order. Tasks must not throw.
 class Worker {
 public:
-  /// What the destructor waits for. `presentTask`: those behind it are dropped.
+  /// Tasks that the destructor completes. `presentTask`: drops the queued ones.
   enum class AtEnd { allTasks, presentTask };
 
   explicit Worker(AtEnd atEnd) : atEnd_{atEnd}, thread_{[this](const std::stop_token& stop) { run(stop); }} {}
@@ -22,13 +22,13 @@ public:
     added_.notify_one();
   }
 
-  /// How many tasks are not finished.
+  /// Number of unfinished tasks.
   std::size_t pendingCount() const {
     const std::lock_guard lock{mutex_};
     return tasks_.size();
   }
 
-  /// Waits until all tasks are finished.
+  /// Blocks until all tasks are finished.
   void waitUntilIdle() {
     std::unique_lock lock{mutex_};
     finished_.wait(lock, [this] { return tasks_.empty(); });
@@ -44,7 +44,7 @@ private:
       std::function<void()> task = std::move(tasks_.front());
       lock.unlock();
       task();
-      task = nullptr; // Unlocked: what a task holds may take long to destroy.
+      task = nullptr; // unlocked: destroying a task may take long
       lock.lock();
       tasks_.pop_front();
       finished_.notify_all();
@@ -54,8 +54,8 @@ private:
   const AtEnd atEnd_;
   mutable std::mutex mutex_;
   std::condition_variable_any added_, finished_;
-  std::deque<std::function<void()>> tasks_; // the first is being done
-  std::jthread thread_;                     // last: it uses the others
+  std::deque<std::function<void()>> tasks_; // the first one is running
+  std::jthread thread_;                     // last member: uses the others
 };
 
 } // namespace naocal

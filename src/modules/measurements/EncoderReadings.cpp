@@ -10,7 +10,7 @@ namespace naocal {
 
 namespace {
 
-/// Levels to try, in encoder steps: from what rounding hides to a full degree.
+/// Grid of jitter levels in encoder steps: 0.02 (hidden by rounding) to 8 (0.7 degrees).
 constexpr double leastJitter = 0.02, jitterRatio = 1.35;
 constexpr int jitterLevels = 21;
 
@@ -18,13 +18,13 @@ double jitterLevel(int index) {
   return leastJitter * std::pow(jitterRatio, index);
 }
 
-/// P(a rounded normal reading at `x` is step `k`).
+/// Probability that a rounded normal reading at `x` equals step `k`.
 double probability(int k, double x, double jitter) {
   const double scale = 1 / (jitter * std::numbers::sqrt2), away = std::abs(x - k);
   return 0.5 * (std::erfc((away - 0.5) * scale) - std::erfc((away + 0.5) * scale));
 }
 
-/// Where a curve over the jitterLevels is highest, between them by a parabola. [steps]
+/// Maximum of a curve over the jitter levels, with parabolic interpolation [steps].
 double peakOf(const std::vector<double>& curve) {
   const auto best = std::max_element(curve.begin(), curve.end()) - curve.begin();
   double shift = 0;
@@ -42,7 +42,7 @@ double peakOf(const std::vector<double>& curve) {
 RestReadings::RestReadings(const std::vector<double>& angles) {
   const double least = *std::min_element(angles.begin(), angles.end());
   std::map<int, int> counts;
-  double beside = 0; // of whole steps
+  double beside = 0; // offset from whole steps
   for (const double angle : angles) {
     const auto step = static_cast<int>(std::lround((angle - least) / encoderStep));
     ++counts[step];
@@ -52,7 +52,7 @@ RestReadings::RestReadings(const std::vector<double>& angles) {
   counts_.assign(counts.begin(), counts.end());
 }
 
-/// visit(x, P(readings | x)) on evenly spaced places, as far as the readings allow.
+/// Calls visit(x, P(readings | x) dx) at evenly spaced positions over the range the readings allow.
 template <class Visit> void RestReadings::visitPlaces(double jitter, const Visit& visit) const {
   constexpr int points = 80;
   const double least = -0.5 - 3 * jitter, most = highest() + 0.5 + 3 * jitter;
@@ -74,7 +74,7 @@ double RestReadings::logLikelihood(double jitter) const {
 
 RestReadings::Place RestReadings::place(double jitter) const {
   double sum = 0, mean = 0, square = 0;
-  // readings of one rest that lie further apart than this jitter allows had more
+  // readings farther apart than this jitter allows: widen it
   for (double likely = std::max(jitter / encoderStep, leastJitter); sum < 1e-100; likely *= jitterRatio) {
     sum = mean = square = 0;
     visitPlaces(likely, [&](double x, double probability) {
@@ -88,7 +88,7 @@ RestReadings::Place RestReadings::place(double jitter) const {
 }
 
 std::vector<double> estimateEncoderJitter(const std::vector<std::vector<RestReadings>>& rests) {
-  constexpr double spread = 0.4; // of ln(level) between joints
+  constexpr double spread = 0.4; // 1 sigma of ln(level) between joints
   std::map<std::vector<std::pair<int, int>>, std::vector<double>> known;
   std::vector<std::vector<double>> curves;
   std::vector<double> together(jitterLevels, 0.0);

@@ -4,14 +4,14 @@
 
 namespace naocal {
 
-/// How flat soles and floor are, where the robot stands on both feet.
+/// Tolerances of the floor contact when the robot stands on both feet, 1 sigma.
 struct FloorContact {
-  static constexpr double height = 0.001; // of one sole over the other's floor [m]
+  static constexpr double height = 0.001; // height of one sole over the floor of the other [m]
   static constexpr double tilt = 0.005;   // [rad]
 };
 
-/// Height and tilt of the other sole over the floor, in units of FloorContact, per motion (omega, v) of the floor seen
-/// from that sole; `normal` is the floor's there:
+/// Jacobian of the other sole's height and tilt over the floor, in units of FloorContact, by the motion (omega, v) of
+/// the floor seen from that sole. `normal`: the floor's normal there.
 ///
 ///   height = -n . t, d(height) = -n . v;  d(n) = omega x n
 inline Eigen::Matrix<double, 3, 6> floorContactJacobian(const Eigen::Vector3d& normal) {

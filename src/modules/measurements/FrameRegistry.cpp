@@ -88,7 +88,7 @@ void FrameRegistry::fixWorld(const std::vector<CaptureSet>& sets) {
         break;
       }
     }
-    if (oneScope_) { // the first set speaks for all
+    if (oneScope_) { // all sets share the world frame of the first one
       return;
     }
   }

@@ -8,15 +8,17 @@
 
 namespace naocal {
 
-/// The boards and stances of all sets, each once, and which of their placements are unknown.
+/// All boards and stances of the sets, without duplicates, and which placements are unknown.
 ///
-/// If a set surveys nothing, the frame of the first floor board seen (in the order of the boards' list) is its world.
+/// If nothing in a set is surveyed, the first floor board with corners (in the order of its board list) defines the
+/// world frame.
 class FrameRegistry {
 public:
-  /// `samePlace` joins boards and stances of equal ids over the sets.
-  /// Throws InputError for a board on a link that the robot lacks.
+  /// `samePlace` merges boards and stances of equal id across sets. Throws InputError for a board on a link that the
+  /// robot lacks.
   FrameRegistry(const std::vector<CaptureSet>& sets, const Robot& robot, bool samePlace);
 
+  /// Index of a set's board in `targets()`, or stance in `stances()`.
   std::size_t targetIndex(const CaptureSet& set, const std::string& board) const;
   std::size_t stanceIndex(const CaptureSet& set, int stance) const;
   const std::vector<Target>& targets() const { return targets_; }

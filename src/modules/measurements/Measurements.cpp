@@ -16,40 +16,38 @@
 
 namespace naocal {
 
-/// Sorts the pictures into an order of their own, joins those of one reading, and readings of one pose; fills `poses`,
+/// Sorts the pictures into a canonical order, groups those of one reading and readings of one pose. Fills `poses`,
 /// `joints` and `repeats`.
 void groupByPose(Measurements& measurements);
 
-/// One capture of one of the sets in terms of the robot's joints, cameras and targets. `measurements` has its robot,
-/// quantities and targets already.
-/// Throws InputError for what the robot cannot have measured (unknown camera, no corners, joint needed but not
-/// recorded).
+/// Converts one capture to the robot's joints, cameras and targets. Requires robot, quantities and targets in
+/// `measurements`. Throws InputError for captures that do not fit the robot (unknown camera, no corners, required joint
+/// not recorded).
 ImageObservation makeImageObservation(std::size_t set, std::size_t capture, const Measurements& measurements,
                                       const FrameRegistry& places);
 
 namespace {
 
-/// One rest: readings between which nothing moved, as far as they tell.
+/// One rest: readings without any motion in between, within tolerance.
 struct Rest {
   int stance = 0, approach = 0;
-  Eigen::VectorXd first;             // angles of its first reading [rad]
-  std::vector<std::size_t> readings; // of the pose
+  Eigen::VectorXd first;             // angles of the first reading [rad]
+  std::vector<std::size_t> readings; // indices within the pose
 };
 
-/// How far readings of one rest may differ, per joint [rad]; beyond that the robot moved between them.
+/// Largest difference between readings of one rest, per joint [rad]; beyond it the robot moved.
 using Tolerance = Eigen::ArrayXd;
 
-/// Before any jitter is known: a degree. Then what jitter leaves out once in a million readings, and a step between.
+/// Before jitter is known: one degree. Afterwards: 1.5 steps plus what jitter exceeds once in a million readings.
 constexpr double mostJitter = 12 * encoderStep;
 
 Tolerance toleranceFor(const std::vector<double>& jitter) {
   const Eigen::Map<const Eigen::ArrayXd> sigmas{jitter.data(), static_cast<Eigen::Index>(jitter.size())};
-  return (1.5 * encoderStep + 7 * sigmas).min(mostJitter); // of a difference of two: 5 times sqrt(2)
+  return (1.5 * encoderStep + 7 * sigmas).min(mostJitter); // 5 sigma of a difference of two readings: 5 sqrt(2)
 }
 
-/// Groups a pose's pictures: those with the same stance, repeat and measured angles share a reading; readings of one
-/// rest share each joint's encoder error, for as long as the robot rests a joint keeps its rounding error and its
-/// place.
+/// Groups a pose's pictures into readings (same stance, repeat and measured angles) and readings into rests. Readings
+/// of one rest share each joint's encoder error: at rest a joint keeps its position and rounding error.
 std::vector<Rest> groupPose(const Measurements& measurements, const std::vector<std::size_t>& members,
                             const Tolerance& tolerance, PoseGroup& pose) {
   std::vector<Rest> rests;
@@ -71,8 +69,8 @@ std::vector<Rest> groupPose(const Measurements& measurements, const std::vector<
     pose.repeated |= anew;
     stances.insert(capture.stance);
     approaches += !last || anew ? 1 : 0;
-    // Rest after an approach has an error of its own, though the encoder's is that approach's: it stands for what
-    // corners of one picture have in common. Shared, it makes twice as many false alarms where pictures are biased.
+    // Rest repeats get an error separate from their approach, although the encoder error is the same: it models errors
+    // common to the corners of a picture. Sharing it would double the false alarms with biased pictures.
     const int approach = capture.repeatKind == RepeatKind::rest ? -1 : capture.repeat;
     auto rest = std::find_if(rests.begin(), rests.end(), [&](const Rest& other) {
       return other.stance == capture.stance && other.approach == approach &&
@@ -89,7 +87,7 @@ std::vector<Rest> groupPose(const Measurements& measurements, const std::vector<
   return rests;
 }
 
-/// What a joint was read as in one rest, once per reading.
+/// A joint's angles within one rest, one per reading.
 RestReadings readingsOf(const Rest& rest, std::size_t joint, const PoseGroup& pose,
                         const std::vector<ImageObservation>& pictures) {
   std::vector<double> angles;
@@ -99,7 +97,7 @@ RestReadings readingsOf(const Rest& rest, std::size_t joint, const PoseGroup& po
   return RestReadings{angles};
 }
 
-/// Per joint the readings of all rests, pose after pose.
+/// Readings of all rests per joint, pose by pose.
 std::vector<std::vector<RestReadings>> collectReadings(const std::vector<std::vector<Rest>>& restsOf,
                                                        const Measurements& measurements) {
   const std::size_t joints = measurements.robot.joints.size();
@@ -114,8 +112,8 @@ std::vector<std::vector<RestReadings>> collectReadings(const std::vector<std::ve
   return readings;
 }
 
-/// The jitter of each joint's encoder. What was not recorded reads zero, always, and tells of no encoder; joints of one
-/// motor share its encoder.
+/// Encoder jitter of each joint. Excludes unrecorded joints, which always read zero; joints of one motor share its
+/// encoder.
 std::vector<double> jitterOf(std::vector<std::vector<RestReadings>> readings, const Measurements& measurements) {
   const auto isRecorded = [&](std::size_t joint) {
     return std::binary_search(measurements.recordedMotors.begin(), measurements.recordedMotors.end(), joint);
@@ -133,7 +131,7 @@ std::vector<double> jitterOf(std::vector<std::vector<RestReadings>> readings, co
   return result;
 }
 
-/// Gives each joint of each rest its encoder error, and its likeliest place to all pictures of the rest.
+/// Assigns each joint of each rest its encoder error, and its most likely angle to all pictures of the rest.
 void placeJoints(const std::vector<std::vector<Rest>>& restsOf, const std::vector<std::vector<RestReadings>>& readings,
                  Measurements& measurements) {
   const std::size_t joints = measurements.robot.joints.size();
@@ -170,10 +168,10 @@ void placeJoints(const std::vector<std::vector<Rest>>& restsOf, const std::vecto
   }
 }
 
-/// Tells each sighting how many pictures of its rest show the same board to the same camera.
+/// Sets `repeats`: the number of pictures of the same rest, camera and board.
 void countRepeats(const std::vector<Rest>& rests, const PoseGroup& pose, std::vector<ImageObservation>& pictures) {
   for (const Rest& rest : rests) {
-    std::map<std::pair<std::size_t, std::size_t>, std::vector<BoardObservation*>> seen; // by camera and board
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<BoardObservation*>> seen; // keyed by (camera, board)
     for (const std::size_t reading : rest.readings) {
       for (const std::size_t index : pose.readings[reading].pictures) {
         for (BoardObservation& sighting : pictures[index].sightings) {
@@ -189,7 +187,7 @@ void countRepeats(const std::vector<Rest>& rests, const PoseGroup& pose, std::ve
   }
 }
 
-/// On both feet the right sole lies flat on the floor too: one more measurement, told once per pose.
+/// With both feet on the floor, adds the contact of the right sole; one measurement per pose.
 void addFloorContact(const Measurements& measurements, ImageObservation& picture) {
   const Robot& robot = measurements.robot;
   if (picture.instant.supportFoot == SupportFoot::both) {
@@ -217,7 +215,7 @@ void groupByPose(Measurements& measurements) {
   }
   std::vector<std::vector<Rest>> rests; // per pose
   Tolerance tolerance = Tolerance::Constant(static_cast<Eigen::Index>(measurements.robot.joints.size()), mostJitter);
-  for (int pass = 0; pass < 2; ++pass) { // the first one only to learn how much readings jitter
+  for (int pass = 0; pass < 2; ++pass) { // the first pass only estimates the jitter
     rests.clear();
     measurements.poses.clear();
     for (const auto& [name, members] : poses) {
@@ -274,9 +272,9 @@ Seconds earliestTime(const CaptureSet& set) {
   return first;
 }
 
-/// Motors whose angles every capture tells, under the name of one of their joints.
+/// Motors recorded in every capture, each by the index of one of its joints.
 std::vector<std::size_t> recordedMotors(const std::vector<CaptureSet>& sets, const Robot& robot) {
-  std::map<std::size_t, std::size_t> captures; // motor -> in how many
+  std::map<std::size_t, std::size_t> captures; // motor -> number of captures
   std::size_t all = 0;
   for (const CaptureSet& set : sets) {
     for (const Capture& capture : set.captures) {
@@ -345,7 +343,7 @@ Measurements buildMeasurements(std::vector<CaptureSet> given, const Robot& robot
 
 namespace {
 
-/// Per joint of the robot, what `list` holds for it, or NaN. Joints of one motor have one reading.
+/// Values of `list` per joint of the robot, or NaN. Joints of one motor share a value.
 Eigen::VectorXd perJoint(const Robot& robot, const CaptureSet& set, const std::vector<double>& list) {
   Eigen::VectorXd values =
       Eigen::VectorXd::Constant(static_cast<Eigen::Index>(robot.joints.size()), RobotSample::nothing);
@@ -367,7 +365,7 @@ Eigen::VectorXd perJoint(const Robot& robot, const CaptureSet& set, const std::v
   return values;
 }
 
-/// The left foot's share of the weight, as the force sensors tell.
+/// The left foot's share of the weight according to the force sensors; NaN if unknown.
 double leftLoad(const Capture& capture) {
   if (!capture.fsr) {
     return RobotSample::nothing;
@@ -388,7 +386,7 @@ void addSighting(const CaptureSet& set, const Capture& capture, const BoardCorne
   const Robot& robot = measurements.robot;
   const Target& target = measurements.targets[targetIndex];
   if (corners.ids.empty() || (target.onFloor && capture.supportFoot == SupportFoot::none)) {
-    return; // a hanging robot learns nothing from the floor
+    return; // a hanging robot gives no information about the floor
   }
   ObservationChain view{robot,          measurements.quantities,
                         result.camera,  targetLink(robot, target, capture.supportFoot),
@@ -402,7 +400,7 @@ void addSighting(const CaptureSet& set, const Capture& capture, const BoardCorne
   result.sightings.push_back({std::move(view), packCorners(target.board, corners), corners.ids});
 }
 
-/// The readings, or resting angles where there are none.
+/// Measured angles, or rest angles where not recorded.
 void drawAngles(const Robot& robot, ImageObservation& result) {
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     double& angle = result.instant.q[static_cast<Eigen::Index>(joint)];
@@ -413,7 +411,7 @@ void drawAngles(const Robot& robot, ImageObservation& result) {
   }
 }
 
-/// The file's lens, and placements known or guessed.
+/// Sets the file's lens and known or guessed placements.
 void drawScene(const CameraIntrinsics& camera, const Measurements& measurements, ImageObservation& result) {
   result.nominal.lens().head<4>() << camera.fx, camera.fy, camera.cx, camera.cy;
   for (std::size_t i = 0; i < camera.distortion.size(); ++i) {

@@ -11,17 +11,17 @@
 
 namespace naocal {
 
-/// The corners of one board in one picture, with the path between camera and board.
+/// Corners of one board in one picture, with the kinematic chain between camera and board.
 struct BoardObservation {
   ObservationChain view;
   CornerBlocks corners;
   std::vector<int> ids;
-  std::size_t repeats = 1; // pictures of the same rest and camera that show this board, itself included
+  std::size_t repeats = 1; // pictures of this board by the same camera during the same rest, itself included
 };
 
 /// A target of one of the sets. `unknown`: its placement is estimated.
 struct Target {
-  std::string name; // "A", or "<set>/A" when several sets are given
+  std::string name; // "A", or "<set>/A" with several sets
   Board board;
   bool onFloor = true;
   bool unknown = false;
@@ -32,42 +32,43 @@ struct StanceInstance {
   std::string name; // "0", or "<set>/0"
   SupportFoot supportFoot = SupportFoot::none;
   bool unknown = false;
-  Placement placement; // as surveyed, else zero
+  Placement placement; // as surveyed, otherwise zero
 };
 
-/// One picture with everything that was recorded with it, in terms of the robot's joints.
+/// One picture with all data recorded for it, indexed by the robot's joints.
 struct ImageObservation {
-  std::size_t set = 0, capture = 0; // index into the sets given and into that set's captures
+  std::size_t set = 0, capture = 0; // indices of the set and of the capture within it
   std::size_t camera = 0, stance = 0;
-  RobotSample instant; // q = measured angles [rad], resting angles where not recorded
-  ModelState nominal;  // the drawing, the file's lens, measured angles, placements known or guessed
+  RobotSample instant; // q = measured angles [rad], rest angles where not recorded
+  ModelState nominal;  // nominal geometry, the file's lens, measured angles, known or guessed placements
   std::vector<BoardObservation> sightings;
   std::optional<ObservationChain>
-      otherSole; // standing on both feet, once per pose: how the right sole sees the left one's floor
+      otherSole; // both feet on the floor, once per pose: chain from the right sole to the left sole's floor
 };
 
-/// Pictures that share one encoder reading.
+/// Pictures with the same encoder reading.
 struct EncoderSample {
   std::vector<std::size_t> pictures;
-  std::vector<std::size_t> encoderError; // per joint of the robot: which of its pose's encoder errors it has
+  std::vector<std::size_t> encoderError; // per joint of the robot: index into the pose's `encoderErrors`
 };
 
-/// An error that readings of one joint share: those of one rest.
+/// An encoder error shared by readings of one joint at rest.
 struct EncoderErrorGroup {
-  double scale = 1;       // its size against `Noise::encoder`: below 1 where readings that differ tell more
-  std::size_t stance = 0; // where the robot stood: readings there share what standing up anew changes, too
+  double scale = 1;       // relative to `Noise::encoder`: below 1 if differing readings improve the estimate
+  std::size_t stance = 0; // stance, for the noise shared by all readings of a stance
 };
 
-/// Captures that were commanded to one attitude; they share one random deflection per joint.
+/// Captures commanded to the same pose; they share one random deflection per joint.
 struct PoseGroup {
   std::string name;
   std::vector<EncoderSample> readings;
-  std::vector<EncoderErrorGroup> encoderErrors; // the distinct ones
-  bool repeated = false; // was left and taken again: pose-level and reading-level noise can be told apart
-  bool restood = false;  // so it was, and with the robot put down anew besides: the stance's noise, too
+  std::vector<EncoderErrorGroup> encoderErrors; // distinct errors
+  bool repeated = false;                        // left and re-approached: separates pose noise from re-approach noise
+  bool restood = false; // the same, and with the robot put down anew in between: separates stance noise, too
 };
 
-/// All that was measured, sorted so that no order of captures and no number of threads changes a digit.
+/// All measurements, in an order independent of the order of captures and the number of threads, so that results are
+/// bitwise reproducible.
 struct Measurements {
   std::shared_ptr<const std::vector<CaptureSet>> sets; // as recorded
   Robot robot;
@@ -76,27 +77,26 @@ struct Measurements {
   std::vector<StanceInstance> stances;
   std::vector<ImageObservation> pictures;
   std::vector<PoseGroup> poses;
-  std::vector<std::size_t> joints;         // motors of joints between some camera and some target, ascending
-  std::vector<std::size_t> recordedMotors; // motors whose angles every capture tells, ascending
-  std::vector<double> jitter; // per joint of the robot: of its encoder's readings at rest [rad]; 0: they never differ
+  std::vector<std::size_t> joints;         // motors of joints between a camera and a target, ascending
+  std::vector<std::size_t> recordedMotors; // motors whose angle is recorded in every capture, ascending
+  std::vector<double> jitter; // per joint of the robot: encoder jitter at rest [rad]; 0: readings never differ
   std::size_t cornerCount = 0;
-  bool hasRepeats = false; // some pose was taken more than once
-  bool samePlace = false;  // boards and stances of equal ids are the same in all sets
+  bool hasRepeats = false; // a pose was captured more than once
+  bool samePlace = false;  // boards and stances of equal id are the same in all sets
 
-  /// The set that a picture belongs to, and its capture as recorded.
+  /// The set and the capture that a picture was made from.
   const CaptureSet& setOf(const ImageObservation& picture) const { return (*sets)[picture.set]; }
   const Capture& captureOf(const ImageObservation& picture) const { return setOf(picture).captures[picture.capture]; }
 };
 
-/// Of each picture the pose that it belongs to; 0 for one without corners, which belongs to none.
+/// Pose index of each picture; 0 for a picture without corners, which belongs to no pose.
 std::vector<std::size_t> posesOfPictures(const Measurements& measurements);
 
-/// Prepares sets of one robot. `samePlace` joins boards and stances of equal ids over the sets.
-/// Throws InputError for what the robot cannot have measured (unknown link, joint needed but not recorded, other
-/// robot).
+/// Builds the measurements from sets of one robot. `samePlace` merges boards and stances of equal id across sets.
+/// Throws InputError for captures that do not fit the robot (unknown link, required joint not recorded, other robot).
 Measurements buildMeasurements(std::vector<CaptureSet> sets, const Robot& robot, bool samePlace = false);
 
-/// Joints between the picture's camera and what it shows, and between the soles where both stand, ascending.
+/// Joints between the picture's camera and its targets, and between the soles if both are on the floor, ascending.
 std::vector<std::size_t> observedJoints(const Robot& robot, const ImageObservation& picture);
 
 } // namespace naocal

@@ -8,41 +8,40 @@ namespace naocal {
 /// One step of the NAO's 12-bit joint encoders [rad] (4096 steps per turn).
 constexpr double encoderStep = 2 * std::numbers::pi / 4096;
 
-/// Standard deviations of what is random in a measurement.
+/// Standard deviations of the random measurement errors.
 struct Noise {
-  double pixel = 0.3;                             // of a corner, per axis, anew in every picture [px]
-  double encoder = encoderStep / std::sqrt(12.0); // of a reading whose steps never differ at rest, per joint [rad]
-  double pose = 0;       // of a deflection that all captures of a pose share (stiction), per joint [rad]
-  double stance = 0;     // of one that they share as long as the robot stands where it stands, per joint [rad]
-  double reapproach = 0; // of one that they share until the pose is left and taken again, per joint [rad]
-  double pixelAlike = 0; // of a corner, per axis, alike in all pictures of a rest: its place between the pixels [px]
+  double pixel = 0.3;                             // corner, per axis, independent in every picture [px]
+  double encoder = encoderStep / std::sqrt(12.0); // encoder reading whose steps never differ at rest, per joint [rad]
+  double pose = 0;                                // joint error shared within a pose (stiction), per joint [rad]
+  double stance = 0;                              // joint error shared within a stance, per joint [rad]
+  double reapproach = 0; // joint error shared until the pose is left and re-approached, per joint [rad]
+  double pixelAlike = 0; // corner, per axis, shared by all pictures of a rest: subpixel bias [px]
 };
 
-/// How much a corner counts that `repeats` pictures of one rest show, against one whose error is new in every picture:
+/// Weight of a corner seen in `repeats` pictures of one rest, relative to a corner with independent errors:
 ///   pixel^2 / (pixel^2 + repeats pixelAlike^2),
-/// so that all of them together have the variance of their mean, pixel^2 / repeats + pixelAlike^2.
+/// so that together they have the variance of their mean, pixel^2 / repeats + pixelAlike^2.
 inline double cornerShare(const Noise& noise, std::size_t repeats) {
   const double alike = noise.pixelAlike / noise.pixel;
   return 1 / (1 + static_cast<double>(repeats) * alike * alike);
 }
 
-/// How far an inertial unit's angles are off at rest, beside its tilt in the torso. No data sheet tells; readings of a
-/// standing robot wander by some tenths of a degree.
+/// Angle error of the IMU at rest, besides its tilt in the torso. Not in the data sheet; readings of a standing robot
+/// drift by some tenths of a degree.
 struct ImuNoise {
   static constexpr double angle = 0.005; // per axis and reading [rad]
 };
 
-/// What a corner's distance from its prediction costs: half its square near, nothing more when it is beyond doubt
-/// false.
+/// Loss of a corner's distance from its prediction: quadratic for small distances, constant for certain outliers.
 ///
-///   rho(s) = s for s <= a^2; falls off smoothly to a constant at b^2; s = (distance / (pixel sigma * scale))^2
+///   rho(s) = s for s <= a^2; its slope falls smoothly to zero at b^2; s = (distance / (pixel sigma * scale))^2
 ///
-/// (a, b) = (3.5, 8): a good corner lies beyond 3.5 in 0.2 % of cases (two dimensions), a false one counts nothing.
+/// (a, b) = (3.5, 8): 0.2 % of good corners lie beyond 3.5 (two dimensions); beyond 8 a corner has no weight.
 struct Loss {
   double scale = 0; // 0: quadratic everywhere
   static constexpr double inner = 3.5, outer = 8;
 
-  /// rho(s) in units of scale^2, and its slope: the corner's weight.
+  /// rho(s) in units of scale^2, and its derivative, the corner's weight.
   struct Value {
     double rho, weight;
   };

@@ -37,7 +37,7 @@ bool isBalancedOnOne(const Robot& robot, const LinkPoses& torsoFromLink, const S
 
 bool isBalancedOnBoth(const Robot& robot, const LinkPoses& torsoFromLink, const Sole& left, const Sole& right,
                       double least) {
-  std::vector<Eigen::Vector3d> corners; // in the torso's frame, as all here
+  std::vector<Eigen::Vector3d> corners; // in the torso frame, like all points below
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const Sole* sole : {&left, &right}) {
     for (const Eigen::Vector2d& corner : sole->outline) {
@@ -51,7 +51,7 @@ bool isBalancedOnBoth(const Robot& robot, const LinkPoses& torsoFromLink, const 
     scatter += (corner - middle) * (corner - middle).transpose();
   }
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
-  axes.computeDirect(scatter); // ascending: the plane's normal first
+  axes.computeDirect(scatter); // ascending eigenvalues: the plane's normal comes first
   const auto onPlane = [&](const Eigen::Vector3d& point) -> Eigen::Vector2d {
     return axes.eigenvectors().rightCols<2>().transpose() * (point - middle);
   };

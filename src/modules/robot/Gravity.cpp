@@ -13,13 +13,13 @@ namespace naocal {
 
 namespace {
 
-/// A joint with all that it turns, seen from the held link.
+/// A joint with the links it rotates, seen from the held link.
 struct Turning {
-  Eigen::Vector3d axis = Eigen::Vector3d::Zero();   // away from the held link: turns what lies beyond
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();   // points away from the held link: rotates what lies beyond
   Eigen::Vector3d moment = Eigen::Vector3d::Zero(); // axis x sum m (p - pivot): d(sum m p)/dq [kg m/rad]
 };
 
-/// Links from the root to `link`, as flags.
+/// Flags the links from the root to `link`.
 std::vector<char> carriers(const Robot& robot, std::size_t link) {
   std::vector<char> result(robot.links.size(), 0);
   for (std::optional<std::size_t> at = link; at; at = robot.links[*at].parent) {
@@ -28,7 +28,7 @@ std::vector<char> carriers(const Robot& robot, std::size_t link) {
   return result;
 }
 
-/// Lists the joints from one of them to the held link, itself first: up to where both branches part, then down.
+/// Lists the joints from `joint` to the held link, itself first: up to the common ancestor, then down.
 void listPath(const Robot& robot, std::size_t joint, std::size_t heldLink, const std::vector<char>& carriesHeld,
               std::vector<std::size_t>& way) {
   way.assign(1, joint);
@@ -48,7 +48,8 @@ void listPath(const Robot& robot, std::size_t joint, std::size_t heldLink, const
   std::reverse(way.begin() + parting, way.end());
 }
 
-/// Adds d3(-U) of three joints wherever two of them are one motor's: how its growth changes with the third one's angle.
+/// Adds the third derivative of -U of three joints wherever two of them belong to one motor: d(torqueGrowth) by the
+/// angle of the third.
 void addGrowth(const Robot& robot, std::array<std::size_t, 3> joints, double bend, GravityLoad& load) {
   std::sort(joints.begin(), joints.end());
   do {
@@ -65,8 +66,8 @@ GravityLoad gravityLoad(const Robot& robot, const ModelState& belief, const Link
                         std::size_t heldLink, const Eigen::Vector3d& upInTorso, bool withGrowthByAngle) {
   const std::size_t links = robot.links.size(), joints = robot.joints.size();
   std::vector<double> mass(links);
-  std::vector<Eigen::Vector3d> first(links, Eigen::Vector3d::Zero()); // sum m p beyond each link, in the torso's frame
-  for (std::size_t link = links; link-- > 0;) {                       // children stand behind their parents
+  std::vector<Eigen::Vector3d> first(links, Eigen::Vector3d::Zero()); // sum m p beyond each link, in the torso frame
+  for (std::size_t link = links; link-- > 0;) {                       // parents precede their children
     mass[link] += robot.links[link].mass;
     first[link] += robot.links[link].mass * (torsoFromLink[link] * robot.links[link].centreOfMass);
     if (const auto parent = robot.links[link].parent) {
@@ -88,7 +89,7 @@ GravityLoad gravityLoad(const Robot& robot, const ModelState& belief, const Link
   for (std::size_t joint = 0; joint < joints; ++joint) {
     const std::size_t link = robot.joints[joint].link;
     const Eigen::Vector3d axis = torsoFromLink[link].rotation * belief.axis(joint);
-    const bool backwards = carriesHeld[link] != 0; // all before the joint turns, the other way
+    const bool backwards = carriesHeld[link] != 0; // rotates the links before the joint, in the opposite direction
     const double turned = mass[link] - (backwards ? mass.front() : 0);
     const Eigen::Vector3d lever =
         first[link] - (backwards ? first.front() : Eigen::Vector3d::Zero()) - turned * torsoFromLink[link].translation;
@@ -112,7 +113,7 @@ GravityLoad gravityLoad(const Robot& robot, const ModelState& belief, const Link
       }
     }
   }
-  for (std::size_t joint = 0; joint < joints; ++joint) { // one motor turns all its joints
+  for (std::size_t joint = 0; joint < joints; ++joint) { // a motor rotates all its joints
     for (std::size_t other = 0; other < joints; ++other) {
       if (robot.joints[other].motor == robot.joints[joint].motor) {
         load.torqueGrowth[eigenIndex(robot.joints[joint].motor)] +=
@@ -120,7 +121,7 @@ GravityLoad gravityLoad(const Robot& robot, const ModelState& belief, const Link
       }
     }
   }
-  for (std::size_t joint = 0; joint < joints; ++joint) { // and feels them
+  for (std::size_t joint = 0; joint < joints; ++joint) { // and bears the sum of their torques
     const std::size_t motor = robot.joints[joint].motor;
     if (motor != joint) {
       load.torque[eigenIndex(motor)] += load.torque[eigenIndex(joint)];
@@ -138,7 +139,7 @@ GravityLoad gravityLoad(const Robot& robot, const ModelState& belief, const Link
 
 namespace {
 
-/// sum of m [kg] and of m * p, p in the torso's frame [kg m], over a set of links.
+/// Sums of m [kg] and m * p [kg m] over a set of links, p in the torso frame.
 struct Moment {
   double mass = 0;
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
@@ -149,10 +150,10 @@ struct Moment {
   }
 };
 
-/// Per link: the moment of itself and everything beyond it; at the root that of the whole robot.
+/// Per link: sums over itself and all links beyond; at the root those of the whole robot.
 std::vector<Moment> moments(const Robot& robot, const LinkPoses& torsoFromLink) {
   std::vector<Moment> beyond(robot.links.size());
-  for (std::size_t link = robot.links.size(); link-- > 0;) { // children stand behind their parents
+  for (std::size_t link = robot.links.size(); link-- > 0;) { // parents precede their children
     const double mass = robot.links[link].mass;
     beyond[link] += {mass, mass * (torsoFromLink[link] * robot.links[link].centreOfMass)};
     if (const auto parent = robot.links[link].parent) {
@@ -185,7 +186,7 @@ Eigen::VectorXd gravityTorques(const Robot& robot, const ModelState& belief, con
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     const std::size_t link = robot.joints[joint].link;
     const RigidTransform& torsoFromThis = torsoFromLink[link];
-    // What turns with the angle: all beyond the joint; or, if the held link is there, all before it, backwards.
+    // The angle rotates all links beyond the joint; if the held link is among them, all links before it, backwards.
     Moment turning = beyond[link];
     if (carriesHeld[link]) {
       turning = {turning.mass - beyond.front().mass, turning.first - beyond.front().first};

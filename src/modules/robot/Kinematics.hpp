@@ -9,23 +9,23 @@
 
 namespace naocal {
 
-/// torsoFromLink for every link of the robot that was asked for (others are untouched).
+/// torsoFromLink per link; only the requested links are set.
 using LinkPoses = std::vector<RigidTransform>;
 
-/// The links between the root and the given ones, each once, parents first: what `forwardKinematics` has to walk.
+/// Links between the root and the given ones, without duplicates, parents first: the input of `forwardKinematics`.
 std::vector<std::size_t> ancestorLinks(const Robot& robot, const std::vector<std::size_t>& links);
 
-/// Walks `links` (parents first): torsoFromLink = torsoFromParent * T(origin) * exp([axis * angle]x).
+/// Computes `links` (parents first): torsoFromLink = torsoFromParent * T(origin) * exp([axis * angle]x).
 void forwardKinematics(const Robot& robot, const ModelState& belief, const std::vector<std::size_t>& links,
                        LinkPoses& torsoFromLink);
 
-/// The joints between the root and a link, ascending.
+/// Joints between the root and a link, ascending.
 std::vector<std::size_t> ancestorJoints(const Robot& robot, std::size_t link);
 
-/// All links.
+/// Poses of all links.
 LinkPoses forwardKinematics(const Robot& robot, const ModelState& belief);
 
-/// Posture of the drawn robot at the given angles (one per joint) [rad].
+/// Poses of all links of the nominal robot at these angles (one per joint) [rad].
 LinkPoses forwardKinematics(const Robot& robot, const Eigen::VectorXd& angles);
 
 /// parentFromFrame = T(x, y, z) Rz(yaw) Ry(pitch) Rx(roll) of the six numbers x, y, z [m], roll, pitch, yaw [rad].

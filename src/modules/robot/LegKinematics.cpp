@@ -11,12 +11,12 @@ namespace naocal {
 
 namespace {
 
-/// The angle of (x, z) about y: Ry(a) turns a vector's by a [rad].
+/// Angle of (x, z) about y [rad]: Ry(a) increases it by a.
 double angleAboutY(const Eigen::Vector3d& v) {
   return std::atan2(v.x(), v.z());
 }
 
-/// The roll in [-pi/2, pi/2] about x that brings a vector into the xz-plane: Rx(a) v has no y.
+/// Roll about x in [-pi/2, pi/2] that rotates a vector into the xz-plane: Rx(a) v has no y component.
 double rollIntoPlane(const Eigen::Vector3d& v) {
   return v.z() < 0 ? std::atan2(-v.y(), -v.z()) : std::atan2(v.y(), v.z());
 }
@@ -41,7 +41,7 @@ LegKinematics::LegKinematics(const Robot& robot, std::string_view side) {
   };
   const Sole* sole = robot.findSole(side);
   require(sole != nullptr, "a sole of that name");
-  // Links from the root to the sole: hip yaw-pitch, hip roll, hip pitch, knee, ankle pitch, ankle roll, sole.
+  // Links from root to sole: hip yaw-pitch, hip roll, hip pitch, knee, ankle pitch, ankle roll, sole.
   std::array<const Link*, 7> links{};
   std::optional<std::size_t> at = sole->link;
   for (std::size_t i = links.size(); i-- > 0; at = robot.links[*at].parent) {
@@ -70,7 +70,7 @@ LegKinematics::LegKinematics(const Robot& robot, std::string_view side) {
 }
 
 std::optional<double> LegKinematics::solveKnee(double distance) const {
-  constexpr double roundOff = 1e-12; // a straight leg is reached although its cosine may come out a little above 1
+  constexpr double roundOff = 1e-12; // a straight leg is within reach, although its cosine may exceed 1 by rounding
   const double cosine = (distance * distance - thigh_ * thigh_ - tibia_ * tibia_) / (2 * thigh_ * tibia_);
   if (std::abs(cosine) > 1 + roundOff) {
     return std::nullopt;
@@ -79,7 +79,7 @@ std::optional<double> LegKinematics::solveKnee(double distance) const {
 }
 
 std::optional<LegAngles> LegKinematics::solveAngles(const RigidTransform& torsoFromSole) const {
-  // The hip seen from the foot: the ankle's roll brings it into the plane of the leg, its pitch onto the leg.
+  // Hip in the sole frame: the ankle roll rotates it into the plane of the leg, the ankle pitch onto the leg.
   const Eigen::Vector3d hipInSole = torsoFromSole.inverse() * hip_;
   const Eigen::Vector3d hipInFoot = hipInSole - Eigen::Vector3d{0, 0, footHeight_};
   const auto kneePitch = solveKnee(hipInFoot.norm());
@@ -90,8 +90,8 @@ std::optional<LegAngles> LegKinematics::solveAngles(const RigidTransform& torsoF
   const Eigen::Vector3d hipFromAnkle{-thigh_ * std::sin(*kneePitch), 0, tibia_ + thigh_ * std::cos(*kneePitch)};
   const double anklePitch = wrapAngle(angleAboutY(hipFromAnkle) - angleAboutY(rotationX(ankleRoll) * hipInFoot));
 
-  // What remains is R(axis, yawPitch) Rx(hipRoll) Ry(hipPitch); with axis = Rx(tilt) y it is
-  // Rx(tilt) Ry(yawPitch) Rx(hipRoll - tilt) Ry(hipPitch), and hip roll stays on that side of the tilt where 0 lies.
+  // The remainder is R(axis, yawPitch) Rx(hipRoll) Ry(hipPitch); with axis = Rx(tilt) y it equals Rx(tilt) Ry(yawPitch)
+  // Rx(hipRoll - tilt) Ry(hipPitch). Selects the hip roll on the same side of the tilt as 0.
   const double tilt = std::atan2(yawPitchAxis_.z(), yawPitchAxis_.y());
   const double side = tilt < 0 ? 1 : -1;
   const Eigen::Matrix3d turn =
@@ -104,7 +104,7 @@ std::optional<LegAngles> LegKinematics::solveAngles(const RigidTransform& torsoF
 }
 
 std::optional<LegAngles> LegKinematics::solveAngles(const RigidTransform& torsoFromSole, double hipYawPitch) const {
-  // The sole's origin and z axis fix the ankle; hip roll, hip pitch and knee reach it; the ankle turns z.
+  // The sole's origin and z axis determine the ankle; hip roll, hip pitch and knee reach it; the ankle orients z.
   const Eigen::Vector3d up = torsoFromSole.rotation.col(2);
   const Eigen::Matrix3d torsoFromPelvis = rotationAbout(hipYawPitch * yawPitchAxis_);
   const Eigen::Vector3d ankleFromHip = torsoFromSole.translation + footHeight_ * up - hip_;

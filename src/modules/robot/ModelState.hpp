@@ -6,21 +6,21 @@
 
 namespace naocal {
 
-/// Where each quantity stands in the flat list of numbers that a `ModelState` is.
+/// Index of each quantity in the flat vector of a `ModelState`.
 class StateLayout {
 public:
   StateLayout(std::size_t jointCount, std::size_t lengthCount, std::size_t boardCount)
       : joints_{jointCount}, lengths_{lengthCount}, boards_{boardCount} {}
 
   std::size_t angle(std::size_t joint) const { return joint; }                // [rad]
-  std::size_t axis(std::size_t joint) const { return joints_ + 3 * joint; }   // 3 numbers
+  std::size_t axis(std::size_t joint) const { return joints_ + 3 * joint; }   // 3 components
   std::size_t length(std::size_t index) const { return 4 * joints_ + index; } // [m]
   std::size_t mountTranslation() const { return 4 * joints_ + lengths_; }     // x, y, z [m] in the mount's link
-  std::size_t mountRotation() const { return mountTranslation() + 3; }        // rx, ry, rz [rad] beyond nominal
+  std::size_t mountRotation() const { return mountTranslation() + 3; }        // rx, ry, rz [rad] relative to nominal
   std::size_t lens() const { return mountRotation() + 3; }                    // fx, fy, cx, cy, k1, k2, p1, p2, k3
-  std::size_t rowTime() const { return lens() + 9; }                          // between rows of the picture [s]
+  std::size_t rowTime() const { return lens() + 9; }                          // time between rows of the picture [s]
   std::size_t imuTilt() const { return rowTime() + 1; }                       // roll, pitch of the IMU [rad]
-  std::size_t worldFromSupport() const { return imuTilt() + 2; }              // worldFromSole: as a Placement
+  std::size_t worldFromSupport() const { return imuTilt() + 2; }              // worldFromSole, as a Placement
   std::size_t board(std::size_t index) const { return worldFromSupport() + 6 + 8 * index; } // Placement, scale, bow [m]
   std::size_t size() const { return board(boards_); }
 
@@ -32,9 +32,9 @@ private:
   std::size_t joints_, lengths_, boards_;
 };
 
-/// What is believed about robot and scene at one instant, for one camera: plain numbers that effects correct.
+/// State of robot and scene at one instant, for one camera: plain numbers that effects correct.
 ///
-/// The picture's derivative with respect to every one of them is analytic (camera/ObservationChain.hpp).
+/// The derivative of the picture by each of them is analytic (camera/ObservationChain.hpp).
 class ModelState {
 public:
   explicit ModelState(const StateLayout& quantities)
@@ -90,10 +90,10 @@ private:
   StateLayout quantities_;
 };
 
-/// The robot as drawn, all angles zero, the camera's mount nominal, boards at their frames' origins.
+/// Nominal robot: all angles zero, nominal camera mount, boards at the origins of their frames.
 ModelState nominalState(const Robot& robot, const StateLayout& quantities);
 
-/// Brings all joints to rest, as far as their limits let them.
+/// Sets all joints to zero, or to the nearest angle within their limits.
 void moveToRest(const Robot& robot, ModelState& belief);
 
 } // namespace naocal

@@ -10,7 +10,7 @@
 
 namespace naocal {
 
-/// A dimension of the drawing that several links may share, such as `thigh` (one number for both sides).
+/// A dimension of the robot that several links may share, such as `thigh` (one value for both sides).
 struct Length {
   std::string name;
   double value = 0; // [m]
@@ -21,23 +21,23 @@ struct AngleRange {
   double lower = 0, upper = 0;
 };
 
-/// The limits of a joint as a piecewise linear function of another joint's angle, constant beyond the ends.
+/// Limits of a joint as a piecewise linear function of another joint's angle, constant beyond the ends.
 struct CoupledLimits {
   std::size_t onJoint = 0;
   std::vector<double> angles;     // of that joint, ascending [rad]
-  std::vector<AngleRange> ranges; // of this one, at each of those angles [rad]
+  std::vector<AngleRange> ranges; // limits of this joint at each of those angles [rad]
 };
 
-/// A joint: turns its link about `axis` by its angle. All frames are parallel at zero angles.
+/// A revolute joint: rotates its link about `axis`. All frames are parallel at zero angles.
 struct Joint {
   std::string name;
   std::size_t link = 0;
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(); // unit vector, in the link's frame before the rotation
   AngleRange limits;                               // [rad]
-  std::optional<CoupledLimits> coupled;            // holds beside `limits`
+  std::optional<CoupledLimits> coupled;            // applies in addition to `limits`
   double maxSpeed = 0;                             // [rad/s]
-  double restAngle = 0;                            // its angle where nobody recorded it (for masses only) [rad]
-  std::size_t motor = 0; // the joint whose motor drives this one: itself, but for the right hip yaw-pitch
+  double restAngle = 0;                            // angle assumed where not recorded (for masses only) [rad]
+  std::size_t motor = 0; // index of the joint whose motor drives this one: itself, except for the right hip yaw-pitch
 };
 
 /// A rigid part. parentFromLink = T(constant + sum_k lengths[k].value * direction) * R(axis, angle).
@@ -55,8 +55,8 @@ struct Link {
   Eigen::Vector3d centreOfMass = Eigen::Vector3d::Zero(); // in the link's frame [m]
 };
 
-/// Where a camera sits: linkFromCamera = T(translation) * Ry(pitch); camera axes x forward (optical axis), y left, z
-/// up.
+/// Nominal mount of a camera: linkFromCamera = T(translation) * Ry(pitch); camera axes x forward (optical axis), y
+/// left, z up.
 struct CameraMount {
   std::string name;
   std::size_t link = 0;
@@ -64,22 +64,22 @@ struct CameraMount {
   double pitch = 0;                                      // [rad]
 };
 
-/// A sole: its frame is a link (origin below the ankle, on the floor, x forward).
+/// A sole. Its frame is that of its link: origin below the ankle, on the floor, x forward.
 struct Sole {
   std::string name; // "left" or "right"
   std::size_t link = 0;
-  std::vector<Eigen::Vector2d> outline;      // convex, counter-clockwise, in the sole's frame [m]
-  std::vector<Eigen::Vector2d> forceSensors; // FL, FR, RL, RR in the sole's frame [m]
+  std::vector<Eigen::Vector2d> outline;      // convex, counter-clockwise, in the sole frame [m]
+  std::vector<Eigen::Vector2d> forceSensors; // FL, FR, RL, RR in the sole frame [m]
 };
 
-/// A piece of a link's shell: all points within `radius` of a segment, in the link's frame [m].
+/// Collision shape of a part of a link: all points within `radius` of a segment, in the link frame [m].
 struct Capsule {
   std::size_t link = 0;
   Eigen::Vector3d from = Eigen::Vector3d::Zero(), to = Eigen::Vector3d::Zero();
   double radius = 0;
 };
 
-/// The drawing of a robot: a tree of links with masses, joints and cameras. Parents stand before their children.
+/// Description of a robot: a tree of links with masses, joints and cameras. Parents precede their children.
 struct Robot {
   std::string model;
   std::vector<Length> lengths;
@@ -87,28 +87,30 @@ struct Robot {
   std::vector<Joint> joints;
   std::vector<CameraMount> cameras;
   std::vector<Sole> soles;
-  std::vector<Capsule> collisionCapsules; // none: nobody knows when it touches itself
+  std::vector<Capsule> collisionCapsules; // empty: no self-collision check
 
+  /// Index of the element of this name; absent if there is none.
   std::optional<std::size_t> jointIndex(std::string_view name) const;
   std::optional<std::size_t> linkIndex(std::string_view name) const;
   std::optional<std::size_t> lengthIndex(std::string_view name) const;
   std::optional<std::size_t> cameraIndex(std::string_view name) const;
-  const Sole* findSole(std::string_view name) const; // nullptr: the robot has none of that name
+  const Sole* findSole(std::string_view name) const; // nullptr if the robot has no sole of that name
 };
 
-/// Reads a drawing file. Throws InputError that names the file, the place, what was expected and found.
+/// Reads a robot description. Throws InputError with file, location, expected and found.
 ///
-/// A drawing with a "base" holds only what differs from that file beside it (a JSON merge patch, RFC 7396).
+/// A description with a "base" contains only the differences from that file in the same folder (a JSON merge patch, RFC
+/// 7396).
 Robot loadRobot(const std::filesystem::path& drawing);
 
-/// The drawing of a model ("V4", "V5", "V6"): `<configuration>/drawings/Nao<model>.json`.
+/// Description of a model ("V4", "V5", "V6"): `<configuration>/drawings/Nao<model>.json`.
 Robot loadRobot(const std::filesystem::path& configuration, std::string_view model);
 
-/// Where the configuration lies: $NAOCAL_CONFIGURATION, else ../share/naocal/configuration beside the installed
-/// program, else the source tree's home/configuration.
+/// Configuration folder: $NAOCAL_CONFIGURATION, else ../share/naocal/configuration beside the installed program, else
+/// home/configuration of the source tree.
 std::filesystem::path configurationDirectory();
 
-/// The limits of joint `joint` at the given angles (one per joint of the robot) [rad]: its own, narrowed by the coupled
+/// Limits of `joint` at the given angles (one per joint of the robot) [rad]: its own, intersected with the coupled
 /// ones.
 AngleRange jointLimitsAt(const Robot& robot, std::size_t joint, const Eigen::VectorXd& angles);
 

@@ -16,35 +16,35 @@
 
 namespace naocal {
 
-// What the parts of the drawing's reader share.
+// Helpers of the description's reader.
 
 inline constexpr Range millimetreRange{-10000, 10000, "millimetres"};
 inline constexpr Range degreeRange{-360, 360, "degrees"};
 inline constexpr Range directionRange{-1, 1, ""};
 
-/// The entries of an object but its "source" and "note", which are allowed everywhere and are for people only.
+/// Entries of an object, except "source" and "note", which are allowed everywhere as documentation.
 std::vector<std::pair<std::string, JsonCursor>> entries(const JsonCursor& place);
 
-/// The entries of a section of the drawing; none when it is absent.
+/// Entries of a section; empty if absent.
 std::vector<std::pair<std::string, JsonCursor>> section(const JsonCursor& drawing, const std::string& key);
 
-/// A misspelt optional key would silently change the robot: every key must be one of these.
+/// Refuses unknown keys: a misspelt optional key would silently change the robot.
 void requireKnownKeys(const JsonCursor& place, const std::vector<std::string_view>& keys);
 
 Eigen::Vector3d readVector3(const JsonCursor& place, const Range& range);
 Eigen::Vector3d readMetres3(const JsonCursor& millimetres);
 Eigen::Vector2d readMetres2(const JsonCursor& millimetres);
 
-/// The link or joint of which this place holds the name.
+/// Index of the link or joint named at this place.
 std::size_t readLink(const JsonCursor& place, const Robot& robot);
 std::size_t readJoint(const JsonCursor& place, const Robot& robot);
 
-/// The drawing's sections "joints" and "soles", for a robot whose tree is known.
+/// Reads the sections "joints" and "soles". Requires the robot's tree.
 void readJoints(const JsonCursor& drawing, Robot& robot);
 void readSoles(const JsonCursor& drawing, Robot& robot);
 
-/// The robot of a complete drawing document (a base, if any, already merged in). Throws InputError at the first place
-/// that is not as home/configuration/drawings/NaoV5.json shows it.
+/// Builds the robot from a complete description (base already merged). Throws InputError at the first place that
+/// deviates from the format of home/configuration/drawings/NaoV5.json.
 Robot parseRobot(const JsonCursor& drawing);
 
 namespace {
@@ -175,7 +175,7 @@ void readLengths(const JsonCursor& drawing, Robot& robot) {
   }
 }
 
-/// How far the link lies from its parent: a constant part, and lengths along directions.
+/// Reads the link's origin in its parent: a constant part, and lengths along directions.
 void readOrigin(const JsonCursor& place, const Robot& robot, Link& link) {
   if (const auto origin = place.find("originMillimetres")) {
     link.constant = readMetres3(*origin);
@@ -198,7 +198,7 @@ void readLinkEntry(const JsonCursor& place, Robot& robot) {
     place.at("name").refuse("a name that no link before has");
   }
   if (robot.links.empty()) {
-    requireKnownKeys(place, {"name"}); // the root has no parent to lie in
+    requireKnownKeys(place, {"name"}); // the root has no parent
   } else {
     requireKnownKeys(place, {"name", "parent", "joint", "originMillimetres", "alongLengths"});
     link.parent = robot.linkIndex(place.at("parent").text());
@@ -276,7 +276,7 @@ Robot parseRobot(const JsonCursor& drawing) {
                              "cameras", "soles", "hull"});
   Robot robot;
   robot.model = drawing.at("model").text();
-  readLengths(drawing, robot); // each section may name things of the sections before it
+  readLengths(drawing, robot); // a section may refer to the sections before it
   readTree(drawing, robot);
   readJoints(drawing, robot);
   readMasses(drawing, robot);
@@ -290,7 +290,7 @@ namespace {
 
 using Outline = std::vector<Eigen::Vector2d>;
 
-/// Strictly convex, counter-clockwise: every corner lies to the left of every other side.
+/// Strictly convex, counter-clockwise: every corner lies to the left of every side that it does not end.
 bool isConvex(const Outline& outline) {
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const std::size_t next = (i + 1) % outline.size();
@@ -330,7 +330,7 @@ Outline outline(const JsonCursor& place, const JsonCursor& soles) {
     mirrored->refuse("the name of a sole with outlineMillimetres");
   }
   Outline outline = ownOutline(other->at("outlineMillimetres"));
-  std::reverse(outline.begin(), outline.end()); // a mirror image runs the other way round
+  std::reverse(outline.begin(), outline.end()); // mirroring reverses the orientation
   for (Eigen::Vector2d& point : outline) {
     point.y() = -point.y();
   }
@@ -358,7 +358,7 @@ void readSoles(const JsonCursor& drawing, Robot& robot) {
 
 namespace {
 
-/// The file's own content, known to be a drawing.
+/// Parses the file and checks its format and version.
 nlohmann::json document(const std::filesystem::path& file) {
   nlohmann::json document = parseJson(readFile(file), file.string());
   const JsonCursor top{document, file.string()};
@@ -367,7 +367,7 @@ nlohmann::json document(const std::filesystem::path& file) {
   return document;
 }
 
-/// "V4", "V5", "V6": the models whose drawings lie in a folder.
+/// Models with descriptions in a folder: "V4", "V5", "V6".
 std::vector<std::string> models(const std::filesystem::path& drawings) {
   std::vector<std::string> names;
   std::error_code unreadable;

@@ -8,12 +8,12 @@
 
 namespace naocal {
 
-/// What drives effects at one instant: per joint of the robot where it is a list; NaN where it was not recorded.
+/// Drivers of effects at one instant; vectors have one entry per joint of the robot, NaN where not recorded.
 struct RobotSample {
   static constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-  std::size_t set = 0; // of those given: the same time in another one is another moment
-  Seconds time{0};     // since the set's earliest capture
+  std::size_t set = 0; // index of the set; times of different sets are not comparable
+  Seconds time{0};     // since the set's first capture
   SupportFoot supportFoot = SupportFoot::none;
   Eigen::VectorXd q;            // measured - o [rad]
   Eigen::VectorXd velocity;     // [rad/s]
@@ -21,13 +21,14 @@ struct RobotSample {
   Eigen::VectorXd temperature;  // [degC]
   Eigen::VectorXd current;      // [A]
   Eigen::VectorXd torque;       // gravity's, positive where it drives the angle up [Nm]
-  Eigen::VectorXd torqueGrowth; // d(torque)/d(the motor's own angle), all else held [Nm/rad]
-  Eigen::Vector2d com = Eigen::Vector2d::Constant(nothing); // centre of mass over the support foot's sole: x, y [m]
-  Eigen::Vector2d imu = Eigen::Vector2d::Constant(nothing); // the torso's roll, pitch as reported [rad]
-  double leftLoad = nothing;                                // the left foot's share of the weight [1]
+  Eigen::VectorXd torqueGrowth; // d(torque)/d(angle of its own motor), other angles fixed [Nm/rad]
+  Eigen::Vector2d com = Eigen::Vector2d::Constant(nothing); // centre of mass in the support sole frame: x, y [m]
+  Eigen::Vector2d imu = Eigen::Vector2d::Constant(nothing); // reported torso roll, pitch [rad]
+  double leftLoad = nothing;                                // share of the weight on the left foot, 0..1
 };
 
-/// What an effect can look at. The first four follow from the angles, hence from the offsets; the others are recorded.
+/// Possible inputs of an effect. The first four follow from the angles, hence from the offsets; the others are
+/// recorded.
 enum class Driver { angle, torque, torqueGrowth, com, approach, temperature, velocity, current, time, imu };
 
 } // namespace naocal

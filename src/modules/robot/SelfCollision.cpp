@@ -13,7 +13,7 @@ double segmentDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const
   const auto clamped = [](double numerator, double denominator) {
     return denominator > 0 ? std::clamp(numerator / denominator, 0.0, 1.0) : 0.0;
   };
-  // The nearest place on p..q for both lines, the nearest to it on r..s, and back where that was cut off at an end.
+  // Nearest point on p..q to the other line, the nearest to it on r..s, then back in case it was clamped at an end.
   double onFirst = clamped(b * f - c * e, a * e - b * b);
   const double onOther = clamped(b * onFirst + f, e);
   onFirst = clamped(b * onOther - c, a);

@@ -33,7 +33,7 @@ AliasMatrix computeAliasMatrix(const CandidateTests& inquiry, const std::vector<
 
 namespace {
 
-/// W with W^T block W = 1 over what is not absorbed.
+/// W with W^T block W = 1 on the directions that are not absorbed.
 Eigen::MatrixXd orthonormaliser(const Eigen::MatrixXd& block) {
   const SymmetricEigen eigen = symmetricEigen(block);
   const double least = 1e-9 * std::max(1e-300, eigen.values.maxCoeff());
@@ -60,7 +60,7 @@ std::vector<std::size_t> findEquivalents(const CandidateTests& inquiry, std::siz
   std::vector<std::size_t> result;
   const GroupEvidence& best = inquiry.candidateEvidence(chosen);
   const std::vector<ColumnGroup>& groups = inquiry.problem().groups;
-  const bool onlyData = !isPlausible(best, inquiry.candidates()[chosen].sigmas()); // no size was expected then
+  const bool onlyData = !isPlausible(best, inquiry.candidates()[chosen].sigmas()); // the prior size does not count then
   for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
     const GroupEvidence& other = inquiry.candidateEvidence(i);
     if (i == chosen || other.freedom < 1 || other.bayes <= 0) {
@@ -74,7 +74,7 @@ std::vector<std::size_t> findEquivalents(const CandidateTests& inquiry, std::siz
     const double like = canonicalCorrelation(inquiry.evidence().information, groups[chosen], groups[i]);
     const bool tells = best.likelihoodRatio >= evidenceToSeparate(like);
     const bool besideIt =
-        like < threshold::related && other.bayes >= threshold::veryStrong; // there as well, whichever else is
+        like < threshold::related && other.bayes >= threshold::veryStrong; // present in addition to the chosen one
     if ((behind < threshold::equallyLikely || !tells) && !besideIt) {
       result.push_back(i);
     }

@@ -9,27 +9,26 @@
 
 namespace naocal {
 
-/// How alike candidates are in these captures.
+/// Similarity of candidates in these captures.
 struct AliasMatrix {
   std::vector<std::string> labels;
-  Eigen::MatrixXd correlations; // `canonicalCorrelation` of each with each
+  Eigen::MatrixXd correlations; // `canonicalCorrelation` of each pair
 };
 
-/// Of the first `most` of those labels that are the inquiry's candidates and that its model does not absorb.
+/// For the first `most` labels among the tested candidates that the model does not absorb.
 AliasMatrix computeAliasMatrix(const CandidateTests& inquiry, const std::vector<std::string>& labels, std::size_t most);
 
-/// Largest canonical correlation of what two candidates would do to the pictures, everything in the model projected
-/// out. `information`: of all candidates' columns, projected (`Evidence::information`).
+/// Largest canonical correlation between the image displacements of two candidates, with the model projected out.
+/// `information`: projected, of all candidates' columns (`Evidence::information`).
 double canonicalCorrelation(const Eigen::MatrixXd& information, const ColumnGroup& one, const ColumnGroup& other);
 
-/// How much evidence lambda (as a likelihood ratio) tells two candidates apart in 19 of 20 cases:
-/// lambda (1 - correlation) = 5.4.
+/// Evidence lambda (likelihood ratio) required to separate two candidates in 19 of 20 cases: lambda (1 - correlation) =
+/// 5.4.
 double evidenceToSeparate(double correlation);
 
-/// Candidates that these captures cannot tell from `chosen`: almost as likely, or so correlated that chance may have
-/// put them behind: the evidence does not suffice to tell (`evidenceToSeparate`). What sizes are plausible counts,
-/// unless the chosen one's is not. One that is evident and does something else to the pictures is there as well, and is
-/// no other explanation of the same.
+/// Candidates that these captures cannot distinguish from `chosen`: almost as likely, or so correlated that chance may
+/// account for the gap (`evidenceToSeparate`). Prior sizes count, unless the chosen effect's size is implausible. A
+/// significant candidate with a different signature is present in its own right and not an alternative.
 std::vector<std::size_t> findEquivalents(const CandidateTests& inquiry, std::size_t chosen);
 
 } // namespace naocal

@@ -11,14 +11,14 @@
 namespace naocal {
 
 struct CandidateTestOptions {
-  Eigen::Index draws = 199; // of pure noise, for the alarm's null distribution
+  Eigen::Index draws = 199; // bootstrap draws of pure noise for the alarm's null distribution
   std::uint64_t seed = 1;
-  bool map = true; // joints and mounts over drivers beside the candidates
+  bool map = true; // includes curves of joints and mounts over drivers
 };
 
-/// A fitted model put to the question: which of these candidates, and which curve of a joint or mount over a driver,
-/// would explain what is left over? All linearised at the fit, and at its levels of noise: what a candidate explains
-/// must not depend on how much was taken for noise without it.
+/// Tests of a fitted model: which candidate effect, and which curve of a joint or mount over a driver, would explain
+/// the residuals. All linearised at the fit and at its noise levels, so that a candidate's evidence does not depend on
+/// how much misfit counts as noise without it.
 class CandidateTests {
 public:
   CandidateTests(const FittedModel& fitted, const std::vector<Term>& candidates,
@@ -32,22 +32,22 @@ public:
   const Evidence& evidence() const { return evidence_; }
   const Noise& noise() const { return noise_; }
 
-  /// Places among the candidates, the likeliest first.
+  /// Indices of the candidates, likeliest first.
   std::vector<std::size_t> candidatesByEvidence() const;
 
-  /// What candidates are shown in the order of: 2 ln of the Bayes factor with that of two priors which is kinder to the
-  /// candidate, the sizes that are plausible or the information of one number of the captures, six to a pose (BIC). The
-  /// plausible sizes alone put an effect that is small but beyond doubt behind others that are nothing (Lindley,
-  /// Biometrika 44 (1957) 187): where 0.3 +- 0.1 px are measured of a lens that may be off by 10, that costs 20.
+  /// Display order of candidates: 2 ln(Bayes factor) under the more favourable of two priors, the plausible sizes or
+  /// the information of one image coordinate, six per pose (BIC). The plausible sizes alone rank a small but certain
+  /// effect behind absent ones (Lindley, Biometrika 44 (1957) 187): for a lens parameter measured as 0.3 +- 0.1 px with
+  /// a prior of 10 px, the penalty is 20.
   double rankingScore(const GroupEvidence& evidence) const;
   std::vector<std::size_t> candidatesByRank() const;
-  /// Places among the curves (the mounts', then the map's cells), the one that explains most first.
+  /// Indices of the curves (the mounts', then the map's cells), most evidence first.
   std::vector<std::size_t> curvesByEvidence() const;
 
-  /// The place of a candidate among them, by its label.
+  /// Index of a candidate by its label.
   std::optional<std::size_t> findCandidate(const std::string& label) const;
   const GroupEvidence& candidateEvidence(std::size_t candidate) const { return evidence_.groups[candidate]; }
-  /// The shape of a curve, and over which driver.
+  /// Basis of a curve, with its driver.
   const DriverBasis& curveBasis(std::size_t curve) const {
     return curve < mounts().size() ? mounts()[curve].cell : map().cells[curve - mounts().size()];
   }

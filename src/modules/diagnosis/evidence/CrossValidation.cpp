@@ -14,15 +14,14 @@
 
 namespace naocal {
 
-/// Sums over some poses, of all columns of a linearised problem: whitened ones to learn from, plain ones to measure by.
+/// Sums over some poses of all columns of a linearised problem: whitened for fitting, plain for measuring the error.
 struct FoldSums {
   Eigen::MatrixXd hessian, gram;
   Eigen::VectorXd gradient, plainGradient;
   double squares = 0, numbers = 0;
 };
 
-/// The sums of all poses, and of each of the five folds (or as many as there are poses), with the unknowns moved by
-/// `step`.
+/// Sums of all poses and of each of the five folds (or one per pose, if fewer), with the unknowns moved by `step`.
 struct Folds {
   FoldSums all;
   std::vector<FoldSums> parts;
@@ -33,16 +32,15 @@ namespace {
 
 using Columns = std::vector<Eigen::Index>;
 
-/// Of the information that all poses and the prior have about a direction, the least part that the other folds and the
-/// prior must have: where one fold says ten times as sharply where boards or stances lie, it is not predicted, but
-/// asked.
+/// Minimum share of a direction's total information (all poses and prior) that the other folds and the prior must hold.
+/// Below it (a fold determines a board or stance ten times as precisely), the direction is fitted to the fold itself.
 constexpr double told = 0.01;
 
-/// Columns that are learned from all poses but those of one fold.
+/// Prediction of one fold from all other poses.
 class Fold {
 public:
-  /// `prior`: of every column its information, `start` its unknown where the sums were taken. `given`: the columns that
-  /// are always learned, the first of those in all questions.
+  /// `prior`: information of every column; `start`: its unknown at the linearisation point; `given`: columns that are
+  /// always fitted, the first of each set of columns.
   Fold(const FoldSums& all, const FoldSums& held, const Eigen::VectorXd& prior, const Eigen::VectorXd& start,
        const Columns& given)
       : held_{held}, hessian_{all.hessian - held.hessian}, gradient_{all.gradient - held.gradient}, prior_{prior},
@@ -52,7 +50,7 @@ public:
     const Eigen::LLT<Eigen::MatrixXd> factor{whole};
     Eigen::MatrixXd rest = hessian_(given, given);
     rest.diagonal() +=
-        prior(given); // what nothing but the prior tells is told: the fold must not fit it to its own noise
+        prior(given); // directions known from the prior alone count as determined: the fold must not fit its own noise
     rest = factor.matrixL().solve(rest);
     rest = factor.matrixL().solve(rest.transpose().eval());
     const SymmetricEigen eigen = symmetricEigen(rest);
@@ -64,8 +62,8 @@ public:
     holding_ = factor.matrixL() * eigen.vectors.leftCols(untold);
   }
 
-  /// Squares of the fold's errors [px^2] when `columns` are learned from the others; what those do not tell is learned
-  /// from the fold itself.
+  /// Sum of squared errors of the fold [px^2] when `columns` are fitted to the other folds; directions that those leave
+  /// undetermined are fitted to the fold itself.
   double remainingSquares(const Columns& columns) const {
     Eigen::MatrixXd hessian = hessian_(columns, columns);
     hessian.diagonal() += prior_(columns);
@@ -82,7 +80,7 @@ public:
     return held_.squares + 2 * plain.dot(step) + step.dot(gram * step);
   }
 
-  /// Adds the group with the largest Bayes factor in the other folds to `columns`, if one beats the model without it.
+  /// Adds the group with the largest Bayes factor in the other folds to `columns`, if it improves the model.
   void addBest(const std::vector<Columns>& groups, Columns& columns) const {
     Eigen::MatrixXd known = hessian_(columns, columns);
     known.diagonal() += prior_(columns);
@@ -118,7 +116,7 @@ private:
   const FoldSums& held_;
   Eigen::MatrixXd hessian_;
   Eigen::VectorXd gradient_, prior_, pull_;
-  Eigen::MatrixXd untold_, holding_; // directions that the other folds do not tell, of the given columns: D, L L^T D
+  Eigen::MatrixXd untold_, holding_; // directions of `given` that the other folds leave undetermined: D, L L^T D
 };
 
 Columns range(Eigen::Index first, Eigen::Index count) {
@@ -132,10 +130,10 @@ Columns joinColumns(Columns columns, const Columns& more) {
   return columns;
 }
 
-/// What may be learned in a fold.
+/// Columns available in a fold.
 struct Choices {
-  std::vector<Columns> candidates, chosen; // per candidate; per effect that was chosen on all poses
-  Columns given;                           // all others of the model
+  std::vector<Columns> candidates, chosen; // per candidate; per effect selected on all poses
+  Columns given;                           // all other columns of the model
 
   Choices(const CandidateTests& inquiry, const Model& model, const std::vector<std::string>& labels) {
     const Eigen::Index own = inquiry.problem().ownCount();
@@ -165,7 +163,7 @@ std::optional<CrossValidation> crossValidate(const CandidateTests& inquiry, cons
   prior << problem.sigmas.cwiseAbs2().cwiseInverse(),
       problem.plausible.head(problem.candidates).cwiseAbs2().cwiseInverse();
   start.head(problem.ownCount()) = problem.unknowns;
-  Eigen::VectorXd toNone = Eigen::VectorXd::Zero(prior.size()); // of the effects that were chosen
+  Eigen::VectorXd toNone = Eigen::VectorXd::Zero(prior.size()); // step of the selected effects to zero
   for (const Columns& effect : choices.chosen) {
     toNone(effect) = -start(effect);
     start(effect).setZero();
@@ -209,7 +207,7 @@ namespace {
 
 constexpr std::size_t folds = 5;
 
-/// Of every `folds`th pose from `first` on.
+/// Sums over every `each`-th pose from `first` on.
 FoldSums computeSums(std::size_t first, std::size_t each, const NullModel& alone) {
   const std::vector<PoseRows>& poses = *alone.problem().poses;
   const double pixel = alone.noise().pixel;

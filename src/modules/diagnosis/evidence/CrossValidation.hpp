@@ -8,20 +8,20 @@
 
 namespace naocal {
 
-/// How well poses are predicted that neither the fit nor the choice of effects has seen: five folds of whole poses (all
-/// repeats and cameras together), each predicted from the others, linearised at the fit. What only a fold's own poses
-/// tell (where the robot stood then) is estimated from them.
+/// Held-out prediction error: five folds of whole poses (all repeats and cameras together), each predicted from the
+/// others, linearised at the fit. Directions that only the fold's own poses determine (placement of a stance) are
+/// estimated from the fold.
 ///
-/// Effects that were chosen on all poses are chosen anew in each fold, by the other folds alone: the best of a hundred
-/// candidates lowers the error on the very poses that it was chosen on even where nothing is missing.
+/// Effects that were selected on all poses are selected anew in each fold from the other folds alone: the best of a
+/// hundred candidates lowers the error on the poses it was selected on even if nothing is missing.
 struct CrossValidation {
-  double chosenPx = 0;         // rms distance of corners with as many effects as were chosen, chosen by the other folds
-  double nextPx = 0;           // with one effect more, chosen likewise
+  double chosenPx = 0;         // rms distance of corners with the same number of effects, selected by the other folds
+  double nextPx = 0;           // the same with one more effect
   double beforePx = 0;         // with the model as it is
-  std::vector<double> afterPx; // and with the candidates asked for
+  std::vector<double> afterPx; // with each of the requested candidates added
 };
-/// `chosen`: labels of the model's effects that were chosen on these poses. `added`: candidates that are asked for,
-/// each time one or several together. Absent: there is one pose, and none to hold.
+/// `chosen`: labels of the model's effects that were selected on these poses. `added`: candidates to evaluate, one or
+/// several together per entry. Absent with a single pose.
 std::optional<CrossValidation> crossValidate(const CandidateTests& inquiry, const Model& model,
                                              const std::vector<std::string>& chosen,
                                              const std::vector<std::vector<std::size_t>>& added);

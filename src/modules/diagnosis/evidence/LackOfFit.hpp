@@ -4,15 +4,15 @@
 
 namespace naocal {
 
-/// How far the model fails from pose to pose, by more than its noise (`PoseMisfit`), and whether that is chance.
+/// Size of the misfit between poses, beyond noise (`PoseMisfit`), and its significance.
 ///   statistic = chi2 / dof[0]
-/// It is a size, without a p-value of its own: its levels of noise were estimated from the same poses. The p-value is
-/// that of the most striking sign that something is missing (`Evidence`), which does not lose its meaning by that.
+/// The statistic has no p-value of its own, since its noise levels were estimated from the same poses. `pValue` is that
+/// of the most striking candidate (`Evidence`), which remains valid.
 struct LackOfFit {
   double statistic = 0;
-  double dof[2] = {0, 0}; // of the statistic; of what is left within poses
+  double dof[2] = {0, 0}; // of the statistic; of the residuals within poses
   double pValue = 1;
-  double noiseFloorPx = 0; // rms distance of corners that noise alone makes
+  double noiseFloorPx = 0; // expected rms distance of corners under noise alone [px]
 };
 LackOfFit testLackOfFit(const CandidateTests& inquiry);
 

@@ -13,7 +13,7 @@ namespace naocal {
 namespace {
 
 double criticalChi2(Eigen::Index freedom, double criticalP) {
-  constexpr double leastP = 1e-12; // beyond it the distribution's inverse overflows
+  constexpr double leastP = 1e-12; // the inverse distribution overflows below
   return quantile(complement(boost::math::chi_squared{static_cast<double>(freedom)}, std::max(criticalP, leastP)));
 }
 

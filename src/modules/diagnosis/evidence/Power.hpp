@@ -7,19 +7,19 @@
 
 namespace naocal {
 
-/// All estimates within three of their sigmas.
+/// Whether all estimates lie within three prior sigmas.
 bool isPlausible(const GroupEvidence& group, const Eigen::VectorXd& sigmas);
 
-/// Chance that a candidate is noticed (p-value below `criticalP`) when its misfit has this noncentrality.
+/// Detection probability (p-value below `criticalP`) at this noncentrality; 0 without degrees of freedom.
 double detectionPower(double noncentrality, Eigen::Index freedom, double criticalP);
 
-/// The noncentrality that is noticed with this chance.
+/// Noncentrality that is detected with probability `power`.
 double requiredNoncentrality(double power, Eigen::Index freedom, double criticalP);
 
-/// What one candidate's captures can tell, from the information V = covariance^-1 of its unknowns.
+/// Detectability of a candidate, from the information V = covariance^-1 of its unknowns.
 struct Sensitivity {
-  double power = 0;               // at the plausible size, of that unknown which is hardest to see
-  std::vector<double> detectable; // per unknown: size that is noticed in 9 of 10 cases
+  double power = 0;               // at the plausible size of the unknown hardest to detect
+  std::vector<double> detectable; // per unknown: size detected with 90 % power
 };
 Sensitivity computeSensitivity(const GroupEvidence& group, const Eigen::VectorXd& plausible, double criticalP);
 

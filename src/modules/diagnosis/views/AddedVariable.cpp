@@ -50,7 +50,7 @@ std::optional<AddedVariable> computeAddedVariable(const CandidateTests& inquiry,
 
 namespace {
 
-/// The candidate's unknowns stand `first` and move together along `direction`.
+/// The candidate's unknowns start at `first` and move jointly along `direction`.
 CandidateColumn::Pose sumColumn(const PoseRows& pose, const Noise& noise, Eigen::Index own, Eigen::Index first,
                                 const Eigen::VectorXd& direction) {
   CandidateColumn::Pose result;

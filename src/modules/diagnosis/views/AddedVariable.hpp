@@ -10,50 +10,50 @@
 
 namespace naocal {
 
-/// What one pose says about a candidate, both in standard errors of one number.
+/// One pose's contribution to a candidate's estimate, in standard errors of a single measurement.
 struct AddedVariablePoint {
-  std::optional<std::size_t> pose; // absent: what was believed of the model's own unknowns before
-  double signature = 0;            // how far one unit of the candidate moves the pose's pictures
-  double residual = 0;             // how far they were measured to have moved that way
+  std::optional<std::size_t> pose; // absent: the prior of the model's own unknowns
+  double signature = 0;            // displacement of the pose's pictures by one unit of the candidate
+  double residual = 0;             // measured displacement in that direction
 };
 
-/// A candidate's added-variable plot, reduced to one point per pose (Cook and Weisberg 1982):
+/// Added-variable plot of a candidate, one point per pose (Cook and Weisberg 1982):
 ///
 ///   e = M g~ of the pose, signature = |e|, residual = -e . M r~ / |e|,
 ///   slope = sum(signature * residual) / sum(signature^2),  sigma = sum(signature^2)^-1/2
 ///
-/// where M takes off what the model's own unknowns can follow. The slope over all points is the candidate's estimate.
-/// A point stands left of zero where e moves the pose against the sense of `like`.
+/// where M projects out the model's own unknowns. The slope over all points is the candidate's estimate. A point lies
+/// left of zero if e moves the pose in the opposite direction to `like`.
 struct AddedVariable {
   std::vector<AddedVariablePoint> points;
-  double slope = 0, sigma = 0; // [the unknown's unit]; of several unknowns: in units of their estimates together
-  std::string like;            // the model's own effect that imitates the candidate best
+  double slope = 0, sigma = 0; // [the unknown's unit]; for several unknowns: in units of their joint estimate
+  std::string like;            // label of the model's effect that mimics the candidate best
 };
 
-/// Of a candidate effect; absent where the model absorbs it.
+/// Absent if the model absorbs the candidate.
 std::optional<AddedVariable> computeAddedVariable(const CandidateTests& inquiry, const Model& model,
                                                   std::size_t candidate);
 
-/// A candidate as one column beside the model's own unknowns, in sums whitened at one level of noise, and what the own
-/// unknowns can do about it.
+/// A candidate as a single column beside the model's own unknowns, in sums whitened at one noise level, with the
+/// response of the own unknowns.
 struct CandidateColumn {
-  /// `direction`: by how much each of the candidate's unknowns moves with the column [the unknown's unit].
+  /// `direction`: change of each of the candidate's unknowns per unit of the column [the unknown's unit].
   CandidateColumn(const CandidateTests& inquiry, std::size_t candidate, const Eigen::VectorXd& direction,
                   const Noise& noise);
 
   struct Pose {
-    std::vector<Eigen::Index> columns; // the own unknowns that it depends on, then the candidate (numbered `own`)
+    std::vector<Eigen::Index> columns; // own unknowns that the pose depends on, then the candidate (index `own`)
     Eigen::MatrixXd information;       // J^T Sigma^-1 J
     Eigen::VectorXd gradient;          // J^T Sigma^-1 r
   };
   std::vector<Pose> poses;
-  Eigen::VectorXd prior;     // information of the own unknowns before
-  Eigen::VectorXd imitation; // the own unknowns that follow one unit of the column best
-  Eigen::VectorXd fitted;    // the own unknowns' step to the minimum, the column left out
-  Eigen::Index like = 0;     // the own unknown that alone follows it best
+  Eigen::VectorXd prior;     // prior information of the own unknowns
+  Eigen::VectorXd imitation; // step of the own unknowns that mimics one unit of the column best
+  Eigen::VectorXd fitted;    // step of the own unknowns to the minimum without the column
+  Eigen::Index like = 0;     // index of the single own unknown that mimics it best
 };
 
-/// The label of the term that an unknown of the model belongs to.
+/// Label of the term that contains an unknown of the model.
 std::string termLabel(const Model& model, Eigen::Index unknown);
 
 } // namespace naocal

@@ -23,7 +23,7 @@ BoardShape boardShapeFromField(const ImageField& field, const Measurements& meas
       }
     }
     const Eigen::Matrix3d covariance = byCoefficients * field.fit.covariance * byCoefficients.transpose();
-    if (covariance.trace() > 0) { // else it was not seen
+    if (covariance.trace() > 0) { // zero if never observed
       shape.corners.push_back(
           {static_cast<int>(i), points[i], byCoefficients * field.fit.estimate, covariance.diagonal().cwiseSqrt()});
     }

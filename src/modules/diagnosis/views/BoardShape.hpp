@@ -8,24 +8,23 @@
 
 namespace naocal {
 
-/// Where a board's corners lie against what the model has, by all its pictures together: a sheet that is bent, was
-/// printed crookedly or lies over a cable shows it here, whatever its shape. Its size does not show: no picture alone
-/// tells it from the distance.
+/// Deviation of a board's corners from the modelled positions, from all its pictures: shows a sheet that is bent,
+/// misprinted or uneven, of any shape. Size errors do not show, since each picture fits them by distance.
 struct BoardShape {
   struct Corner {
     int id = 0;
-    Eigen::Vector3d place;      // pointInBoard as the board's file has it [m]
-    Eigen::Vector3d off, sigma; // really there - as modelled, in the board's axes; standard errors [m]
+    Eigen::Vector3d place;      // pointInBoard according to the board's file [m]
+    Eigen::Vector3d off, sigma; // true - modelled, in board axes; standard errors [m]
   };
   std::size_t board = 0;
   std::vector<Corner> corners;
-  double pValue = 1; // how often noise alone would shape it as much
+  double pValue = 1; // probability of a shape this strong under noise alone
 };
 
-/// What a field of a board's corners, or of its sheet, says about each of them.
+/// Corner deviations implied by a corner or sheet field.
 BoardShape boardShapeFromField(const ImageField& field, const Measurements& measurements);
 
-/// Of each board whose pictures tell its shape; smooth, as its sheet.
+/// Smooth (sheet) shape of each board whose pictures determine it.
 std::vector<BoardShape> estimateBoardShapes(const FittedModel& fitted);
 
 } // namespace naocal

@@ -16,15 +16,15 @@
 
 namespace naocal {
 
-/// Adds to a finding the small expression that follows the misfit of its joint over its driver best: linear, square,
-/// |x|, sign, root, sines and cosines of x to 8x, a step in time, the driver times the joint's torque.
+/// Adds to a finding the small expression that best follows the joint's misfit over its driver: linear, square, |x|,
+/// sign, root, sines and cosines of x to 8x, a step in time, the driver times the joint's torque.
 void fitExpression(const CandidateTests& inquiry, const Measurements& measurements, const DriverBasis& cell,
                    DriverCurve& finding);
 
 namespace {
 
-/// The curve's points over its driver with their errors, from its coefficients; and half of its range. A joint is
-/// approached from below, from nowhere that is known, or from above: there is nothing between.
+/// Computes points of the curve with standard errors from its coefficients, and half of its range. The approach driver
+/// has only its discrete values (from below, unknown, from above).
 void draw(const DriverBasis& cell, const Eigen::VectorXd& estimate, const Eigen::MatrixXd& covariance,
           DriverCurve& finding) {
   const int points = finding.driver == "approach" ? static_cast<int>(std::lround(cell.most - cell.least)) + 1 : 41;
@@ -40,8 +40,8 @@ void draw(const DriverBasis& cell, const Eigen::VectorXd& estimate, const Eigen:
   finding.amplitude = (most - least) / 2;
 }
 
-/// How much of a joint's or mount's scatter from picture to picture a curve explains: its variance over the pictures as
-/// they were taken, against the pose noise.
+/// Share of a joint's or mount's scatter that a curve explains: its variance over the pictures taken, relative to the
+/// sum with the pose noise variance.
 double shareOf(const DriverBasis& cell, const std::vector<double>& driver, const Eigen::VectorXd& estimate,
                double left) {
   double sum = 0, squares = 0;
@@ -72,7 +72,7 @@ void drawMount(const DriverBasis& cell, const std::vector<double>& driver, const
   }
 }
 
-/// A curve's name, as in a user's effect: a joint or camera, and what it varies with.
+/// Name of a curve as in a user-defined effect: joint or camera, and driver.
 struct CurveName {
   std::string place, driver;
 };
@@ -87,7 +87,7 @@ CurveName curveName(const CandidateTests& inquiry, const Measurements& measureme
   return {measurements.robot.joints[cell.motor].name, expressionName(drivers[cell.driver], cell.motor)};
 }
 
-/// A curve as a finding; of a mount, about the axis that turns furthest.
+/// A curve as a finding; of a mount, about the axis with the largest rotation.
 DriverCurve makeDriverCurve(const CandidateTests& inquiry, const Measurements& measurements, std::size_t curve) {
   const CurveName name = curveName(inquiry, measurements, curve);
   const GroupEvidence& group = inquiry.curveEvidence(curve);
@@ -109,7 +109,7 @@ DriverCurve makeDriverCurve(const CandidateTests& inquiry, const Measurements& m
   return result;
 }
 
-/// Of each place and driver the curve that explains most, best first.
+/// The curve with the most evidence for each pair of place and driver, best first.
 std::vector<std::size_t> bestCurves(const CandidateTests& inquiry, const Measurements& measurements) {
   std::vector<std::size_t> result;
   std::set<std::pair<std::string, std::string>> seen;
@@ -141,7 +141,7 @@ DriverMap mapDrivers(const CandidateTests& inquiry, const Measurements& measurem
 
 namespace {
 
-/// A field's value at a place: what it varies with (two), and its components with their errors.
+/// Value of a field at one point: the two drivers, and the components with standard errors.
 struct FieldPoint {
   std::array<double, 2> drivers;
   Eigen::VectorXd value, sigma;
@@ -155,7 +155,7 @@ std::vector<FieldPoint> sampleOnBoard(const ImageField& field, const Measurement
   return result;
 }
 
-/// On a grid over a picture that is as wide as 2 cx.
+/// Samples a grid over a picture of width 2 cx.
 std::vector<FieldPoint> sampleInPicture(const FieldFit& fit, const Eigen::Vector2d& middle) {
   constexpr int across = 9, down = 7;
   std::vector<FieldPoint> result;
@@ -186,13 +186,13 @@ std::vector<FieldPoint> pointsOf(const ImageField& field, const Measurements& me
   return sampleInPicture(field.fit, seen->nominal.lens().segment<2>(2));
 }
 
-/// The mean of one component over each value of one driver.
+/// Mean of one component at each value of one driver.
 std::vector<std::array<double, 3>> meanCurve(const std::vector<FieldPoint>& points, std::size_t driver,
                                              Eigen::Index component) {
   struct Mean {
     double sum = 0, squares = 0, count = 0;
   };
-  constexpr double alike = 1e4; // drivers that differ by less than a ten-thousandth
+  constexpr double alike = 1e4; // 1 / resolution: drivers closer than 1e-4 count as equal
   std::map<long, Mean> means;
   for (const FieldPoint& point : points) {
     Mean& mean = means[std::lround(alike * point.drivers[driver])];
@@ -242,7 +242,7 @@ DriverCurve curveFromField(const ImageField& field, const Measurements& measurem
 
 namespace {
 
-/// Values of the driver transformed, as a driver of its own named by its expression.
+/// A transformed driver, named by its expression.
 DriverSeries transformDriver(const DriverSeries& driver, std::size_t motor, const std::string& expression,
                              const UnitPowers& unit, const std::function<double(std::size_t)>& value) {
   DriverSeries result{
@@ -253,13 +253,13 @@ DriverSeries transformDriver(const DriverSeries& driver, std::size_t motor, cons
   return result;
 }
 
-/// Shapes that physics has, of one driver; those that go together stand side by side.
+/// Shapes with a physical basis over one driver; related ones are adjacent.
 std::vector<DriverSeries> shapes(const DriverSeries& driver, std::size_t motor,
                                  const std::vector<DriverSeries>& drivers) {
   const std::vector<double>& x = driver.atPicture;
   const std::string name = expressionName(driver, motor);
   const UnitPowers number, own = parseUnit(driver.unit).value_or(UnitPowers{{"K", 1}}),
-                           root = multiplyUnits({}, own, 0.5); // °C counts K
+                           root = multiplyUnits({}, own, 0.5); // °C counts as K
   std::vector<DriverSeries> result;
   const auto add = [&](const std::string& expression, const UnitPowers& unit,
                        const std::function<double(std::size_t)>& value) {

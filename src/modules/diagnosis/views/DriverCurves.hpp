@@ -9,43 +9,42 @@
 
 namespace naocal {
 
-/// Of a small expression that follows a curve.
+/// A coefficient of a small expression that follows a curve.
 struct Coefficient {
   std::string name;
   double value = 0;
-  std::string unit = "rad"; // of the value: rad over what it multiplies
+  std::string unit = "rad"; // unit of the value: rad divided by the unit of the expression it multiplies
 };
 
-/// A curve of a joint, of a camera's mount or within pictures over a driver that would explain what is left over.
+/// A curve of a joint, a camera mount or an image field over a driver that would explain the residuals.
 struct DriverCurve {
-  std::string place, driver; // as in a user's effect: "LKneePitch", "q"; of a mount the camera: "top", "t"; of a lens
-                             // the camera and "u" or "v", of a board's shape the board and "x" or "y"
+  std::string place, driver; // as in a user-defined effect: "LKneePitch", "q"; mount: camera and driver, "top", "t";
+                             // lens: camera and "u" or "v"; board shape: board and "x" or "y"
   std::string what;          // "the angle of LKneePitch"
-  std::string about;         // of a mount: the axis that its curve turns about, "y"; within pictures: the direction
-  std::string unit = "rad";  // of the curve; "m" of a board's shape, "px" of a lens
-  double share = 0;          // of the scatter (variance) of this joint or mount, or within pictures, that it explains
+  std::string about;         // mount: axis of rotation, "y"; fields within pictures: direction
+  std::string unit = "rad";  // of the curve; "m" for a board's shape, "px" for a lens
+  double share = 0;          // explained share of the variance of this joint or mount, or within pictures
   double likelihoodRatio = 0, bayes = 0, amplitude = 0; // amplitude: half of the curve's range
-  std::vector<std::array<double, 3>> curve;             // driver, deflection, its standard error
-  std::string expression;                               // of a joint: a small one that follows the curve
-  std::vector<Coefficient> coefficients;                // of that expression
+  std::vector<std::array<double, 3>> curve;             // (driver, deflection, standard error)
+  std::string expression;                               // joints: a small expression that follows the curve
+  std::vector<Coefficient> coefficients;                // of `expression`
 };
 
-/// A cell of the map: how well a curve of this joint or mount over this driver would explain what is left over.
+/// A cell of the map: evidence of a curve of this joint or mount over this driver.
 struct DriverScore {
   std::string place, driver; // as in a user's effect
   double bayes = 0, pValue = 1;
 };
 
-/// Every joint's deflection and every mount's turning as curves over every driver.
+/// Evidence of each joint's deflection and each mount's rotation as curves over all drivers.
 struct DriverMap {
   std::vector<DriverScore> cells;
-  std::vector<DriverCurve> best; // the curves that explain most, best first
+  std::vector<DriverCurve> best; // curves with the most evidence, best first
 };
 DriverMap mapDrivers(const CandidateTests& inquiry, const Measurements& measurements);
 
-/// A field within pictures as a curve, like those of joints.
-/// It varies with, for a board its rows ("y") or columns ("x"), for a camera the picture's ("v", "u"). Of all
-/// pairs of a component and a driver the one that varies most.
+/// An image field as a curve, like those of joints. Driver: rows ("y") or columns ("x") for a board, "v" or "u" for a
+/// camera. Selects the pair of component and driver with the largest variation.
 DriverCurve curveFromField(const ImageField& field, const Measurements& measurements);
 
 } // namespace naocal

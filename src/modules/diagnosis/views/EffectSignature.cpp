@@ -15,9 +15,9 @@ namespace naocal {
 
 namespace {
 
-constexpr Eigen::Index cornersPerPicture = 30, cornersPerCamera = 180; // that are shown
+constexpr Eigen::Index cornersPerPicture = 30, cornersPerCamera = 180; // upper limits of displayed corners
 
-/// The size that was found where that explains something; else that direction, as far as is plausible.
+/// The estimate if its evidence is positive; else a plausible size in the same direction.
 Eigen::VectorXd displaySize(const GroupEvidence& evidence, const Effect& effect) {
   Eigen::VectorXd sigmas(evidence.estimate.size());
   for (Eigen::Index i = 0; i < sigmas.size(); ++i) {
@@ -63,7 +63,7 @@ double rms(const Eigen::Matrix2Xd& shifts) {
   return std::sqrt(shifts.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, shifts.cols())));
 }
 
-/// Shifts by an effect from what the model shows, before and after refitting; absent where a corner leaves the world.
+/// Displacements by an effect, before and after refitting; absent if a corner has no projection.
 std::optional<EffectSignature::Seen> computeShifts(std::size_t picture, const Eigen::Matrix2Xd& flawed,
                                                    const Eigen::Matrix2Xd& model, const Eigen::Matrix2Xd& refitted) {
   const Eigen::Matrix2Xd before = flawed - model, after = flawed - refitted;
@@ -81,7 +81,7 @@ std::optional<EffectSignature::Seen> computeShifts(std::size_t picture, const Ei
   return seen;
 }
 
-/// Of all pictures the rms; of each camera those that shift most.
+/// Computes the overall rms and keeps the pictures with the largest displacements per camera.
 void summarizeSignature(const Measurements& measurements, EffectSignature& imprint) {
   double before = 0, after = 0, count = 0;
   for (const EffectSignature::Seen& seen : imprint.pictures) {

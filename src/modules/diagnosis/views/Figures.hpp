@@ -16,43 +16,43 @@
 
 namespace naocal {
 
-/// Which captures poses and pictures of the measurements are, for people who look for them in the sets.
+/// Maps poses and pictures of the measurements to captures, for display.
 struct CaptureIndex {
   struct Pose {
     std::string set, name;
-    std::vector<std::size_t> pictures; // by capture
+    std::vector<std::size_t> pictures; // in order of capture
   };
   struct Picture {
-    int capture = 0; // its id
+    int capture = 0; // capture id
     std::string camera;
   };
-  std::vector<Pose> poses;                           // as in the measurements
-  std::vector<Picture> pictures;                     // as in the measurements
-  std::vector<std::string> joints, boards;           // names, as in the measurements
-  std::map<std::string, std::array<int, 2>> cameras; // width and height of their pictures [px]
+  std::vector<Pose> poses;                           // in the order of the measurements
+  std::vector<Picture> pictures;                     // in the order of the measurements
+  std::vector<std::string> joints, boards;           // names, in the order of the measurements
+  std::map<std::string, std::array<int, 2>> cameras; // image width and height [px]
 };
 
 CaptureIndex indexCaptures(const Measurements& measurements);
 
-/// What a diagnosis's figures show beside its candidates' own.
+/// Figures of a diagnosis, besides those of its candidates.
 struct Figures {
-  /// What a model leaves over.
+  /// Residuals of a model in several views.
   struct Left {
-    std::vector<SingleJointCorrection> whatIfs; // per joint
+    std::vector<SingleJointCorrection> whatIfs; // one per joint
     ResidualField leftover;
     std::vector<BoardShape> shapes;
   };
-  CaptureIndex taken;                 // poses and pictures, as the figures count them
-  AliasMatrix aliases;                // of the first of the ranking, in the model as given
-  std::vector<DriverSeries> recorded; // what joints' deflections may vary with
-  Left given, last;                   // of the model as given, and with everything suggested (empty where nothing is)
+  CaptureIndex taken;                 // poses and pictures as indexed by the figures
+  AliasMatrix aliases;                // first candidates of the ranking, in the model as given
+  std::vector<DriverSeries> recorded; // drivers that joint deflections may depend on
+  Left given, last;                   // model as given; model with all suggestions (empty if there are none)
 };
 
-/// How many points of a figure a diagnosis file holds: a plot some 500 pixels wide cannot show more of them apart.
+/// Upper limit of points per figure in a diagnosis file: the resolution of a plot about 500 pixels wide.
 constexpr std::size_t drawable = 500;
 constexpr std::size_t allOfThem = std::numeric_limits<std::size_t>::max();
 
-/// At most so many of them, spread evenly over all.
+/// Evenly spaced subset of at most `most` elements.
 template <typename T> std::vector<T> thinOut(const std::vector<T>& all, std::size_t most) {
   if (all.size() <= most) {
     return all;

@@ -38,9 +38,9 @@ Eigen::RowVectorXd SheetBasis::basis(std::size_t corner) const {
 
 namespace {
 
-constexpr Eigen::Index leastCorners = 4; // with three, the board's motion explains everything
-constexpr double counts = 0.5;           // weight of a corner that does
-constexpr double leastNoise = 0.01;      // no corner is found better [px]
+constexpr Eigen::Index leastCorners = 4; // with three, the board's motion fits everything
+constexpr double counts = 0.5;           // weight above which a corner counts
+constexpr double leastNoise = 0.01;      // [px], lower limit of corner noise
 
 /// Sums over a pose's repeats of one board in one camera, per corner.
 struct RepeatSums {
@@ -61,7 +61,7 @@ struct RepeatSums {
   }
 };
 
-/// Squares of the repeats' means, and how many numbers they are beside the boards' motions.
+/// Sum of squares of the repeats' means, and its degrees of freedom beside the boards' motions.
 struct MeanSquares {
   double sum = 0, freedom = 0, corners = 0;
 
@@ -78,7 +78,7 @@ struct MeanSquares {
   }
 };
 
-/// `boards`: of the sighting's picture.
+/// `boards`: predictions of the sighting's picture.
 MotionFreeResidual removeMotions(const BoardResidual& errors, const ImageObservation& picture,
                                  const std::vector<PredictedBoard>& boards) {
   const BoardObservation& sighting = picture.sightings[errors.sighting];
@@ -145,10 +145,10 @@ FieldFit MotionFreeResiduals::fitField(Eigen::Index count, double plausible,
   }
   const SymmetricEigen ways = symmetricEigen(gram);
   const Eigen::VectorXd along = ways.vectors.transpose() * gradient;
-  // A first guess of the noise decides which ways the captures tell, to about five times what is plausible.
+  // A first guess of the noise selects the determined directions: standard error up to five times `plausible`.
   const double guessed = std::max(all.sum / std::max(1.0, all.freedom), leastNoise * leastNoise);
   const double leastTold = guessed / std::pow(5 * plausible, 2);
-  double explained = 0, freedom = 0; // of the ways that are told
+  double explained = 0, freedom = 0; // over the determined directions
   for (Eigen::Index i = 0; i < count; ++i) {
     if (ways.values[i] > leastTold) {
       explained += along[i] * along[i] / ways.values[i];
@@ -182,10 +182,10 @@ FieldFit MotionFreeResiduals::fitField(Eigen::Index count, double plausible,
 namespace {
 
 constexpr double plausibleShape = 0.001; // of a corner on its board [m]
-constexpr double plausibleLens = 1;      // of a polynomial's coefficient, at the picture's rim [px]
+constexpr double plausibleLens = 1;      // of a polynomial coefficient, at the edge of the picture [px]
 
-/// Where in the picture a corner is, about -1 to 1 across: (u, v) - (cx, cy), in units of cx. As predicted: measured
-/// places share the noise of the errors that they would explain.
+/// Position of a corner in the picture, about -1 to 1: (u, v) - (cx, cy), in units of cx. Uses the prediction, since
+/// measured positions share the noise of the errors to explain.
 Eigen::Vector2d cornerPlace(const Measurements& measurements, const MotionFreeResidual& sighting, Eigen::Index corner) {
   const auto lens = measurements.pictures[sighting.errors->picture].nominal.lens();
   return (sighting.errors->predicted.col(corner) - lens.segment<2>(2)) / lens[2];

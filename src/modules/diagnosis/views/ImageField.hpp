@@ -14,10 +14,10 @@ namespace naocal {
 
 constexpr int lensDegree = 4;
 
-/// 1, x, y, x^2, x y, ... up to a degree.
+/// Monomials 1, x, y, x^2, x y, ... up to degree `most`.
 Eigen::RowVectorXd monomials(const Eigen::Vector2d& at, int most);
 
-/// A board's polynomials of degree 3: of its corners' places, about -1 to 1 across.
+/// Polynomials of degree 3 over a board's corner positions, scaled to about -1 to 1.
 class SheetBasis {
 public:
   explicit SheetBasis(const std::vector<Eigen::Vector3d>& points);
@@ -29,49 +29,48 @@ private:
   Eigen::AlignedBox2d box_;
 };
 
-/// One board in one picture, its own rigid motion taken out of the corners' errors.
+/// One board in one picture, with its rigid motion projected out of the corner errors.
 struct MotionFreeResidual {
   const BoardResidual* errors = nullptr; // r = measured - predicted [px], L = `motionRows`, W = `weight`
   const std::vector<int>* ids = nullptr; // of the corners
   std::size_t camera = 0, board = 0;
   Eigen::Matrix3d opticalFromBoard;
-  std::size_t repeats = 0;             // the pictures that this pose has of this board by this camera, and
-  double share = 1;                    // what each of them counts: 1 / their number
+  std::size_t repeats = 0;             // index of its group: pictures of one board by one camera in one pose
+  double share = 1;                    // 1 / number of pictures in the group
   Eigen::VectorXd weights;             // W, one per row
   Eigen::MatrixXd weighted;            // W L
   Eigen::LDLT<Eigen::MatrixXd> motion; // L^T W L
 
-  /// d(predicted) of its i-th corner by that corner's place on the board [px/m].
+  /// d(predicted) of the i-th corner by its position on the board [px/m].
   Eigen::Matrix<double, 2, 3> cornerJacobian(std::size_t i) const {
     return errors->motionRows.block<2, 3>(2 * static_cast<Eigen::Index>(i), 3) * opticalFromBoard;
   }
 
-  /// What is left of columns (or of r) once the board may move: C - L (L^T W L)^-1 L^T W C.
+  /// Residual columns (or r) after fitting the board's motion: C - L (L^T W L)^-1 L^T W C.
   Eigen::MatrixXd removeMotion(const Eigen::MatrixXd& columns) const;
 };
 
-/// What coefficients of columns say about freed errors.
+/// Fit of field coefficients to motion-free residuals.
 struct FieldFit {
-  Eigen::VectorXd estimate; // of the coefficients, given that they are plausible; zero what is not told at all
+  Eigen::VectorXd estimate; // of the coefficients, with prior; zero if undetermined
   Eigen::MatrixXd covariance;
-  double freedom = 0; // how many numbers the captures tell of them; 0: nothing is said
-  double rmsPx = 0;   // of what the columns explain, per axis of a corner
-  double share = 0;   // of the errors' squares that they explain beyond what noise would seem to
-  double bayes = 0;   // 2 ln of the Bayes factor against none, coefficients ~ N(0, plausible^2)
-  double pValue = 1;  // how often noise alone would seem to be explained as well (F)
+  double freedom = 0; // number of determined coefficients; 0: undetermined
+  double rmsPx = 0;   // explained rms, per axis of a corner
+  double share = 0;   // share of the squared errors explained beyond the noise expectation
+  double bayes = 0;   // 2 ln(Bayes factor) against zero coefficients, coefficients ~ N(0, plausible^2)
+  double pValue = 1;  // probability of an equal explained share under noise alone (F)
 };
 
-/// Errors of corners that no joint, link, mount or placement makes: every board may lie anywhere in every picture.
+/// Corner errors that no joint, link, mount or placement can cause: every board may move freely in every picture.
 ///
-/// A detector's and a lens's small errors repeat when a pose is at rest. So the mean over a pose's repeats counts as
-/// one measurement, and its noise is what those means leave, not what corners leave.
+/// Small errors of detector and lens repeat while a pose is at rest. Therefore the mean over a pose's repeats counts as
+/// one measurement, with noise estimated from these means, not from single corners.
 class MotionFreeResiduals {
 public:
   MotionFreeResiduals(const FittedModel& fitted);
-  MotionFreeResiduals(const Measurements&, const Model&, CalibrationResult&&) = delete; // they point into it
 
-  /// Fits `count` coefficients to the sightings that are `chosen`; `columns`: d(predicted) by the coefficients, two
-  /// rows a corner. Too few measurements: nothing is said (bayes 0, pValue 1).
+  /// Fits `count` coefficients to the `chosen` sightings; `columns`: d(predicted) by the coefficients, two rows per
+  /// corner. With too few measurements the result is undetermined (bayes 0, pValue 1).
   FieldFit fitField(Eigen::Index count, double plausible, const std::function<bool(const MotionFreeResidual&)>& chosen,
                     const std::function<Eigen::MatrixXd(const MotionFreeResidual&)>& columns) const;
 
@@ -81,27 +80,27 @@ private:
   std::vector<MotionFreeResidual> sightings_;
 };
 
-/// Errors within pictures as a field: of one board, wherever it is seen, or of one camera, wherever boards appear.
+/// Errors within pictures as a field: of one board in all pictures, or of one camera over all boards.
 struct ImageField {
   enum class Of { corners, sheet, camera };
   Of of = Of::corners;
-  std::size_t at = 0; // which board or camera
+  std::size_t at = 0; // index of the board or camera
   FieldFit fit;
 };
 
-/// Columns of a board's shape: every corner off in three directions [m], in the board's axes.
+/// Field of a board's shape: free displacement of every corner in three directions [m], in board axes.
 ImageField fitCornerField(const MotionFreeResiduals& errors, const Measurements& measurements, std::size_t board);
 
-/// The same as polynomials of degree 3 over the board: few numbers, that tell smooth shapes from noise sooner [m].
+/// The same with polynomials of degree 3 over the board: fewer coefficients, more sensitive to smooth shapes [m].
 ImageField fitSheetField(const MotionFreeResiduals& errors, const Measurements& measurements, std::size_t board);
 
-/// Columns of a lens: errors to the right and down as polynomials of degree 4 over the picture [px].
+/// Field of a lens: errors in u and v as polynomials of degree 4 over the picture [px].
 ImageField fitCameraField(const MotionFreeResiduals& errors, const Measurements& measurements, std::size_t camera);
 
-/// The same field in other errors.
+/// Refits the same kind of field to other errors.
 ImageField refitField(const ImageField& field, const MotionFreeResiduals& errors, const Measurements& measurements);
 
-/// The field that explains most, if any does beyond chance and beyond what a lens or a detector is known to [px].
+/// The field with the most evidence, if significant and beyond `threshold::negligiblePx`.
 std::optional<ImageField> findStrikingField(const FittedModel& fitted);
 
 } // namespace naocal

@@ -15,15 +15,15 @@ namespace naocal {
 
 namespace {
 
-constexpr int cellsAcross = 12, cellsDown = 9; // of a picture
-constexpr std::size_t fewest = 5;              // corners of a cell that is shown
-constexpr double trusted = 0.7;                // weight of a corner that counts
+constexpr int cellsAcross = 12, cellsDown = 9; // per picture
+constexpr std::size_t fewest = 5;              // corners of a displayed cell
+constexpr double trusted = 0.7;                // loss weight from which a corner counts
 
-/// One picture's sightings, without those that a fit puts behind the camera.
+/// The sightings of one picture, without those behind the camera.
 using Sightings = std::vector<const BoardResidual*>;
 using CellPlace = std::array<std::size_t, 3>; // of a cell: camera, column, row
 
-/// CellSums over the corners of a cell.
+/// Sums over the corners of a cell.
 struct CellSums {
   ResidualField::Cell cell;
   double squares = 0, worst = 0;
@@ -53,7 +53,7 @@ struct CellSums {
   }
 };
 
-/// Corners that count; with three of them the picture's motion explains everything.
+/// Number of trusted corners. With three, the picture's motion fits everything.
 double trustedCorners(const Sightings& picture) {
   double count = 0;
   for (const BoardResidual* sighting : picture) {
@@ -62,7 +62,7 @@ double trustedCorners(const Sightings& picture) {
   return count;
 }
 
-/// The picture's motion that explains most of its residuals.
+/// Motion of the picture that explains most of its residuals.
 Eigen::Matrix<double, 6, 1> motionOf(const Sightings& picture) {
   Eigen::Matrix<double, 6, 6> gram = Eigen::Matrix<double, 6, 6>::Zero();
   Eigen::Matrix<double, 6, 1> gradient = Eigen::Matrix<double, 6, 1>::Zero();
@@ -76,7 +76,7 @@ Eigen::Matrix<double, 6, 1> motionOf(const Sightings& picture) {
   return gram.ldlt().solve(gradient);
 }
 
-/// Predicted - measured of each corner, the picture's motion taken out.
+/// Predicted - measured of each corner, with the picture's motion removed.
 Eigen::Matrix2Xd removeMotion(const BoardResidual& sighting, const Eigen::Matrix<double, 6, 1>& motion) {
   const Eigen::VectorXd moved = sighting.motionRows * motion;
   return moved.reshaped(2, sighting.residual.cols()) - sighting.residual;
@@ -86,7 +86,7 @@ std::size_t part(double x, int size, int parts) {
   return static_cast<std::size_t>(std::clamp(static_cast<int>(x / size * parts), 0, parts - 1));
 }
 
-/// Adds a sighting's trusted corners to their cells; returns how many there are and the sum of their squares [px^2].
+/// Adds a sighting's trusted corners to their cells; returns their number and sum of squares [px^2].
 std::pair<double, double> addCorners(const BoardResidual& sighting, const Eigen::Matrix2Xd& errors, std::size_t camera,
                                      const CameraIntrinsics& lens, std::map<CellPlace, CellSums>& cells) {
   double count = 0, squares = 0;
@@ -127,7 +127,7 @@ ResidualField computeResidualField(const FittedModel& fitted) {
         fitted.measurements, picture, predictState(fitted.measurements, fitted.model, picture, fitted.fit.unknowns));
     for (const BoardResidual* sighting : sightings) {
       const auto [count, squares] = addCorners(*sighting, removeMotion(*sighting, motion), picture.camera, lens, cells);
-      if (count > 0) { // six of the picture's numbers went into its motion
+      if (count > 0) { // the motion takes six degrees of freedom of the picture
         result.boards.push_back({index, picture.sightings[sighting->sighting].view.board(),
                                  boards[sighting->sighting].distance(),
                                  std::sqrt(squares / (2 * count) / (1 - 3 / all))});

@@ -8,7 +8,7 @@ namespace naocal {
 
 namespace {
 
-/// The pictures of a pose that one of its deflections bends.
+/// Pictures of a pose that one of its deflections affects.
 std::vector<std::size_t> findBentPictures(const PoseGroup& pose, std::size_t motor, std::size_t error) {
   std::vector<std::size_t> result;
   for (const EncoderSample& reading : pose.readings) {
@@ -28,20 +28,20 @@ std::vector<SingleJointCorrection> computeJointCorrections(const Measurements& m
 
 std::vector<SingleJointCorrection> computeJointCorrections(const Measurements& measurements,
                                                            const std::vector<PoseRows>& poses, Noise noise) {
-  noise.pose = 0; // what poses scatter by is to be seen, not to be explained away
+  noise.pose = 0; // no pose noise: keeps pose-to-pose scatter visible
   std::vector<SingleJointCorrection> result;
   for (std::size_t motor : measurements.joints) {
     result.push_back({motor, {}});
   }
   for (std::size_t index = 0; index < measurements.poses.size(); ++index) {
     PoseRows rows = poses[index];
-    rows.byUnknowns = rows.byDeflections; // the deflections, seen as unknowns
+    rows.byUnknowns = rows.byDeflections; // deflections as unknowns
     const PoseSystem pose = systemOf(rows);
     const MarginalSystem whitened = marginalize(pose, noise, jointErrorRoot(pose, noise));
     for (std::size_t i = 0; i < pose.joints.size(); ++i) {
       const double information = whitened.hessian(eigenIndex(i), eigenIndex(i));
       if (!(information > 0)) {
-        continue; // the pictures do not see this joint
+        continue; // joint not observed
       }
       for (SingleJointCorrection& joint : result) {
         if (joint.motor == pose.joints[i]) {

@@ -7,27 +7,27 @@
 
 namespace naocal {
 
-/// The deflection of one joint that alone would explain best what a model leaves over of some readings of a pose, all
-/// encoders as noisy as they are:
+/// Deflection of a single joint that best explains the residuals of some readings of a pose, with encoder noise in all
+/// joints and zero pose noise:
 ///
 ///   a = -(J_t^T Sigma^-1 r) / (J_t^T Sigma^-1 J_t),  sigma = (J_t^T Sigma^-1 J_t)^-1/2
 struct JointCorrection {
-  std::vector<std::size_t> pictures; // that this encoder reading belongs to
+  std::vector<std::size_t> pictures; // of this encoder reading
   double deflection = 0, sigma = 0;  // [rad]
-  double gradient = 0, gram = 0;     // of its corners: sum of w J_t^T r [px^2/rad], of w J_t^T J_t [px^2/rad^2]
+  double gradient = 0, gram = 0;     // sums over its corners: w J_t^T r [px^2/rad], w J_t^T J_t [px^2/rad^2]
 };
 
-/// Of one joint (motor), all poses one after the other.
+/// Corrections of one joint (motor), pose by pose.
 struct SingleJointCorrection {
   std::size_t motor = 0;
   std::vector<JointCorrection> points;
 };
 
-/// Of each joint in use, where the residuals were linearised.
+/// For each joint in use, at the linearisation point of the residuals.
 std::vector<SingleJointCorrection> computeJointCorrections(const Measurements& measurements,
                                                            const std::vector<PoseRows>& poses, Noise noise);
 
-/// At an inquiry's fit.
+/// At the fit of the candidate tests.
 std::vector<SingleJointCorrection> computeJointCorrections(const Measurements& measurements,
                                                            const CandidateTests& inquiry);
 

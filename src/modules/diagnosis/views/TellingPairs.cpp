@@ -18,14 +18,13 @@ namespace {
 using Error = TellingPair::Error;
 using Over = TellingPair::Over;
 
-/// A value with the pictures that it belongs to, and what taking a curve's value from it does to the squared errors:
-/// 2 slope t - gram t^2 fewer square pixels.
+/// A value with its pictures. Subtracting t from it lowers the squared errors by 2 slope t - gram t^2 [px^2].
 struct Value {
   std::vector<std::size_t> pictures;
-  std::size_t block = 0; // of poses
+  std::size_t block = 0; // block of poses
   double y = 0, weight = 1;
   double slope = 0, gram = 0;
-  double column = 0, row = 0; // of a corner [px]
+  double column = 0, row = 0; // position of a corner [px]
 };
 
 std::vector<std::size_t> blocksOfPictures(const Measurements& measurements) {
@@ -36,14 +35,14 @@ std::vector<std::size_t> blocksOfPictures(const Measurements& measurements) {
   return result;
 }
 
-/// Predicted - measured of every corner that counts, as the joints were reported.
+/// Predicted - measured of every corner with a weight, at joint angles as read.
 std::vector<Value> cornerErrors(const CalibrationResult& fit, const std::vector<std::size_t>& blocks, Error error) {
   const Eigen::Index axis = error == Error::right ? 0 : 1;
   std::vector<Value> result;
   for (std::size_t i = 0; i < fit.withReportedAngles.size(); ++i) {
     const BoardResidual& seen = fit.withReportedAngles[i];
     for (Eigen::Index corner = 0; corner < seen.residual.cols(); ++corner) {
-      const double weight = fit.sightings[i].weight[corner]; // with the joints moved: only false corners lose theirs
+      const double weight = fit.sightings[i].weight[corner]; // with deflections: only outliers lose weight
       const double y = -seen.residual(axis, corner);
       if (weight > 0 && std::isfinite(y)) {
         const Eigen::Vector2d place = seen.predicted.col(corner) + seen.residual.col(corner);
@@ -54,7 +53,7 @@ std::vector<Value> cornerErrors(const CalibrationResult& fit, const std::vector<
   return result;
 }
 
-/// The corners of one picture as one value: what drives them from outside is the same for all.
+/// Averages the corners of each picture, since external drivers are the same for all of them.
 std::vector<Value> averageByPicture(const std::vector<Value>& corners, std::size_t pictures) {
   std::vector<Value> sums(pictures);
   for (const Value& corner : corners) {
@@ -81,7 +80,7 @@ std::vector<Value> jointErrors(const SingleJointCorrection& joint, const std::ve
   return result;
 }
 
-/// One pair that can be tried.
+/// A pair under test.
 struct Tried {
   TellingPair pair;
   const std::vector<Value>* values = nullptr;
@@ -107,13 +106,13 @@ Trend trendOf(const Tried& tried) {
   return Trend{samples};
 }
 
-/// What the curve looks like, and the share of `squares` [px^2] that goes with it.
+/// Shape of the curve, and the share of `squares` [px^2] that it removes.
 void describePair(const Tried& tried, const Trend& trend, double squares, TellingPair& pair) {
   const std::vector<double> curve = trend.curve();
   double explained = 0, lowest = 0, highest = 0;
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const Value& value = (*tried.values)[i];
-    // what is the same everywhere is no trend: (y - mean)^2 - (y - mean - t)^2
+    // a constant is no trend: (y - mean)^2 - (y - mean - t)^2
     explained += 2 * (value.slope - value.gram * trend.mean()) * curve[i] - value.gram * curve[i] * curve[i];
     const bool isFirst = i == 0 || tried.x[i] < lowest, isLast = i == 0 || tried.x[i] > highest;
     const double y = curve[i] + trend.mean();
@@ -128,7 +127,7 @@ void describePair(const Tried& tried, const Trend& trend, double squares, Tellin
   pair.hasTwoValues = trend.valueCount() == 2;
 }
 
-/// The next best pair tells something new: another driver, another joint; or the same by corners instead of a joint.
+/// Keeps pairs that differ: by driver or joint, or corners instead of a joint.
 std::vector<TellingPair> selectDiffering(std::vector<TellingPair> pairs) {
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const TellingPair& a, const TellingPair& b) { return a.share > b.share; });
@@ -230,7 +229,7 @@ const DriverSeries* findDriver(const TellingPair& pair, const std::vector<Driver
   return pair.over == Over::driver ? &drivers[pair.driver] : nullptr;
 }
 
-/// What the error is drawn over.
+/// Name of the quantity on the abscissa.
 std::string formatDriver(const TellingPair& pair, const std::vector<DriverSeries>& drivers, const Robot& robot) {
   const DriverSeries* const driver = findDriver(pair, drivers);
   return driver != nullptr           ? describeDriver(*driver, robot)
@@ -238,7 +237,7 @@ std::string formatDriver(const TellingPair& pair, const std::vector<DriverSeries
                                      : "the row in the picture";
 }
 
-/// "6.0 px", "-0.41°"; two digits.
+/// "6.0 px", "-0.41°"; two significant digits.
 std::string formatAmount(const TellingPair& pair, double value) {
   const double shown = pair.error == Error::joint ? degrees(value) : value;
   const double size = std::abs(shown);
@@ -247,7 +246,7 @@ std::string formatAmount(const TellingPair& pair, double value) {
          appendUnit(fmt::format("{:.{}f}", size, digits), pair.error == Error::joint ? "°" : "px");
 }
 
-/// "go from A to B as the torque on LHipPitch grows"
+/// For example "go from A to B as the torque on LHipPitch grows".
 std::string formatChange(const TellingPair& pair, const std::vector<DriverSeries>& drivers, const Robot& robot) {
   const bool one = pair.error == Error::joint; // singular
   const std::string over = formatDriver(pair, drivers, robot), from = formatAmount(pair, pair.from),
@@ -255,13 +254,13 @@ std::string formatChange(const TellingPair& pair, const std::vector<DriverSeries
   const DriverSeries* const driver = findDriver(pair, drivers);
   if (driver != nullptr && driver->kind == Driver::approach) {
     return fmt::format("{} {} where {} was approached from below and {} from above", one ? "is" : "are", to,
-                       robot.joints[driver->joint].name, from); // the last motion was upwards where it is +1
+                       robot.joints[driver->joint].name, from); // +1: the last motion was upwards
   }
   if (pair.hasTwoValues) {
     return fmt::format("{} {} at the smaller and {} at the larger of two values of {}", one ? "is" : "are", from, to,
                        over);
   }
-  constexpr double monotone = 0.8; // of what the curve spans lies between its ends
+  constexpr double monotone = 0.8; // share of the curve's span between its ends, from which it counts as monotone
   if (std::abs(pair.to - pair.from) < monotone * (pair.most - pair.least)) {
     return fmt::format("{} between {} and {} with {}", one ? "varies" : "vary", formatAmount(pair, pair.least),
                        formatAmount(pair, pair.most), over);
@@ -303,7 +302,7 @@ std::string formatTellingSentence(const TellingPair& pair, const std::vector<Dri
   const double small = std::min(std::abs(pair.from), std::abs(pair.to)),
                large = std::max(std::abs(pair.from), std::abs(pair.to));
   const DriverSeries* const driver = findDriver(pair, drivers);
-  // the smaller side of an error against the larger: beyond the first it turns round, beyond the second "±" says it
+  // ratio of the smaller to the larger side: above `turned` the error changes sign, above `even` "±" describes it
   constexpr double turned = 0.3, even = 0.7;
   const bool turns =
       driver != nullptr && driver->kind == Driver::approach && pair.from * pair.to < 0 && small > turned * large;

@@ -19,11 +19,11 @@ namespace naocal {
 
 namespace {
 
-constexpr std::size_t fewestBlocks = 6; // with fewer, half a dozen lucky signs are no news
+constexpr std::size_t fewestBlocks = 6; // fewer allow too few sign combinations
 constexpr Eigen::Index mostDegree = 3;
-constexpr double decides = 0.5;  // a block's share of what is known of some coefficient
-constexpr std::size_t steps = 5; // a driver that keeps as few values has a step for each
-constexpr double apart = 0.02;   // of the driver's range: values that differ by less are one
+constexpr double decides = 0.5;  // a block's share of the information on any coefficient, above which it dominates
+constexpr std::size_t steps = 5; // a driver with at most this many values has one step per value
+constexpr double apart = 0.02;   // share of the driver's range; closer values count as equal
 
 /// Constant and Legendre polynomials up to a degree.
 Eigen::VectorXd basis(double r, Eigen::Index degree) {
@@ -33,7 +33,7 @@ Eigen::VectorXd basis(double r, Eigen::Index degree) {
   return result;
 }
 
-/// Which of its steps a driver stands on, per sample; nothing where it has many values.
+/// Step index of the driver per sample; empty if it has many values.
 std::vector<double> findSteps(const std::vector<TrendSample>& samples, const std::vector<std::size_t>& order) {
   const double gap = apart * (samples[order.back()].x - samples[order.front()].x);
   std::vector<double> result(samples.size());
@@ -45,7 +45,7 @@ std::vector<double> findSteps(const std::vector<TrendSample>& samples, const std
   return step > 0 && step < steps ? result : std::vector<double>{};
 }
 
-/// Each sample's place among all by weight, -1..1; equal ones share theirs.
+/// Weighted rank of each sample, -1..1; ties share theirs.
 std::vector<double> ranksOf(const std::vector<TrendSample>& samples) {
   std::vector<std::size_t> order(samples.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -98,7 +98,7 @@ Trend::Trend(const std::vector<TrendSample>& samples) {
   }
 }
 
-/// False: a block decides alone, or there are too few.
+/// False if a block dominates or there are too few.
 bool Trend::prepare(const std::vector<TrendSample>& samples, Eigen::Index degree) {
   std::map<std::size_t, Block> byNumber;
   gram_ = Square::Zero(degree + 1, degree + 1);
@@ -158,7 +158,7 @@ double Trend::pValueOf(const Eigen::VectorXd& signs) const {
     return 1;
   }
   const Fitted here = fitSigned(signs);
-  const double smallest = 1e-12 * here.coefficients.squaredNorm() + 1e-300; // of values without any scatter
+  const double smallest = 1e-12 * here.coefficients.squaredNorm() + 1e-300; // for values without scatter
   const Square variance = here.variance + smallest * Square::Identity(degree_, degree_);
   const auto d = static_cast<double>(degree_), n = static_cast<double>(blocks_.size());
   const double f = here.coefficients.dot(Few{variance.ldlt().solve(here.coefficients)}) / d;
@@ -168,7 +168,7 @@ double Trend::pValueOf(const Eigen::VectorXd& signs) const {
 std::vector<double> Trend::curve() const {
   const Few coefficients = fitSigned(Eigen::VectorXd::Ones(eigenIndex(mostBlocks))).coefficients;
   std::vector<double> result;
-  const Few middle = gram_.col(0).tail(degree_) / gram_(0, 0); // of the polynomials
+  const Few middle = gram_.col(0).tail(degree_) / gram_(0, 0); // mean of the polynomials
   for (const double rank : ranks_) {
     const Few b = basis(rank, degree_).tail(degree_);
     result.push_back(coefficients.dot(b - middle));

@@ -7,45 +7,46 @@
 
 namespace naocal {
 
-/// One value that may follow something that varies.
+/// A value that may depend on a driver.
 struct TrendSample {
-  std::size_t block = 0; // of poses, below `Trend::mostBlocks`
+  std::size_t block = 0; // block of poses, below `Trend::mostBlocks`
   double x = 0, y = 0;
-  double weight = 1; // of y, as in a weighted least squares fit
+  double weight = 1; // weight of y in the least-squares fit
 };
 
-/// A smooth curve of values over what may drive them, told from chance by whole poses:
+/// Smooth trend of values over a driver, with significance judged by whole poses:
 ///
 ///   y - mean = sum_k b_k P_k(rank of x),   F = b^T V^-1 b / d,   V = (n - 1) / n sum_p (b_(-p) - b)(b_(-p) - b)^T
 ///
-/// P_k: Legendre polynomials; ranks run from -1 to 1, so that no straggler holds the curve alone, and a driver that
-/// keeps few values has a step for each. b_(-p): fitted without pose p (delete-one jackknife over clusters; Efron, The
-/// Jackknife (1982); Cameron & Miller, J. Human Resources 50 (2015) 317): what the many corners of one pose share
-/// counts once, whether the driver varies within pictures or between poses. F is compared with F(d, n - 1 - d), which
-/// is near enough to compare trends with each other; how far chance goes is `computeFamilyWiseChances`'s to say.
+/// P_k: Legendre polynomials. Ranks run from -1 to 1, so that no single extreme value determines the curve; a driver
+/// with few values has one step per value. b_(-p): fitted without pose p (delete-one jackknife over clusters; Efron,
+/// The Jackknife (1982); Cameron & Miller, J. Human Resources 50 (2015) 317): errors common to the corners of a pose
+/// count once, whether the driver varies within pictures or between poses. F is compared with F(d, n - 1 - d), accurate
+/// enough to rank trends; `computeFamilyWiseChances` gives the significance.
 class Trend {
 public:
-  /// No more blocks than that are left out in turn: of more poses, equally many neighbours make one.
+  /// Upper limit of jackknife blocks; with more poses, each block joins equally many neighbours.
   static constexpr std::size_t mostBlocks = 60;
+  /// Block of a pose, given the number of poses.
   static std::size_t blockOf(std::size_t pose, std::size_t poses) {
     return pose / ((poses + mostBlocks - 1) / mostBlocks);
   }
   explicit Trend(const std::vector<TrendSample>& samples);
 
-  /// False: too few poses, or a single one decides.
+  /// False with too few poses, or if a single one dominates.
   bool isTestable() const { return degree_ > 0; }
   Eigen::Index degree() const { return degree_; }
-  std::size_t valueCount() const { return values_; } // distinct ones of the driver
+  std::size_t valueCount() const { return values_; } // number of distinct driver values
 
-  /// The chance of a curve as clear as this where nothing follows the driver. With signs (one per
-  /// block): of the curve that values turned round by these would make.
+  /// p-value of the curve under the hypothesis of no dependence. With signs (one per block): of the curve through the
+  /// values with flipped signs.
   double pValue() const { return pValueOf(Eigen::VectorXd::Ones(static_cast<Eigen::Index>(mostBlocks))); }
   double pValueOf(const Eigen::VectorXd& signs) const;
 
-  double mean() const { return mean_; } // of y
-  /// The curve at each sample, in the order given; without the mean.
+  double mean() const { return mean_; } // weighted mean of y
+  /// The curve at each sample, in the given order, without the mean.
   std::vector<double> curve() const;
-  /// How much of the curve's square is the error of its own coefficients, 0..1.
+  /// Share of the curve's sum of squares due to errors of its coefficients, 0..1.
   double chanceShare() const;
 
 private:
@@ -55,7 +56,7 @@ private:
     std::size_t number = 0;
     Square gram;           // sum of w b b^T, b = (1, P_1, ..)
     Few moment;            // sum of w b (y - mean)
-    Square inverseWithout; // of all other blocks' gram
+    Square inverseWithout; // inverse gram of all other blocks
   };
   struct Fitted {
     Few coefficients; // without the constant
@@ -72,9 +73,9 @@ private:
   Square gram_, inverse_;
 };
 
-/// Of each trend the chance that the clearest of all of them is as clear where nothing follows anything: whole poses'
-/// values turn round at random, alike for all trends (Westfall & Young, Resampling-Based Multiple Testing (1993),
-/// minP). 1 for what cannot be tested.
+/// Family-wise p-value of each trend: probability that the most significant of all trends is as significant under no
+/// dependence, by random sign flips of whole poses, the same for all trends (Westfall & Young, Resampling-Based
+/// Multiple Testing (1993), minP). 1 if not testable.
 std::vector<double> computeFamilyWiseChances(const std::vector<Trend>& trends, Eigen::Index draws, std::uint64_t seed);
 
 } // namespace naocal

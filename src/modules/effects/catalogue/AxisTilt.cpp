@@ -17,8 +17,8 @@ std::pair<Eigen::Vector3d, Eigen::Vector3d> tiltAxes(const Eigen::Vector3d& axis
 }
 } // namespace
 
-/// The joint turns about an axis that is not the drawn one; nothing moves at q = 0. 0.01 rad: 0.3 mm over a bearing's
-/// seat of 30 mm.
+/// The joint's axis deviates from the nominal one; no correction at q = 0. 0.01 rad: 0.3 mm over a bearing seat of 30
+/// mm.
 Effect axisTilt() {
   return {.name = "axisTilt",
           .what = "the joint's axis is tilted against the drawing",

@@ -4,8 +4,8 @@
 
 namespace naocal {
 
-/// Gravity's torque holds the gear at one end of its gap; sgn(tau) = tanh(tau / 0.03 Nm) is what friction leaves of
-/// the step. NAO gears have gaps of several tenths of a degree.
+/// Gravity holds the gear at one end of its gap; friction smooths the step: sgn(tau) = tanh(tau / 0.03 Nm). NAO gears
+/// have gaps of several tenths of a degree.
 Effect backlash() {
   return {
       .name = "backlash",

@@ -2,7 +2,7 @@
 
 namespace naocal {
 
-/// The sheet is bent: its middle stands up over its rim. 3 mm: an A2 sheet that lies loose.
+/// The sheet is bent: its middle is higher than its rim. 3 mm: a loose A2 sheet.
 Effect boardBow() {
   return {.name = "boardBow",
           .what = "the board is bent: its middle stands higher than its rim",

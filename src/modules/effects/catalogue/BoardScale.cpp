@@ -2,7 +2,7 @@
 
 namespace naocal {
 
-/// The print is not the size that was asked for. 1 %: what office printers and page scaling do.
+/// The print differs from its nominal size. 1 %: typical of office printers and page scaling.
 Effect boardScale() {
   return {.name = "boardScale",
           .what = "the board was printed larger or smaller than the file says",

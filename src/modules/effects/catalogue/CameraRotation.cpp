@@ -2,7 +2,7 @@
 
 namespace naocal {
 
-/// The camera sits turned in the head: nominal mount * Rx(rx) Ry(ry) Rz(rz), axes x forward, y left, z up.
+/// The camera is rotated in the head: nominal mount * Rx(rx) Ry(ry) Rz(rz), axes x forward, y left, z up.
 Effect cameraRotation() {
   return {.name = "cameraRotation",
           .what = "the camera sits turned in the head",

@@ -2,7 +2,7 @@
 
 namespace naocal {
 
-/// The camera sits shifted in the head frame.
+/// The camera is shifted in the head frame.
 Effect cameraTranslation() {
   return {.name = "cameraTranslation",
           .what = "the camera sits shifted in the head",

@@ -5,9 +5,10 @@
 
 namespace naocal {
 
-/// Gear and link give way like a spring behind the encoder, until the spring carries the torque at the angle reached:
-/// of its own angle a joint's torque is a sine, tau(q + delta) = tau cos(delta) + tau' sin(delta). 0.01 rad/Nm: half a
-/// degree to a degree in the legs of a standing NAO, which carry 1 to 4 Nm, and a tenth more for tau' = 10 Nm/rad.
+/// Gear and link deflect like a spring behind the encoder, in equilibrium with the torque at the deflected angle. As a
+/// function of its own angle a joint's torque is a sine, tau(q + delta) = tau cos(delta) + tau' sin(delta). 0.01
+/// rad/Nm: half a degree to a degree in the legs of a standing NAO, which carry 1 to 4 Nm, and a tenth more for tau' =
+/// 10 Nm/rad.
 Effect elasticity() {
   return {
       .name = "elasticity",
@@ -22,7 +23,7 @@ Effect elasticity() {
         const auto at = static_cast<Eigen::Index>(joint);
         const double torque = instant.torque[at], growth = instant.torqueGrowth[at];
         double delta = 0;
-        for (int step = 0; step < 6; ++step) { // Newton's, kept short where no spring would hold the joint
+        for (int step = 0; step < 6; ++step) { // Newton; the slope is limited where no spring could hold the joint
           const double missing = delta - values[0] * (torque * std::cos(delta) + growth * std::sin(delta));
           const double slope = 1 - values[0] * (growth * std::cos(delta) - torque * std::sin(delta));
           delta -= missing / std::max(0.3, slope);

@@ -4,8 +4,7 @@
 
 namespace naocal {
 
-/// The encoder's magnet turns off its centre: an error of one period per turn. 0.005 rad is 0.1 mm off on a radius of
-/// 20 mm.
+/// The encoder's magnet rotates off centre: an error with one period per turn. 0.005 rad: 0.1 mm at a radius of 20 mm.
 Effect encoderEccentricity() {
   return {
       .name = "encoderEccentricity",

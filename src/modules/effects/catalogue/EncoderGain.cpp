@@ -2,8 +2,7 @@
 
 namespace naocal {
 
-/// The encoder counts too much or too little per turn: a magnet that sits too high or low. 1 % is what magnetic
-/// encoders are specified to.
+/// The encoder's gain is wrong, for example with a magnet too high or too low. 1 %: specification of magnetic encoders.
 Effect encoderGain() {
   return {
       .name = "encoderGain",

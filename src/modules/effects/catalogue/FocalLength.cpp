@@ -2,7 +2,7 @@
 
 namespace naocal {
 
-/// Both focal lengths are wrong by the same factor: fx, fy times (1 + s).
+/// Both focal lengths have the same relative error: fx, fy times (1 + s).
 Effect focalLength() {
   return {.name = "focalLength",
           .what = "the lens magnifies more or less than the file says",

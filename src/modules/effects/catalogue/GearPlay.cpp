@@ -4,8 +4,8 @@
 
 namespace naocal {
 
-/// The side of the gap is gravity's where its torque exceeds the gear's friction, and the last motion's where not. A
-/// NAO's gears stick up to 0.05 to 0.5 Nm: t counts from 0.2 Nm, where fits begin, and friction rounds both steps.
+/// The side of the gap follows gravity where its torque exceeds the gear's friction, otherwise the last motion.
+/// Friction of NAO gears is 0.05 to 0.5 Nm; t is relative to 0.2 Nm, the start of fits. Friction smooths both steps.
 Effect gearPlay() {
   return {
       .name = "gearPlay",
@@ -20,7 +20,7 @@ Effect gearPlay() {
       .correct = [](ModelState& belief, const RobotSample& instant, std::size_t joint, std::span<const double> values) {
         const auto at = static_cast<Eigen::Index>(joint);
         const double torque = instant.torque[at], excess = std::abs(torque) - gearFriction - values[1];
-        const double held = (1 + std::tanh(excess / 0.03)) / 2; // by load; the rest by the last motion
+        const double held = (1 + std::tanh(excess / 0.03)) / 2; // share held by the load; the rest by the last motion
         belief.angle(joint) += values[0] / 2 * (held * std::tanh(torque / 0.03) - (1 - held) * instant.approach[at]);
       }};
 }

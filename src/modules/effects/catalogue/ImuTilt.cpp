@@ -2,8 +2,8 @@
 
 namespace naocal {
 
-/// The inertial unit sits tilted in the torso. HULKs stores the correction as `torsoCalibration`. 0.03 rad: 2 degrees.
-/// It moves no picture: where `imu` is recorded, each reading is a measurement of the torso over the sole.
+/// The IMU is tilted in the torso; HULKs stores the correction as `torsoCalibration`. 0.03 rad: 2 degrees. Pictures do
+/// not depend on it: each recorded `imu` reading is a measurement of the torso over the sole.
 Effect imuTilt() {
   return {.name = "imuTilt",
           .what = "the inertial unit sits tilted in the torso",

@@ -2,7 +2,7 @@
 
 namespace naocal {
 
-/// A link is longer than drawn, on both sides alike. 2 mm: what cast and screwed plastic parts differ by.
+/// A link is longer than nominal, equally on both sides. 2 mm: tolerance of moulded and screwed plastic parts.
 Effect linkLength() {
   return {.name = "linkLength",
           .what = "a link is longer or shorter than the drawing says",

@@ -2,7 +2,7 @@
 
 namespace naocal {
 
-/// The optical axis meets the sensor elsewhere: cx, cy shifted.
+/// The optical axis meets the sensor elsewhere: cx, cy are shifted.
 Effect principalPoint() {
   return {.name = "principalPoint",
           .what = "the optical axis meets the sensor elsewhere than the file says",

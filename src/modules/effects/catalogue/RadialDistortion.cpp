@@ -2,7 +2,7 @@
 
 namespace naocal {
 
-/// The lens bends rays with their distance from the axis: added to the given k1, k2.
+/// Radial distortion, added to the given k1, k2.
 Effect radialDistortion() {
   return {.name = "radialDistortion",
           .what = "the lens bends rays more or less towards its rim than the file says",

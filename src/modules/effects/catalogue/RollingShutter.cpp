@@ -2,8 +2,8 @@
 
 namespace naocal {
 
-/// Rows are exposed one after the other, so joints that move stand elsewhere in each. 6e-5 s: the 480 rows of a NAO's
-/// camera take about 30 ms, a picture's whole period.
+/// Rows are exposed one after the other while the joints move. 6e-5 s: the 480 rows of a NAO's camera take about 30 ms,
+/// the whole period of a picture.
 Effect rollingShutter() {
   return {.name = "rollingShutter",
           .what = "the picture's rows are exposed one after the other while the joints move",

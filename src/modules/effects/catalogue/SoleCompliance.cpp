@@ -2,8 +2,8 @@
 
 namespace naocal {
 
-/// The body tips over the foot that carries it, the more the farther its centre of mass is from the sole frame. 0.3
-/// rad/m: half a degree for 3 cm. On both feet the share of either is not told: single support only.
+/// Sole or floor yield: the body tips over its support foot in proportion to the centre of mass in the sole frame. 0.3
+/// rad/m: half a degree for 3 cm. Single support only, since the share of each foot is unknown on both.
 Effect soleCompliance() {
   return {.name = "soleCompliance",
           .what = "the sole or the floor gives way: the body tips towards its centre of mass",

@@ -2,8 +2,8 @@
 
 namespace naocal {
 
-/// The body stands on that sole at a constant tilt: a bent foot, worn rubber, a slope. 0.02 rad: 3 mm over a sole's
-/// length.
+/// The body stands on that sole at a constant tilt: a bent foot, worn rubber, a slope. 0.02 rad: 3 mm over the length
+/// of a sole.
 Effect soleTilt() {
   return {.name = "soleTilt",
           .what = "the body stands tilted on that sole: a bent foot or a slope",

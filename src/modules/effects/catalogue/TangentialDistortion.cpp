@@ -2,7 +2,7 @@
 
 namespace naocal {
 
-/// The lens sits tilted over the sensor: added to the given p1, p2.
+/// The lens is tilted over the sensor: added to the given p1, p2.
 Effect tangentialDistortion() {
   return {.name = "tangentialDistortion",
           .what = "the lens sits tilted over the sensor",

@@ -2,7 +2,8 @@
 
 namespace naocal {
 
-/// Gear and link grow with the motor's heat. 5e-4 rad/K: a degree over the 35 K that a leg's motor warms up in a game.
+/// Gear and link expand with the motor's temperature. 5e-4 rad/K: a degree over the 35 K that a leg motor warms up in a
+/// game.
 Effect thermalDrift() {
   return {
       .name = "thermalDrift",

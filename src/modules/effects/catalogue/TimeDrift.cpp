@@ -2,7 +2,7 @@
 
 namespace naocal {
 
-/// The joint creeps while the captures are taken. 1e-5 rad/s: a third of a degree in ten minutes.
+/// The joint drifts during the captures. 1e-5 rad/s: a third of a degree in ten minutes.
 Effect timeDrift() {
   return {.name = "timeDrift",
           .what = "the joint's angle creeps while the captures are taken",

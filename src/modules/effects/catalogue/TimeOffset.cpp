@@ -4,7 +4,7 @@
 
 namespace naocal {
 
-/// Pictures and angles are not of the same instant: the picture is younger by dt. 20 ms: a picture's transfer and half
+/// Pictures and angles have different time stamps: the picture is younger by dt. 20 ms: transfer of a picture and half
 /// its exposure.
 Effect timeOffset() {
   return {.name = "timeOffset",
