@@ -22,7 +22,7 @@ namespace {
 struct DiagnoseCommand {
   std::vector<std::string> sets;
   std::string json, model, poses, own;
-  std::string definitions = "[]"; // of the model's file
+  std::string definitions = "[]"; // of the model file
   bool skipBad = false, full = false;
   DiagnosisOptions options;
   NextPosesOptions next;
@@ -41,7 +41,7 @@ void readModel(DiagnoseCommand& command, const Robot& robot) {
   command.definitions = file.definitions;
 }
 
-/// What to measure next; only what is open where nobody asked for poses.
+/// Proposes the next poses; only the open questions if no poses are needed.
 NextPoses asked(const DiagnoseCommand& command, const LoadedSets& given, const Measurements& measurements,
                 const Diagnosis& diagnosis) {
   NextPosesOptions options = command.next;
@@ -49,14 +49,14 @@ NextPoses asked(const DiagnoseCommand& command, const LoadedSets& given, const M
   options.seed = command.options.inquiry.seed;
   try {
     return proposeNextPoses(given.sets, measurements, diagnosis, command.options, options);
-  } catch (const InputError& error) { // the diagnosis stands all the same
+  } catch (const InputError& error) { // the diagnosis is still valid
     NextPoses none;
     none.whyNone = error.what();
     return none;
   }
 }
 
-/// The curve that no effect of the catalogue explains; nullptr: there is none that an expression follows.
+/// The unexplained curve, if an expression fits it; otherwise nullptr.
 const DriverCurve* beyondTheCatalogue(const Diagnosis& diagnosis) {
   return diagnosis.verdict == Verdict::unknownEffect && !diagnosis.driverCurves.empty() &&
                  !diagnosis.driverCurves.front().coefficients.empty()
@@ -64,7 +64,7 @@ const DriverCurve* beyondTheCatalogue(const Diagnosis& diagnosis) {
              : nullptr;
 }
 
-/// The model as it was asked for, with what was suggested and that curve as an effect of the person's own.
+/// The requested model, extended by the suggested effects and the curve as a custom effect.
 nlohmann::json modelWith(const DriverCurve& curve, const DiagnoseCommand& command, const Diagnosis& diagnosis) {
   std::vector<std::string> with = command.options.with;
   with.insert(with.end(), diagnosis.suggested.begin(), diagnosis.suggested.end());
@@ -76,7 +76,7 @@ nlohmann::json modelWith(const DriverCurve& curve, const DiagnoseCommand& comman
   return modelFileJson(with, command.options.without, std::move(define));
 }
 
-/// Ctrl-C ends it with what it has found so far.
+/// Diagnoses with progress output; Ctrl-C stops with the findings so far.
 Diagnosis withProgress(const LoadedSets& given, const Measurements& measurements, DiagnosisOptions options) {
   const Progress progress{"models tested (at most)"};
   const std::size_t most = 2 + measurements.poses.size() / 4;
