@@ -39,8 +39,8 @@ const std::vector<CalibrationKind>& calibrationKinds();
 /// nullptr if no kind has this name.
 const CalibrationKind* findCalibrationKind(std::string_view run);
 
-/// Reads the effects that a calibration on the robot estimates beside offsets and mounts: models/V6.json (or another
-/// robot model) in the configuration's folder, a model file as written by `naocal`. Throws InputError.
+/// Reads the effects that a calibration on the robot estimates in addition to offsets and mounts: models/V6.json (or
+/// another robot model) in the configuration's folder, a model file as written by `naocal`. Throws InputError.
 ModelFile loadCalibrationModel(const std::filesystem::path& configuration, const Robot& drawing);
 
 /// Reduces a model to the effects that the captures can determine: leaves out effects of the other leg and those whose

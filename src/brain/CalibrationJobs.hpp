@@ -24,7 +24,7 @@
 
 namespace naocal {
 
-/// Inputs of a calibration beside its parameters.
+/// Inputs of a calibration other than its parameters.
 struct CalibrationContext {
   const Robot& drawing;
   RobotIdentity identity;

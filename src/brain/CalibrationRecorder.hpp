@@ -17,8 +17,8 @@ namespace naocal {
 /// to the last capture after any failure.
 class CalibrationRecorder {
 public:
-  /// `header`: robot, cameras, boards and stances of the set. `model`: effects estimated beside offsets and mounts.
-  /// Throws InputError if the folder already holds a set.
+  /// `header`: robot, cameras, boards and stances of the set. `model`: effects estimated in addition to offsets
+  /// and mounts. Throws InputError if the folder already holds a set.
   CalibrationRecorder(const Robot& drawing, CaptureSet header, std::filesystem::path folder, ModelFile model);
 
   /// Detects boards in an image, writes the image and its capture, and returns the corners; empty for an incomplete

@@ -48,10 +48,10 @@ public:
   /// has no safe way.
   LegRoundPlanner(const Robot& drawing, const PoseFile& file, SupportFoot foot, const CompensatedAngles& stand);
 
-  /// Onto the foot, through the poses in random order, back to the stand. A person holds the robot between one foot and
-  /// both, because its joints may be off by degrees; in a later stance (`stance` > 0) also since the previous foot.
-  /// Each pose is approached `options.pictures` times, from below and from above in turn; each joint's first side is
-  /// random.
+  /// Plans the way onto the foot, through the poses in random order, and back to the stand. A person holds the robot
+  /// between one foot and both, because its joints may be off by degrees; in a later stance (`stance` > 0) also since
+  /// the previous foot. Each pose is approached `options.pictures` times, from below and from above in turn; each
+  /// joint's first side is random.
   CalibrationRound planRound(const RoundOptions& options, int stance) const;
 
 private:

@@ -14,8 +14,8 @@ namespace naocal {
 /// does not provide (pose, commanded angles, approach directions) comes from the recording.
 class ReplayedCalibration final : public Module {
 public:
-  /// `folder`: new recording; `model`: effects estimated beside offsets and mounts. All arguments must outlive the
-  /// module.
+  /// `folder`: new recording; `model`: effects estimated in addition to offsets and mounts. All arguments must
+  /// outlive the module.
   ReplayedCalibration(const Robot& drawing, const ReplayWorld& world, std::filesystem::path folder, ModelFile model);
   void cycle() override;
 

@@ -43,7 +43,7 @@ std::string noiseFloorName(const JsonCursor& diagnosis);
 /// The figures behind the verdict: held-out error, false-alarm probability, lack of fit, scatter.
 std::vector<Fact> diagnosisFacts(const JsonCursor& diagnosis);
 
-/// Adds the data of a diagnosis's figures beside its candidates, in display units: captures of each pose, cameras,
+/// Adds the data of a diagnosis's figures, except its candidates, in display units: captures of each pose, cameras,
 /// similarity of the first candidates. Data missing in the file stay empty or null.
 void addFiguresData(const JsonCursor& diagnosis, nlohmann::json& data);
 

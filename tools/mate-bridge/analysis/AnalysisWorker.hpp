@@ -23,8 +23,8 @@ class AnalysisSession;
 /// after every model change, unless another change is queued.
 class AnalysisWorker {
 public:
-  /// Receives messages for all panels: kind and JSON. Called on the worker's thread. Beside the session's kinds: "work"
-  /// (current activity), "refused", "unfitted" (reason of a failed initial fit), "made".
+  /// Receives messages for all panels: kind and JSON. Called on the worker's thread. In addition to the session's
+  /// kinds: "work" (current activity), "refused", "unfitted" (reason of a failed initial fit), "made".
   using MessageSink = std::function<void(const std::string& kind, std::string json)>;
 
   /// Queues the initial fit. Throws InputError for captures that do not match the robot.

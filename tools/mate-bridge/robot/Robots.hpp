@@ -94,7 +94,7 @@ private:
 };
 
 /// The robots shown in panels, by address. A key is subscribed to while a panel shows it. After `patience` without an
-/// open panel nobody can press Stop: all robots are disconnected, which stops them by their last will, until a panel
+/// open panel no Stop button exists: all robots are disconnected, which stops them by their last will, until a panel
 /// opens.
 class Robots {
 public:

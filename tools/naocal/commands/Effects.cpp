@@ -40,7 +40,7 @@ const char* places(const Effect& effect) {
   return "stance";
 }
 
-/// The capture file's key for a driver, beside angles and corners; nullptr if none is needed.
+/// The capture file's key for a driver, in addition to angles and corners; nullptr if none is needed.
 const char* key(Driver driver) {
   switch (driver) {
   case Driver::torque:

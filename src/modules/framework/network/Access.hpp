@@ -8,7 +8,7 @@
 
 namespace naocal {
 
-/// Who may reach the robot over the network: access.json. The file is not mounted, so clients cannot read the secret.
+/// Network access to the robot: access.json. The file is not mounted, so clients cannot read the secret.
 struct AccessSettings {
   std::string address = "127.0.0.1"; // listening address; 127.0.0.1: this computer only; 0.0.0.0: all interfaces
   std::string secret;                // required from clients when listening beyond this computer

@@ -116,7 +116,8 @@ std::string nameHypotheses(const std::vector<Hypothesis>& suspects, std::size_t 
   return joinWords(words);
 }
 
-/// Which member of the head's equivalence class is present; false if all its alternatives are already in the model.
+/// Fills `question`: which member of the head's equivalence class is present. False if all its alternatives are
+/// already in the model.
 bool askWhichOne(const Diagnosis& diagnosis, const CandidateFinding& head, ModelAmbiguity& question) {
   std::vector<Hypothesis> suspects;
   std::vector<double> evidence;
@@ -139,7 +140,7 @@ bool askWhichOne(const Diagnosis& diagnosis, const CandidateFinding& head, Model
   return true;
 }
 
-/// Whether the unexplained curve, as a custom effect, or its best rival in the catalogue is present.
+/// Fills `question`: whether the unexplained curve, as a custom effect, or its best rival in the catalogue is present.
 void askAboutCurve(const Diagnosis& diagnosis, const Robot& robot, ModelAmbiguity& question) {
   const DriverCurve& curve = diagnosis.driverCurves.front();
   const auto rival = std::find_if(diagnosis.ranking.begin(), diagnosis.ranking.end(), [&](const auto& finding) {

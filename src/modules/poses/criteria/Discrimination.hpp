@@ -37,7 +37,7 @@ ModelAmbiguity findAmbiguity(const Diagnosis& diagnosis, const Robot& robot, con
 /// Probabilities from 2 ln Bayes factors: proportional to exp(evidence / 2), sum 1.
 std::vector<double> posteriorProbabilities(const std::vector<double>& evidence);
 
-/// How well given information distinguishes suspects from each other, or detects them.
+/// Expected misfits by which given information distinguishes suspects from each other, or detects them.
 ///
 ///   V    = H_cc - H_co H_oo^-1 H_oc          information about the suspects' unknowns c, the model's own o eliminated
 ///   I_jk = V_jj - V_jk (V_kk + 1/plausible^2)^-1 V_kj        part of j that k cannot mimic; V_jj if j has no rival

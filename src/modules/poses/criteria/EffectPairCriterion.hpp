@@ -6,8 +6,9 @@
 
 namespace naocal {
 
-/// How well poses distinguish the two PlanOptions::effects, by Discrimination: simulated captures, linearised at the
-/// drawing. Offsets, camera mounts and boards are unknown; the effects have their plausible sizes and equal odds.
+/// Evaluates how well poses distinguish the two PlanOptions::effects, by Discrimination: simulated captures, linearised
+/// at the drawing. Offsets, camera mounts and boards are unknown; the effects have their plausible sizes and equal
+/// odds.
 class EffectPairCriterion {
 public:
   EffectPairCriterion(const Robot& robot, const std::vector<Board>& boards,
